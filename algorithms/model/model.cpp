@@ -1,0 +1,52 @@
+#include "algorithms/model/model.hpp"
+
+namespace refitlab {
+namespace {
+
+bool is_finite(const Point3& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+void validate_influences(const Model& m, std::size_t vertex) {
+  const std::string thing = "vertex " + std::to_string(vertex);
+  const int joint_count = static_cast<int>(m.joints.size());
+  double sum = 0;
+  int last = -1;
+  for (const Influence& i : m.influences[vertex]) {
+    if (i.joint < 0 || i.joint >= joint_count)
+      throw ModelError(m.name, thing, "joint index " + std::to_string(i.joint) + " is out of range 0.." +
+                                          std::to_string(joint_count - 1));
+    if (i.joint <= last) throw ModelError(m.name, thing, "influences are not in increasing order of distinct joints");
+    last = i.joint;
+    if (!(i.weight > 0 && i.weight <= 1)) throw ModelError(m.name, thing, "a weight is not in (0, 1]");
+    if (std::ldexp(i.weight, 24) != std::floor(std::ldexp(i.weight, 24)))
+      throw ModelError(m.name, thing, "a weight is not a multiple of 2^-24");
+    sum += i.weight;  // exact: multiples of 2^-24 below 1
+  }
+  if (sum != 1) throw ModelError(m.name, thing, "the weights do not sum to 1");
+}
+
+}  // namespace
+
+void validate(const Model& m) {
+  if (m.joints.empty()) throw ModelError(m.name, "skeleton", "no joints");
+  if (m.vertices.empty() || m.triangles.empty()) throw ModelError(m.name, "mesh", "no triangles");
+  if (m.influences.size() != m.vertices.size()) throw ModelError(m.name, "mesh", "not one list of influences a vertex");
+  for (std::size_t j = 0; j < m.joints.size(); ++j) {
+    const std::string thing = "joint " + std::to_string(j) + " (" + m.joints[j].name + ")";
+    if (m.joints[j].parent < -1 || m.joints[j].parent >= static_cast<int>(j))
+      throw ModelError(m.name, thing, "its parent does not come before it");
+    if (!is_finite(m.joints[j].origin)) throw ModelError(m.name, thing, "its origin is not finite");
+  }
+  for (std::size_t v = 0; v < m.vertices.size(); ++v) {
+    if (!is_finite(m.vertices[v])) throw ModelError(m.name, "vertex " + std::to_string(v), "its position is not finite");
+    validate_influences(m, v);
+  }
+  const int vertex_count = static_cast<int>(m.vertices.size());
+  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+    for (const int v : m.triangles[t])
+      if (v < 0 || v >= vertex_count)
+        throw ModelError(m.name, "triangle " + std::to_string(t), "vertex index " + std::to_string(v) + " is out of range");
+}
+
+Posture reference_posture(const Model& m) { return Posture(m.joints.size()); }
+
+}  // namespace refitlab

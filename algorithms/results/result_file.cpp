@@ -1,0 +1,86 @@
+#include "algorithms/results/result_file.hpp"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "refitlab_build.hpp"  // generated at build time: commit, compiler, flags
+
+namespace refitlab {
+namespace {
+
+std::string cpu_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+void append_row(std::ostringstream& out, const std::vector<std::string>& fields) {
+  for (std::size_t i = 0; i < fields.size(); ++i) out << (i ? "," : "") << csv_field(fields[i]);
+  out << '\n';
+}
+
+}  // namespace
+
+const Provenance& Provenance::of_this_build() {
+  static const Provenance p{REFITLAB_COMMIT, REFITLAB_DIRTY, REFITLAB_COMPILER, REFITLAB_FLAGS, cpu_name()};
+  return p;
+}
+
+std::string format_number(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  namespace fs = std::filesystem;
+  const fs::path target(path);
+  std::error_code error;
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
+  const fs::path temporary = target.string() + ".tmp" + std::to_string(::getpid());
+  std::ofstream out(temporary, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) {
+    const std::string reason = std::strerror(errno);
+    fs::remove(temporary, error);
+    throw std::runtime_error(path + ": cannot write: " + reason);
+  }
+  fs::rename(temporary, target, error);
+  if (error) throw std::runtime_error(path + ": cannot replace: " + error.message());
+}
+
+void ResultFile::add(std::vector<std::string> row, std::uint64_t seed) {
+  if (row.size() != columns_.size()) throw std::logic_error("a result row must have a value per column");
+  rows_.emplace_back(std::move(row), seed);
+}
+
+std::string ResultFile::text() const {
+  std::ostringstream out;
+  const Provenance& p = Provenance::of_this_build();
+  auto header = columns_;
+  header.insert(header.end(), {"commit", "dirty", "compiler", "flags", "cpu", "seed"});
+  append_row(out, header);
+  for (const auto& [row, seed] : rows_) {
+    auto fields = row;
+    fields.insert(fields.end(), {p.commit, p.dirty, p.compiler, p.flags, p.cpu, std::to_string(seed)});
+    append_row(out, fields);
+  }
+  return out.str();
+}
+
+}  // namespace refitlab

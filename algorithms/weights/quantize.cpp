@@ -1,0 +1,45 @@
+#include "algorithms/weights/quantize.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+namespace refitlab {
+
+std::vector<std::pair<int, double>> quantize_weights(std::vector<std::pair<int, double>> weights) {
+  std::map<int, double> by_joint;
+  double sum = 0;
+  for (const auto& [joint, weight] : weights) by_joint[joint] += weight, sum += weight;
+
+  struct Part {
+    int joint;
+    std::int64_t units;
+    double remainder;
+  };
+  std::vector<Part> parts;
+  std::int64_t missing = std::int64_t{1} << weight_bits;
+  for (const auto& [joint, weight] : by_joint) {
+    const double exact = std::ldexp(weight / sum, weight_bits);
+    const double units = std::floor(exact);
+    parts.push_back({joint, static_cast<std::int64_t>(units), exact - units});
+    missing -= parts.back().units;
+  }
+  // What the rounding down left over goes to the largest remainders, a unit each (at most one a part, up to rounding of
+  // the division, which the last loop absorbs in the largest part).
+  std::vector<std::size_t> order(parts.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return parts[a].remainder > parts[b].remainder; });
+  for (std::size_t i = 0; i < order.size() && missing > 0; ++i, --missing) ++parts[order[i]].units;
+  if (missing != 0)
+    std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.units < b.units; })->units +=
+        missing;
+
+  std::vector<std::pair<int, double>> out;
+  for (const Part& p : parts)
+    if (p.units > 0) out.emplace_back(p.joint, std::ldexp(static_cast<double>(p.units), -weight_bits));
+  return out;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,29 @@
+// Exact number types: Rational decides every statement in + - * /, ExactRoot every statement with square roots too.
+//
+// ExactRoot can be very slow when two deeply nested roots are equal, so statements are put in squared form and checked
+// with Rational wherever that is possible.
+#pragma once
+
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Gmpq.h>
+
+#include "lemmas/vocabulary/numbers.hpp"
+
+namespace refitlab {
+
+using Rational = CGAL::Gmpq;
+using ExactRoot = CORE::Expr;
+
+template <>
+struct NumberTraits<ExactRoot> {
+  static ExactRoot square(const ExactRoot& x) { return x * x; }
+  static ExactRoot sqrt(const ExactRoot& x) { return CORE::sqrt(x); }
+  static ExactRoot max(const ExactRoot& a, const ExactRoot& b) { return a < b ? b : a; }
+  static ExactRoot min(const ExactRoot& a, const ExactRoot& b) { return b < a ? b : a; }
+  static Verdict less_equal(const ExactRoot& a, const ExactRoot& b) { return verdict_of(a <= b); }
+  static Verdict less(const ExactRoot& a, const ExactRoot& b) { return verdict_of(a < b); }
+  static Verdict equal(const ExactRoot& a, const ExactRoot& b) { return verdict_of(a == b); }
+  static bool prefer_less(const ExactRoot& a, const ExactRoot& b) { return a < b; }
+};
+
+}  // namespace refitlab

@@ -1,0 +1,71 @@
+// Number types: what every lemma and every refit may ask of its number type S.
+//
+// Each statement is one template over S. The same source then runs in float and double (an answer, no claim),
+// in interval arithmetic (holds / fails / undecided) and in exact arithmetic (decides). Only + - * / and sqrt are
+// needed, because cos(2 arccos d) = 2d^2 - 1 and sin(2 arccos d) = 2d sqrt(1 - d^2).
+#pragma once
+
+#include <cmath>
+
+#include "lemmas/vocabulary/verdict.hpp"
+
+namespace refitlab {
+
+// What refitlab needs of S beyond the field operations. Specialised where the generic form is wrong or loose:
+// an interval times itself does not know that both factors are the same number, for example.
+template <class S>
+struct NumberTraits {
+  static S square(const S& x) { return x * x; }
+  static S sqrt(const S& x) {
+    using std::sqrt;
+    return sqrt(x);
+  }
+  static S max(const S& a, const S& b) { return a < b ? b : a; }
+  static S min(const S& a, const S& b) { return b < a ? b : a; }
+  static Verdict less_equal(const S& a, const S& b) { return verdict_of(a <= b); }
+  static Verdict less(const S& a, const S& b) { return verdict_of(a < b); }
+  static Verdict equal(const S& a, const S& b) { return verdict_of(a == b); }
+  // An ordering for pivoting and for picking the farthest point: any answer is correct, the best one is fast.
+  static bool prefer_less(const S& a, const S& b) { return a < b; }
+};
+
+template <class S>
+S sq(const S& x) {
+  return NumberTraits<S>::square(x);
+}
+template <class S>
+S root(const S& x) {
+  return NumberTraits<S>::sqrt(x);
+}
+template <class S>
+S max_of(const S& a, const S& b) {
+  return NumberTraits<S>::max(a, b);
+}
+template <class S>
+S min_of(const S& a, const S& b) {
+  return NumberTraits<S>::min(a, b);
+}
+template <class S>
+Verdict less_equal(const S& a, const S& b) {
+  return NumberTraits<S>::less_equal(a, b);
+}
+template <class S>
+Verdict less(const S& a, const S& b) {
+  return NumberTraits<S>::less(a, b);
+}
+template <class S>
+Verdict equal(const S& a, const S& b) {
+  return NumberTraits<S>::equal(a, b);
+}
+template <class S>
+bool prefer_less(const S& a, const S& b) {
+  return NumberTraits<S>::prefer_less(a, b);
+}
+
+// True only if a < b is beyond doubt in S (for an interval: for all of its members). False for a NaN.
+template <class S>
+bool certainly_less(const S& a, const S& b) {
+  return less(a, b) == Verdict::holds;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,57 @@
+// Quaternions as vectors of R^4, in the order (w, x, y, z): the real part first, as in the paper's q = (1, 0, 0, 0).
+//
+// A non-zero quaternion q stands for the rotation x -> q x q* / ||q||^2 of R^3, angle in radians, right-handed. q and any
+// k q with k != 0 are the same rotation, but q and -q blend differently.
+#pragma once
+
+#include "lemmas/vocabulary/vector.hpp"
+
+namespace refitlab {
+
+template <class S>
+using Quaternion = Vec<S, 4>;
+
+template <class S>
+Quaternion<S> identity_quaternion() {
+  return {S(1), S(0), S(0), S(0)};
+}
+
+template <class S>
+Vec<S, 3> imaginary(const Quaternion<S>& q) {
+  return {q[1], q[2], q[3]};
+}
+
+template <class S>
+Quaternion<S> conjugate(const Quaternion<S>& q) {
+  return {q[0], -q[1], -q[2], -q[3]};
+}
+
+template <class S>
+Quaternion<S> multiply(const Quaternion<S>& a, const Quaternion<S>& b) {
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+}
+
+// Im(q x q*), that is ||q||^2 times the rotated x: division-free, for a quaternion of any length.
+template <class S>
+Vec<S, 3> rotate_scaled(const Quaternion<S>& q, const Vec<S, 3>& x) {
+  const Vec<S, 3> v = imaginary(q);
+  const S along = (dot(v, x)) * S(2);
+  const S keep = sq(q[0]) - squared_norm(v);
+  const Vec<S, 3> turn = cross(v, x);
+  const S twice_w = q[0] * S(2);
+  return {keep * x[0] + along * v[0] + twice_w * turn[0], keep * x[1] + along * v[1] + twice_w * turn[1],
+          keep * x[2] + along * v[2] + twice_w * turn[2]};
+}
+
+// The rotated x for a unit q (QUAT2MATRIX of Algorithm 1, applied to x).
+template <class S>
+Vec<S, 3> rotate(const Quaternion<S>& unit, const Vec<S, 3>& x) {
+  const Vec<S, 3> v = imaginary(unit);
+  const Vec<S, 3> t = cross(v, x);
+  const Vec<S, 3> tt = cross(v, t);
+  return {x[0] + S(2) * (unit[0] * t[0] + tt[0]), x[1] + S(2) * (unit[0] * t[1] + tt[1]),
+          x[2] + S(2) * (unit[0] * t[2] + tt[2])};
+}
+
+}  // namespace refitlab

@@ -1,0 +1,32 @@
+// Rigid transforms C_j: x -> R(rotation) x + translation, from the reference posture to the animated one (paper 3).
+#pragma once
+
+#include "lemmas/vocabulary/quaternion.hpp"
+
+namespace refitlab {
+
+template <class S>
+struct RigidTransform {
+  Quaternion<S> rotation = identity_quaternion<S>();  // of unit length; its sign is the skinning's
+  Vec<S, 3> translation = {S(0), S(0), S(0)};         // length units of the model
+};
+
+template <class S>
+Vec<S, 3> apply(const RigidTransform<S>& c, const Vec<S, 3>& x) {
+  const Vec<S, 3> turned = rotate(c.rotation, x);
+  return turned + c.translation;
+}
+
+// x -> a(b(x)).
+template <class S>
+RigidTransform<S> compose(const RigidTransform<S>& a, const RigidTransform<S>& b) {
+  return {multiply(a.rotation, b.rotation), apply(a, b.translation)};
+}
+
+template <class S>
+RigidTransform<S> inverse(const RigidTransform<S>& a) {
+  const Quaternion<S> back = conjugate(a.rotation);
+  return {back, -rotate(back, a.translation)};
+}
+
+}  // namespace refitlab

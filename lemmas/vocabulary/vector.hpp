@@ -1,0 +1,52 @@
+// Vectors of R^d over any number type, and the two products that need care.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "lemmas/vocabulary/numbers.hpp"
+
+namespace refitlab {
+
+template <class S, int D>
+using Vec = Eigen::Matrix<S, D, 1>;
+
+// (a, b), the dot product. Eigen's own reduction is fine for it; written out so that the order of the sum is fixed.
+template <class S, int D>
+S dot(const Vec<S, D>& a, const Vec<S, D>& b) {
+  S sum = a[0] * b[0];
+  for (int i = 1; i < a.size(); ++i) sum = sum + a[i] * b[i];
+  return sum;
+}
+
+// ||a||^2. Not Eigen's squaredNorm: on an interval [-1, 1] that yields [-1, 1], and a square is never negative.
+template <class S, int D>
+S squared_norm(const Vec<S, D>& a) {
+  S sum = sq(a[0]);
+  for (int i = 1; i < a.size(); ++i) sum = sum + sq(a[i]);
+  return sum;
+}
+
+template <class S, int D>
+S norm(const Vec<S, D>& a) {
+  return root(squared_norm(a));
+}
+
+template <class S, int D>
+S squared_distance(const Vec<S, D>& a, const Vec<S, D>& b) {
+  return squared_norm<S, D>(a - b);
+}
+
+template <class S>
+Vec<S, 3> cross(const Vec<S, 3>& a, const Vec<S, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// A vector of one number type as a vector of another (double data taken as exact rationals, for example).
+template <class T, class S, int D>
+Vec<T, D> convert(const Vec<S, D>& v) {
+  Vec<T, D> out(v.size());
+  for (int i = 0; i < v.size(); ++i) out[i] = T(v[i]);
+  return out;
+}
+
+}  // namespace refitlab

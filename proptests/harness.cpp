@@ -1,0 +1,103 @@
+#include "proptests/harness.hpp"
+
+#include <chrono>
+#include <iostream>
+#include <sstream>
+
+#include "proptests/session.hpp"
+
+namespace proptests {
+namespace {
+
+// A listener that counts labels; the harness prints its own progress.
+struct Quiet : rc::detail::TestListener {
+  void onTestCaseFinished(const rc::detail::CaseDescription& c) override {
+    ++cases;
+    bool degenerate = false;
+    for (const auto& tag : c.tags) {
+      ++tags[tag];
+      degenerate = degenerate || tag == "degenerate";
+    }
+    degenerate_cases += degenerate;
+  }
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+  long cases = 0, degenerate_cases = 0;
+  std::map<std::string, long> tags;
+};
+
+std::string describe(const rc::detail::FailureResult& failure) {
+  std::ostringstream out;
+  for (const auto& [type, value] : failure.counterExample) out << (type.empty() ? "" : type + " = ") << value << "; ";
+  out << failure.description;
+  return out.str();
+}
+
+}  // namespace
+
+void Suite::run(const std::string& sentence, const std::string& kind, const Options& options,
+                const rc::detail::Property& property) {
+  Session& session = Session::get();
+  const auto start = std::chrono::steady_clock::now();
+  session.announce(stem_, sentence);
+
+  rc::detail::TestMetadata metadata;
+  metadata.id = metadata.description = stem_ + ": " + sentence;
+  rc::detail::TestParams params;
+  // Each property has a stream of its own, so that adding one test does not change what the others try.
+  params.seed = session.seed() ^ std::hash<std::string>{}(metadata.id);
+  params.maxSuccess = std::max(1, static_cast<int>(options.cases * session.scale()));
+  params.maxSize = options.max_size;
+  params.maxDiscardRatio = 20;
+  Quiet listener;
+  const auto result = rc::detail::checkProperty(property, metadata, params, listener);
+
+  Outcome outcome{.stem = stem_, .sentence = sentence, .kind = kind, .options = options};
+  outcome.seed = params.seed;
+  outcome.tags = listener.tags;
+  outcome.degenerate_share = listener.cases ? double(listener.degenerate_cases) / double(listener.cases) : 0;
+  if (result.is<rc::detail::SuccessResult>()) {
+    outcome.cases = result.get<rc::detail::SuccessResult>().numSuccess;
+    outcome.passed = kind == "holds" && outcome.cases >= params.maxSuccess;
+    if (kind == "refuted") outcome.detail = "no counterexample found";
+    if (outcome.passed && outcome.degenerate_share < options.degenerate_at_least) {
+      outcome.passed = false;
+      outcome.detail = "too few degenerate cases: a share of " + std::to_string(outcome.degenerate_share) + ", wanted " +
+                       std::to_string(options.degenerate_at_least);
+    }
+  } else if (result.is<rc::detail::FailureResult>()) {
+    const auto& failure = result.get<rc::detail::FailureResult>();
+    outcome.cases = failure.numSuccess + 1;
+    outcome.detail = describe(failure);
+    outcome.passed = kind == "refuted";
+  } else if (result.is<rc::detail::GaveUpResult>()) {
+    outcome.cases = result.get<rc::detail::GaveUpResult>().numSuccess;
+    outcome.detail = "gave up: too many cases were discarded";
+  } else {
+    outcome.detail = "error: " + result.get<rc::detail::Error>().description;
+  }
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  session.add(std::move(outcome));
+}
+
+void Suite::example(const std::string& sentence, const Options& options, const std::function<Checked()>& check) {
+  Session& session = Session::get();
+  const auto start = std::chrono::steady_clock::now();
+  session.announce(stem_, sentence);
+  Outcome outcome{.stem = stem_, .sentence = sentence, .kind = "example", .options = options};
+  outcome.seed = session.seed();
+  try {
+    const Checked checked = check();
+    outcome.passed = checked.passed;
+    outcome.cases = checked.cases;
+    outcome.detail = checked.detail;
+  } catch (const std::exception& e) {
+    outcome.detail = std::string("threw: ") + e.what();
+  }
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  session.add(std::move(outcome));
+}
+
+Registration::Registration(const char* stem, SuiteFunction function) { Session::get().suites()[stem].push_back(function); }
+
+}  // namespace proptests

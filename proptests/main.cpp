@@ -1,0 +1,61 @@
+// proptests: runs every property (or those of --only STEM) and ends with the verdict table.
+#include <boost/program_options.hpp>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <random>
+
+#include "proptests/session.hpp"
+#include "proptests/verdict_table.hpp"
+
+int main(int argc, char** argv) try {
+  namespace po = boost::program_options;
+  std::vector<std::string> only;
+  std::uint64_t seed = 2006;
+  double scale = 1;
+  std::string out;
+  po::options_description options("proptests: the property tests of refitlab");
+  options.add_options()("help", "this text")("list", "the stems, a line each")(
+      "only", po::value(&only)->multitoken(), "run the suites whose stem contains one of these")(
+      "seed", po::value(&seed), "seed of the random cases (fixed unless given)")("random", "a fresh seed, printed")(
+      "scale", po::value(&scale), "multiply the number of random cases, for a heavy campaign")(
+      "out", po::value(&out), "folder for verdicts.csv and verdicts.md");
+  po::variables_map map;
+  po::store(po::parse_command_line(argc, argv, options), map);
+  po::notify(map);
+  if (map.count("help")) return std::cout << options, 0;
+  if (!(scale > 0)) throw po::error("--scale must be positive");
+  if (map.count("random")) seed = std::random_device{}() * 0x100000001ull ^ std::random_device{}();
+
+  auto& session = proptests::Session::get();
+  session.set(seed, scale);
+  if (map.count("list")) {
+    for (const auto& [stem, suites] : session.suites()) std::cout << stem << '\n';
+    return 0;
+  }
+  std::cout << "proptests: seed " << seed << ", scale " << scale << '\n';
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t done = 0;
+  for (const auto& [stem, suites] : session.suites()) {
+    ++done;
+    bool wanted = only.empty();
+    for (const auto& part : only) wanted = wanted || stem.find(part) != std::string::npos;
+    if (!wanted) continue;
+    std::cout << "[" << done << "/" << session.suites().size() << "] " << stem << '\n';
+    proptests::Suite suite(stem);
+    for (const auto function : suites) function(suite);
+  }
+  long passed = 0, failed = 0;
+  for (const auto& o : session.outcomes()) ++(o.passed ? passed : failed);
+  std::cout << '\n' << proptests::verdict_table(session.outcomes()) << '\n';
+  if (!out.empty()) proptests::write_verdicts(session.outcomes(), out);
+  for (const auto& o : session.outcomes())
+    if (!o.passed) std::cout << "FAILED " << o.stem << ": " << o.sentence << "\n       " << o.detail << '\n';
+  std::printf("%.0f s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  if (passed + failed == 0) return std::cerr << "proptests: no suite matches --only\n", 2;
+  std::printf("%ld passed, %ld failed\n", passed, failed);
+  return failed == 0 ? 0 : 1;
+} catch (const std::exception& e) {
+  std::cerr << "proptests: " << e.what() << '\n';
+  return 2;
+}

@@ -1,0 +1,31 @@
+#include "proptests/session.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+namespace proptests {
+
+Session& Session::get() {
+  static Session session;
+  return session;
+}
+
+void Session::announce(const std::string& stem, const std::string& sentence) const {
+  std::cout << "  [ .... ] " << stem << ": " << sentence << std::flush;
+}
+
+void Session::add(Outcome o) {
+  char summary[96];
+  std::snprintf(summary, sizeof summary, "%ld case%s, %.0f %% degenerate, %.2f s", o.cases, o.cases == 1 ? "" : "s",
+                100 * o.degenerate_share, o.seconds);
+  std::cout << "\r  [ " << (o.passed ? " ok " : "FAIL") << " ] " << o.stem << ": " << o.sentence << "  (" << o.kind;
+  if (!o.options.form.empty()) std::cout << ", " << o.options.form;
+  if (!o.options.number_type.empty()) std::cout << ", " << o.options.number_type;
+  std::cout << "; " << summary << ")\n";
+  if (!o.detail.empty() && (!o.passed || o.kind != "holds")) std::cout << "           " << o.detail.substr(0, 600) << '\n';
+  if (!o.passed) std::cout << "           seed of the run: " << seed_ << '\n';
+  std::cout << std::flush;
+  outcomes_.push_back(std::move(o));
+}
+
+}  // namespace proptests
