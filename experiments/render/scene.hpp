@@ -1,0 +1,46 @@
+// Scene: what a picture shows. Model space, model units; y is up unless the camera says otherwise.
+#pragma once
+
+#include <vector>
+
+#include "experiments/render/camera.hpp"
+#include "experiments/render/image.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab::render {
+
+struct MeshShape {
+  std::vector<Point3> vertices;
+  std::vector<Triangle> triangles;
+  Color color = palette::clay;
+  double opacity = 1;                // below 1: seen through, with fainter back faces
+  bool smooth = true;                // normals interpolated over a triangle, or its own
+  std::vector<Color> vertex_colors;  // one per vertex, in place of color; or empty
+};
+
+// A bounding sphere if translucent (with a thin darker outline), a marker if opaque.
+struct BallShape {
+  Ball3<double> ball;
+  Color color = palette::blue;
+  double opacity = 0.2;
+};
+
+// A polyline with round ends: at least two points.
+struct LineShape {
+  std::vector<Point3> points;
+  double radius;  // half the thickness, model units
+  Color color = palette::black;
+};
+
+struct Scene {
+  std::vector<MeshShape> meshes;
+  std::vector<BallShape> balls;
+  std::vector<LineShape> lines;
+
+  Box3 bounds() const;
+  // Throws std::invalid_argument that names the shape and what is wrong with it: a number that is not finite, an index
+  // out of range, an opacity outside [0, 1], a radius that is negative (balls) or not positive (lines).
+  void validate() const;
+};
+
+}  // namespace refitlab::render
