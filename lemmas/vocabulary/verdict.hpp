@@ -22,7 +22,7 @@ constexpr Verdict& operator&=(Verdict& a, Verdict b) { return a = a & b; }
 constexpr Verdict& operator|=(Verdict& a, Verdict b) { return a = a | b; }
 
 // "if p then q": fails only when p holds and q does not.
-constexpr Verdict implies(Verdict p, Verdict q) { return !p | q; }
+constexpr Verdict implies(Verdict p, Verdict q) { return (!p) | q; }
 
 inline const char* name_of(Verdict v) {
   return v == Verdict::holds ? "holds" : v == Verdict::fails ? "fails" : "undecided";

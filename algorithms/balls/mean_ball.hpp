@@ -1,0 +1,43 @@
+// The mean ball: centered at the mean of the centers, with the smallest radius that encloses all (paper 4.4, the
+// BOUNDINGSPHERE of Algorithm 1 [James and Pai 2004]).
+#pragma once
+
+#include <span>
+
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab {
+
+template <class S, int D>
+Vec<S, D> mean_center(std::span<const Vec<S, D>> points) {
+  Vec<S, D> sum = points[0];
+  for (const auto& p : points.subspan(1)) sum = sum + p;
+  return sum / S(static_cast<double>(points.size()));
+}
+
+template <class S, int D>
+S farthest_squared_distance(const Vec<S, D>& center, std::span<const Vec<S, D>> points) {
+  S far = squared_distance(points[0], center);
+  for (const auto& p : points.subspan(1)) far = max_of(far, squared_distance(p, center));
+  return far;
+}
+
+// points is not empty.
+template <class S, int D>
+Ball<S, D> mean_ball(std::span<const Vec<S, D>> points) {
+  const Vec<S, D> center = mean_center(points);
+  return {center, root(farthest_squared_distance(center, points))};
+}
+
+// balls is not empty.
+template <class S, int D>
+Ball<S, D> mean_ball(std::span<const Ball<S, D>> balls) {
+  Vec<S, D> sum = balls[0].center;
+  for (const auto& b : balls.subspan(1)) sum = sum + b.center;
+  const Vec<S, D> center = sum / S(static_cast<double>(balls.size()));
+  S radius = norm<S, D>(balls[0].center - center) + balls[0].radius;
+  for (const auto& b : balls.subspan(1)) radius = max_of(radius, S(norm<S, D>(b.center - center) + b.radius));
+  return {center, radius};
+}
+
+}  // namespace refitlab

@@ -1,0 +1,13 @@
+// The smallest enclosing ball of balls of R^3, by CGAL's Min_sphere_of_spheres_d [Fischer and Gaertner 2003].
+#pragma once
+
+#include <span>
+
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab {
+
+// balls is not empty. Smallest up to rounding; the radius is then raised to what encloses all balls as computed in double.
+Ball3<double> smallest_ball_of_balls(std::span<const Ball3<double>> balls);
+
+}  // namespace refitlab

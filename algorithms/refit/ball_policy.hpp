@@ -1,0 +1,39 @@
+// BOUNDINGSPHERE, the subroutine of Algorithm 1 that the variants exchange: mean balls as printed, or smallest balls.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "lemmas/vocabulary/quaternion.hpp"
+
+namespace refitlab {
+
+struct MeanBalls {
+  template <class S, int D>
+  static Vec<S, D> center_of_points(std::span<const Vec<S, D>> points) {
+    return mean_center(points);
+  }
+  template <class S>
+  static Ball3<S> of_balls(std::span<const Ball3<S>> balls) {
+    return mean_ball(balls);
+  }
+};
+
+struct SmallestBalls {
+  template <class S, int D>
+  static Vec<S, D> center_of_points(std::span<const Vec<S, D>> points) {
+    return smallest_ball(points).center;
+  }
+  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return smallest_ball_of_balls(balls); }
+};
+
+// The lists of Algorithm 1, kept between calls so that a refit does not allocate.
+template <class S>
+struct RefitLists {
+  std::vector<Ball3<S>> balls;             // L_1
+  std::vector<Quaternion<S>> quaternions;  // L_2
+};
+
+}  // namespace refitlab

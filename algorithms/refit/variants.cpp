@@ -1,0 +1,56 @@
+#include "algorithms/refit/variants.hpp"
+
+#include <stdexcept>
+
+#include "algorithms/refit/algorithm1_printed.hpp"
+#include "algorithms/refit/algorithm1_repaired.hpp"
+#include "algorithms/refit/linear.hpp"
+
+namespace refitlab {
+namespace {
+
+RefitLists<double>& lists() {
+  thread_local RefitLists<double> reused;
+  return reused;
+}
+
+template <class Policy>
+Ball3<double> linear(const RefitNode<double>& node) {
+  return refit_linear<Policy>(node, lists());
+}
+template <class Policy, Signs signs>
+Ball3<double> printed(const RefitNode<double>& node) {
+  return refit_algorithm1_printed<Policy>(node, signs, lists());
+}
+template <class Policy>
+Ball3<double> repaired(const RefitNode<double>& node) {
+  return refit_algorithm1_repaired<Policy>(node, lists());
+}
+
+}  // namespace
+
+const std::vector<RefitVariant>& refit_variants() {
+  using enum Skinning;
+  static const std::vector<RefitVariant> variants{
+      {"linear", "linear blending, mean balls [Kavan and Zara 2005a]", linear, true, refitlab::linear<MeanBalls>},
+      {"spherical_printed", "Algorithm 1 as printed", spherical, false, printed<MeanBalls, Signs::of_matrices>},
+      {"spherical_printed_signed", "Algorithm 1 as printed, but with the skinning's quaternion signs", spherical, false,
+       printed<MeanBalls, Signs::of_skinning>},
+      {"spherical_printed_exact", "the same with smallest balls in R4 and R3", spherical, false,
+       printed<SmallestBalls, Signs::of_skinning>},
+      {"spherical_repaired", "Algorithm 1 repaired", spherical, true, repaired<MeanBalls>},
+      {"spherical_exact", "Algorithm 1 repaired, with smallest balls in R4 and R3", spherical, true, repaired<SmallestBalls>},
+  };
+  return variants;
+}
+
+const RefitVariant& refit_variant(const std::string& name) {
+  std::string known;
+  for (const auto& v : refit_variants()) {
+    if (v.name == name) return v;
+    known += (known.empty() ? "" : ", ") + v.name;
+  }
+  throw std::invalid_argument("no refit variant named '" + name + "'; there are: " + known);
+}
+
+}  // namespace refitlab

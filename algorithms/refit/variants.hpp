@@ -1,0 +1,28 @@
+// The refit variants by name: one interface, each node by itself in any order, no vertex touched.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/skinning/skinning_pose.hpp"
+
+namespace refitlab {
+
+// The ball of one node in the posture of node.pose. Thread-safe.
+using Refit = Ball3<double> (*)(const RefitNode<double>& node);
+
+struct RefitVariant {
+  std::string name;         // as in result files: snake_case, fixed
+  std::string description;  // one line for tables and reports
+  Skinning skinning;        // whose vertices it bounds
+  bool sound;               // proved to enclose; the printed algorithm is not
+  Refit refit;
+};
+
+const std::vector<RefitVariant>& refit_variants();
+
+// Throws std::invalid_argument that lists the names there are.
+const RefitVariant& refit_variant(const std::string& name);
+
+}  // namespace refitlab

@@ -1,0 +1,41 @@
+// Blending one vertex: linear, and spherical by Equation (1), over any number type.
+#pragma once
+
+#include "algorithms/skinning/skinning_pose.hpp"
+#include "lemmas/vocabulary/weights.hpp"
+
+namespace refitlab {
+
+// sum w_i C_{j_i} v, where w is by position in the joint-set.
+template <class S>
+Vec<S, 3> blend_linear(const JointSetPose<S>& pose, std::span<const S> w, const Vec<S, 3>& v) {
+  Vec<S, 3> sum = apply(pose.transforms[0], v) * w[0];
+  for (std::size_t i = 1; i < w.size(); ++i) sum = sum + apply(pose.transforms[i], v) * w[i];
+  return sum;
+}
+
+// sum w_i q_i, not normalised.
+template <class S>
+Quaternion<S> blend_quaternion(const JointSetPose<S>& pose, std::span<const S> w) {
+  Quaternion<S> sum = pose.transforms[0].rotation * w[0];
+  for (std::size_t i = 1; i < w.size(); ++i) sum = sum + pose.transforms[i].rotation * w[i];
+  return sum;
+}
+
+// sum w_i C_{j_i} r_c, the linear part of Equation (1).
+template <class S>
+Vec<S, 3> blend_center(const JointSetPose<S>& pose, std::span<const S> w) {
+  return combine<S, 3>(w, pose.center_images);
+}
+
+// Equation (1). Division by the squared norm in place of a normalisation keeps it free of square roots, so that exact
+// rationals can evaluate it. The blended quaternion must not be zero (signs made consistent and w_1 > 0 ensure it).
+template <class S>
+Vec<S, 3> blend_spherical(const JointSetPose<S>& pose, std::span<const S> w, const Vec<S, 3>& v) {
+  const Quaternion<S> q = blend_quaternion(pose, w);
+  const Vec<S, 3> turned = rotate_scaled<S>(q, v - pose.rotation_center);
+  const S scale = S(1) / squared_norm(q);
+  return turned * scale + blend_center(pose, w);
+}
+
+}  // namespace refitlab

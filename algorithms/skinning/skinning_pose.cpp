@@ -1,0 +1,49 @@
+#include "algorithms/skinning/skinning_pose.hpp"
+
+#include "algorithms/skinning/rotation_center.hpp"
+
+namespace refitlab {
+namespace {
+
+Point3 mean_origin(const Model& model, std::span<const int> joints) {
+  Point3 sum = Point3::Zero();
+  for (const int j : joints) sum += model.joints[j].origin;
+  return sum / static_cast<double>(joints.size());
+}
+
+// The origin of the joint that two neighbouring bones share: the deepest joint of the set whose parent is in it too. For
+// a set without neighbours Hejl's variant is not defined; the first joint's origin keeps it total.
+Point3 shared_joint(const Model& model, std::span<const int> joints) {
+  int shared = joints[0];
+  for (const int j : joints)
+    for (const int k : joints)
+      if (model.joints[j].parent == k) shared = j;  // parents come before children, so the last one found is the deepest
+  return model.joints[shared].origin;
+}
+
+void check(const Model& model, const Posture& posture) {
+  if (posture.size() != model.joints.size())
+    throw ModelError(model.name, "posture", "has " + std::to_string(posture.size()) + " transforms for " +
+                                                std::to_string(model.joints.size()) + " joints");
+  for (std::size_t j = 0; j < posture.size(); ++j)
+    if (!posture[j].rotation.allFinite() || !posture[j].translation.allFinite())
+      throw ModelError(model.name, "posture, joint " + std::to_string(j) + " (" + model.joints[j].name + ")",
+                       "its transform is not finite");
+}
+
+}  // namespace
+
+SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning) {
+  check(model, posture);
+  SkinningPose<double> pose(sets.count());
+  for (int s = 0; s < sets.count(); ++s) {
+    const auto joints = sets.joints(s);
+    for (const int j : joints) pose[s].transforms.push_back(posture[j]);
+    make_signs_consistent<double>(pose[s].transforms);
+    place_rotation_center(pose[s], skinning == Skinning::hejl ? shared_joint(model, joints)
+                                                              : rotation_center(pose[s].transforms, mean_origin(model, joints)));
+  }
+  return pose;
+}
+
+}  // namespace refitlab

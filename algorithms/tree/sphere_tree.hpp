@@ -1,0 +1,52 @@
+// SphereTree: the bounding spheres of a skinned model, built once in the reference posture (paper 3 and 4.1).
+//
+// Flat arrays, nodes level by level from the root (level 1, as in the paper's Table 1), the children of a node side by
+// side. Every triangle lies whole in one leaf, and the children of a node hold the same triangles as the node.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/weights/joint_sets.hpp"
+
+namespace refitlab {
+
+struct TreeNode {
+  Ball3<double> reference;                 // the smallest ball of its vertices in the reference posture
+  int parent, first_child, child_count;    // parent is -1 at the root, child_count 0 at a leaf
+  int level;
+  int first_triangle, triangle_count;      // in SphereTree::triangle_order
+  int first_vertex, vertex_count;          // in SphereTree::leaf_vertices; 0 but at leaves
+  int first_joint_set, joint_set_count;    // in SphereTree::joint_sets
+};
+
+struct SphereTree {
+  std::vector<TreeNode> nodes;
+  std::vector<int> triangle_order;
+  std::vector<int> leaf_vertices;
+  std::vector<NodeJointSet> joint_sets;
+  std::vector<double> corner_weights;
+
+  int level_count() const { return nodes.back().level; }
+  RefitNode<double> refit_node(int node, std::span<const JointSetPose<double>> pose) const {
+    const TreeNode& n = nodes[node];
+    return {n.reference, {joint_sets.data() + n.first_joint_set, static_cast<std::size_t>(n.joint_set_count)},
+            corner_weights.data(), pose};
+  }
+};
+
+struct TreeOptions {
+  int triangles_per_leaf = 1;
+  // A node whose radius is more than this share of its parent's goes, and its children take its place. Leaves stay.
+  double prune_ratio = 0.9;
+};
+
+// Top-down: each node splits at the median of its triangles' centroids along their longest extent, and gets the smallest
+// ball of its vertices [Gaertner 1999]; then pruning makes it a tree of general order.
+SphereTree build_sphere_tree(const Model& model, const JointSets& sets, const TreeOptions& options = {});
+
+// The distinct vertices of a node's triangles, in increasing order.
+std::vector<int> vertices_of(const SphereTree& tree, const Model& model, int node);
+
+}  // namespace refitlab
