@@ -1,0 +1,24 @@
+// Rational numbers of a few digits, that shrink towards 0, then towards integers of either sign.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "lemmas/vocabulary/exact.hpp"
+#include "proptests/gen/show.hpp"
+
+namespace proptests::gen {
+
+using refitlab::Rational;
+
+// An integer of [-3, 3] at size 0 up to [-28, 28] at size 100. Shrinks towards 0, a negative one also to its opposite.
+rc::Gen<int> small_integer();
+// The same without 0 and without the sign; shrinks towards 1.
+rc::Gen<int> small_positive_integer();
+
+// Any rational with a small numerator and denominator: one in four is an integer, one in ten is 0.
+rc::Gen<Rational> rational();
+rc::Gen<Rational> positive_rational();
+// In [0, 1], with both ends at a good share.
+rc::Gen<Rational> unit_interval_rational();
+
+}  // namespace proptests::gen
