@@ -8,8 +8,9 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <limits>
 #include <span>
+#include <type_traits>
 
 #include "algorithms/balls/mean_ball.hpp"
 
@@ -23,88 +24,58 @@ struct SmallestBall {
   std::array<int, D + 1> support;            // indices of the points, the first support_size of them
   std::array<S, D + 1> coefficients;         // of the combination: non-negative, sum 1
   int support_size = 0;
+  int steps = 0;                             // of the walk: projections on a hull
   bool converged = false;                    // false only where rounding kept the walk from ending (never in exact numbers)
 };
 
-namespace detail {
-
-// Coefficients x (one a support point, sum 1) of the projection of center onto the affine hull of the support: the Gram
-// system of the differences to the first support point, by LDL^T. Nothing if the system is singular.
-template <class S, int D>
-std::optional<std::array<S, D + 1>> project_on_hull(const Vec<S, D>& center, std::span<const Vec<S, D>> points,
-                                                    const std::array<int, D + 1>& support, int size) {
-  const Vec<S, D>& base = points[support[0]];
-  const int n = size - 1;
-  std::array<Vec<S, D>, D> edge;
-  std::array<std::array<S, D>, D> gram;
-  std::array<S, D + 1> x;
-  for (int i = 0; i < n; ++i) {
-    edge[i] = points[support[i + 1]] - base;
-    x[i + 1] = dot<S, D>(edge[i], center - base);
-    for (int j = 0; j <= i; ++j) gram[i][j] = dot(edge[i], edge[j]);
-  }
-  for (int j = 0; j < n; ++j) {  // factorise in place: unit lower triangle below, D on the diagonal
-    if (!(S(0) < gram[j][j])) return std::nullopt;
-    for (int i = j + 1; i < n; ++i) {
-      const S factor = gram[i][j] / gram[j][j];
-      for (int k = j + 1; k <= i; ++k) gram[i][k] = gram[i][k] - factor * gram[k][j];
-      x[i + 1] = x[i + 1] - factor * x[j + 1];
-    }
-  }
-  // Now gram[i][j] below the diagonal still holds L_ij d_j, and x holds L^-1 times the right-hand side.
-  S rest(1);
-  for (int i = n; i-- > 0;) {
-    for (int k = i + 1; k < n; ++k) x[i + 1] = x[i + 1] - gram[k][i] * x[k + 1];
-    x[i + 1] = x[i + 1] / gram[i][i];
-    rest = rest - x[i + 1];
-  }
-  x[0] = rest;
-  return x;
+// What counts as zero, relative to the radius: rounding grows in a walk, and what it makes of a zero must not steer it.
+template <class S>
+S walk_tolerance() {
+  if constexpr (std::is_floating_point_v<S>)
+    return 4096 * std::numeric_limits<S>::epsilon();
+  else
+    return S(0);
 }
 
-}  // namespace detail
-
+// All positions are relative to the first point, so that a small cloud far from the origin loses no digits.
 template <class S, int D>
 class SmallestBallWalk {
  public:
-  explicit SmallestBallWalk(std::span<const Vec<S, D>> points) : points_(points) {
-    ball_.center = points[0];
-    ball_.support[0] = farthest().first;
+  explicit SmallestBallWalk(std::span<const Vec<S, D>> points) : points_(points), center_(position(0)) {
+    ball_.support[0] = farthest_from_first();
     ball_.support_size = 1;
   }
 
   SmallestBall<S, D> run() {
     // Dropping the most negative coefficient is fast and in rare degenerate cases cycles; the smallest index never does.
-    const int patience = 20 * (static_cast<int>(points_.size()) + D);
-    bool in_hull = false;  // the center is the circumcenter of the support
-    for (int step = 0; step < 4 * patience && !ball_.converged; ++step) {
-      const auto x = detail::project_on_hull<S, D>(ball_.center, points_, ball_.support, ball_.support_size);
-      if (!x) {  // rounding made the support dependent: let its last point go
-        --ball_.support_size;
-        in_hull = false;
-      } else if (!in_hull) {
-        in_hull = walk_towards(*x);
-      } else if (const int unneeded = negative_coefficient(*x, step < patience); unneeded >= 0) {
+    const int patience = 20 * D, limit = 4 * (patience + static_cast<int>(points_.size()));
+    while (!ball_.converged && ball_.steps < limit) {
+      ++ball_.steps;
+      squared_radius_ = squared_distance(position(ball_.support[0]), center_);
+      project_on_hull();
+      if (ball_.support_size <= D && squared_tolerance_ * squared_radius_ < squared_norm(walk_))
+        walk_to_hull();
+      else if (const int unneeded = negative_coefficient(ball_.steps < patience); unneeded >= 0)
         drop(unneeded);
-        in_hull = false;
-      } else {
-        ball_.coefficients = *x;
+      else
         ball_.converged = true;
-      }
     }
-    ball_.squared_radius = farthest().second;
+    ball_.center = points_[0] + center_;
+    ball_.squared_radius = farthest_squared_distance(ball_.center, points_);
     return ball_;
   }
 
  private:
-  std::pair<int, S> farthest() const {
+  Vec<S, D> position(int i) const { return points_[i] - points_[0]; }
+
+  int farthest_from_first() const {
     int index = 0;
-    S far = squared_distance(points_[0], ball_.center);
+    S far(0);
     for (int i = 1; i < static_cast<int>(points_.size()); ++i) {
-      const S d = squared_distance(points_[i], ball_.center);
+      const S d = squared_distance(points_[i], points_[0]);
       if (far < d) far = d, index = i;
     }
-    return {index, far};
+    return index;
   }
 
   bool in_support(int i) const {
@@ -113,8 +84,56 @@ class SmallestBallWalk {
     return false;
   }
 
+  // Finds the walk from the center to its projection on the support's hull, and the coefficients of that projection, by
+  // making the edges from the first support point orthogonal (Gram-Schmidt without roots, on what is left of each vector:
+  // products of whole edges would lose the digits of a thin support).
+  void project_on_hull() {
+    const int n = ball_.support_size - 1;
+    const Vec<S, D> base = position(ball_.support[0]);
+    std::array<Vec<S, D>, D> axis;
+    std::array<S, D> squared_length, on_axis;
+    std::array<std::array<S, D>, D> share;  // edge i = axis i + sum over j < i of share ij times axis j
+    walk_ = base - center_;
+    for (int i = 0; i < n; ++i) {
+      axis[i] = position(ball_.support[i + 1]) - base;
+      for (int j = 0; j < i; ++j) {
+        share[i][j] = dot(axis[i], axis[j]) / squared_length[j];
+        axis[i] = axis[i] - axis[j] * share[i][j];
+      }
+      squared_length[i] = squared_norm(axis[i]);
+      on_axis[i] = -dot(walk_, axis[i]) / squared_length[i];
+      walk_ = walk_ + axis[i] * on_axis[i];
+    }
+    ball_.coefficients[0] = S(1);
+    for (int i = n; i-- > 0;) {
+      S& x = ball_.coefficients[i + 1] = on_axis[i];
+      for (int k = i + 1; k < n; ++k) x = x - share[k][i] * ball_.coefficients[k + 1];
+      ball_.coefficients[0] = ball_.coefficients[0] - x;
+    }
+  }
+
+  // Moves the center to its projection, or as far as no other point falls outside: that point then joins the support.
+  void walk_to_hull() {
+    const Vec<S, D>& on_boundary = points_[ball_.support[0]];
+    const Vec<S, D> center = center_, walk = walk_;
+    const S too_flat = squared_tolerance_ * squared_radius_ * squared_norm(walk);  // would make a degenerate support
+    const S touching = walk_tolerance<S>() * squared_radius_;
+    S fraction(1);
+    int stop = -1;
+    for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+      const S approach = dot<S, D>(points_[i] - on_boundary, walk);  // negative: the boundary moves over this point
+      if (!(approach < S(0)) || !(too_flat < sq(approach)) || in_support(i)) continue;
+      const S slack = squared_radius_ - squared_distance<S, D>(position(i), center);
+      const S hit = touching < slack ? S(slack / (S(-2) * approach)) : S(0);
+      if (hit < fraction) fraction = hit, stop = i;
+    }
+    center_ = center_ + walk_ * fraction;
+    if (stop >= 0) ball_.support[ball_.support_size++] = stop;
+  }
+
   // The position in the support of the most negative coefficient, or of the negative one of smallest index; -1: none.
-  int negative_coefficient(const std::array<S, D + 1>& x, bool most_negative) const {
+  int negative_coefficient(bool most_negative) const {
+    const auto& x = ball_.coefficients;
     int found = -1;
     for (int k = 0; k < ball_.support_size; ++k)
       if (x[k] < S(0) && (found < 0 || (most_negative ? x[k] < x[found] : ball_.support[k] < ball_.support[found]))) found = k;
@@ -126,32 +145,10 @@ class SmallestBallWalk {
     for (int k = position; k < ball_.support_size; ++k) ball_.support[k] = ball_.support[k + 1];
   }
 
-  // Moves the center towards the point of the support's hull with coefficients x, as far as no other point falls outside.
-  // True if it then is the circumcenter of the support.
-  bool walk_towards(const std::array<S, D + 1>& x) {
-    Vec<S, D> goal = points_[ball_.support[0]] * x[0];
-    for (int k = 1; k < ball_.support_size; ++k) goal = goal + points_[ball_.support[k]] * x[k];
-    const Vec<S, D> walk = goal - ball_.center;
-    const Vec<S, D>& on_boundary = points_[ball_.support[0]];
-    const S squared_radius = squared_distance(on_boundary, ball_.center);
-    S fraction(1);
-    int stop = -1;
-    for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
-      const S approach = dot<S, D>(points_[i] - on_boundary, walk);  // negative: the boundary moves over this point
-      if (!(approach < S(0)) || in_support(i)) continue;
-      const S hit = max_of(S((squared_distance(points_[i], ball_.center) - squared_radius) / (S(2) * approach)), S(0));
-      if (hit < fraction) fraction = hit, stop = i;
-    }
-    if (stop < 0 || ball_.support_size == D + 1) {
-      ball_.center = goal;
-      return true;
-    }
-    ball_.center = ball_.center + walk * fraction;
-    ball_.support[ball_.support_size++] = stop;
-    return ball_.support_size == D + 1;  // its hull is the whole space
-  }
-
   std::span<const Vec<S, D>> points_;
+  const S squared_tolerance_ = sq(walk_tolerance<S>());
+  Vec<S, D> center_, walk_;
+  S squared_radius_;
   SmallestBall<S, D> ball_;
 };
 
