@@ -22,14 +22,16 @@ S farthest_squared_distance(const Vec<S, D>& center, std::span<const Vec<S, D>> 
   return far;
 }
 
-// points is not empty.
+// m points, m > 0. The radius is at most max(2 - 2/m, 1) times the smallest ball's [with that ball [0, R], ||p_j - mean|| <=
+// (1 - 1/m) ||p_j|| + sum over the others of ||p_i|| / m <= (2 - 2/m) R], and reaches it: one point at x, all others at -x.
 template <class S, int D>
 Ball<S, D> mean_ball(std::span<const Vec<S, D>> points) {
   const Vec<S, D> center = mean_center(points);
   return {center, root(farthest_squared_distance(center, points))};
 }
 
-// balls is not empty.
+// m balls, m > 0. The radius is at most 2 - 1/m times the smallest ball's, by the same steps with ||p_i|| + r_i <= R, and
+// reaches it: one ball [0, R], all others the same point at distance R.
 template <class S, int D>
 Ball<S, D> mean_ball(std::span<const Ball<S, D>> balls) {
   Vec<S, D> sum = balls[0].center;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 #include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/tree/sphere_tree.hpp"
@@ -146,12 +148,20 @@ class Builder {
 }  // namespace
 
 SphereTree build_sphere_tree(const Model& model, const JointSets& sets, const TreeOptions& options) {
+  if (options.triangles_per_leaf < 1)
+    throw std::invalid_argument("a leaf of the sphere tree needs room for at least one triangle, not " +
+                                std::to_string(options.triangles_per_leaf));
   return Builder(model, sets, options).build();
 }
 
-std::vector<int> vertices_of(const SphereTree& tree, const Model& model, int node) {
-  const TreeNode& n = tree.nodes[node];
-  return distinct_vertices(model, {tree.triangle_order.data() + n.first_triangle, static_cast<std::size_t>(n.triangle_count)});
+NodeVertices::NodeVertices(const SphereTree& tree, const Model& model) {
+  for (const TreeNode& n : tree.nodes) {
+    first_.push_back(vertices_.size());
+    const auto own = distinct_vertices(
+        model, {tree.triangle_order.data() + n.first_triangle, static_cast<std::size_t>(n.triangle_count)});
+    vertices_.insert(vertices_.end(), own.begin(), own.end());
+  }
+  first_.push_back(vertices_.size());
 }
 
 }  // namespace refitlab

@@ -37,16 +37,28 @@ struct SphereTree {
 };
 
 struct TreeOptions {
-  int triangles_per_leaf = 1;
+  int triangles_per_leaf = 1;  // at most this many; at least 1
   // A node whose radius is more than this share of its parent's goes, and its children take its place. Leaves stay.
   double prune_ratio = 0.9;
 };
 
 // Top-down: each node splits at the median of its triangles' centroids along their longest extent, and gets the smallest
 // ball of its vertices [Gaertner 1999]; then pruning makes it a tree of general order.
+// model is valid. Throws std::invalid_argument for triangles_per_leaf < 1.
 SphereTree build_sphere_tree(const Model& model, const JointSets& sets, const TreeOptions& options = {});
 
-// The distinct vertices of a node's triangles, in increasing order.
-std::vector<int> vertices_of(const SphereTree& tree, const Model& model, int node);
+// The distinct vertices of each node's triangles, in increasing order. Refitting never looks at them; whoever checks or
+// measures a refit does.
+class NodeVertices {
+ public:
+  NodeVertices(const SphereTree& tree, const Model& model);
+  std::span<const int> operator[](int node) const {
+    return {vertices_.data() + first_[node], first_[node + 1] - first_[node]};
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<int> vertices_;
+};
 
 }  // namespace refitlab

@@ -8,9 +8,15 @@
 namespace refitlab {
 
 std::vector<std::pair<int, double>> quantize_weights(std::vector<std::pair<int, double>> weights) {
+  double largest = 0;
+  for (const auto& [joint, weight] : weights) largest = std::max(largest, weight);
+  const int exponent = std::ilogb(largest);
   std::map<int, double> by_joint;
   double sum = 0;
-  for (const auto& [joint, weight] : weights) by_joint[joint] += weight, sum += weight;
+  for (const auto& [joint, weight] : weights) {  // scaled by a power of two: the sum of huge weights is not finite
+    by_joint[joint] += std::ldexp(weight, -exponent);
+    sum += std::ldexp(weight, -exponent);
+  }
 
   struct Part {
     int joint;
@@ -25,16 +31,13 @@ std::vector<std::pair<int, double>> quantize_weights(std::vector<std::pair<int, 
     parts.push_back({joint, static_cast<std::int64_t>(units), exact - units});
     missing -= parts.back().units;
   }
-  // What the rounding down left over goes to the largest remainders, a unit each (at most one a part, up to rounding of
-  // the division, which the last loop absorbs in the largest part).
+  // What the rounding down left over goes to the largest remainders, a unit each. There are enough: a remainder is less
+  // than a unit, and all of them sum to what is missing, up to rounding that is far below a unit for any count of joints.
   std::vector<std::size_t> order(parts.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return parts[a].remainder > parts[b].remainder; });
-  for (std::size_t i = 0; i < order.size() && missing > 0; ++i, --missing) ++parts[order[i]].units;
-  if (missing != 0)
-    std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.units < b.units; })->units +=
-        missing;
+  for (std::int64_t i = 0; i < missing; ++i) ++parts[order[i]].units;
 
   std::vector<std::pair<int, double>> out;
   for (const Part& p : parts)

@@ -14,7 +14,7 @@ inline constexpr int weight_bits = 24;
 
 // (joint, weight) pairs with finite weights >= 0 and a positive sum (the caller has checked): merges repeated joints,
 // divides by the sum, rounds so that the total is 1 (largest remainders first), drops what rounds to 0, and sorts by
-// joint.
+// joint. Each is less than 2^-24 from its share of the sum, up to the rounding of doubles; the order of the shares stays.
 std::vector<std::pair<int, double>> quantize_weights(std::vector<std::pair<int, double>> weights);
 
 }  // namespace refitlab
