@@ -44,6 +44,9 @@ struct Model {
   std::vector<Joint> joints;
   std::vector<std::vector<Influence>> influences;  // by vertex; distinct joints in increasing order, weights > 0
   std::vector<Clip> clips;
+  // How far the skin matrices M of a file, its scale s taken out, are from rotations: the largest Frobenius norm of
+  // M^T M / s^2 - I over the joints and the times that were checked on loading. 0 where clips are made of rotations.
+  double rigidity_defect = 0;
 };
 
 // A model that cannot be used: the message names the file (or generated model), the thing, and the reason.

@@ -1,0 +1,129 @@
+#include "algorithms/model/skeleton_motion.hpp"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace refitlab {
+namespace {
+
+Eigen::Vector3d between(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) { return a + t * (b - a); }
+Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double t) {
+  return a.slerp(t, b).normalized();
+}
+
+template <class Value>
+Value value_at(const std::vector<Key<Value>>& keys, double time) {
+  const auto after = std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; });
+  if (after == keys.begin()) return keys.front().value;
+  if (after == keys.end()) return keys.back().value;
+  const auto before = after - 1;
+  return between(before->value, after->value, (time - before->time) / (after->time - before->time));
+}
+
+Eigen::Matrix4d local_transform(const NodeTrack& track, double time) {
+  Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
+  local.topLeftCorner<3, 3>() =
+      value_at(track.rotations, time).toRotationMatrix() * value_at(track.scales, time).asDiagonal();
+  local.topRightCorner<3, 1>() = value_at(track.positions, time);
+  return local;
+}
+
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+  const auto globals = global_transforms(skeleton.nodes, motion, time);
+  std::vector<Eigen::Matrix4d> out;
+  for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
+  return out;
+}
+
+// The orthogonal factor of the polar decomposition, for a matrix within rigidity_tolerance of a rotation: each step of
+// Newton's iteration squares the defect, so that four leave rounding only.
+Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d m) {
+  for (int step = 0; step < 4; ++step) m = 0.5 * (m + m.inverse().transpose()).eval();
+  return m;
+}
+
+// Why m, which is not within rigidity_tolerance of a rotation, is refused.
+std::string reason_against(const Eigen::Matrix3d& m) {
+  if (!m.allFinite()) return "the skin matrix is not finite";
+  const Eigen::Vector3d s = m.jacobiSvd().singularValues();
+  std::ostringstream text;
+  if (s[0] - s[2] > 1e-3 * s[0])
+    text << "the skin matrix shears or scales unevenly, by " << s[2] << " to " << s[0];
+  else if (m.determinant() < 0)
+    text << "the skin matrix mirrors";
+  else
+    text << "the skin matrix scales by " << s[1];
+  text << " (relative to the other joints in the first posture); only rotations with one constant scale are supported";
+  return text.str();
+}
+
+template <class Value>
+void collect_times(const std::vector<Key<Value>>& keys, std::vector<double>& times) {
+  for (const auto& key : keys) times.push_back(key.time);
+}
+
+}  // namespace
+
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Motion& motion, double time) {
+  std::vector<Eigen::Matrix4d> globals;
+  for (const SceneNode& node : nodes) globals.push_back(node.local);
+  for (const NodeTrack& track : motion.tracks) globals[track.node] = local_transform(track, time);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].parent >= 0) globals[i] = globals[nodes[i].parent] * globals[i];
+  return globals;
+}
+
+Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+  std::vector<double> scales;  // negative for a mirror
+  for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time))
+    if (m.allFinite()) scales.push_back(std::cbrt(m.topLeftCorner<3, 3>().determinant()));
+  if (scales.empty()) return Eigen::Matrix4d::Identity();  // pose() has more to say
+  const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+  std::nth_element(scales.begin(), middle, scales.end());
+  const double scale = std::abs(std::abs(*middle) - 1) < 1e-5 ? 1 : std::abs(*middle);
+  return Eigen::Vector4d(*middle < 0 ? -scale : scale, scale, scale, 1).asDiagonal();
+}
+
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+  PosedSkeleton out{{}, 0};
+  const auto matrices = skin_matrices(skeleton, motion, time);
+  for (std::size_t j = 0; j < matrices.size(); ++j) {
+    const BoundJoint& joint = skeleton.joints[j];
+    const Eigen::Matrix3d m = matrices[j].topLeftCorner<3, 3>();
+    const double defect = (m.transpose() * m - Eigen::Matrix3d::Identity()).norm();
+    if (!(defect <= rigidity_tolerance && m.determinant() > 0 && matrices[j].allFinite())) {
+      std::ostringstream thing;
+      if (!motion.name.empty()) thing << "clip '" << motion.name << "', ";
+      thing << "joint '" << joint.name << "', time " << time << " s";
+      throw ModelError(skeleton.file, thing.str(), reason_against(m));
+    }
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(nearest_rotation(m)).normalized();
+    Quaternion<double> q(turn.w(), turn.x(), turn.y(), turn.z());
+    const double side = joint.parent < 0 ? q[0] : dot(q, out.posture[joint.parent].rotation);
+    if (side < 0) q = -q;
+    out.posture.push_back({q, matrices[j].topRightCorner<3, 1>()});
+    out.rigidity_defect = std::max(out.rigidity_defect, defect);
+  }
+  return out;
+}
+
+std::vector<double> key_times(const Motion& motion, std::size_t limit) {
+  std::vector<double> times = {0, motion.duration};
+  for (const NodeTrack& track : motion.tracks) {
+    collect_times(track.positions, times);
+    collect_times(track.rotations, times);
+    collect_times(track.scales, times);
+  }
+  std::erase_if(times, [&](double t) { return t < 0 || t > motion.duration; });
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  if (times.size() <= limit) return times;
+  std::vector<double> thinned;
+  for (std::size_t i = 0; i < limit; ++i) thinned.push_back(times[i * (times.size() - 1) / (limit - 1)]);
+  return thinned;
+}
+
+}  // namespace refitlab

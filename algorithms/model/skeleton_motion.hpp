@@ -1,0 +1,80 @@
+// The skeleton of a model file in motion: a tree of nodes, tracks of keys, and the skin matrices that they give.
+//
+// Skin matrix of joint j at time t: M_j(t) = (global transform of its node at t) * (its offset matrix). If it is R K and a
+// translation, with one K = s diag(+-1, 1, 1) for all joints and times, then K belongs to the reference posture: vertices
+// are multiplied by K, offset matrices by its inverse, and M_j is the rigid C_j.
+// Matrices act on columns; lengths in units of the file, times in seconds.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <string>
+#include <vector>
+
+#include "algorithms/model/model.hpp"
+
+namespace refitlab {
+
+// The largest Frobenius norm of M^T M - I that is taken for the rounding of a file: 1e-3 in the scale along each axis.
+inline constexpr double rigidity_tolerance = 3.5e-3;
+
+struct SceneNode {
+  std::string name;
+  int parent;             // index of a node that comes before this one, or -1
+  Eigen::Matrix4d local;  // to the parent's frame, where no clip moves it
+};
+
+struct BoundJoint {
+  std::string name;
+  int node;
+  int parent;              // joint
+  Eigen::Matrix4d offset;  // from the frame of the reference posture to that of the node
+};
+
+template <class Value>
+struct Key {
+  double time;
+  Value value;
+};
+
+// Where one node goes: at least one key of each kind, by non-decreasing time. Between keys positions and scales go
+// linearly, rotations along the shorter great arc; before the first and after the last they stay.
+struct NodeTrack {
+  int node;
+  std::vector<Key<Eigen::Vector3d>> positions;
+  std::vector<Key<Eigen::Quaterniond>> rotations;  // unit
+  std::vector<Key<Eigen::Vector3d>> scales;
+};
+
+struct Motion {
+  std::string name;
+  double duration = 0;
+  std::vector<NodeTrack> tracks;  // of distinct nodes; a node without one stays as it is
+};
+
+struct BoundSkeleton {
+  std::string file;
+  std::vector<SceneNode> nodes;
+  std::vector<BoundJoint> joints;
+};
+
+struct PosedSkeleton {
+  Posture posture;
+  double rigidity_defect;  // the largest over the joints
+};
+
+// By node.
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Motion& motion, double time);
+
+// K of the skin matrices at a time, by the determinant of the joint in the middle. The identity where it differs from
+// that by rounding only.
+Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motion, double time);
+
+// C_j by joint: the rotation nearest to M_j, its quaternion in the half-space of its parent's (of a root, real part >= 0).
+// Throws ModelError that names clip, joint and time where M_j is not rigid, within rigidity_tolerance.
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double time);
+
+// 0, the duration and the times of keys between, in order; evenly thinned to at most `limit`.
+std::vector<double> key_times(const Motion& motion, std::size_t limit);
+
+}  // namespace refitlab
