@@ -14,7 +14,10 @@ struct Quiet : rc::detail::TestListener {
   void onTestCaseFinished(const rc::detail::CaseDescription& c) override {
     ++cases;
     bool degenerate = false;
-    for (const auto& tag : c.tags) {
+    for (const auto& shown : c.tags) {
+      // RapidCheck shows a label as it shows any string: in quotes.
+      const bool quoted = shown.size() >= 2 && shown.front() == '"' && shown.back() == '"';
+      const std::string tag = quoted ? shown.substr(1, shown.size() - 2) : shown;
       ++tags[tag];
       degenerate = degenerate || tag == "degenerate";
     }

@@ -53,10 +53,8 @@ template <class S>
 Verdict less(const S& a, const S& b) {
   return NumberTraits<S>::less(a, b);
 }
-template <class S>
-Verdict equal(const S& a, const S& b) {
-  return NumberTraits<S>::equal(a, b);
-}
+// An object, not a function: CGAL has an equal(Interval, Interval) of its own, which would be as good a match for its numbers.
+inline constexpr auto equal = []<class S>(const S& a, const S& b) { return NumberTraits<S>::equal(a, b); };
 template <class S>
 bool prefer_less(const S& a, const S& b) {
   return NumberTraits<S>::prefer_less(a, b);
