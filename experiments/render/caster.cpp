@@ -46,7 +46,7 @@ Caster::Caster(const Scene& scene) {
   const Box3 bounds = scene.bounds();
   center_ = bounds.isEmpty() ? Point3(Point3::Zero()) : Point3(bounds.center());
   diagonal_ = bounds.isEmpty() ? 1 : std::max(bounds.diagonal().norm(), 1e-6);
-  // One thread and one instruction set, so that the same scene gives the same picture everywhere.
+  // One thread and one instruction set, so that the picture depends neither on cores nor on the processor.
   device_ = {rtcNewDevice("threads=1,max_isa=sse4.2"), [](RTCDevice d) { if (d) rtcReleaseDevice(d); }};
   if (!device_) throw std::runtime_error("Embree: cannot make a device");
   opaque_ = build(scene, true);
@@ -81,12 +81,17 @@ Caster::Layer Caster::build(const Scene& scene, bool opaque) const {
     Part part;
     part.mesh = &mesh;
     if (mesh.smooth) part.normals = vertex_normals(mesh);
+    if (mesh.vertex_colors.empty()) part.colors.push_back(to_linear(mesh.color));
+    for (const auto& color : mesh.vertex_colors) part.colors.push_back(to_linear(color));
     add(layer, geometry, std::move(part));
   }
 
   Part balls;
   for (const auto& ball : scene.balls)
-    if (wanted(ball.opacity) && ball.ball.radius > 0) balls.balls.push_back(&ball);
+    if (wanted(ball.opacity) && ball.ball.radius > 0) {
+      balls.balls.push_back(&ball);
+      balls.colors.push_back(to_linear(ball.color));
+    }
   if (!balls.balls.empty()) {
     const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
     auto* points = buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4, balls.balls.size());
@@ -101,13 +106,13 @@ Caster::Layer Caster::build(const Scene& scene, bool opaque) const {
   Part segments;
   std::size_t points_of_lines = 0;
   for (const auto& line : scene.lines) {
-    segments.lines.insert(segments.lines.end(), line.points.size() - 1, &line);
+    segments.colors.insert(segments.colors.end(), line.points.size() - 1, to_linear(line.color));
     points_of_lines += line.points.size();
   }
-  if (opaque && !segments.lines.empty()) {
+  if (opaque && !segments.colors.empty()) {
     const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
     auto* points = buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4, points_of_lines);
-    auto* starts = buffer<unsigned>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, 1, segments.lines.size());
+    auto* starts = buffer<unsigned>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, 1, segments.colors.size());
     unsigned index = 0;
     for (const auto& line : scene.lines)
       for (std::size_t i = 0; i < line.points.size(); ++i, ++index) {
@@ -150,12 +155,9 @@ Surface Caster::mesh_surface(const Part& part, const Ray& ray, const RTCRayHit& 
       s.lifted -= weights[i] * std::min(0.0, (s.point - mesh.vertices[t[i]]).dot(n)) * n;
     }
   }
-  if (mesh.vertex_colors.empty()) {
-    s.color = to_linear(mesh.color);
-  } else {
-    s.color.setZero();
-    for (int i = 0; i < 3; ++i) s.color += weights[i] * to_linear(mesh.vertex_colors[t[i]]);
-  }
+  s.color = part.colors[0];
+  if (!mesh.vertex_colors.empty())
+    s.color = weights[0] * part.colors[t[0]] + weights[1] * part.colors[t[1]] + weights[2] * part.colors[t[2]];
   s.opacity = mesh.opacity;
   return s;
 }
@@ -175,7 +177,7 @@ std::optional<Surface> Caster::nearest_opaque(const Ray& ray) const {
   s.point = s.lifted = ray.origin + s.distance * ray.direction;
   const Point3 normal = Point3(hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z).normalized();
   s.normal = s.face_normal = normal.dot(ray.direction) > 0 ? Point3(-normal) : normal;
-  s.color = to_linear(part.balls.empty() ? part.lines[hit.hit.primID]->color : part.balls[hit.hit.primID]->color);
+  s.color = part.colors[hit.hit.primID];
   return s;
 }
 
@@ -213,7 +215,7 @@ std::vector<Surface> Caster::translucent(const Ray& ray, double far) const {
       if (s.distance <= 0 || s.distance >= far) continue;
       s.point = s.lifted = ray.origin + s.distance * ray.direction;
       s.normal = s.face_normal = (leaving ? -1 : 1) * (s.point - center) / radius;
-      s.color = to_linear(shape.color);
+      s.color = part.colors[h.hit.primID];
       s.opacity = shape.opacity;
       s.from_inside = leaving;
       s.inside_silhouette = radius - from_center;

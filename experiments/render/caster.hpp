@@ -35,11 +35,12 @@ class Caster {
   double diagonal() const { return diagonal_; }  // of the scene's bounds
 
  private:
+  // One geometry of Embree's: a mesh, or all balls, or all line segments.
   struct Part {
-    const MeshShape* mesh = nullptr;            // either a mesh
-    std::vector<Point3> normals;                //   with its normals by vertex, if smooth
-    std::vector<const BallShape*> balls;        // or balls, by primitive
-    std::vector<const LineShape*> lines;        // or line segments, by primitive
+    const MeshShape* mesh = nullptr;
+    std::vector<Point3> normals;          // of a smooth mesh, by vertex
+    std::vector<const BallShape*> balls;  // by primitive
+    std::vector<Eigen::Array3d> colors;   // linear; of the mesh (one) or its vertices, or by primitive
   };
   // An Embree scene and what its geometries are, by Embree's geometry number.
   struct Layer {

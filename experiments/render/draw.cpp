@@ -8,12 +8,13 @@
 namespace refitlab::render {
 namespace {
 
-using Array3 = Eigen::Array3d;
 constexpr double golden_angle = std::numbers::pi * 0.7639320225002103;  // (3 - sqrt 5) pi
 
+// The sRGB encoding, by square roots to within 0.001 above its straight part: this is asked three times a surface.
 double to_srgb(double x) {
-  const double y = std::clamp(x, 0.0, 1.0);
-  return y <= 0.0031308 ? 12.92 * y : 1.055 * std::pow(y, 1 / 2.4) - 0.055;
+  if (x <= 0.0031308) return 12.92 * std::max(x, 0.0);
+  const double y = std::min(x, 1.0), root2 = std::sqrt(y), root4 = std::sqrt(root2), root8 = std::sqrt(root4);
+  return 0.662002687 * root2 + 0.684122060 * root4 - 0.323583601 * root8 - 0.0225411470 * y;
 }
 
 // Two unit vectors that complete the unit vector n to a frame.
@@ -23,10 +24,38 @@ std::pair<Point3, Point3> tangents(const Point3& n) {
   return {t, n.cross(t)};
 }
 
+// A fixed set of points spread evenly over the unit disc (a sunflower), dealt out to the rays of a pixel.
+class Pattern {
+ public:
+  // per_pixel: how many points at least; each ray gets as many as any other, and one or more.
+  Pattern(int per_pixel, const Options& options)
+      : rays_(options.supersampling * options.supersampling), per_ray_((per_pixel + rays_ - 1) / rays_),
+        points_(rays_ * per_ray_) {
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const double side = std::sqrt((k + 0.5) / points_.size());
+      points_[k] = {side * std::cos(golden_angle * k), side * std::sin(golden_angle * k)};
+    }
+  }
+  // The share of ray number `ray`'s points p for which open(p), p turned by the rotation (cos, sin), is true.
+  template <class Open>
+  double share(int ray, const Vec<double, 2>& turn, const Open& open) const {
+    int count = 0;
+    for (int i = 0; i < per_ray_; ++i) {
+      const auto& p = points_[i * rays_ + ray];
+      count += open(p.x() * turn.x() - p.y() * turn.y(), p.x() * turn.y() + p.y() * turn.x());
+    }
+    return double(count) / per_ray_;
+  }
+
+ private:
+  int rays_, per_ray_;
+  std::vector<Vec<double, 2>> points_;
+};
+
 class Shader {
  public:
   Shader(const Caster& caster, const Camera& camera, const Options& options)
-      : caster_(caster), camera_(camera), options_(options) {
+      : caster_(caster), camera_(camera), options_(options), sky_pattern_(36, options), key_pattern_(9, options) {
     const auto towards = [&](double right, double up, double back) -> Point3 {
       return (right * camera.right() + up * camera.up() + back * camera.back()).normalized();
     };
@@ -36,12 +65,12 @@ class Shader {
   }
 
   // What a pixel's ray brings, as sRGB premultiplied by alpha, then alpha: layers are composited in sRGB, because that is
-  // how whoever lays a transparent picture over a page does it. sample, turn: which part of the sampling pattern is this
-  // ray's, and by what share of a whole turn it is turned.
-  Eigen::Array4d trace(const Ray& ray, int sample, double turn) const {
+  // how whoever lays a transparent picture over a page does it. number: of the ray in its pixel; turn: of the sampling
+  // patterns in this pixel.
+  Eigen::Array4d trace(const Ray& ray, int number, const Vec<double, 2>& turn) const {
     const auto solid = caster_.nearest_opaque(ray);
     Eigen::Array4d sum = Eigen::Array4d::Zero();
-    const auto put_under = [&](const Array3& linear, double opacity) {
+    const auto put_under = [&](const Eigen::Array3d& linear, double opacity) {
       const double share = (1 - sum[3]) * opacity;
       sum += share * Eigen::Array4d(to_srgb(linear[0]), to_srgb(linear[1]), to_srgb(linear[2]), 1);
     };
@@ -49,66 +78,55 @@ class Shader {
     for (const Surface& s : caster_.translucent(ray, far)) {
       // A thin shell: the more of it in the way, the flatter it is seen. Its far side is fainter, to tell the two apart.
       const double facing = std::max(0.3, std::abs(s.normal.dot(ray.direction)));
-      const double opacity = 1 - std::pow(1 - s.opacity * (s.from_inside ? 0.3 : 1), 0.6 / facing);
+      const double face_on = s.opacity * (s.from_inside ? 0.3 : 1);
+      const double opacity = face_on / (face_on + (1 - face_on) * facing);
       const double pixels_per_unit = options_.height / camera_.extent(s.distance);
       const double outline = std::clamp(options_.outline - s.inside_silhouette * pixels_per_unit + 0.5, 0.0, 1.0);
       if (options_.outline > 0 && !s.from_inside) put_under(0.35 * s.color, outline * std::max(0.75, s.opacity));
       put_under(light(s, ray, 1, 1), opacity);
     }
-    if (solid) put_under(light(*solid, ray, openness(*solid, sample, turn), shine(*solid, sample, turn)), 1);
+    if (solid) put_under(light(*solid, ray, sky_share(*solid, number, turn), key_share(*solid, number, turn)), 1);
     return sum;
   }
 
  private:
-  static constexpr int occlusion_rays = 8, shadow_rays = 2;  // per ray of a pixel
-
   // Reflected light, linear. open: the share of the sky seen; lit: the share of the key light.
-  Array3 light(const Surface& s, const Ray& ray, double open, double lit) const {
+  Eigen::Array3d light(const Surface& s, const Ray& ray, double open, double lit) const {
     const double key = std::max(0.0, s.normal.dot(key_)) * lit;
     const double fill = 0.5 + 0.5 * s.normal.dot(fill_);
     const double sky = 0.5 + 0.5 * s.normal.dot(up_);
-    const Point3 half = (key_ - ray.direction).normalized();
-    const double gloss = 0.05 * std::pow(std::max(0.0, s.normal.dot(half)), 30) * lit;
-    return s.color * (0.62 * key + open * (0.16 * fill + 0.14 + 0.22 * sky)) + gloss;
+    double gloss = std::max(0.0, s.normal.dot((key_ - ray.direction).normalized()));
+    for (int i = 0; i < 5; ++i) gloss *= gloss;
+    return s.color * (0.66 * key + open * (0.16 * fill + 0.14 + 0.26 * sky)) + 0.05 * lit * gloss;
   }
 
   Point3 start(const Surface& s) const { return s.lifted + 2e-4 * caster_.diagonal() * s.face_normal; }
 
   // Ambient occlusion: the share of a cosine-weighted hemisphere with nothing near.
-  double openness(const Surface& s, int sample, double turn) const {
+  double sky_share(const Surface& s, int number, const Vec<double, 2>& turn) const {
     if (!options_.occlusion) return 1;
     const auto [t, b] = tangents(s.normal);
-    const int total = occlusion_rays * options_.supersampling * options_.supersampling;
-    int open = 0;
-    for (int i = 0; i < occlusion_rays; ++i) {
-      const int k = i * (total / occlusion_rays) + sample;
-      const double height = (k + 0.5) / total, angle = golden_angle * k + 2 * std::numbers::pi * turn;
-      const double side = std::sqrt(height), up = std::sqrt(1 - height);
-      const Point3 d = side * std::cos(angle) * t + side * std::sin(angle) * b + up * s.normal;
-      open += d.dot(s.face_normal) <= 0 || !caster_.occluded(start(s), d, 0.25 * caster_.diagonal());
-    }
-    return double(open) / occlusion_rays;
+    return sky_pattern_.share(number, turn, [&](double x, double y) {
+      const Point3 d = x * t + y * b + std::sqrt(std::max(0.0, 1 - x * x - y * y)) * s.normal;
+      return d.dot(s.face_normal) <= 0 || !caster_.occluded(start(s), d, 0.25 * caster_.diagonal());
+    });
   }
 
   // The share of the key light, a disc 10 degrees in radius, that reaches the surface.
-  double shine(const Surface& s, int sample, double turn) const {
+  double key_share(const Surface& s, int number, const Vec<double, 2>& turn) const {
     if (!options_.occlusion) return 1;
     if (s.normal.dot(key_) <= 0) return 0;
     const auto [t, b] = tangents(key_);
-    const int total = shadow_rays * options_.supersampling * options_.supersampling;
-    int lit = 0;
-    for (int i = 0; i < shadow_rays; ++i) {
-      const int k = i * (total / shadow_rays) + sample;
-      const double side = 0.18 * std::sqrt((k + 0.5) / total), angle = golden_angle * k + 2 * std::numbers::pi * turn;
-      const Point3 d = key_ + side * (std::cos(angle) * t + std::sin(angle) * b);
-      lit += !caster_.occluded(start(s), d.normalized(), 2 * caster_.diagonal());
-    }
-    return double(lit) / shadow_rays;
+    return key_pattern_.share(number, turn, [&](double x, double y) {
+      const Point3 d = key_ + 0.18 * (x * t + y * b);
+      return !caster_.occluded(start(s), d.normalized(), 2 * caster_.diagonal());
+    });
   }
 
   const Caster& caster_;
   const Camera& camera_;
   const Options& options_;
+  Pattern sky_pattern_, key_pattern_;
   Point3 key_, fill_, up_;  // towards the lights and the sky
 };
 
@@ -125,10 +143,14 @@ Image draw(const Scene& scene, const Camera& camera, const Options& options) {
   for (int y = 0; y < options.height; ++y)
     for (int x = 0; x < options.width; ++x) {
       // Interleaved gradient noise (Jimenez 2014): neighbouring pixels turn the pattern by well spread angles.
-      const double turn = std::fmod(52.9829189 * std::fmod(0.06711056 * x + 0.00583715 * y, 1.0), 1.0);
+      const double angle =
+          2 * std::numbers::pi * std::fmod(52.9829189 * std::fmod(0.06711056 * x + 0.00583715 * y, 1.0), 1.0);
+      const Vec<double, 2> turn(std::cos(angle), std::sin(angle));
       Eigen::Array4d sum = Eigen::Array4d::Zero();
       for (int i = 0; i < n * n; ++i) {
-        const double px = x + (i % n + 0.5) / n, py = y + (i / n + 0.5) / n;
+        // A sheared grid: near-horizontal and near-vertical edges meet n * n different offsets, not n.
+        const double across = (i % n + 0.5) / n, down = (i / n + 0.5) / n;
+        const double px = x + across + (down - 0.5) / n, py = y + down - (across - 0.5) / n;
         const Ray ray = camera.ray((px - options.width / 2.0) / options.height, 0.5 - py / options.height);
         sum += shader.trace(ray, i, turn);
       }

@@ -13,7 +13,7 @@ struct MeshShape {
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;
   Color color = palette::clay;
-  double opacity = 1;                // below 1: seen through, with fainter back faces
+  double opacity = 1;                // face on; below 1: seen through, denser at grazing angles, fainter back faces
   bool smooth = true;                // normals interpolated over a triangle, or its own
   std::vector<Color> vertex_colors;  // one per vertex, in place of color; or empty
 };
@@ -22,7 +22,7 @@ struct MeshShape {
 struct BallShape {
   Ball3<double> ball;
   Color color = palette::blue;
-  double opacity = 0.2;
+  double opacity = 0.15;
 };
 
 // A polyline with round ends: at least two points.
