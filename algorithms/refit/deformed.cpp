@@ -14,11 +14,12 @@ Ball3<double> smallest_of(std::span<const int> vertices, std::span<const Point3>
 
 }  // namespace
 
-std::vector<Ball3<double>> optimal_balls(const SphereTree& tree, const Model& model, std::span<const Point3> deformed) {
+std::vector<Ball3<double>> optimal_balls(const SphereTree& tree, const NodeVertices& vertices,
+                                         std::span<const Point3> deformed) {
   std::vector<Ball3<double>> out;
   std::vector<Point3> scratch;
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
-    out.push_back(smallest_of(vertices_of(tree, model, static_cast<int>(n)), deformed, scratch));
+    out.push_back(smallest_of(vertices[static_cast<int>(n)], deformed, scratch));
   return out;
 }
 

@@ -1,0 +1,148 @@
+#include "experiments/report/report.hpp"
+
+#include <cstdio>
+#include <sstream>
+
+#include "algorithms/refit/variants.hpp"
+#include "algorithms/results/result_file.hpp"
+#include "experiments/report/line_plot.hpp"
+
+namespace refitlab {
+namespace {
+
+const char* const style = R"(<style>
+:root{color-scheme:light dark;--ink:#1c2024;--page:#fdfdfc;--soft:#5c6670;--rule:#d8dde2;--band:#f2f4f6;--bad:#b3261e}
+@media (prefers-color-scheme:dark){:root{--ink:#e4e7ea;--page:#15181b;--soft:#9aa4ae;--rule:#333a41;--band:#1e2327;--bad:#ff8a80}}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:74rem;margin:0 auto;padding:1rem}
+h1,h2,h3{line-height:1.2}h2{margin-top:2.5rem;border-top:1px solid var(--rule);padding-top:1rem}
+.scroll{overflow-x:auto}table{border-collapse:collapse;font-size:.82rem;font-variant-numeric:tabular-nums}
+th,td{padding:.2rem .55rem;text-align:right;white-space:nowrap;border-bottom:1px solid var(--rule)}
+th:first-child,td:first-child{text-align:left}thead th{background:var(--band)}
+.bad{color:var(--bad);font-weight:600}.soft{color:var(--soft)}
+figure{margin:0}figcaption{font-size:.85rem;color:var(--soft)}
+.gallery{display:grid;grid-template-columns:repeat(auto-fit,minmax(16rem,1fr));gap:1rem}
+.gallery img{width:100%;height:auto;background:#fff;border-radius:6px}
+.plot{width:100%;max-width:46rem;height:auto;font-size:12px}.plot text{fill:var(--ink)}.plot .title{font-size:14px;font-weight:600}
+.plot .grid{stroke:var(--rule)}details{margin:.5rem 0}summary{cursor:pointer}
+</style>)";
+
+std::string format(const char* pattern, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+LevelTightness all_levels(const std::vector<LevelTightness>& levels) {
+  LevelTightness sum;
+  for (const auto& level : levels) sum.merge(level);
+  return sum;
+}
+
+void write_pictures(std::ostringstream& out, const std::vector<Picture>& pictures) {
+  if (pictures.empty()) return;
+  out << "<div class=\"gallery\">\n";
+  for (const Picture& p : pictures)
+    out << "<figure><img alt=\"" << escape_html(p.caption) << "\" src=\"" << p.data_uri << "\"><figcaption>"
+        << escape_html(p.caption) << "</figcaption></figure>\n";
+  out << "</div>\n";
+}
+
+void write_plot(std::ostringstream& out, const TightnessResult& r) {
+  LinePlot plot{.title = r.model + ", " + r.posture, .x_label = "level of the tree", .y_label = "average radius / Optimal", .lines = {}};
+  std::size_t color = 0;
+  for (const auto& column : tightness_columns()) {
+    if (column == "reference" || column == "linear_under_spherical" || column.rfind("optimal", 0) == 0) continue;
+    PlotLine line{column, {}, plot_color(color++)};
+    const auto& levels = r.tightness.at(column);
+    for (std::size_t l = 0; l < levels.size(); ++l)
+      if (levels[l].nodes > levels[l].undefined) line.points.emplace_back(l + 1, levels[l].ratio_to_optimal());
+    if (!line.points.empty()) plot.lines.push_back(std::move(line));
+  }
+  PlotLine paper{"the paper, on its creature", {}, "currentColor", true};
+  const auto ratios = paper_ratios_to_optimal();
+  for (std::size_t l = 0; l < ratios.size(); ++l) paper.points.emplace_back(l + 1, ratios[l]);
+  plot.lines.push_back(std::move(paper));
+  out << plot.svg();
+}
+
+void write_level_table(std::ostringstream& out, const TightnessResult& r) {
+  const auto columns = tightness_columns();
+  const auto paper = paper_ratios_to_optimal();
+  out << "<details><summary>min / avg / max radius by level, and avg / Optimal</summary><div class=\"scroll\"><table><thead><tr><th>level</th><th>balls</th>";
+  for (const auto& c : columns) out << "<th>" << c << "</th>";
+  out << "<th>paper, avg / Optimal</th></tr></thead><tbody>\n";
+  for (std::size_t l = 0; l < r.tightness.at("optimal").size(); ++l) {
+    out << "<tr><td>" << l + 1 << "</td><td>" << r.tightness.at("optimal")[l].nodes << "</td>";
+    for (const auto& c : columns) {
+      const LevelTightness& t = r.tightness.at(c)[l];
+      if (t.nodes == t.undefined)
+        out << "<td class=\"bad\">undefined</td>";
+      else
+        out << "<td>" << format("%.3g", t.radius_min) << " / " << format("%.3g", t.radius_avg()) << " / " << format("%.3g", t.radius_max)
+            << "<br><b>" << format("%.2f", t.ratio_to_optimal()) << "</b></td>";
+    }
+    out << "<td>" << (l < paper.size() ? format("%.2f", paper[l]) : "") << "</td></tr>\n";
+  }
+  out << "</tbody></table></div></details>\n";
+}
+
+void write_miss_table(std::ostringstream& out, const std::vector<TightnessResult>& results) {
+  std::vector<std::string> columns;
+  for (const auto& c : tightness_columns())
+    if (c != "reference" && c.rfind("optimal", 0) != 0) columns.push_back(c);
+  out << "<div class=\"scroll\"><table><thead><tr><th>model, posture</th><th>balls</th>";
+  for (const auto& c : columns) out << "<th>" << c << "</th>";
+  out << "</tr></thead><tbody>\n";
+  for (const TightnessResult& r : results) {
+    out << "<tr><td>" << escape_html(r.model + ", " + r.posture) << " (" << r.postures << ")</td><td>"
+        << all_levels(r.tightness.at("optimal")).nodes << "</td>";
+    for (const auto& c : columns) {
+      const LevelTightness t = all_levels(r.tightness.at(c));
+      out << "<td" << (t.misses ? " class=\"bad\"" : "") << ">" << t.misses;
+      if (t.undefined) out << " <span class=\"soft\">(" << t.undefined << " undefined)</span>";
+      if (t.worst_miss > 0) out << " <span class=\"soft\">by up to " << format("%.2g", t.worst_miss) << "</span>";
+      out << "</td>";
+    }
+    out << "</tr>\n";
+  }
+  out << "</tbody></table></div>\n";
+}
+
+void write_tightness_section(std::ostringstream& out, const std::vector<TightnessResult>& results) {
+  if (results.empty()) return;
+  out << "<h2>Tightness</h2><p>Radii of the refitted balls by level of the sphere tree, beside the smallest balls of the deformed "
+         "vertices (Optimal). Where several postures were sampled, averages run over all of them.</p><ul>";
+  for (const RefitVariant& v : refit_variants())
+    out << "<li><b>" << v.name << "</b>: " << escape_html(v.description) << (v.sound ? "" : " (unsound)") << "</li>";
+  out << "<li><b>linear_under_spherical</b>: the linear refit's balls against spherically blended vertices</li>"
+         "<li><b>bottom_up</b>: smallest balls of the deformed leaf vertices, then of the children [Brown et al. 2001]</li></ul>\n"
+         "<h3>Balls that miss a deformed vertex</h3><p>Outside by more than "
+      << format("%.0e", miss_tolerance) << " of the root's reference radius; in model units. A ball that is not a number or of negative "
+         "radius is undefined and counts as a miss.</p>\n";
+  write_miss_table(out, results);
+  std::string model;
+  for (const TightnessResult& r : results) {
+    if (r.model != model) out << "<h3>" << escape_html(model = r.model) << "</h3>\n";
+    write_plot(out, r);
+    write_level_table(out, r);
+  }
+}
+
+}  // namespace
+
+void write_report(const Report& report, const std::string& path) {
+  const Provenance& p = Provenance::of_this_build();
+  std::ostringstream out;
+  out << "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width,initial-scale=1\"><title>refitlab report</title>"
+      << style << "</head><body>\n<h1>refitlab: bounding what skinning does to vertices, without touching them</h1>\n";
+  for (const auto& absent : report.absent_models)
+    out << "<p class=\"bad\">The model " << escape_html(absent) << " was absent from this run: it could not be fetched.</p>\n";
+  write_pictures(out, report.pictures);
+  write_tightness_section(out, report.tightness);
+  out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
+      << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";
+  write_whole(path, out.str());
+}
+
+}  // namespace refitlab

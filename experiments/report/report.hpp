@@ -1,0 +1,20 @@
+// The report: one self-contained HTML page with the pictures, plots and tables of a run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/report/pictures.hpp"
+#include "experiments/tightness/tightness.hpp"
+
+namespace refitlab {
+
+struct Report {
+  std::vector<std::string> absent_models;
+  std::vector<Picture> pictures;
+  std::vector<TightnessResult> tightness;
+};
+
+void write_report(const Report& report, const std::string& path);
+
+}  // namespace refitlab

@@ -1,0 +1,137 @@
+#include "experiments/tightness/measure.hpp"
+
+#include "algorithms/refit/deformed.hpp"
+#include "algorithms/refit/variants.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "experiments/parallel.hpp"
+
+namespace refitlab {
+namespace {
+
+bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
+
+// How far the farthest vertex of a node is outside its ball; at most 0 if none is.
+double excess(const Ball3<double>& ball, std::span<const int> vertices, std::span<const Point3> deformed) {
+  double far = 0;
+  for (const int v : vertices) far = std::max(far, squared_distance(deformed[v], ball.center));
+  return std::sqrt(far) - ball.radius;
+}
+
+// One posture: the balls of every column are measured against the vertices that they claim to bound.
+class PostureMeasurement {
+ public:
+  PostureMeasurement(const Character& c, const Posture& posture)
+      : c_(c), tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {
+    for (const Skinning s : {Skinning::linear, Skinning::spherical}) {
+      Frame& frame = frames_[s];
+      frame.pose = make_skinning_pose(c.model, c.sets, posture, s);
+      frame.deformed = skin(c.model, c.sets, frame.pose, s);
+      frame.optimal = optimal_balls(c.tree, c.vertices, frame.deformed);
+    }
+  }
+
+  Tightness all() {
+    const Frame& spherical = frames_[Skinning::spherical];
+    std::vector<Ball3<double>> reference;
+    for (const TreeNode& n : c_.tree.nodes) reference.push_back(n.reference);
+    add("reference", reference, spherical, false);
+    for (const RefitVariant& variant : refit_variants()) {
+      const auto balls = refit_all(variant);
+      add(variant.name, balls, frames_[variant.skinning], true);
+      if (variant.name == "linear") add("linear_under_spherical", balls, spherical, true);
+    }
+    add("bottom_up", refit_bottom_up(c_.tree, spherical.deformed), spherical, true);
+    add("optimal", spherical.optimal, spherical, true);
+    add("optimal_linear", frames_[Skinning::linear].optimal, frames_[Skinning::linear], true);
+    return std::move(out_);
+  }
+
+  long misses(const RefitVariant& variant) {
+    add(variant.name, refit_all(variant), frames_[variant.skinning], true);
+    long sum = 0;
+    for (const LevelTightness& level : out_[variant.name]) sum += level.misses - level.undefined;
+    return sum;
+  }
+
+ private:
+  struct Frame {
+    SkinningPose<double> pose;
+    std::vector<Point3> deformed;
+    std::vector<Ball3<double>> optimal;
+  };
+
+  std::vector<Ball3<double>> refit_all(const RefitVariant& variant) {
+    std::vector<Ball3<double>> balls;
+    for (std::size_t n = 0; n < c_.tree.nodes.size(); ++n)
+      balls.push_back(variant.refit(c_.tree.refit_node(static_cast<int>(n), frames_[variant.skinning].pose)));
+    return balls;
+  }
+
+  void add(const std::string& column, const std::vector<Ball3<double>>& balls, const Frame& frame, bool must_enclose) {
+    auto& levels = out_[column];
+    levels.resize(c_.tree.level_count());
+    for (std::size_t n = 0; n < balls.size(); ++n) {
+      LevelTightness& level = levels[c_.tree.nodes[n].level - 1];
+      ++level.nodes;
+      if (!is_defined(balls[n])) {
+        ++level.undefined;
+        ++level.misses;
+        continue;
+      }
+      level.radius_min = std::min(level.radius_min, balls[n].radius);
+      level.radius_max = std::max(level.radius_max, balls[n].radius);
+      level.radius_sum += balls[n].radius;
+      level.optimal_sum += frame.optimal[n].radius;
+      if (!must_enclose) continue;
+      const double out = excess(balls[n], c_.vertices[static_cast<int>(n)], frame.deformed);
+      if (out > tolerance_) {
+        ++level.misses;
+        level.worst_miss = std::max(level.worst_miss, out);
+      }
+    }
+  }
+
+  const Character& c_;
+  const double tolerance_;
+  std::map<Skinning, Frame> frames_;
+  Tightness out_;
+};
+
+}  // namespace
+
+void LevelTightness::merge(const LevelTightness& o) {
+  nodes += o.nodes;
+  undefined += o.undefined;
+  radius_min = std::min(radius_min, o.radius_min);
+  radius_max = std::max(radius_max, o.radius_max);
+  radius_sum += o.radius_sum;
+  optimal_sum += o.optimal_sum;
+  misses += o.misses;
+  worst_miss = std::max(worst_miss, o.worst_miss);
+}
+
+std::vector<std::string> tightness_columns() {
+  std::vector<std::string> columns{"reference"};
+  for (const RefitVariant& v : refit_variants()) {
+    columns.push_back(v.name);
+    if (v.name == "linear") columns.push_back("linear_under_spherical");
+  }
+  columns.insert(columns.end(), {"bottom_up", "optimal", "optimal_linear"});
+  return columns;
+}
+
+Tightness measure_tightness(const Character& character, const PostureSet& set) {
+  std::vector<Tightness> parts(set.postures.size());
+  parallel_for(set.postures.size(), [&](std::size_t i) { parts[i] = PostureMeasurement(character, set.postures[i]).all(); });
+  Tightness total = std::move(parts[0]);
+  for (std::size_t i = 1; i < parts.size(); ++i)  // in order, so that sums do not depend on the threads
+    for (auto& [column, levels] : total)
+      for (std::size_t l = 0; l < levels.size(); ++l) levels[l].merge(parts[i][column][l]);
+  return total;
+}
+
+long count_misses(const Character& character, const Posture& posture, const std::string& variant) {
+  return PostureMeasurement(character, posture).misses(refit_variant(variant));
+}
+
+}  // namespace refitlab

@@ -1,0 +1,113 @@
+#include "experiments/tightness/tightness.hpp"
+
+#include <cstdio>
+#include <iostream>
+#include <numbers>
+
+#include "algorithms/results/result_file.hpp"
+#include "experiments/parallel.hpp"
+
+namespace refitlab {
+namespace {
+
+// The twist of one joint for which the printed algorithm (with the skinning's own signs, so that only its geometry is to
+// blame) has the most balls with a vertex outside: the headline posture.
+// Balls that are no ball (not a number) do not count here.
+PostureSet worst_twist(const Character& c) {
+  struct {
+    long misses = -1;
+    int joint = 0, degrees = 0;
+  } worst;
+  std::mutex guard;
+  const int angles[] = {90, 120, 150, 175};
+  parallel_for(c.model.joints.size() * std::size(angles), [&](std::size_t i) {
+    const int joint = static_cast<int>(i / std::size(angles)), degrees = angles[i % std::size(angles)];
+    const long misses =
+        count_misses(c, twist_posture(c.model, joint, degrees * std::numbers::pi / 180), "spherical_printed_signed");
+    const std::lock_guard lock(guard);
+    if (std::tuple(misses, -joint, -degrees) > std::tuple(worst.misses, -worst.joint, -worst.degrees))
+      worst = {misses, joint, degrees};
+  });
+  return {"worst twist: " + c.model.joints[worst.joint].name + " by " + std::to_string(worst.degrees) + " degrees",
+          {twist_posture(c.model, worst.joint, worst.degrees * std::numbers::pi / 180)}};
+}
+
+void print_table(const TightnessResult& r) {
+  const char* const shown[] = {"reference", "linear", "spherical_printed_signed", "spherical_repaired", "spherical_exact", "optimal"};
+  const char* const heads[] = {"Reference", "Linear", "Printed*", "Repaired", "Exact balls", "Optimal"};
+  std::printf("\n%s, %s (%d posture%s): radii min / avg / max, and avg / Optimal\n", r.model.c_str(), r.posture.c_str(),
+              r.postures, r.postures == 1 ? "" : "s");
+  std::printf("%5s %7s", "level", "nodes");
+  for (const char* head : heads) std::printf(" | %-29s", head);
+  std::printf(" | paper avg / Optimal\n");
+  const auto paper = paper_ratios_to_optimal();
+  const std::size_t levels = r.tightness.at("optimal").size();
+  for (std::size_t l = 0; l < levels; ++l) {
+    std::printf("%5zu %7ld", l + 1, r.tightness.at("optimal")[l].nodes / r.postures);
+    for (const char* column : shown) {
+      const LevelTightness& t = r.tightness.at(column)[l];
+      std::printf(" | %7.4g %7.4g %7.4g %5.2f", t.radius_min, t.radius_avg(), t.radius_max, t.ratio_to_optimal());
+    }
+    if (l < paper.size()) std::printf(" | %.2f", paper[l]);
+    std::printf("\n");
+  }
+  std::printf("  balls that miss a vertex (undefined; worst miss):");
+  for (const auto& column : tightness_columns()) {
+    LevelTightness all;
+    for (const auto& level : r.tightness.at(column)) all.merge(level);
+    if (all.misses) std::printf("  %s %ld of %ld (%ld; %.3g)", column.c_str(), all.misses, all.nodes, all.undefined, all.worst_miss);
+  }
+  std::printf("\n");
+}
+
+}  // namespace
+
+std::vector<double> paper_ratios_to_optimal() {
+  // Average radii of Table 1: {Spherical Blending, Optimal} by level.
+  const double table[][2] = {{79.55, 34.41}, {33.95, 22.05}, {8.89, 7.39}, {4.12, 3.69}, {1.83, 1.70},
+                             {0.98, 0.92},   {0.66, 0.61},   {0.43, 0.42}, {0.30, 0.30}};
+  std::vector<double> ratios;
+  for (const auto& [spherical, optimal] : table) ratios.push_back(spherical / optimal);
+  return ratios;
+}
+
+std::vector<TightnessResult> run_tightness(const Character& c, const TightnessSettings& settings) {
+  std::vector<TightnessResult> results;
+  auto sets = posture_sets(c.model, settings.times_per_clip);
+  const auto [name, posture] = figure_twist(c.model);
+  sets.push_back({name, {posture}});
+  sets.push_back(worst_twist(c));
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    std::cout << "[tightness] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
+              << sets[i].postures.size() << " postures" << std::endl;
+    results.push_back({c.model.name, sets[i].name, static_cast<int>(sets[i].postures.size()), measure_tightness(c, sets[i])});
+    print_table(results.back());
+  }
+  return results;
+}
+
+void write_tightness(const std::vector<TightnessResult>& results, const std::string& path) {
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  for (const auto& r : results)
+    for (const auto& [variant, levels] : r.tightness)
+      for (std::size_t l = 0; l < levels.size(); ++l) {
+        const LevelTightness& t = levels[l];
+        const auto add = [&](const char* quantity, double value, const char* unit) {
+          file.add({"tightness", r.model, r.posture, variant, std::to_string(l + 1), quantity, format_number(value), unit});
+        };
+        if (t.nodes > t.undefined) {
+          add("radius_min", t.radius_min, "model unit");
+          add("radius_avg", t.radius_avg(), "model unit");
+          add("radius_max", t.radius_max, "model unit");
+          add("ratio_to_optimal", t.ratio_to_optimal(), "1");
+        }
+        add("nodes", static_cast<double>(t.nodes), "1");
+        add("undefined", static_cast<double>(t.undefined), "1");
+        if (variant == "reference") continue;  // it bounds the reference posture only
+        add("misses", static_cast<double>(t.misses), "1");
+        add("worst_miss", t.worst_miss, "model unit");
+      }
+  file.write(path);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,30 @@
+// The tightness experiment: Table 1 for every model and posture, with what each variant misses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/tightness/measure.hpp"
+
+namespace refitlab {
+
+struct TightnessResult {
+  std::string model, posture;
+  int postures;  // how many were sampled
+  Tightness tightness;
+};
+
+struct TightnessSettings {
+  int times_per_clip = 50;
+};
+
+// Runs all postures of one model with progress on stdout, and prints its tables.
+std::vector<TightnessResult> run_tightness(const Character& character, const TightnessSettings& settings);
+
+// All results as out/results/tightness.csv.
+void write_tightness(const std::vector<TightnessResult>& results, const std::string& path);
+
+// The paper's Table 1, as average Spherical / Optimal by level.
+std::vector<double> paper_ratios_to_optimal();
+
+}  // namespace refitlab
