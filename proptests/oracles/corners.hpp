@@ -1,0 +1,26 @@
+// The corners of weight bounds from nothing in algorithms/: every pattern is tried, and hulls are climbed down pair by pair.
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/vocabulary/weights.hpp"
+
+namespace proptests::oracle {
+
+using ExactWeights = std::vector<refitlab::Rational>;
+using ExactBounds = refitlab::WeightBounds<refitlab::Rational>;
+
+// All n 2^(n-1) choices of one loose coordinate and a bound for each other one, those kept that are admissible.
+std::set<ExactWeights> corners(const ExactBounds& bounds);
+
+// Admissible weights as a convex combination: corners with positive coefficients. While two coordinates are off their
+// bounds, the weights lie between the two ends of the line that trades one for the other.
+std::map<ExactWeights, refitlab::Rational> as_combination_of_corners(const ExactBounds& bounds, const ExactWeights& w);
+
+// The least and the greatest weights of a list of weight vectors.
+ExactBounds bounds_around(const std::vector<ExactWeights>& list);
+
+}  // namespace proptests::oracle
