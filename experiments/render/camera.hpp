@@ -24,8 +24,8 @@ class Camera {
   // height: what the picture's height covers, in model units.
   static Camera orthographic(const Point3& eye, const Point3& target, double height, const Point3& up = {0, 1, 0});
 
-  // Sees all of the box, centred. from: the direction from the box to the eye, any length. aspect: width / height of the
-  // picture. field_of_view 0 asks for an orthographic camera. margin: empty share at each side.
+  // Sees all of the box, centred. from: the direction from the box to the eye, any length. aspect: width / height of
+  // the picture. field_of_view 0 asks for an orthographic camera. margin: empty share at each side.
   static Camera frame(const Box3& box, const Point3& from, double aspect = 1, double field_of_view = 0,
                       double margin = 0.04, const Point3& up = {0, 1, 0});
 

@@ -148,8 +148,8 @@ Surface Caster::mesh_surface(const Part& part, const Ray& ray, const RTCRayHit& 
     s.normal.setZero();
     for (int i = 0; i < 3; ++i) s.normal += sign * weights[i] * part.normals[t[i]];
     s.normal = s.normal.norm() > 1e-6 ? Point3(s.normal.normalized()) : s.face_normal;
-    // The point pulled up to the vertices' tangent planes (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II):
-    // otherwise the triangles of a coarse mesh show as facets where the light grazes them.
+    // The point pulled up to the vertices' tangent planes (Hanika, "Hacking the Shadow Terminator", Ray Tracing
+    // Gems II): otherwise the triangles of a coarse mesh show as facets where the light grazes them.
     for (int i = 0; i < 3; ++i) {
       const Point3 n = sign * part.normals[t[i]];
       s.lifted -= weights[i] * std::min(0.0, (s.point - mesh.vertices[t[i]]).dot(n)) * n;

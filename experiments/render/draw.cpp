@@ -64,9 +64,9 @@ class Shader {
     up_ = camera.up();
   }
 
-  // What a pixel's ray brings, as sRGB premultiplied by alpha, then alpha: layers are composited in sRGB, because that is
-  // how whoever lays a transparent picture over a page does it. number: of the ray in its pixel; turn: of the sampling
-  // patterns in this pixel.
+  // What a pixel's ray brings, as sRGB premultiplied by alpha, then alpha: layers are composited in sRGB, because that
+  // is how whoever lays a transparent picture over a page does it. number: of the ray in its pixel; turn: of the
+  // sampling patterns in this pixel.
   Eigen::Array4d trace(const Ray& ray, int number, const Vec<double, 2>& turn) const {
     const auto solid = caster_.nearest_opaque(ray);
     Eigen::Array4d sum = Eigen::Array4d::Zero();
@@ -76,7 +76,7 @@ class Shader {
     };
     const double far = solid ? solid->distance : std::numeric_limits<double>::infinity();
     for (const Surface& s : caster_.translucent(ray, far)) {
-      // A thin shell: the more of it in the way, the flatter it is seen. Its far side is fainter, to tell the two apart.
+      // A thin shell: the flatter it is seen, the more of it is in the way. Its far side is fainter.
       const double facing = std::max(0.3, std::abs(s.normal.dot(ray.direction)));
       const double face_on = s.opacity * (s.from_inside ? 0.3 : 1);
       const double opacity = face_on / (face_on + (1 - face_on) * facing);

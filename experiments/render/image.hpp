@@ -13,8 +13,8 @@ struct Color {
   double red, green, blue;
 };
 
-// Okabe and Ito's eight colours, told apart under every common colour blindness (jfly.uni-koeln.de/color, 2008), and the
-// neutrals that go with them.
+// Okabe and Ito's eight colours, told apart under every common colour blindness (jfly.uni-koeln.de/color, 2008), and
+// the neutrals that go with them.
 namespace palette {
 inline constexpr Color black{0, 0, 0}, orange{0.902, 0.624, 0}, sky_blue{0.337, 0.706, 0.914},
     green{0, 0.620, 0.451}, yellow{0.941, 0.894, 0.259}, blue{0, 0.447, 0.698}, vermillion{0.835, 0.369, 0},

@@ -35,7 +35,8 @@ void Scene::validate() const {
             "there must be a colour per vertex, or none");
     for (const auto& vertex : mesh.vertices) require(vertex.allFinite(), "mesh", i, "a vertex is not finite");
     for (const auto& triangle : mesh.triangles)
-      for (const int v : triangle) require(v >= 0 && std::size_t(v) < count, "mesh", i, "a triangle has no such vertex");
+      for (const int v : triangle)
+        require(v >= 0 && std::size_t(v) < count, "mesh", i, "a triangle names a vertex that does not exist");
   }
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const auto& [ball, color, opacity] = balls[i];
