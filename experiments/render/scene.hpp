@@ -13,9 +13,9 @@ struct MeshShape {
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;
   Color color = palette::clay;
-  double opacity = 1;                // face on; below 1: seen through, denser at grazing angles, fainter back faces
-  bool smooth = true;                // normals interpolated over a triangle, or its own
-  std::vector<Color> vertex_colors;  // one per vertex, in place of color; or empty
+  double opacity = 1;                     // face on; below 1: seen through, denser at grazing angles, fainter back faces
+  bool smooth = true;                     // normals interpolated over a triangle, or its own
+  std::vector<Color> vertex_colors = {};  // one per vertex, in place of color; or empty
 };
 
 // A bounding sphere if translucent (with a thin darker outline), a marker if opaque.
