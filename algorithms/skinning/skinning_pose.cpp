@@ -11,13 +11,14 @@ Point3 mean_origin(const Model& model, std::span<const int> joints) {
   return sum / static_cast<double>(joints.size());
 }
 
-// The origin of the joint that two neighbouring bones share: the deepest joint of the set whose parent is in it too. For
-// a set without neighbours Hejl's variant is not defined; the first joint's origin keeps it total.
+// The origin of the joint that two neighbouring bones share: the joint of the set whose parent is in it too, the last one
+// if there are several. For a set without neighbours Hejl's variant is not defined; the first joint's origin keeps it
+// total.
 Point3 shared_joint(const Model& model, std::span<const int> joints) {
   int shared = joints[0];
   for (const int j : joints)
     for (const int k : joints)
-      if (model.joints[j].parent == k) shared = j;  // parents come before children, so the last one found is the deepest
+      if (model.joints[j].parent == k) shared = j;
   return model.joints[shared].origin;
 }
 
@@ -25,10 +26,13 @@ void check(const Model& model, const Posture& posture) {
   if (posture.size() != model.joints.size())
     throw ModelError(model.name, "posture", "has " + std::to_string(posture.size()) + " transforms for " +
                                                 std::to_string(model.joints.size()) + " joints");
-  for (std::size_t j = 0; j < posture.size(); ++j)
+  for (std::size_t j = 0; j < posture.size(); ++j) {
+    const std::string thing = "posture, joint " + std::to_string(j) + " (" + model.joints[j].name + ")";
     if (!posture[j].rotation.allFinite() || !posture[j].translation.allFinite())
-      throw ModelError(model.name, "posture, joint " + std::to_string(j) + " (" + model.joints[j].name + ")",
-                       "its transform is not finite");
+      throw ModelError(model.name, thing, "its transform is not finite");
+    if (!(std::abs(squared_norm(posture[j].rotation) - 1) <= 1e-6))  // loose enough for rotations read from floats
+      throw ModelError(model.name, thing, "its rotation is not a quaternion of unit length");
+  }
 }
 
 }  // namespace

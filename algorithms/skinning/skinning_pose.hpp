@@ -44,8 +44,8 @@ void place_rotation_center(JointSetPose<S>& pose, const Vec<S, 3>& rotation_cent
   for (const auto& t : pose.transforms) pose.center_images.push_back(apply(t, rotation_center));
 }
 
-// The frame's data of every joint-set. posture is by joint; throws ModelError if it has the wrong length or a number that
-// is not finite.
+// The frame's data of every joint-set. posture is by joint; throws ModelError if it has the wrong length, a number that is
+// not finite, or a rotation whose squared length differs from 1 by more than 1e-6.
 SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning);
 
 }  // namespace refitlab

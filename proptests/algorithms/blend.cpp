@@ -1,0 +1,102 @@
+// Blending one vertex, against matrices.
+#include "algorithms/skinning/blend.hpp"
+
+#include "lemmas/vocabulary/lift.hpp"
+#include "proptests/gen/rigid.hpp"
+#include "proptests/gen/weights.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::RationalVec;
+
+struct Blend {
+  JointSetPose<Rational> pose;
+  std::vector<Rational> weights;
+  RationalVec<3> vertex;
+  bool vanishes() const { return squared_norm(blend_quaternion<Rational>(pose, weights)) == 0; }
+};
+
+// A joint-set of 1 to 5 joints in one posture with any signs, a rotation center, weights and a vertex.
+Blend draw() {
+  Blend b;
+  b.pose.transforms = *gen::rigid_transforms(1, 5);
+  if (b.pose.transforms.size() > 1 && *rc::gen::inRange(0, 6) == 0)  // the same rotation, of the other sign
+    b.pose.transforms[1].rotation = -b.pose.transforms[0].rotation;
+  const RationalVec<3> center = *gen::rational_vector<3>();
+  place_rotation_center<Rational>(b.pose, center);
+  b.weights = *gen::convex_weights(static_cast<int>(b.pose.transforms.size()));
+  b.vertex = *gen::rational_vector<3>();
+  return b;
+}
+
+JointSetPose<double> in_double(const JointSetPose<Rational>& pose) {
+  JointSetPose<double> out;
+  out.transforms = lift<double>(pose.transforms);
+  place_rotation_center<double>(out, lift<double>(pose.rotation_center));
+  return out;
+}
+
+void classify(const Blend& b) {
+  bool corner = false, equal = false;
+  for (const auto& w : b.weights) corner = corner || w == 1;
+  for (std::size_t i = 1; i < b.pose.transforms.size(); ++i)
+    equal = equal || abs(dot(b.pose.transforms[0].rotation, b.pose.transforms[i].rotation)) == 1;
+  RC_CLASSIFY(corner || equal || b.vanishes() || b.vertex == b.pose.rotation_center, "degenerate");
+}
+
+}  // namespace
+
+PROPTEST(blend) {
+  t.holds("linear blending of the images is the image under the blended matrices",
+          {.number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            const Blend b = draw();
+            classify(b);
+            RC_ASSERT(blend_linear<Rational>(b.pose, b.weights, b.vertex) ==
+                      oracle::linear(b.pose.transforms, b.weights, b.vertex));
+          });
+  t.holds("spherical blending without a square root is Equation (1) with the matrix of the blended quaternion",
+          {.number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            const Blend b = draw();
+            RC_PRE(!b.vanishes());
+            classify(b);
+            RC_ASSERT(blend_spherical<Rational>(b.pose, b.weights, b.vertex) ==
+                      oracle::spherical(b.pose.transforms, b.weights, b.pose.rotation_center, b.vertex));
+          });
+  t.holds("negating all quaternions of a joint-set moves no vertex", {.number_type = "rational"}, [] {
+    Blend b = draw();
+    RC_PRE(!b.vanishes());
+    const auto before = blend_spherical<Rational>(b.pose, b.weights, b.vertex);
+    for (auto& c : b.pose.transforms) c.rotation = -c.rotation;
+    RC_ASSERT(blend_spherical<Rational>(b.pose, b.weights, b.vertex) == before);
+  });
+  t.refuted("negating one quaternion of a joint-set moves no vertex", {.number_type = "rational"}, [] {
+    Blend b = draw();
+    RC_PRE(!b.vanishes());
+    const auto before = blend_spherical<Rational>(b.pose, b.weights, b.vertex);
+    b.pose.transforms[0].rotation = -b.pose.transforms[0].rotation;
+    RC_PRE(!b.vanishes());
+    RC_ASSERT(blend_spherical<Rational>(b.pose, b.weights, b.vertex) == before);
+  });
+  t.holds("both blendings agree with Eigen's quaternions and transforms up to 1e-12 of the coordinates' size",
+          {.number_type = "double"}, [] {
+            const Blend b = draw();
+            // Rounding is magnified by 1 over the length of the blend: keep away from vanishing ones.
+            RC_PRE(squared_norm(blend_quaternion<Rational>(b.pose, b.weights)) > Rational(1, 10000));
+            const auto pose = in_double(b.pose);
+            const std::vector<double> w = lift<double>(b.weights);
+            const Point3 v = lift<double>(b.vertex);
+            double size = 1;
+            for (const auto& c : pose.transforms) size = std::max(size, c.translation.norm());
+            size += v.norm() + 2 * pose.rotation_center.norm();
+            RC_ASSERT((blend_linear<double>(pose, w, v) - oracle::linear_by_eigen(pose.transforms, w, v)).norm() <=
+                      1e-12 * size);
+            RC_ASSERT((blend_spherical<double>(pose, w, v) -
+                       oracle::spherical_by_eigen(pose.transforms, w, pose.rotation_center, v)).norm() <= 1e-12 * size);
+          });
+}
+
+}  // namespace proptests

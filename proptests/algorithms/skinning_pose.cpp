@@ -1,0 +1,229 @@
+// A frame's skinning data and the skinned vertices of whole models.
+#include "algorithms/skinning/skinning_pose.hpp"
+
+#include <limits>
+
+#include "algorithms/skinning/blend.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "lemmas/vocabulary/lift.hpp"
+#include "proptests/gen/posed_model.hpp"
+#include "proptests/gen/weights.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::PosedModel;
+
+double size_of(const PosedModel& posed) {
+  double size = 1;
+  for (const Point3& v : posed.model.vertices) size = std::max(size, v.norm());
+  for (const auto& c : posed.posture) size = std::max(size, c.translation.norm());
+  for (const auto& j : posed.model.joints) size = std::max(size, j.origin.norm());
+  return size;
+}
+
+// Two joints of one joint-set are turned against each other by 180 degrees, so that neither sign is the short way.
+bool has_half_turn(const SkinningPose<double>& pose) {
+  for (const auto& set : pose)
+    for (const auto& a : set.transforms)
+      for (const auto& b : set.transforms)
+        if (std::abs(dot(a.rotation, b.rotation)) < 1e-12) return true;
+  return false;
+}
+
+double worst_difference(const std::vector<Point3>& a, const std::vector<Point3>& b) {
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, (a[i] - b[i]).norm());
+  return worst;
+}
+
+std::string message_of(const Posture& posture, const PosedModel& posed) {
+  const JointSets sets(posed.model);
+  try {
+    make_skinning_pose(posed.model, sets, posture, Skinning::spherical);
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+PosedModel two_joints() {
+  PosedModel p;
+  p.model.name = "pair";
+  p.model.joints = {{"hip", -1, {0, 0, 0}}, {"knee", 0, {0, 1, 0}}};
+  p.model.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  p.model.influences = {{{0, 1.0}}, {{0, 0.5}, {1, 0.5}}, {{1, 1.0}}};
+  p.model.triangles = {{0, 1, 2}};
+  p.posture = reference_posture(p.model);
+  return p;
+}
+
+bool names(const std::string& message, std::initializer_list<const char*> parts) {
+  for (const char* part : parts)
+    if (message.find(part) == std::string::npos) return false;
+  return true;
+}
+
+}  // namespace
+
+PROPTEST(skinning_pose) {
+  // Why: with <q_1, q_i> >= 0 for all i, <q_1, sum w_i q_i> >= w_1 |q_1|^2 > 0.
+  t.holds("with consistent signs and a positive first weight no blend vanishes",
+          {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
+            JointSetPose<Rational> pose;
+            pose.transforms = *gen::rigid_transforms(1, 5);
+            auto w = *gen::convex_weights(static_cast<int>(pose.transforms.size()));
+            bool opposite = false;
+            for (auto& c : pose.transforms) {
+              if (*rc::gen::inRange(0, 8) == 0) c.rotation = -pose.transforms[0].rotation;
+              opposite = opposite || c.rotation == -pose.transforms[0].rotation;
+            }
+            RC_CLASSIFY(opposite, "degenerate");
+            const Quaternion<Rational> first = pose.transforms[0].rotation;
+            std::vector<Quaternion<Rational>> before;
+            for (const auto& c : pose.transforms) before.push_back(c.rotation);
+            make_signs_consistent<Rational>(pose.transforms);
+            RC_ASSERT(pose.transforms[0].rotation == first);
+            for (std::size_t i = 0; i < before.size(); ++i) {
+              const auto& q = pose.transforms[i].rotation;
+              RC_ASSERT(q == before[i] || q == -before[i]);
+              RC_ASSERT(dot(first, q) >= 0);
+            }
+            RC_PRE(w[0] > 0);
+            RC_ASSERT(dot(first, blend_quaternion<Rational>(pose, w)) >= w[0]);
+          });
+  t.example("with a first weight of zero a blend of consistent signs can vanish",
+            {.number_type = "rational", .hypothesis = "w_1 > 0"}, [] {
+              JointSetPose<Rational> pose;
+              pose.transforms.resize(3);
+              pose.transforms[1].rotation = {0, 1, 0, 0};
+              pose.transforms[2].rotation = {0, -1, 0, 0};
+              make_signs_consistent<Rational>(pose.transforms);
+              const std::vector<Rational> w{Rational(0), Rational(1, 2), Rational(1, 2)};
+              return squared_norm(blend_quaternion<Rational>(pose, w)) == 0;
+            });
+  t.holds("the skinned vertices are those of Eigen's matrices and quaternions, up to 1e-11 of the model's size",
+          {.number_type = "double", .cases = 500, .degenerate_at_least = 0.2}, [] {
+            const PosedModel posed = *gen::posed_model();
+            const JointSets sets(posed.model);
+            const auto spherical = make_skinning_pose(posed.model, sets, posed.posture, Skinning::spherical);
+            const auto by_points = skin(posed.model, sets, spherical, Skinning::linear);
+            const auto by_quaternions = skin(posed.model, sets, spherical, Skinning::spherical);
+            RC_CLASSIFY(has_half_turn(spherical) || posed.model.joints.size() == 1, "degenerate");
+            for (std::size_t v = 0; v < posed.model.vertices.size(); ++v) {
+              const auto& set = spherical[sets.of_vertex(static_cast<int>(v))];
+              const auto w = sets.weights(static_cast<int>(v));
+              // The least-squares center may lie far away, and rounding grows with its distance.
+              const double tolerance = 1e-11 * (size_of(posed) + set.rotation_center.norm());
+              RC_ASSERT((by_points[v] - oracle::linear_by_eigen(set.transforms, w, posed.model.vertices[v])).norm() <= tolerance);
+              if (norm(blend_quaternion<double>(set, w)) < 0.01) continue;
+              RC_ASSERT((by_quaternions[v] - oracle::spherical_by_eigen(set.transforms, w, set.rotation_center,
+                                                                       posed.model.vertices[v])).norm() <= tolerance);
+            }
+          });
+  t.holds("the data of a joint-set are its joints' transforms in order, with images of one common center",
+          {.number_type = "double", .cases = 300}, [] {
+            const PosedModel posed = *gen::posed_model();
+            const JointSets sets(posed.model);
+            const auto pose = make_skinning_pose(posed.model, sets, posed.posture,
+                                                 *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl));
+            RC_ASSERT(pose.size() == static_cast<std::size_t>(sets.count()));
+            for (int s = 0; s < sets.count(); ++s) {
+              RC_ASSERT(pose[s].transforms.size() == sets.joints(s).size());
+              RC_ASSERT(pose[s].center_images.size() == sets.joints(s).size());
+              for (std::size_t i = 0; i < sets.joints(s).size(); ++i) {
+                const auto& given = posed.posture[sets.joints(s)[i]];
+                const auto& c = pose[s].transforms[i];
+                RC_ASSERT(c.translation == given.translation);
+                RC_ASSERT(c.rotation == given.rotation || c.rotation == -given.rotation);
+                RC_ASSERT((pose[s].center_images[i] - oracle::times<double>(oracle::affine_of(given.rotation, given.translation),
+                                                                            pose[s].rotation_center)).norm() <=
+                          1e-12 * (size_of(posed) + pose[s].rotation_center.norm()));
+              }
+            }
+          });
+  t.holds("the signs of a posture's quaternions move no vertex, but where joints of a set differ by a half-turn",
+          {.number_type = "double", .cases = 500}, [] {
+            const PosedModel posed = *gen::posed_model();
+            const JointSets sets(posed.model);
+            const auto pose = make_skinning_pose(posed.model, sets, posed.posture, Skinning::spherical);
+            RC_PRE(!has_half_turn(pose));
+            Posture negated = posed.posture;
+            for (auto& c : negated)
+              if (*rc::gen::arbitrary<bool>()) c.rotation = -c.rotation;
+            const auto other = make_skinning_pose(posed.model, sets, negated, Skinning::spherical);
+            RC_ASSERT(worst_difference(skin(posed.model, sets, pose, Skinning::spherical),
+                                       skin(posed.model, sets, other, Skinning::spherical)) == 0);
+          });
+  t.holds("the joint that two neighbouring bones share is where their transforms agree, and blending about it is blending "
+          "about any point of the relative rotation's axis",
+          {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
+            const auto parent = *gen::rigid_transform();
+            const auto turn = *gen::unit_quaternion();
+            const auto joint = *gen::rational_vector<3>();
+            const auto vertex = *gen::rational_vector<3>();
+            const Rational along = *gen::rational();
+            JointSetPose<Rational> about_joint;
+            about_joint.transforms = {parent, compose(parent, {turn, joint - rotate(turn, joint)})};
+            make_signs_consistent<Rational>(about_joint.transforms);
+            JointSetPose<Rational> about_axis = about_joint;
+            place_rotation_center<Rational>(about_joint, joint);
+            const gen::RationalVec<3> elsewhere = joint + imaginary(turn) * along;
+            place_rotation_center<Rational>(about_axis, elsewhere);
+            RC_CLASSIFY(squared_norm(imaginary(turn)) == 0 || turn[0] == 0 || vertex == joint, "degenerate");
+            RC_ASSERT(about_joint.center_images[0] == about_joint.center_images[1]);
+            const auto w = *gen::convex_weights(2);
+            RC_ASSERT(blend_spherical<Rational>(about_joint, w, vertex) == blend_spherical<Rational>(about_axis, w, vertex));
+          });
+  t.holds("for neighbouring bones Hejl's center is the shared joint, and skinning about it is spherical skinning",
+          {.number_type = "double", .cases = 500}, [] {
+            const PosedModel posed = *gen::posed_model();
+            const JointSets sets(posed.model);
+            const auto hejl = make_skinning_pose(posed.model, sets, posed.posture, Skinning::hejl);
+            const auto spherical = make_skinning_pose(posed.model, sets, posed.posture, Skinning::spherical);
+            const auto a = skin(posed.model, sets, hejl, Skinning::hejl);
+            const auto b = skin(posed.model, sets, spherical, Skinning::spherical);
+            int seen = 0;
+            for (std::size_t v = 0; v < a.size(); ++v) {
+              const int s = sets.of_vertex(static_cast<int>(v));
+              const auto joints = sets.joints(s);
+              if (joints.size() != 2 || posed.model.joints[joints[1]].parent != joints[0]) continue;
+              ++seen;
+              RC_ASSERT(hejl[s].rotation_center == posed.model.joints[joints[1]].origin);
+              RC_ASSERT((hejl[s].center_images[0] - hejl[s].center_images[1]).norm() <= 1e-12 * size_of(posed));
+              RC_ASSERT((a[v] - b[v]).norm() <= 1e-8 * (size_of(posed) + spherical[s].rotation_center.norm()));
+            }
+            RC_PRE(seen > 0);
+          });
+  t.example("a posture with a transform too few is refused with the counts", {}, [] {
+    PosedModel p = two_joints();
+    p.posture.pop_back();
+    return names(message_of(p.posture, p), {"pair", "1 transforms", "2 joints"});
+  });
+  t.example("a number in a posture that is not finite is refused with the joint's name", {}, [] {
+    int refused = 0;
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+      for (int i = 0; i < 7; ++i) {
+        PosedModel p = two_joints();
+        (i < 4 ? p.posture[1].rotation[i] : p.posture[1].translation[i - 4]) = bad;
+        refused += names(message_of(p.posture, p), {"pair", "joint 1", "knee", "not finite"});
+      }
+    return Checked(refused == 14, 14);
+  });
+  t.example("a rotation that is not of unit length, zero above all, is refused with the joint's name", {}, [] {
+    int refused = 0;
+    for (const double length : {0.0, 0.5, 1.01, 1e200}) {
+      PosedModel p = two_joints();
+      p.posture[1].rotation *= length;
+      refused += names(message_of(p.posture, p), {"pair", "joint 1", "knee", "unit length"});
+    }
+    PosedModel rounded = two_joints();
+    rounded.posture[1].rotation *= 1 + 1e-9;
+    return Checked(refused == 4 && message_of(rounded.posture, rounded).empty(), 5);
+  });
+}
+
+}  // namespace proptests

@@ -1,0 +1,28 @@
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests::oracle {
+namespace {
+
+Eigen::Quaterniond eigen_quaternion(const refitlab::Quaternion<double>& q) { return {q[0], q[1], q[2], q[3]}; }
+
+Eigen::Isometry3d isometry(const refitlab::RigidTransform<double>& c) {
+  return Eigen::Translation3d(c.translation) * eigen_quaternion(c.rotation).normalized();
+}
+
+}  // namespace
+
+Eigen::Vector3d linear_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
+                                const Eigen::Vector3d& v) {
+  Eigen::Matrix4d blend = Eigen::Matrix4d::Zero();
+  for (std::size_t i = 0; i < c.size(); ++i) blend += w[i] * isometry(c[i]).matrix();
+  return (blend * v.homogeneous()).hnormalized();
+}
+
+Eigen::Vector3d spherical_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
+                                   const Eigen::Vector3d& center, const Eigen::Vector3d& v) {
+  Eigen::Quaterniond q(0, 0, 0, 0);
+  for (std::size_t i = 0; i < c.size(); ++i) q.coeffs() += w[i] * eigen_quaternion(c[i].rotation).coeffs();
+  return q.normalized().toRotationMatrix() * (v - center) + linear_by_eigen(c, w, center);
+}
+
+}  // namespace proptests::oracle
