@@ -49,8 +49,8 @@ class Audit {
   explicit Audit(const std::string& path) : file_(path) { read(); }
 
   void run() const {
-    for (const json& skin : list("skins")) check_skin(skin);
-    for (const json& animation : list("animations")) check_animation(animation);
+    for (std::size_t i = 0; i < list("skins").size(); ++i) check_skin(i);
+    for (std::size_t i = 0; i < list("animations").size(); ++i) check_animation(i);
     std::map<std::size_t, int> skin_of_mesh;
     for (const json& node : list("nodes")) {
       if (!node.contains("mesh")) continue;
@@ -111,7 +111,8 @@ class Audit {
       if (uri.empty() && !binary) throw ModelError(file_, thing, "has no bytes");
       buffers_.push_back(uri.empty()                ? *binary
                          : uri.starts_with("data:") ? decode_base64(uri.substr(comma + 1))
-                         : read_bytes(std::filesystem::path(file_).parent_path() / uri, file_, thing + " (" + uri + ")"));
+                                                    : read_bytes(std::filesystem::path(file_).parent_path() / uri,
+                                                                 file_, thing + " (" + uri + ")"));
     }
   }
 
@@ -151,17 +152,26 @@ class Audit {
     return t;
   }
 
-  void check_skin(const json& skin) const {
-    const std::string thing = "skin '" + skin.value("name", "") + "'";
+  // Such as "mesh 2 'body'".
+  std::string label(const std::string& kind, const json& object, std::size_t index) const {
+    const std::string name = object.value("name", "");
+    return kind + " " + std::to_string(index) + (name.empty() ? "" : " '" + name + "'");
+  }
+
+  void check_skin(std::size_t index) const {
+    const json& skin = list("skins").at(index);
+    const std::string thing = label("skin", skin, index);
     if (!skin.contains("inverseBindMatrices")) throw ModelError(file_, thing, "no inverse bind matrices");
     const std::size_t count = float_table(skin.at("inverseBindMatrices"), thing).count;
     if (count < skin.at("joints").size())
-      throw ModelError(file_, thing, "only " + std::to_string(count) + " inverse bind matrices for " +
-                                         std::to_string(skin.at("joints").size()) + " joints");
+      throw ModelError(file_, thing,
+                       "only " + std::to_string(count) + " inverse bind matrices for " +
+                           std::to_string(skin.at("joints").size()) + " joints");
   }
 
-  void check_animation(const json& animation) const {
-    const std::string thing = "clip '" + animation.value("name", "") + "'";
+  void check_animation(std::size_t index) const {
+    const json& animation = list("animations").at(index);
+    const std::string thing = label("clip", animation, index);
     for (const json& channel : animation.at("channels")) {
       if (channel.at("target").at("path") == "weights") continue;  // of morph targets
       const json& sampler = animation.at("samplers").at(channel.at("sampler").get<std::size_t>());
@@ -169,16 +179,15 @@ class Audit {
       const std::size_t values = float_table(sampler.at("output"), thing).count;
       const std::size_t needed = sampler.value("interpolation", "LINEAR") == "CUBICSPLINE" ? 3 * times : times;
       if (times == 0 || values < needed)
-        throw ModelError(file_, thing, "a channel has " + std::to_string(times) + " times but " +
-                                           std::to_string(values) + " values");
+        throw ModelError(file_, thing,
+                         "a channel has " + std::to_string(times) + " times but " + std::to_string(values) + " values");
     }
   }
 
   void check_mesh(const json& node) const {
     const std::size_t index = node.at("mesh");
     const json& mesh = json_.at("meshes").at(index);
-    const std::string name = mesh.value("name", "");
-    const std::string thing = "mesh " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
+    const std::string thing = label("mesh", mesh, index);
     for (const json& primitive : mesh.at("primitives")) {
       const json& attributes = primitive.at("attributes");
       const std::size_t count = float_table(attributes.at("POSITION"), thing).count;
@@ -190,8 +199,8 @@ class Audit {
             throw ModelError(file_, thing, "index " + std::to_string(i) + " names a vertex out of range");
       }
       if (node.contains("skin"))
-        check_influences(attributes, count, json_.at("skins").at(node.at("skin").get<std::size_t>()).at("joints").size(),
-                         thing);
+        check_influences(attributes, count,
+                         json_.at("skins").at(node.at("skin").get<std::size_t>()).at("joints").size(), thing);
     }
   }
 

@@ -42,16 +42,21 @@ void check_mesh(const aiMesh& mesh, const std::string& file) {
     }
 }
 
+// What assimp says of its last failure; some of its messages quote the rest of the file.
+std::string complaint(const Assimp::Importer& importer) {
+  return std::string(importer.GetErrorString()).substr(0, 200);
+}
+
 // The scene as the file has it, checked, then triangulated.
 const aiScene& read_scene(Assimp::Importer& importer, const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) throw ModelError(path, "file", "does not exist");
   audit_gltf(path);
   const aiScene* scene = importer.ReadFile(path, 0);
-  if (!scene) throw ModelError(path, "file", std::string("assimp cannot read it: ") + importer.GetErrorString());
+  if (!scene) throw ModelError(path, "file", "assimp cannot read it: " + complaint(importer));
   if (!scene->mRootNode || scene->mNumMeshes == 0) throw ModelError(path, "file", "has no mesh");
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) check_mesh(*scene->mMeshes[m], path);
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  if (!scene) throw ModelError(path, "file", std::string("assimp cannot triangulate it: ") + importer.GetErrorString());
+  if (!scene) throw ModelError(path, "file", "assimp cannot triangulate it: " + complaint(importer));
   return *scene;
 }
 
@@ -144,8 +149,8 @@ Model load_model(const std::string& path) {
   for (const Motion& motion : motions) {
     for (const double time : key_times(motion, max_checked_times))
       model.rigidity_defect = std::max(model.rigidity_defect, pose(*skeleton, motion, time).rigidity_defect);
-    model.clips.push_back(
-        {motion.name, motion.duration, [skeleton, motion](double time) { return pose(*skeleton, motion, time).posture; }});
+    model.clips.push_back({motion.name, motion.duration,
+                           [skeleton, motion](double time) { return pose(*skeleton, motion, time).posture; }});
   }
   validate(model);
   return model;

@@ -22,7 +22,8 @@ std::vector<Eigen::Vector4d> box_corners(const aiMesh& mesh) {
 }
 
 // a and b take the box to the same place, within `tolerance` of its diagonal.
-bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const std::vector<Eigen::Vector4d>& box, double tolerance) {
+bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const std::vector<Eigen::Vector4d>& box,
+           double tolerance) {
   double apart = 0;
   for (const auto& corner : box) apart = std::max(apart, ((a - b) * corner).norm());
   return apart <= tolerance * (a * (box[7] - box[0])).norm();
@@ -96,7 +97,8 @@ class Binder {
     return keep ? identity : found;
   }
 
-  // The joint of a node whose offset, after the mesh's placement, does what `own` does to the mesh; made where there is none.
+  // The joint of a node whose offset, after the mesh's placement, does what `own` does to the mesh; made where there is
+  // none.
   int joint(int node, const Eigen::Matrix4d& own, const Eigen::Matrix4d& offset, const Eigen::Matrix4d& placement,
             const std::vector<Eigen::Vector4d>& box) {
     for (std::size_t j = 0; j < joints_.size(); ++j)
@@ -122,7 +124,8 @@ std::vector<int> order_joints(std::vector<BoundJoint>& joints, const std::vector
     fresh[j] = index;
     ordered.push_back(joints[j]);
     BoundJoint& joint = ordered.back();
-    for (int n = nodes[joint.node].parent; n >= 0 && joint.parent < 0; n = nodes[n].parent) joint.parent = first_of_node[n];
+    for (int n = nodes[joint.node].parent; n >= 0 && joint.parent < 0; n = nodes[n].parent)
+      joint.parent = first_of_node[n];
     if (first_of_node[joint.node] < 0) first_of_node[joint.node] = index;
   }
   joints = std::move(ordered);

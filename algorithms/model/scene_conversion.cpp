@@ -17,7 +17,6 @@ namespace {
 
 constexpr double usual_ticks_per_second = 25;  // where a file does not say
 
-
 bool is_usable(const Eigen::Vector3d& v) { return v.allFinite(); }
 bool is_usable(const Eigen::Quaterniond& q) { return q.coeffs().allFinite() && q.norm() > 1e-6; }
 Eigen::Vector3d in_standard_form(const Eigen::Vector3d& v) { return v; }
@@ -33,7 +32,8 @@ std::vector<Key<Value>> convert_keys(const SourceKey* keys, unsigned count, doub
     const double time = keys[k].mTime / ticks_per_second;
     const std::string at = thing + ", key " + std::to_string(k) + " at " + std::to_string(time) + " s";
     const Value value = to_eigen(keys[k].mValue);
-    if (!std::isfinite(time) || !is_usable(value)) throw ModelError(file, at, "not finite, or a rotation by a zero quaternion");
+    if (!std::isfinite(time) || !is_usable(value))
+      throw ModelError(file, at, "not finite, or a rotation by a zero quaternion");
     if (!out.empty() && time < out.back().time) throw ModelError(file, at, "keys are not in order of time");
     out.push_back({time, in_standard_form(value)});
   }
@@ -46,8 +46,8 @@ NodeTrack convert_track(const aiNodeAnim& channel, int node, const aiNode& sourc
   aiQuaternion rotation;
   source.mTransformation.Decompose(scale, rotation, position);
   return {node,
-          convert_keys<Eigen::Vector3d>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, position, file,
-                                        thing),
+          convert_keys<Eigen::Vector3d>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, position,
+                                        file, thing),
           convert_keys<Eigen::Quaterniond>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_second, rotation,
                                            file, thing),
           convert_keys<Eigen::Vector3d>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale, file,

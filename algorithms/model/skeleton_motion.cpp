@@ -16,7 +16,8 @@ Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond
 
 template <class Value>
 Value value_at(const std::vector<Key<Value>>& keys, double time) {
-  const auto after = std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; });
+  const auto after =
+      std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; });
   if (after == keys.begin()) return keys.front().value;
   if (after == keys.end()) return keys.back().value;
   const auto before = after - 1;

@@ -1,9 +1,9 @@
 // The skeleton of a model file in motion: a tree of nodes, tracks of keys, and the skin matrices that they give.
 //
-// Skin matrix of joint j at time t: M_j(t) = (global transform of its node at t) * (its offset matrix). If it is R K and a
-// translation, with one K = s diag(+-1, 1, 1) for all joints and times, then K belongs to the reference posture: vertices
-// are multiplied by K, offset matrices by its inverse, and M_j is the rigid C_j.
-// Matrices act on columns; lengths in units of the file, times in seconds.
+// Skin matrix of joint j at time t: M_j(t) = (global transform of its node at t) * (its offset matrix). If it is R K
+// and a translation, with one K = s diag(+-1, 1, 1) for all joints and times, then K belongs to the reference posture:
+// vertices are multiplied by K, offset matrices by its inverse, and M_j is the rigid C_j. Matrices act on columns;
+// lengths in units of the file, times in seconds.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -70,8 +70,8 @@ std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nod
 // that by rounding only.
 Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motion, double time);
 
-// C_j by joint: the rotation nearest to M_j, its quaternion in the half-space of its parent's (of a root, real part >= 0).
-// Throws ModelError that names clip, joint and time where M_j is not rigid, within rigidity_tolerance.
+// C_j by joint: the rotation nearest to M_j, its quaternion in the half-space of its parent's (of a root, real part >=
+// 0). Throws ModelError that names clip, joint and time where M_j is not rigid, within rigidity_tolerance.
 PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double time);
 
 // 0, the duration and the times of keys between, in order; evenly thinned to at most `limit`.

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace proptests {
+namespace proptests::gen {
 namespace {
 
 using nlohmann::json;
@@ -27,7 +27,8 @@ class Writer {
     }
     for (const GltfMesh& m : scene.meshes) add(m);
     for (const GltfSkin& s : scene.skins)
-      json_["skins"].push_back({{"joints", s.joints}, {"inverseBindMatrices", accessor(s.inverse_bind, "MAT4", float_component)}});
+      json_["skins"].push_back(
+          {{"joints", s.joints}, {"inverseBindMatrices", accessor(s.inverse_bind, "MAT4", float_component)}});
     for (const GltfClip& c : scene.clips) add(c);
   }
   json finished(const std::string& uri) const {
@@ -77,7 +78,8 @@ class Writer {
     json channels = json::array(), samplers = json::array();
     for (const GltfTrack& t : c.tracks) {
       channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", t.node}, {"path", t.path}}}});
-      samplers.push_back({{"input", accessor(t.times, 1)}, {"output", accessor(t.values, t.path == "rotation" ? 4 : 3)}});
+      samplers.push_back(
+          {{"input", accessor(t.times, 1)}, {"output", accessor(t.values, t.path == "rotation" ? 4 : 3)}});
     }
     json_["animations"].push_back({{"name", c.name}, {"channels", channels}, {"samplers", samplers}});
   }
@@ -137,7 +139,8 @@ RiggedGltf bending_tube(int joints) {
     const auto joint = static_cast<std::uint16_t>(std::min(ring / 2, joints - 1));
     const bool shared = ring % 2 == 0 && ring > 0 && ring < 2 * joints;
     for (int k = 0; k < 4; ++k) {
-      mesh.positions.push_back({k == 0 || k == 3 ? -0.2f : 0.2f, 0.5f * static_cast<float>(ring), k < 2 ? -0.2f : 0.2f});
+      mesh.positions.push_back(
+          {k == 0 || k == 3 ? -0.2f : 0.2f, 0.5f * static_cast<float>(ring), k < 2 ? -0.2f : 0.2f});
       mesh.joints[0].push_back({joint, static_cast<std::uint16_t>(shared ? joint - 1 : 0), 0, 0});
       mesh.weights[0].push_back({shared ? 0.75f : 1.0f, shared ? 0.25f : 0.0f, 0, 0});
     }
@@ -170,4 +173,4 @@ void write_gltf(const RiggedGltf& scene, const std::string& path) {
   write_file(path, writer.finished("data:application/octet-stream;base64," + base64(writer.bytes())).dump());
 }
 
-}  // namespace proptests
+}  // namespace proptests::gen

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace proptests {
+namespace proptests::gen {
 
 struct GltfNode {
   std::string name;
@@ -26,8 +26,8 @@ struct GltfMesh {
 };
 
 struct GltfSkin {
-  std::vector<int> joints;                             // nodes
-  std::vector<std::array<float, 16>> inverse_bind;     // column by column
+  std::vector<int> joints;                          // nodes
+  std::vector<std::array<float, 16>> inverse_bind;  // column by column
 };
 
 struct GltfTrack {
@@ -50,8 +50,8 @@ struct RiggedGltf {
 };
 
 // A square tube of `joints` segments along +y, a unit each, whose nodes "j0", "j1", ... hang below each other. Rings of
-// four vertices every half unit; at a joint the two bones share a ring. Clip "bend": every joint turns about its own z by
-// up to 0.6 radian at 1 s, the first one moves. The node "skin" carries the mesh; the last node.
+// four vertices every half unit; at a joint the two bones share a ring. Clip "bend": every joint turns about its own z
+// by up to 0.6 radian at 1 s, the first one moves. The node "skin" carries the mesh; the last node.
 RiggedGltf bending_tube(int joints);
 
 std::array<float, 16> translation_matrix(float x, float y, float z);
@@ -61,4 +61,4 @@ void write_glb(const RiggedGltf& scene, const std::string& path);
 // The same as a JSON text file with its bytes in a data URI.
 void write_gltf(const RiggedGltf& scene, const std::string& path);
 
-}  // namespace proptests
+}  // namespace proptests::gen

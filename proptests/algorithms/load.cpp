@@ -1,0 +1,348 @@
+// Loading rigged files: what they pose, against assimp's own matrices, and what is refused.
+#include "algorithms/model/load.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "proptests/gen/broken_rigs.hpp"
+#include "proptests/gen/random_rig.hpp"
+#include "proptests/gen/two_bone_x.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/file_skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::RiggedGltf;
+
+// A folder that goes away with its owner.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / ("refitlab-load-" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string file(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Model load(const RiggedGltf& scene) {
+  const Folder folder;
+  write_glb(scene, folder.file("rig.glb"));
+  return load_model(folder.file("rig.glb"));
+}
+
+std::string read_all(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_all(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+// The message of the refusal; empty if the file loads.
+std::string refusal(const std::string& path) {
+  try {
+    load_model(path);
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// Whether loading says no, and the message has the file and all of the words.
+Checked refuses(const std::string& path, const std::vector<std::string>& words) {
+  const std::string message = refusal(path);
+  bool complete = message.find(path) != std::string::npos;
+  for (const std::string& word : words) complete = complete && message.find(word) != std::string::npos;
+  return {complete, 1, message.empty() ? "it loads" : message};
+}
+
+std::vector<Point3> blend_linearly(const Model& model, const Posture& posture) {
+  std::vector<Point3> posed;
+  for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+    Point3 sum(0, 0, 0);
+    for (const Influence& i : model.influences[v]) sum += i.weight * apply(posture[i.joint], model.vertices[v]);
+    posed.push_back(sum);
+  }
+  return posed;
+}
+
+// The largest distance between a corner as the model and as the file has it, over the size of the posed file; infinite
+// if they do not have the same triangles.
+double deviation(const Model& model, const oracle::FileSkinning& file, unsigned clip, double time) {
+  const std::vector<Point3> posed = blend_linearly(model, model.clips[clip].sample(time));
+  const auto expected = file.posed_triangles(clip, time);
+  if (expected.size() != model.triangles.size()) return INFINITY;
+  double worst = 0, size = 0;
+  for (std::size_t t = 0; t < expected.size(); ++t) {
+    // The loader turns the triangles of a mesh around that its placement mirrors.
+    double apart[2] = {0, 0};
+    for (int k = 0; k < 3; ++k) {
+      const aiVector3D& e = expected[t][k];
+      const Point3 corner(e.x, e.y, e.z);
+      size = std::max(size, corner.norm());
+      apart[0] = std::max(apart[0], (posed[model.triangles[t][k]] - corner).norm());
+      apart[1] = std::max(apart[1], (posed[model.triangles[t][(3 - k) % 3]] - corner).norm());
+    }
+    worst = std::max(worst, std::min(apart[0], apart[1]));
+  }
+  return worst / size;
+}
+
+double worst_deviation(const Model& model, const std::string& path, int times) {
+  const oracle::FileSkinning file(path);
+  double worst = 0;
+  for (std::size_t c = 0; c < model.clips.size(); ++c)
+    for (int i = 0; i < times; ++i)
+      worst =
+          std::max(worst, deviation(model, file, static_cast<unsigned>(c), model.clips[c].duration * i / (times - 1)));
+  return worst;
+}
+
+// Unit quaternions, each in the half-space of its parent's.
+bool well_formed(const Model& model, const Posture& posture) {
+  bool good = posture.size() == model.joints.size();
+  for (std::size_t j = 0; j < posture.size(); ++j) {
+    const int parent = model.joints[j].parent;
+    const auto& q = posture[j].rotation;
+    good = good && std::abs(squared_norm(q) - 1) < 1e-14;
+    good = good && (parent < 0 ? q[0] : dot(q, posture[parent].rotation)) >= 0;
+  }
+  return good;
+}
+
+struct RealModel {
+  const char* name;
+  std::size_t triangles, joints, clips;
+};
+constexpr RealModel real_models[] = {{"BCN_Epileptic.X", 5126, 54, 1},
+                                     {"Testwuson.X", 3732, 37, 3},
+                                     {"Soldier.glb", 11376, 49, 4},
+                                     {"leftHandHigh.glb", 2320, 16, 7},
+                                     {"dancing.fbx", 55320, 52, 1}};
+
+// A check over the real models that experiments/fetch_models has left in out/models of the working directory.
+template <class Check>
+Checked over_real_models(const Check& check) {
+  bool passed = true;
+  long used = 0;
+  std::string detail;
+  for (const RealModel& m : real_models) {
+    const std::string path = std::string("out/models/") + m.name;
+    if (!std::filesystem::exists(path)) continue;
+    ++used;
+    const std::string complaint = check(m, path);
+    passed = passed && complaint.empty();
+    detail += complaint.empty() ? "" : "; " + std::string(m.name) + ": " + complaint;
+  }
+  if (used == 0) detail = "; SKIPPED: no models in out/models";
+  return {passed, used, std::to_string(used) + " of 5 real models" + detail};
+}
+
+}  // namespace
+
+PROPTEST(load) {
+  t.holds("a loaded rig is posed as the file's own matrices pose it", {.cases = 300, .degenerate_at_least = 0.05}, [] {
+    const gen::RigTraits traits = gen::draw_traits();
+    RC_CLASSIFY(traits.joints == 1 || traits.split_joint, "degenerate");
+    RC_CLASSIFY(traits.mirrored, "mirrored");
+    RC_CLASSIFY(traits.loose_mesh, "with a mesh without bones");
+    const Folder folder;
+    const std::string path = folder.file("rig.glb");
+    write_glb(random_rig(traits), path);
+    const Model model = load_model(path);
+    const bool split = traits.second_skin && traits.split_joint && traits.joints > 1;
+    RC_ASSERT(static_cast<int>(model.joints.size()) == traits.joints + split + traits.other_joints + traits.loose_mesh);
+    RC_ASSERT(model.rigidity_defect < 1e-5);
+    RC_ASSERT(worst_deviation(model, path, 5) < 1e-5);
+    for (const double share : {0.0, 0.3, 1.0})
+      RC_ASSERT(well_formed(model, model.clips[0].sample(share * model.clips[0].duration)));
+  });
+
+  t.example("the real models are posed as their own matrices pose them", {}, [] {
+    return over_real_models([](const RealModel&, const std::string& path) -> std::string {
+      const double worst = worst_deviation(load_model(path), path, 4);
+      return worst < 1e-5 ? "" : "deviates by " + std::to_string(worst) + " of its size";
+    });
+  });
+  t.example("the real models have the triangles, joints and clips that are known of them", {}, [] {
+    return over_real_models([](const RealModel& known, const std::string& path) -> std::string {
+      const Model m = load_model(path);
+      const bool as_known =
+          m.triangles.size() == known.triangles && m.joints.size() == known.joints && m.clips.size() == known.clips;
+      return as_known && m.rigidity_defect < 1e-5 ? "" : "it has others, or is not rigid";
+    });
+  });
+
+  t.example("the bones of a tube are its joints, parents first, with their origins and names", {}, [] {
+    const Model m = load(gen::bending_tube(4));
+    bool good = m.joints.size() == 4 && m.vertices.size() == 36 && m.triangles.size() == 64;
+    for (int j = 0; good && j < 4; ++j)
+      good = m.joints[j].name == "j" + std::to_string(j) && m.joints[j].parent == j - 1 &&
+             (m.joints[j].origin - Point3(0, j, 0)).norm() < 1e-12;
+    return Checked(good);
+  });
+  t.example("a constant scale is multiplied into vertices and origins", {}, [] {
+    RiggedGltf scene = gen::bending_tube(4);
+    scene.nodes[0].scale = {0.01f, 0.01f, 0.01f};
+    const Model small = load(scene), tube = load(gen::bending_tube(4));
+    bool good = small.vertices.size() == tube.vertices.size();
+    for (std::size_t v = 0; good && v < small.vertices.size(); ++v)
+      good = (small.vertices[v] - 0.01 * tube.vertices[v]).norm() < 1e-8;
+    return Checked(good && (small.joints[3].origin - Point3(0, 0.03, 0)).norm() < 1e-8);
+  });
+  t.example("a text file with its bytes in a data URI loads as the binary one", {}, [] {
+    const Folder folder;
+    write_gltf(gen::bending_tube(3), folder.file("rig.gltf"));
+    const Model text = load_model(folder.file("rig.gltf")), binary = load(gen::bending_tube(3));
+    return Checked(text.vertices == binary.vertices && text.triangles == binary.triangles);
+  });
+  t.example("vertices of one position are one exactly where their weights agree", {}, [] {
+    RiggedGltf seams = gen::bending_tube(3);
+    gen::GltfMesh& mesh = seams.meshes[0];
+    const gen::GltfMesh whole = mesh;
+    mesh.positions.clear(), mesh.joints[0].clear(), mesh.weights[0].clear();
+    for (std::size_t i = 0; i < whole.indices.size(); ++i) {
+      mesh.positions.push_back(whole.positions[whole.indices[i]]);
+      mesh.joints[0].push_back(whole.joints[0][whole.indices[i]]);
+      mesh.weights[0].push_back(whole.weights[0][whole.indices[i]]);
+      mesh.indices[i] = static_cast<std::uint32_t>(i);
+    }
+    const std::size_t welded = load(seams).vertices.size();
+    mesh.joints[0][0] = {1, 0, 0, 0};
+    const std::size_t other_weights = load(seams).vertices.size();
+    return Checked(welded == whole.positions.size() && other_weights == welded + 1, 2);
+  });
+  t.example("a triangle with two corners in one vertex is dropped, and so is a vertex without a triangle", {}, [] {
+    RiggedGltf scene = gen::bending_tube(3);
+    scene.meshes[0].indices.insert(scene.meshes[0].indices.end(), {2, 2, 3});
+    scene.meshes[0].positions.push_back({9, 9, 9});
+    scene.meshes[0].joints[0].push_back({0, 0, 0, 0});
+    scene.meshes[0].weights[0].push_back({1, 0, 0, 0});
+    const Model m = load(scene), tube = load(gen::bending_tube(3));
+    return Checked(m.triangles == tube.triangles && m.vertices == tube.vertices);
+  });
+  t.example("more than four influences of a vertex are all kept", {}, [] {
+    const gen::RigTraits traits{.joints = 8, .many_influences = true, .seed = 1};
+    const Model m = load(gen::random_rig(traits));
+    bool good = true;
+    for (const auto& influences : m.influences) good = good && influences.size() == 8;
+    return Checked(good, static_cast<long>(m.influences.size()));
+  });
+  t.example("a scale that wavers within the tolerance is measured, and one beyond it is refused", {}, [] {
+    const auto wavering = [](float by) {
+      RiggedGltf scene = gen::bending_tube(3);
+      scene.clips[0].tracks.push_back({2, "scale", {0, 1}, {1, 1, 1, 1 + by, 1 + by, 1 + by}});
+      return scene;
+    };
+    const double defect = load(wavering(5e-4f)).rigidity_defect;
+    bool refused = false;
+    try {
+      load(wavering(1.5e-3f));
+    } catch (const ModelError&) {
+      refused = true;
+    }
+    return Checked(std::abs(defect - std::sqrt(3) * 1e-3) < 1e-5 && refused, 2, std::to_string(defect));
+  });
+  t.example("a posture between the times that loading checks is refused when it is sampled", {}, [] {
+    RiggedGltf scene = gen::bending_tube(3);
+    gen::GltfTrack track{1, "scale", {}, {}};
+    for (int k = 0; k <= 1000; ++k) {
+      track.times.push_back(0.001f * static_cast<float>(k));
+      const float scale = k == 500 ? 2 : 1;
+      track.values.insert(track.values.end(), {scale, scale, scale});
+    }
+    scene.clips[0].tracks.push_back(track);
+    const Model m = load(scene);
+    std::string message;
+    try {
+      m.clips[0].sample(0.5);
+    } catch (const ModelError& e) {
+      message = e.what();
+    }
+    for (const char* word : {"clip 'bend'", "joint 'j1'", "0.5 s", "scales by 2"})
+      if (message.find(word) == std::string::npos) return Checked(false, 1, message);
+    return Checked(true, 1, message);
+  });
+  t.example("ticks of an X file become seconds at its own rate, or at 25 where it gives none", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.X");
+    gen::write_x({.ticks_per_second = "7", .last_key = "14"}, path);
+    const Model odd = load_model(path);
+    const double worst = worst_deviation(odd, path, 5);
+    gen::write_x({.ticks_per_second = "", .last_key = "50"}, path);
+    const Model silent = load_model(path);
+    return Checked(odd.clips[0].duration == 2 && silent.clips[0].duration == 2 && worst < 1e-5, 2);
+  });
+
+  for (const gen::BrokenRig& broken : gen::broken_rigs())
+    t.example(std::string("refused, with file, thing and reason: ") + broken.what, {}, [&] {
+      const Folder folder;
+      RiggedGltf scene = gen::bending_tube(3);
+      broken.break_it(scene);
+      write_glb(scene, folder.file("rig.glb"));
+      write_gltf(scene, folder.file("rig.gltf"));
+      const Checked binary = refuses(folder.file("rig.glb"), broken.words);
+      return Checked(binary.passed && refuses(folder.file("rig.gltf"), broken.words).passed, 2, binary.detail);
+    });
+  t.example("refused: a file that is missing, or no model whatever its name says", {}, [] {
+    const Folder folder;
+    bool good =
+        refuses(folder.file("missing.glb"), {"does not exist"}).passed && refuses("/", {"does not exist"}).passed;
+    for (const char* name : {"text.glb", "text.gltf", "text.X", "text.fbx", "text.dae", "text.txt"})
+      for (const char* content :
+           {"", "hello", "glTF", "{}", "[1, 2]", "xof 0303txt 0032\n", "<?xml version=\"1.0\"?>"}) {
+        write_all(folder.file(name), content);
+        good = good && refuses(folder.file(name), {}).passed;
+      }
+    return Checked(good, 44);
+  });
+  t.example("refused: a glTF file that ends early, wherever that is", {}, [] {
+    const Folder folder;
+    write_glb(gen::bending_tube(3), folder.file("rig.glb"));
+    write_gltf(gen::bending_tube(3), folder.file("rig.gltf"));
+    long cases = 0;
+    for (const std::string name : {"rig.glb", "rig.gltf"}) {
+      const std::string whole = read_all(folder.file(name));
+      for (std::size_t length = 0; length < whole.size(); length += 37, ++cases) {
+        write_all(folder.file("cut " + name), whole.substr(0, length));
+        if (!refuses(folder.file("cut " + name), {}).passed)
+          return Checked(false, cases, "cut at " + std::to_string(length));
+      }
+    }
+    return Checked(true, cases);
+  });
+  t.example("refused: a glTF file of version 1, or of integers where assimp would take their bytes for floats", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.gltf");
+    write_gltf(gen::bending_tube(3), path);
+    const auto edited = [&](const std::string& old, const std::string& fresh) {
+      std::string text = read_all(path);
+      for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += fresh.size())
+        text.replace(at, old.size(), fresh);
+      write_all(folder.file("edited.gltf"), text);
+      return folder.file("edited.gltf");
+    };
+    const bool version = refuses(edited("\"2.0\"", "\"1.0\""), {"version 1.0"}).passed;
+    return Checked(version && refuses(edited("5126", "5121"), {"not of floats"}).passed, 2);
+  });
+  t.example("refused: an X file of a vertex without weight, or with a negative weight, which assimp drops", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.X");
+    gen::write_x({.root_weights = "1, 1, 0.5, 0.5, 0, 0.25", .tip_weights = "0, 0, 0.5, 0.5, 0, 0.75"}, path);
+    const Checked none = refuses(path, {"no weight"});
+    gen::write_x({.root_weights = "1, 1, 0.5, 0.5, -0.5, 0.25", .tip_weights = "0, 0, 0.5, 0.5, 1.5, 0.75"}, path);
+    const Checked negative = refuses(path, {"sum to 1.5"});
+    return Checked(none.passed && negative.passed, 2, none.detail + "; " + negative.detail);
+  });
+}
+
+}  // namespace proptests

@@ -1,0 +1,18 @@
+// A small rigged file in the text form of X: a strip of two squares with a bone for each.
+#pragma once
+
+#include <string>
+
+namespace proptests::gen {
+
+// What the text has in these places, as is.
+struct TwoBoneX {
+  std::string ticks_per_second = "7";                       // empty: the file does not say
+  std::string root_weights = "1, 1, 0.5, 0.5, 0.25, 0.25";  // of vertices 0 to 5
+  std::string tip_weights = "0, 0, 0.5, 0.5, 0.75, 0.75";
+  std::string last_key = "14";  // of clip "wave", in ticks; the first is 0
+};
+
+void write_x(const TwoBoneX& parts, const std::string& path);  // throws std::runtime_error where it cannot be written
+
+}  // namespace proptests::gen

@@ -1,0 +1,27 @@
+// The skin of a model file as assimp's own types pose it: single precision, straight matrices, no welding, no rigidity.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <array>
+#include <assimp/Importer.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace proptests::oracle {
+
+class FileSkinning {
+ public:
+  explicit FileSkinning(const std::string& path);  // throws std::runtime_error if assimp does not read it
+  // Every triangle, node by node, depth first, in the space of the file's scene: each corner sum w G O v / sum w, with
+  // G the global transform of the bone's node at that time (s) and O its offset matrix, or G v for a mesh without
+  // bones. Without the triangles of which two corners agree in position and weights.
+  std::vector<std::array<aiVector3D, 3>> posed_triangles(unsigned clip, double time) const;
+
+ private:
+  Assimp::Importer importer_;
+  const aiScene* scene_;
+};
+
+}  // namespace proptests::oracle
