@@ -1,5 +1,7 @@
 #include "experiments/render/draw.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -18,10 +20,12 @@ double to_srgb(double x) {
 }
 
 // Two unit vectors that complete the unit vector n to a frame.
-std::pair<Point3, Point3> tangents(const Point3& n) {
+Eigen::Matrix<double, 3, 2> tangents(const Point3& n) {
   const Point3 axis = std::abs(n.x()) < 0.6 ? Point3::UnitX() : Point3::UnitY();
   const Point3 t = n.cross(axis).normalized();
-  return {t, n.cross(t)};
+  Eigen::Matrix<double, 3, 2> plane;
+  plane << t, n.cross(t);
+  return plane;
 }
 
 // A fixed set of points spread evenly over the unit disc (a sunflower), dealt out to the rays of a pixel.
@@ -42,7 +46,7 @@ class Pattern {
     int count = 0;
     for (int i = 0; i < per_ray_; ++i) {
       const auto& p = points_[i * rays_ + ray];
-      count += open(p.x() * turn.x() - p.y() * turn.y(), p.x() * turn.y() + p.y() * turn.x());
+      count += open({p.x() * turn.x() - p.y() * turn.y(), p.x() * turn.y() + p.y() * turn.x()});
     }
     return double(count) / per_ray_;
   }
@@ -105,9 +109,9 @@ class Shader {
   // Ambient occlusion: the share of a cosine-weighted hemisphere with nothing near.
   double sky_share(const Surface& s, int number, const Vec<double, 2>& turn) const {
     if (!options_.occlusion) return 1;
-    const auto [t, b] = tangents(s.normal);
-    return sky_pattern_.share(number, turn, [&](double x, double y) {
-      const Point3 d = x * t + y * b + std::sqrt(std::max(0.0, 1 - x * x - y * y)) * s.normal;
+    const auto plane = tangents(s.normal);
+    return sky_pattern_.share(number, turn, [&](const Vec<double, 2>& p) {
+      const Point3 d = plane * p + std::sqrt(std::max(0.0, 1 - p.dot(p))) * s.normal;
       return d.dot(s.face_normal) <= 0 || !caster_.occluded(start(s), d, 0.25 * caster_.diagonal());
     });
   }
@@ -116,9 +120,9 @@ class Shader {
   double key_share(const Surface& s, int number, const Vec<double, 2>& turn) const {
     if (!options_.occlusion) return 1;
     if (s.normal.dot(key_) <= 0) return 0;
-    const auto [t, b] = tangents(key_);
-    return key_pattern_.share(number, turn, [&](double x, double y) {
-      const Point3 d = key_ + 0.18 * (x * t + y * b);
+    const auto plane = tangents(key_);
+    return key_pattern_.share(number, turn, [&](const Vec<double, 2>& p) {
+      const Point3 d = key_ + 0.18 * plane * p;
       return !caster_.occluded(start(s), d.normalized(), 2 * caster_.diagonal());
     });
   }

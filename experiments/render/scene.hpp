@@ -13,7 +13,7 @@ struct MeshShape {
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;
   Color color = palette::clay;
-  double opacity = 1;                     // face on; below 1: seen through, denser at grazing angles, fainter back faces
+  double opacity = 1;                     // face on; below 1: seen through, denser where seen at grazing angles
   bool smooth = true;                     // normals interpolated over a triangle, or its own
   std::vector<Color> vertex_colors = {};  // one per vertex, in place of color; or empty
 };
