@@ -1,0 +1,21 @@
+// The built-in models, made by code alone: no input files, the same bits at every call. Units are metres, y is up, the
+// models face +z, left is +x. Each skin is one closed, connected surface without handles.
+//
+// Clips: "walk" (one period of a gait, on the spot, a foot always on the ground) and "twist" (one second, from the
+// reference posture to half a turn about the bone axis at each of the joints that twists, where linear blending
+// collapses the skin). The sizes are those of the paper's two models (paper 5).
+#pragma once
+
+#include "algorithms/model/model.hpp"
+
+namespace refitlab {
+
+// 1.8 m tall, arms half lowered: 8270 triangles, 27 joints. "twist" turns waist, neck, left_upper_arm and
+// right_upper_arm.
+Model make_man();
+
+// A winged beast on four legs, 3 m from nose to tail: 13590 triangles, 56 joints. "twist" turns neck_3, tail_2,
+// left_upper_arm and right_wing_arm.
+Model make_creature();
+
+}  // namespace refitlab
