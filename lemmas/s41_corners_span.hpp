@@ -120,7 +120,7 @@ Verdict separates(const std::vector<S>& normal, const std::vector<S>& w, const C
 template <class S>
 struct CornerCombination {
   Verdict verdict;
-  std::vector<S> coefficients;  // u: one a corner, at most n of them not 0
+  std::vector<S> coefficients;  // u: one a corner, at most n of them not 0; empty if none were found
 };
 
 // W' is inside the hull of the corners: the coefficients of an admissible w.
@@ -147,7 +147,7 @@ CornerCombination<S> corners_span(const WeightBounds<S>& bounds, const Corners<S
       found |= on_face;
       if (on_face == Verdict::holds) break;
     }
-    if (k == corners.size()) return {found, coefficients};
+    if (k == corners.size()) return {found, {}};
     // The first bound on the way from the corner through x.
     std::optional<S> step;
     std::size_t hit = n;
