@@ -1,0 +1,104 @@
+// Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the corners.
+//
+// Statement. Let W' be the hull of the corners c_1 ... c_m (s41_corners_span) and let r_1 ... r_n be points of R^d. With
+// r'_k = sum_i c_ki r_i, {sum_i w_i r_i : w in W'} = CH(r'_1, ..., r'_m). Any d: the paper uses it for the images
+// C_{j_i} r_c of the rotation center (d = 3, Equation 5) and for the quaternions q_i (d = 4, section 4.3).
+//
+// Paper: section 4.2 and, for quaternions, section 4.3. It holds as printed.
+// Notation: C_{j_i} r_c or q_i -> points[i], c_ki -> corners[k][i], r'_k or q'_k -> images[k], u -> coefficients.
+//
+// Proof. Swap the sums: sum_i (sum_k u_k c_ki) r_i = sum_k u_k r'_k. So the coefficients that take the corners to w take
+// the images to the blend, and the other way round.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lemmas/s41_corners_span.hpp"
+
+namespace refitlab {
+
+// Equation 5: r'_k = sum_i c_ki r_i.
+template <class S, int D>
+std::vector<Vec<S, D>> corner_images(const Corners<S>& corners, std::span<const Vec<S, D>> points) {
+  std::vector<Vec<S, D>> images;
+  for (const auto& c : corners) images.push_back(combine<S, D>(c, points));
+  return images;
+}
+
+// --- Hypotheses ---
+
+// The corners are those of W', and there is one point a weight.
+template <class S, int D>
+Verdict linear_part_hull_hypotheses(const WeightBounds<S>& bounds, const Corners<S>& corners,
+                                    std::span<const Vec<S, D>> points) {
+  return verdict_of(points.size() == bounds.low.size()) & corners_span_hypotheses(bounds, corners);
+}
+
+// --- Witnesses and their checks ---
+
+// x = sum_k u_k p_k with u in W_m.
+template <class S, int D>
+Verdict is_hull_point(std::span<const Vec<S, D>> points, const Vec<S, D>& x, std::span<const S> coefficients) {
+  if (points.empty() || points.size() != coefficients.size()) return Verdict::fails;
+  Verdict v = is_convex(coefficients);
+  const Vec<S, D> sum = combine(coefficients, points);
+  for (int i = 0; i < D; ++i) v &= equal(sum[i], x[i]);
+  return v;
+}
+
+// x is not in the hull of the points: it lies strictly beyond all of them along the normal.
+template <class S, int D>
+Verdict separates(const Vec<S, D>& normal, const Vec<S, D>& x, std::span<const Vec<S, D>> points) {
+  Verdict v = Verdict::holds;
+  for (const auto& p : points) v &= less(dot(normal, p), dot(normal, x));
+  return v;
+}
+
+// x = sum_i w_i r_i with w in W'.
+template <class S, int D>
+Verdict is_admissible_blend(const WeightBounds<S>& bounds, std::span<const Vec<S, D>> points, const Vec<S, D>& x,
+                            std::span<const S> w) {
+  if (points.size() != w.size()) return Verdict::fails;
+  Verdict v = admits(bounds, w);
+  const Vec<S, D> sum = combine(w, points);
+  for (int i = 0; i < D; ++i) v &= equal(sum[i], x[i]);
+  return v;
+}
+
+// --- Conclusion ---
+
+template <class S, int D>
+struct LinearPartPoint {
+  Verdict verdict;
+  Vec<S, D> point;
+  std::vector<S> coefficients;  // u of W_m for the first inclusion, w of W' for the second
+};
+
+// The linear part is inside the hull: u for the blend with weights w.
+template <class S, int D>
+LinearPartPoint<S, D> linear_part_in_hull(const WeightBounds<S>& bounds, const Corners<S>& corners,
+                                          std::span<const Vec<S, D>> points, const std::vector<S>& w) {
+  const Vec<S, D> blend = combine<S, D>(w, points);
+  auto span = corners_span(bounds, corners, w);
+  if (span.coefficients.empty()) return {span.verdict, blend, {}};
+  const auto images = corner_images(corners, points);
+  const Verdict v = span.verdict & is_hull_point<S, D>(images, blend, span.coefficients);
+  return {v, blend, std::move(span.coefficients)};
+}
+
+// The hull is inside the linear part: w for the combination of the images with coefficients u.
+template <class S, int D>
+LinearPartPoint<S, D> hull_in_linear_part(const WeightBounds<S>& bounds, const Corners<S>& corners,
+                                          std::span<const Vec<S, D>> points, const std::vector<S>& coefficients) {
+  const auto images = corner_images(corners, points);
+  const Vec<S, D> x = combine<S, D>(coefficients, images);
+  auto w = corners_combine(bounds, corners, coefficients);
+  const Verdict v = w.verdict & is_admissible_blend<S, D>(bounds, points, x, w.weights);
+  return {v, x, std::move(w.weights)};
+}
+
+}  // namespace refitlab
+
+// Sources: the paper.
+// Used by: s44_sum_of_bounds, s44_joint_sets, t3_one_cap (q'_k and the blends of W'); algorithms/refit.

@@ -1,0 +1,25 @@
+// Pinned cases of s42_linear_part_hull: what goes wrong without each hypothesis.
+#pragma once
+
+#include "lemmas/s42_linear_part_hull.hpp"
+#include "lemmas/vocabulary/exact.hpp"
+
+namespace proptests::s42 {
+
+using Q = refitlab::Rational;
+using Point = refitlab::Vec<Q, 3>;
+
+// Two joints that keep the rotation center and move it by (1, 0, 0), and free weights.
+inline const refitlab::WeightBounds<Q> segment{{0, 0}, {1, 1}};
+inline const std::vector<Point> points{Point(0, 0, 0), Point(1, 0, 0)};
+inline const std::vector<Q> second{0, 1};
+
+// Without the second corner its point is beyond the hull.
+inline const refitlab::Corners<Q> first_only{{1, 0}};
+inline const Point along_the_points(1, 0, 0);
+
+// With a corner outside W' the hull holds a point that no admissible weights make: (-1, 0, 0).
+inline const refitlab::Corners<Q> too_far{{2, -1}, {1, 0}, {0, 1}};
+inline const std::vector<Q> only_the_first{1, 0, 0};
+
+}  // namespace proptests::s42
