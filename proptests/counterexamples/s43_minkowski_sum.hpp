@@ -1,0 +1,24 @@
+// Pinned cases of s43_minkowski_sum: what goes wrong without each hypothesis.
+#pragma once
+
+#include "lemmas/s43_minkowski_sum.hpp"
+#include "lemmas/vocabulary/exact.hpp"
+
+namespace proptests::s43_minkowski {
+
+using Q = refitlab::Rational;
+using Point = refitlab::Vec<Q, 3>;
+
+inline const refitlab::Ball3<Q> unit_ball{Point(0, 0, 0), Q(1)};
+inline const Point pivot(0, 0, 0);
+
+// The zero blend: every point is an image of every point, so the image of the center's neighbour may be 2 away.
+inline const refitlab::Quaternion<Q> zero_blend(0, 0, 0, 0);
+inline const Point anywhere(2, 0, 0);
+
+// A box in place of the ball: turned about z by the angle of (2, 1), which has cosine 3/5, the corner (1, 1, 1) of [-1, 1]^3
+// leaves the box.
+inline const refitlab::Quaternion<Q> turn(2, 0, 0, 1);
+inline const Point box_corner(1, 1, 1);
+
+}  // namespace proptests::s43_minkowski
