@@ -1,0 +1,167 @@
+#include "lemmas/s43_rotated_cap.hpp"
+
+#include "proptests/counterexamples/s43_rotated_cap.hpp"
+#include "proptests/gen/cap_angle.hpp"
+#include "proptests/gen/quaternion.hpp"
+#include "proptests/gen/sphere_point.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/number_types.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using Vector = Vec<Rational, 3>;
+
+bool is_special(const Rational& cosine) { return cosine == 0 || cosine == 1 || cosine == -1; }
+
+// cosine first + sine second, at an angle from the first direction that is drawn, but at most the given one.
+template <int D>
+Vec<Rational, D> point_within(const gen::PerpendicularPair<D>& frame, const gen::CapAngle& most) {
+  const gen::CapAngle drawn = *gen::cap_angle();
+  const gen::CapAngle& angle = drawn.cosine < most.cosine ? most : drawn;
+  return frame.first * angle.cosine + frame.second * angle.sine;
+}
+
+// A cap of rotations about an apex of any length, and a rotation of the cap.
+struct CapOfRotations {
+  gen::PerpendicularPair<4> frame = *gen::perpendicular_pair<4>();
+  gen::CapAngle angle = *gen::cap_angle();
+  Quaternion<Rational> apex = frame.first * *gen::positive_rational();
+  Quaternion<Rational> rotation = point_within(frame, angle) * *gen::positive_rational();
+};
+
+PROPTEST(s43_rotated_cap) {
+  t.holds("(R_p v, R_q v) >= ||v||^2 (2 c^2 - 1), and the slack is a square",
+          {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1}, [] {
+            const Quaternion<Rational> p = *gen::rational_vector<4>(), q = *gen::rational_vector<4>();
+            const Vector v = *gen::rational_vector<3>();
+            RC_CLASSIFY(dot(p, q) == 0 || squared_norm(v) == 0 || p == q || p == -q, "degenerate");
+            const auto bound = rotation_bound(p, q, v);
+            RC_ASSERT(bound.verdict == Verdict::holds);
+            RC_ASSERT(is_rotation_bound(p, q, v, bound) == Verdict::holds);
+          });
+
+  t.refuted("a cap of rotations of any angle takes v into the cap of the doubled angle",
+            {.form = "printed", .number_type = "rational"}, [] {
+              const CapOfRotations c;
+              RC_ASSERT(rotated_cap<Rational>(c.apex, c.rotation, *gen::rational_vector<3>(),
+                                              rotated_cap_cosine_printed(c.angle.cosine)).verdict == Verdict::holds);
+            });
+  t.holds("a cap of rotations takes v into the cap of the doubled angle, or the whole sphere past pi/2",
+          {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            const CapOfRotations c;
+            const Vector v = *gen::rational_vector<3>();
+            RC_CLASSIFY(is_special(c.angle.cosine) || squared_norm(v) == 0, "degenerate");
+            RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation) == Verdict::holds);
+            const Rational cosine = rotated_cap_cosine_repaired(c.angle.cosine);
+            const auto pair = rotated_cap(c.apex, c.rotation, v, cosine);
+            RC_ASSERT(pair.verdict == Verdict::holds);
+            RC_ASSERT(is_rotated_pair(c.apex, c.rotation, v, cosine, pair) == Verdict::holds);
+          });
+  t.holds("the rotated cap is filled: some rotation of the cap takes v to each of its points",
+          {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            const CapOfRotations c;
+            const Rational length = *gen::unit_interval_rational(), cosine = rotated_cap_cosine_repaired(c.angle.cosine);
+            const auto frame = *gen::perpendicular_pair<3>();
+            // The doubled angle; past pi/2 it is pi.
+            const gen::CapAngle doubled{cosine, c.angle.cosine < 0 ? Rational(0) : 2 * c.angle.cosine * c.angle.sine};
+            const Vector v = rotate_by<Rational>(conjugate(c.apex), frame.first * length);
+            const Vector x = point_within(frame, doubled) * length;
+            RC_CLASSIFY(is_special(c.angle.cosine) || length == 0 || x == -frame.first * length, "degenerate");
+            RC_ASSERT(filled_cap_hypotheses(c.apex, v, x, cosine) == Verdict::holds);
+            const auto onto = rotation_onto(c.apex, c.angle.cosine, v, x);
+            RC_ASSERT(onto.verdict == Verdict::holds);
+            RC_ASSERT(is_rotation_onto(c.apex, c.angle.cosine, v, x, onto.rotation) == Verdict::holds);
+          });
+
+  t.example("the half turn refutes the printed doubled angle of an angle past pi/2", {.form = "printed"}, [] {
+    using namespace s43_cap;
+    const Q printed = rotated_cap_cosine_printed(past_right_angle), repaired = rotated_cap_cosine_repaired(past_right_angle);
+    return rotated_cap_hypotheses(no_turn, past_right_angle, half_turn_about_x) == Verdict::holds && printed == Q(7, 25) &&
+           rotated_cap(no_turn, half_turn_about_x, y, printed).verdict == Verdict::fails && repaired == Q(-1) &&
+           rotated_cap(no_turn, half_turn_about_x, y, repaired).verdict == Verdict::holds;
+  });
+
+  t.holds("membership in a cap agrees with a comparison of cosines where norms are rational", {.number_type = "rational"},
+          [] {
+            const CapOfRotations c;
+            const gen::CapAngle other = *gen::cap_angle();
+            const Quaternion<Rational> q = (c.frame.first * other.cosine + c.frame.second * other.sine) *
+                                           *gen::positive_rational();
+            RC_ASSERT((within_angle<Rational, 4>(c.apex, q, c.angle.cosine) ==
+                       verdict_of(c.angle.cosine <= other.cosine)));
+          });
+
+  t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
+    const CapOfRotations c;
+    const Vector v = *gen::rational_vector<3>();
+    decide_by_all([]<class S>(const Quaternion<S>& p, const Quaternion<S>& q,
+                              const Vec<S, 3>& x) { return rotation_bound<S>(p, q, x).verdict; },
+                  c.apex, c.rotation, v);
+    decide_by_all(
+        []<class S>(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x, const S& cosine) {
+          return rotated_cap_hypotheses<S>(p, cosine, q) &
+                 rotated_cap<S>(p, q, x, rotated_cap_cosine_printed(cosine)).verdict;
+        },
+        c.apex, c.rotation, v, c.angle.cosine);
+    decide_by_all(
+        []<class S>(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x, const S& cosine) {
+          return rotation_onto<S>(p, cosine, x, rotate_by<S>(q, x)).verdict;
+        },
+        c.apex, c.rotation, v, c.angle.cosine);
+  });
+
+  t.holds("a mutated witness is rejected", {.number_type = "rational", .cases = 500}, [] {
+    const CapOfRotations c;
+    const Vector v = *gen::nonzero_vector<3>();
+    const Rational bump = *gen::positive_rational(), cosine = rotated_cap_cosine_repaired(c.angle.cosine);
+    auto slack = rotation_bound(c.apex, c.rotation, v), axis = slack;
+    slack.slack -= bump;
+    axis.along_axis += 2 * abs(axis.along_axis) + bump;
+    RC_ASSERT(is_rotation_bound(c.apex, c.rotation, v, slack) == Verdict::fails);
+    RC_ASSERT(is_rotation_bound(c.apex, c.rotation, v, axis) == Verdict::fails);
+    auto turned = rotated_cap(c.apex, c.rotation, v, cosine), apex = turned;
+    turned.rotated[*rc::gen::inRange(0, 3)] += bump;
+    apex.at_apex[*rc::gen::inRange(0, 3)] -= bump;
+    RC_ASSERT(is_rotated_pair(c.apex, c.rotation, v, cosine, turned) == Verdict::fails);
+    RC_ASSERT(is_rotated_pair(c.apex, c.rotation, v, cosine, apex) == Verdict::fails);
+    // A rotation onto another point, the opposite of the rotation in a small cap, and no rotation at all.
+    const Vector x = rotate_by(c.rotation, v);
+    RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, -x, c.rotation) == Verdict::fails);
+    RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, c.rotation * Rational(0)) == Verdict::fails);
+    if (c.angle.cosine > 0)
+      RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, -c.rotation) == Verdict::fails);
+  });
+
+  const Options in_cap{.form = "repaired", .hypothesis = "the rotation is in the cap"};
+  t.example("a rotation outside the cap takes v out of the doubled cap", in_cap, [] {
+    using namespace s43_cap;
+    return rotated_cap_hypotheses(no_turn, before_right_angle, half_turn_about_x) == Verdict::fails &&
+           rotated_cap(no_turn, half_turn_about_x, y, rotated_cap_cosine_repaired(before_right_angle)).verdict ==
+               Verdict::fails;
+  });
+  const Options non_zero{.form = "repaired", .hypothesis = "the rotation is not 0"};
+  t.example("0 is within every angle, and takes y to -y", non_zero, [] {
+    using namespace s43_cap;
+    return rotated_cap_hypotheses(no_turn, before_right_angle, zero) == Verdict::fails &&
+           within_angle<Q, 4>(no_turn, zero, before_right_angle) == Verdict::holds &&
+           is_rotated<Q>(zero, y, -y) == Verdict::holds &&
+           within_angle<Q, 3>(y, -y, rotated_cap_cosine_repaired(before_right_angle)) == Verdict::fails;
+  });
+  const Options as_long{.form = "repaired", .hypothesis = "x is as long as v"};
+  t.example("no rotation takes a vector to a longer one", as_long, [] {
+    using namespace s43_cap;
+    return filled_cap_hypotheses(no_turn, y, twice_y, Q(1)) == Verdict::fails &&
+           rotation_onto(no_turn, Q(1), y, twice_y).verdict == Verdict::fails;
+  });
+  const Options within{.form = "repaired", .hypothesis = "x is within the doubled angle"};
+  t.example("no rotation of the cap takes y to z, a right angle away", within, [] {
+    using namespace s43_cap;
+    return filled_cap_hypotheses(no_turn, y, z, rotated_cap_cosine_repaired(before_right_angle)) == Verdict::fails &&
+           rotation_onto(no_turn, before_right_angle, y, z).verdict == Verdict::fails;
+  });
+}
+
+}  // namespace
+}  // namespace proptests
