@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/balls/near_smallest_ball.hpp"
 #include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/balls/smallest_ball_of_balls.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
@@ -27,6 +28,13 @@ struct SmallestBalls {
     return smallest_ball(points).center;
   }
   static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return smallest_ball_of_balls(balls); }
+};
+
+// A few steps from the middle of the balls' box towards the smallest ball: each moves the center towards the ball that
+// reaches farthest, by the share 1/2, 1/3, ... of Badoiu and Clarkson [2003], and the best center met is kept.
+struct NearSmallestBalls {
+  static constexpr int steps = 8;
+  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return near_smallest_ball(balls, steps); }
 };
 
 // The lists of Algorithm 1, kept between calls so that a refit does not allocate.

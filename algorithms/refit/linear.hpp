@@ -13,10 +13,13 @@ namespace refitlab {
 template <class Policy, class S>
 Ball3<S> refit_linear(const RefitNode<S>& node, RefitLists<S>& lists) {
   lists.balls.clear();
-  for (const NodeJointSet& set : node.joint_sets)
+  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+    const NodeJointSet& set = node.joint_sets[i];
+    const Ball3<S>& reference = node.piece_reference(i);
     for (int k = 0; k < set.corner_count; ++k)
-      lists.balls.push_back({blend_linear(node.pose[set.joint_set], node.corner(set, k), node.reference.center), S(0)});
-  return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);
+      lists.balls.push_back({blend_linear(node.pose[set.joint_set], node.corner(set, k), reference.center), reference.radius});
+  }
+  return Policy::of_balls(std::span<const Ball3<S>>(lists.balls));
 }
 
 }  // namespace refitlab

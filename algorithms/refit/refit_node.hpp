@@ -8,24 +8,29 @@
 
 namespace refitlab {
 
-// One joint-set of one node: the corners of its weight bounds (paper 4.1), rows of one weight a joint, in a shared pool.
+// A piece of a node: vertices of one joint-set, and the corners of a polytope that holds all their weights. In the paper a
+// node has one piece a joint-set, and the polytope is the weight box cut by sum w = 1 (paper 4.1).
 struct NodeJointSet {
   int joint_set;
-  int first_weight;  // in the pool
+  int first_weight;  // of the corners, rows of one weight a joint, in a shared pool
   int corner_count;  // m
 };
 
 template <class S>
 struct RefitNode {
   Ball3<S> reference;                        // S = [p, r]: encloses the node's vertices in the reference posture
-  std::span<const NodeJointSet> joint_sets;  // J, those of the node's vertices
+  std::span<const NodeJointSet> joint_sets;  // J: the pieces that together are the node's vertices
   const S* corner_weights;                   // the pool
   std::span<const JointSetPose<S>> pose;     // of the frame, by joint-set
+  std::span<const Ball3<S>> piece_references = {};  // by piece, enclosing its vertices alone; empty: S for all of them
 
-  // c_k of one of its joint-sets, by position in the joint-set.
+  // c_k of one of its pieces, by position in the joint-set.
   std::span<const S> corner(const NodeJointSet& set, int k) const {
     const std::size_t n = pose[set.joint_set].transforms.size();
     return {corner_weights + set.first_weight + k * n, n};
+  }
+  const Ball3<S>& piece_reference(std::size_t piece) const {
+    return piece_references.empty() ? reference : piece_references[piece];
   }
 };
 

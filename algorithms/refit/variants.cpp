@@ -4,6 +4,7 @@
 
 #include "algorithms/refit/algorithm1_printed.hpp"
 #include "algorithms/refit/algorithm1_repaired.hpp"
+#include "algorithms/refit/control_hull.hpp"
 #include "algorithms/refit/linear.hpp"
 
 namespace refitlab {
@@ -23,6 +24,11 @@ Ball3<double> printed(const RefitNode<double>& node) {
   return refit_algorithm1_printed<Policy>(node, signs, lists());
 }
 template <class Policy>
+Ball3<double> control(const RefitNode<double>& node) {
+  thread_local ControlLists<double> reused;
+  return refit_control_hull<Policy>(node, reused);
+}
+template <class Policy>
 Ball3<double> repaired(const RefitNode<double>& node) {
   return refit_algorithm1_repaired<Policy>(node, lists());
 }
@@ -31,15 +37,27 @@ Ball3<double> repaired(const RefitNode<double>& node) {
 
 const std::vector<RefitVariant>& refit_variants() {
   using enum Skinning;
+  using P = Pieces;
   static const std::vector<RefitVariant> variants{
-      {"linear", "linear blending, mean balls [Kavan and Zara 2005a]", linear, true, refitlab::linear<MeanBalls>},
-      {"spherical_printed", "Algorithm 1 as printed", spherical, false, printed<MeanBalls, Signs::of_matrices>},
-      {"spherical_printed_signed", "Algorithm 1 as printed, but with the skinning's quaternion signs", spherical, false,
+      {"linear", "linear blending, mean balls [Kavan and Zara 2005a]", linear, true, P::node, refitlab::linear<MeanBalls>},
+      {"linear_pieces", "linear blending, a ball and a weight hull per joint-set, smallest balls", linear, true, P::joint_sets,
+       refitlab::linear<SmallestBalls>},
+      {"spherical_printed", "Algorithm 1 as printed", spherical, false, P::node, printed<MeanBalls, Signs::of_matrices>},
+      {"spherical_printed_signed", "Algorithm 1 as printed, but with the skinning's quaternion signs", spherical, false, P::node,
        printed<MeanBalls, Signs::of_skinning>},
-      {"spherical_printed_exact", "the same with smallest balls in R4 and R3", spherical, false,
+      {"spherical_printed_exact", "the same with smallest balls in R4 and R3", spherical, false, P::node,
        printed<SmallestBalls, Signs::of_skinning>},
-      {"spherical_repaired", "Algorithm 1 repaired", spherical, true, repaired<MeanBalls>},
-      {"spherical_exact", "Algorithm 1 repaired, with smallest balls in R4 and R3", spherical, true, repaired<SmallestBalls>},
+      {"spherical_repaired", "Algorithm 1 repaired", spherical, true, P::node, repaired<MeanBalls>},
+      {"spherical_exact", "Algorithm 1 repaired, with smallest balls in R4 and R3", spherical, true, P::node,
+       repaired<SmallestBalls>},
+      {"control_mean", "control hull, mean ball", spherical, true, P::node, control<MeanBalls>},
+      {"control_exact", "control hull, smallest ball", spherical, true, P::node, control<SmallestBalls>},
+      {"control_sets_near", "control hull, a ball and a weight hull per joint-set, near-smallest ball", spherical, true,
+       P::joint_sets, control<NearSmallestBalls>},
+      {"control_sets_exact", "control hull, a ball and a weight hull per joint-set, smallest ball", spherical, true,
+       P::joint_sets, control<SmallestBalls>},
+      {"control_clusters", "control hull, up to 64 pieces a node, smallest ball", spherical, true, P::clusters,
+       control<SmallestBalls>},
   };
   return variants;
 }

@@ -12,11 +12,20 @@ namespace refitlab {
 // The ball of one node in the posture of node.pose. Thread-safe.
 using Refit = Ball3<double> (*)(const RefitNode<double>& node);
 
+// How finely a variant wants each node described: which pieces its RefitNode has.
+enum class Pieces {
+  node,        // the node's ball and weight boxes, as in the paper (SphereTree::refit_node)
+  joint_sets,  // a ball and a weight hull for each joint-set (PieceTable)
+  clusters     // up to 64 pieces a node
+};
+inline constexpr int most_clusters = 64;
+
 struct RefitVariant {
   std::string name;         // as in result files: snake_case, fixed
   std::string description;  // one line for tables and reports
   Skinning skinning;        // whose vertices it bounds
   bool sound;               // proved to enclose; the printed algorithm is not
+  Pieces pieces;
   Refit refit;
 };
 

@@ -34,13 +34,6 @@ struct Row {
   std::vector<Ball3<double>> balls;
 };
 
-std::vector<Ball3<double>> refit_all(const Character& c, const SkinningPose<double>& pose, const std::string& variant) {
-  std::vector<Ball3<double>> balls;
-  for (std::size_t n = 0; n < c.tree.nodes.size(); ++n)
-    balls.push_back(refit_variant(variant).refit(c.tree.refit_node(static_cast<int>(n), pose)));
-  return balls;
-}
-
 render::Camera frame_all(const std::vector<Row>& rows) {
   render::Box3 box;
   for (const Row& row : rows)
@@ -57,7 +50,7 @@ std::vector<Picture> twist_pictures(const Character& c, const std::string& postu
   for (const TreeNode& n : c.tree.nodes) rows[0].balls.push_back(n.reference);
   const auto add = [&](const std::string& label, Skinning skinning, const std::string& variant) {
     const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-    rows.push_back({posture_name + ", " + label, skin(c.model, c.sets, pose, skinning), refit_all(c, pose, variant)});
+    rows.push_back({posture_name + ", " + label, skin(c.model, c.sets, pose, skinning), c.refit_all(refit_variant(variant), pose)});
   };
   add("linear blending, refitted by [Kavan and Zara 2005a]", Skinning::linear, "linear");
   add("spherical blending, refitted by Algorithm 1 repaired", Skinning::spherical, "spherical_repaired");

@@ -36,7 +36,7 @@ class PostureMeasurement {
     for (const TreeNode& n : c_.tree.nodes) reference.push_back(n.reference);
     add("reference", reference, spherical, false);
     for (const RefitVariant& variant : refit_variants()) {
-      const auto balls = refit_all(variant);
+      const auto balls = c_.refit_all(variant, frames_[variant.skinning].pose);
       add(variant.name, balls, frames_[variant.skinning], true);
       if (variant.name == "linear") add("linear_under_spherical", balls, spherical, true);
     }
@@ -47,7 +47,7 @@ class PostureMeasurement {
   }
 
   long misses(const RefitVariant& variant) {
-    add(variant.name, refit_all(variant), frames_[variant.skinning], true);
+    add(variant.name, c_.refit_all(variant, frames_[variant.skinning].pose), frames_[variant.skinning], true);
     long sum = 0;
     for (const LevelTightness& level : out_[variant.name]) sum += level.misses - level.undefined;
     return sum;
@@ -59,13 +59,6 @@ class PostureMeasurement {
     std::vector<Point3> deformed;
     std::vector<Ball3<double>> optimal;
   };
-
-  std::vector<Ball3<double>> refit_all(const RefitVariant& variant) {
-    std::vector<Ball3<double>> balls;
-    for (std::size_t n = 0; n < c_.tree.nodes.size(); ++n)
-      balls.push_back(variant.refit(c_.tree.refit_node(static_cast<int>(n), frames_[variant.skinning].pose)));
-    return balls;
-  }
 
   void add(const std::string& column, const std::vector<Ball3<double>>& balls, const Frame& frame, bool must_enclose) {
     auto& levels = out_[column];

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "algorithms/refit/variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/parallel.hpp"
 
@@ -49,6 +50,12 @@ void print_table(const TightnessResult& r) {
       std::printf(" | %7.4g %7.4g %7.4g %5.2f", t.radius_min, t.radius_avg(), t.radius_max, t.ratio_to_optimal());
     }
     if (l < paper.size()) std::printf(" | %.2f", paper[l]);
+    std::printf("\n");
+  }
+  std::printf("  avg / Optimal of every variant, level by level:\n");
+  for (const RefitVariant& variant : refit_variants()) {
+    std::printf("  %-26s", variant.name.c_str());
+    for (const LevelTightness& t : r.tightness.at(variant.name)) std::printf(" %5.3f", t.ratio_to_optimal());
     std::printf("\n");
   }
   std::printf("  balls that miss a vertex (undefined; worst miss):");

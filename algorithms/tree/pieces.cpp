@@ -1,0 +1,110 @@
+#include "algorithms/tree/pieces.hpp"
+
+#include <algorithm>
+#include <map>
+#include <queue>
+
+#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/weights/weight_hull.hpp"
+
+namespace refitlab {
+namespace {
+
+// Vertices of one joint-set, with what a piece is judged by.
+struct Cluster {
+  int joint_set;
+  std::vector<int> vertices;
+  Ball3<double> ball;
+  double spread;  // how far a refit may be off: the ball's radius and the extent of the weights, in model units
+};
+
+class Clustering {
+ public:
+  Clustering(const Model& model, const JointSets& sets, double extent) : model_(model), sets_(sets), extent_(extent) {}
+
+  Cluster make(int joint_set, std::vector<int> vertices) const {
+    std::vector<Point3> points;
+    for (const int v : vertices) points.push_back(model_.vertices[v]);
+    Cluster c{joint_set, std::move(vertices), as_ball(smallest_ball<double, 3>(points)), 0};
+    c.spread = c.ball.radius + extent_ * weight_range(c).second;
+    return c;
+  }
+
+  // Halves a cluster at the median of its widest coordinate: a position, or a weight (scaled to the node's size).
+  std::pair<Cluster, Cluster> split(const Cluster& c) const {
+    Point3 low = model_.vertices[c.vertices[0]], high = low;
+    for (const int v : c.vertices) low = low.cwiseMin(model_.vertices[v]), high = high.cwiseMax(model_.vertices[v]);
+    int axis;
+    const double widest = (high - low).maxCoeff(&axis);
+    const auto [weight, range] = weight_range(c);
+    const bool by_weight = extent_ * range > widest;
+    const auto key = [&, w = weight](int v) { return by_weight ? sets_.weights(v)[w] : model_.vertices[v][axis]; };
+    std::vector<int> order = c.vertices;
+    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+    std::nth_element(order.begin(), middle, order.end(),
+                     [&](int a, int b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+    return {make(c.joint_set, {order.begin(), middle}), make(c.joint_set, {middle, order.end()})};
+  }
+
+ private:
+  // The joint (by position) whose weights vary most, and by how much.
+  std::pair<int, double> weight_range(const Cluster& c) const {
+    std::pair<int, double> widest{0, 0};
+    for (std::size_t i = 0; i < sets_.joints(c.joint_set).size(); ++i) {
+      double low = 1, high = 0;
+      for (const int v : c.vertices) low = std::min(low, sets_.weights(v)[i]), high = std::max(high, sets_.weights(v)[i]);
+      if (high - low > widest.second) widest = {static_cast<int>(i), high - low};
+    }
+    return widest;
+  }
+
+  const Model& model_;
+  const JointSets& sets_;
+  double extent_;  // the length that a full change of weight counts as: the node's radius
+};
+
+std::vector<Cluster> clusters_of(const Model& model, const JointSets& sets, const TreeNode& node,
+                                 std::span<const int> vertices, int most) {
+  const Clustering clustering(model, sets, node.reference.radius);
+  std::map<int, std::vector<int>> by_set;
+  for (const int v : vertices) by_set[sets.of_vertex(v)].push_back(v);
+  const auto less = [](const Cluster& a, const Cluster& b) { return a.spread < b.spread; };
+  std::priority_queue<Cluster, std::vector<Cluster>, decltype(less)> queue(less);
+  std::vector<Cluster> done;
+  for (auto& [set, own] : by_set) queue.push(clustering.make(set, std::move(own)));
+  while (!queue.empty() && static_cast<int>(queue.size() + done.size()) < most) {
+    const Cluster widest = queue.top();
+    queue.pop();
+    if (widest.vertices.size() == 1) {
+      done.push_back(widest);
+      continue;
+    }
+    auto [a, b] = clustering.split(widest);
+    queue.push(std::move(a));
+    queue.push(std::move(b));
+  }
+  for (; !queue.empty(); queue.pop()) done.push_back(queue.top());
+  std::stable_sort(done.begin(), done.end(), [](const Cluster& a, const Cluster& b) { return a.joint_set < b.joint_set; });
+  return done;
+}
+
+}  // namespace
+
+PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, const Model& model, const JointSets& sets,
+                       const PieceOptions& options) {
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    first_.push_back(pieces_.size());
+    for (const Cluster& c :
+         clusters_of(model, sets, tree.nodes[n], vertices[static_cast<int>(n)], options.most_pieces)) {
+      std::vector<std::span<const double>> weights;
+      for (const int v : c.vertices) weights.push_back(sets.weights(v));
+      const auto corners = weight_corners(weights);
+      pieces_.push_back({c.joint_set, static_cast<int>(corner_weights_.size()), static_cast<int>(corners.size())});
+      references_.push_back(c.ball);
+      for (const auto& corner : corners) corner_weights_.insert(corner_weights_.end(), corner.begin(), corner.end());
+    }
+  }
+  first_.push_back(pieces_.size());
+}
+
+}  // namespace refitlab

@@ -1,0 +1,38 @@
+// Pieces: tighter descriptions of what a node holds than the paper's one ball and one weight box a joint-set.
+//
+// A piece is some of the node's vertices of one joint-set, with a reference ball of these vertices alone and the hull of
+// their weight vectors in place of the weight box wherever the hull has no more corners. Built once, like the tree.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/tree/sphere_tree.hpp"
+
+namespace refitlab {
+
+struct PieceOptions {
+  // A joint-set's vertices are split in two where that makes the pieces smaller, until a node has this many pieces. 1: no
+  // splitting, one piece a joint-set.
+  int most_pieces = 1;
+};
+
+class PieceTable {
+ public:
+  PieceTable(const SphereTree& tree, const NodeVertices& vertices, const Model& model, const JointSets& sets,
+             const PieceOptions& options);
+
+  RefitNode<double> refit_node(const SphereTree& tree, int node, std::span<const JointSetPose<double>> pose) const {
+    const std::size_t first = first_[node], count = first_[node + 1] - first;
+    return {tree.nodes[node].reference, {pieces_.data() + first, count}, corner_weights_.data(), pose,
+            {references_.data() + first, count}};
+  }
+  std::size_t piece_count() const { return pieces_.size(); }
+
+ private:
+  std::vector<std::size_t> first_;  // by node, and one past the last
+  std::vector<NodeJointSet> pieces_;
+  std::vector<Ball3<double>> references_;
+  std::vector<double> corner_weights_;
+};
+
+}  // namespace refitlab
