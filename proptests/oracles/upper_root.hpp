@@ -1,0 +1,22 @@
+// A rational number just above a square root, for radii that must be rational and enclose.
+#pragma once
+
+#include <gmp.h>
+
+#include "lemmas/vocabulary/exact.hpp"
+
+namespace proptests {
+
+// sqrt(x) itself if it is rational; else above it by less than 2^-40 / the denominator of x. x >= 0.
+inline refitlab::Rational upper_root(const refitlab::Rational& x) {
+  // sqrt(n / d) = sqrt(n d 4^40) / (2^40 d).
+  CGAL::Gmpz product = x.numerator() * x.denominator(), floor, rest;
+  mpz_mul_2exp(product.mpz(), product.mpz(), 80);
+  mpz_sqrtrem(floor.mpz(), rest.mpz(), product.mpz());
+  if (rest != 0) floor += 1;
+  CGAL::Gmpz below = x.denominator();
+  mpz_mul_2exp(below.mpz(), below.mpz(), 40);
+  return {floor, below};
+}
+
+}  // namespace proptests
