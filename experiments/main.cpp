@@ -1,38 +1,47 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
 #include <boost/program_options.hpp>
+#include <algorithm>
 #include <iostream>
 
-#include "algorithms/model/load.hpp"
 #include "experiments/report/report.hpp"
+#include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
 
 namespace {
 
+const char* const experiments[] = {"tightness", "speed"};
+
 struct Options {
   std::vector<std::string> only, files;
   std::string models = "out/models", out = "out";
-  int times = 50;
+  refitlab::TightnessSettings tightness;
+  refitlab::SpeedSettings speed;
+  bool wants(const std::string& name) const {
+    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
+  }
 };
 
 // False if only help was asked for.
 bool parse(int argc, char** argv, Options& o) {
   namespace po = boost::program_options;
-  const std::string names = "tightness";
+  std::string names;
+  for (const char* name : experiments) names += std::string(names.empty() ? "" : ", ") + name;
   po::options_description description("experiments: refit variants compared on skinned characters");
   description.add_options()("help", "this text")(
       "model", po::value(&o.files)->multitoken(), "rigged files of one's own, in place of the default models")(
       "only", po::value(&o.only)->multitoken(), ("experiments to run, of: " + names).c_str())(
-      "quick", "few sampled times per clip: a smoke run")("full", "many sampled times per clip")(
+      "quick", "few sampled times per clip, short timings: a smoke run")("full", "many sampled times per clip, long timings")(
       "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, description), map);
   po::notify(map);
   if (map.count("help")) return std::cout << description, false;
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
-  if (map.count("quick")) o.times = 5;
-  if (map.count("full")) o.times = 200;
+  if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3};
+  if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15};
   for (const auto& name : o.only)
-    if (name != "tightness") throw po::error("--only " + name + ": no such experiment; there are: " + names);
+    if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
+      throw po::error("--only " + name + ": no such experiment; there are: " + names);
   return true;
 }
 
@@ -47,20 +56,28 @@ int main(int argc, char** argv) try {
   if (options.files.empty())
     models = default_models(options.models);
   else
-    for (const auto& file : options.files) models.models.push_back(load_model(file));
+    for (const auto& file : options.files) models.models.push_back(load_named(file));
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
   Report report;
   report.absent_models = models.absent;
   for (Model& model : models.models) {
+    std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
+              << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
     const Character character(std::move(model));
-    const auto results = run_tightness(character, {.times_per_clip = options.times});
-    report.tightness.insert(report.tightness.end(), results.begin(), results.end());
-    if (report.pictures.empty()) {
-      const auto [name, posture] = figure_twist(character.model);
-      report.pictures = twist_pictures(character, name, posture, options.out + "/report/pictures");
+    const NamedPosture twist = figure_twist(character.model);
+    if (report.pictures.empty())
+      report.pictures = twist_pictures(character, twist.name, twist.posture, options.out + "/report/pictures");
+    if (options.wants("tightness")) {
+      const auto results = run_tightness(character, options.tightness);
+      report.tightness.insert(report.tightness.end(), results.begin(), results.end());
+      write_tightness(report.tightness, options.out + "/results/tightness.csv");
     }
-    write_tightness(report.tightness, options.out + "/results/tightness.csv");
+    if (options.wants("speed")) {
+      const auto results = run_speed(character, twist, options.speed);
+      report.speed.insert(report.speed.end(), results.begin(), results.end());
+      write_speed(report.speed, options.out + "/results/speed.csv");
+    }
   }
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";

@@ -128,6 +128,18 @@ void write_tightness_section(std::ostringstream& out, const std::vector<Tightnes
   }
 }
 
+void write_speed_section(std::ostringstream& out, const std::vector<SpeedResult>& results) {
+  if (results.empty()) return;
+  out << "<h2>Speed</h2><p>Refitting all spheres of a tree in one posture, on one thread, the frame's joint-set data given. Median "
+         "nanoseconds per sphere, and the median ratio to Algorithm 1 repaired in the same repetition. Only variants whose balls are "
+         "proved to enclose.</p><div class=\"scroll\"><table><thead><tr><th>model, posture</th><th>variant</th><th>ns per sphere</th>"
+         "<th>ratio</th></tr></thead><tbody>\n";
+  for (const SpeedResult& r : results)
+    out << "<tr><td>" << escape_html(r.model + ", " + r.posture) << "</td><td>" << r.variant << "</td><td>" << format("%.0f", r.ns_per_sphere)
+        << "</td><td>" << format("%.2f", r.ratio_to_repaired) << "</td></tr>\n";
+  out << "</tbody></table></div>\n";
+}
+
 }  // namespace
 
 void write_report(const Report& report, const std::string& path) {
@@ -140,6 +152,7 @@ void write_report(const Report& report, const std::string& path) {
     out << "<p class=\"bad\">The model " << escape_html(absent) << " was absent from this run: it could not be fetched.</p>\n";
   write_pictures(out, report.pictures);
   write_tightness_section(out, report.tightness);
+  write_speed_section(out, report.speed);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
       << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";
   write_whole(path, out.str());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/report/pictures.hpp"
+#include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
 
 namespace refitlab {
@@ -13,6 +14,7 @@ struct Report {
   std::vector<std::string> absent_models;
   std::vector<Picture> pictures;
   std::vector<TightnessResult> tightness;
+  std::vector<SpeedResult> speed;
 };
 
 void write_report(const Report& report, const std::string& path);

@@ -31,6 +31,12 @@ Point3 bone_axis(const Model& model, int joint) {
 
 }  // namespace
 
+Model load_named(const std::string& path) {
+  Model model = load_model(path);
+  model.name = std::filesystem::path(path).filename().string();
+  return model;
+}
+
 DefaultModels default_models(const std::string& folder) {
   DefaultModels out;
   out.models.push_back(make_man());
@@ -38,7 +44,7 @@ DefaultModels default_models(const std::string& folder) {
   for (const char* file : real_models) {
     const std::string path = (std::filesystem::path(folder) / file).string();
     if (std::filesystem::exists(path))
-      out.models.push_back(load_model(path));
+      out.models.push_back(load_named(path));
     else
       out.absent.push_back(file);
   }

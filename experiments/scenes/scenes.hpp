@@ -55,6 +55,8 @@ struct DefaultModels {
   std::vector<Model> models;
   std::vector<std::string> absent;
 };
+// The model in a file, named as the file without its folder.
+Model load_named(const std::string& path);
 DefaultModels default_models(const std::string& folder);
 
 // Every clip at this many times, evenly spread from start to end.

@@ -1,0 +1,29 @@
+// The speed experiment: what refitting a whole tree costs, per sphere and variant, by Google Benchmark.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/scenes/scenes.hpp"
+
+namespace refitlab {
+
+struct SpeedResult {
+  std::string model, posture, variant;
+  double ns_per_sphere;         // median over the repetitions
+  double ratio_to_repaired;     // median over the repetitions of the ratio to spherical_repaired in the same repetition
+};
+
+struct SpeedSettings {
+  double seconds_per_run = 0.1;  // at least, of each repetition
+  int repetitions = 5;           // of all variants in random order, so that a drifting machine hits all of them alike
+};
+
+// Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the posture, the frame's
+// joint-set data given. Unsound balls are refused by construction: the variants are those whose enclosure is tested.
+std::vector<SpeedResult> run_speed(const Character& character, const NamedPosture& posture, const SpeedSettings& settings);
+
+// All results as out/results/speed.csv.
+void write_speed(const std::vector<SpeedResult>& results, const std::string& path);
+
+}  // namespace refitlab
