@@ -199,6 +199,20 @@ PROPTEST(load) {
       good = (small.vertices[v] - 0.01 * tube.vertices[v]).norm() < 1e-8;
     return Checked(good && (small.joints[3].origin - Point3(0, 0.03, 0)).norm() < 1e-8);
   });
+  t.example("the triangles of a mirrored skin face outwards as those of a plain one do", {}, [] {
+    RiggedGltf scene = gen::bending_tube(3);
+    const Model plain = load(scene);
+    scene.nodes[0].scale = {1, 1, -1};
+    const Model mirrored = load(scene);
+    bool good = true;
+    for (const Model* m : {&plain, &mirrored})
+      for (const Triangle& triangle : m->triangles) {
+        const Point3 a = m->vertices[triangle[0]], b = m->vertices[triangle[1]], c = m->vertices[triangle[2]];
+        const Point3 outwards(a[0] + b[0] + c[0], 0, a[2] + b[2] + c[2]);  // from the tube's axis
+        good = good && dot(cross<double>(b - a, c - a), outwards) > 0;
+      }
+    return Checked(good && mirrored.vertices[1][0] == -plain.vertices[1][0], 2);
+  });
   t.example("a text file with its bytes in a data URI loads as the binary one", {}, [] {
     const Folder folder;
     write_gltf(gen::bending_tube(3), folder.file("rig.gltf"));

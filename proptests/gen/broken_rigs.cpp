@@ -20,9 +20,9 @@ std::vector<BrokenRig> broken_rigs() {
       {"weights far from a sum of 1", weights({0.5f, 0, 0, 0}), {"vertex 7", "sum to 0.5"}},
       {"a joint index beyond the skin",
        [](auto& s) {
-         s.meshes[0].joints[0][7] = {77, 0, 0, 0};
+         s.meshes[0].joints[0][7] = {3, 0, 0, 0};
        },
-       {"vertex 7", "joint index 77 is out of range 0..2"}},
+       {"vertex 7", "joint index 3 is out of range 0..2"}},
       {"sets of joints and weights of different lengths",
        [](auto& s) { s.meshes[0].weights[0].pop_back(); },
        {"mesh 0", "do not fit the vertices"}},
