@@ -11,15 +11,18 @@
 int main(int argc, char** argv) try {
   namespace po = boost::program_options;
   std::vector<std::string> only;
-  std::uint64_t seed = 2006;
+  constexpr std::uint64_t fixed_seed = 2006;
+  std::uint64_t seed = fixed_seed;
   double scale = 1;
-  std::string out;
+  std::string out, readme;
   po::options_description options("proptests: the property tests of refitlab");
   options.add_options()("help", "this text")("list", "the stems, a line each")(
       "only", po::value(&only)->multitoken(), "run the suites whose stem contains one of these")(
       "seed", po::value(&seed), "seed of the random cases (fixed unless given)")("random", "a fresh seed, printed")(
       "scale", po::value(&scale), "multiply the number of random cases, for a heavy campaign")(
-      "out", po::value(&out), "folder for verdicts.csv and verdicts.md");
+      "out", po::value(&out), "folder for verdicts.csv and verdicts.md")(
+      "readme", po::value(&readme), "a file whose verdict table must be the one of a full run with the fixed seed")(
+      "update-readme", "put the table into that file instead");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, options), map);
   po::notify(map);
@@ -45,9 +48,18 @@ int main(int argc, char** argv) try {
     proptests::Suite suite(stem);
     for (const auto function : suites) function(suite);
   }
+  const std::string table = proptests::verdict_table(session.outcomes());
+  const bool is_the_fixed_run = only.empty() && seed == fixed_seed && scale == 1;
+  if (!readme.empty() && is_the_fixed_run) {
+    if (map.count("update-readme"))
+      proptests::put_table_in(readme, table);
+    else
+      proptests::Suite("readme").example("its verdict table is what this run found; proptests/run --update-readme renews it", {},
+                                         [&] { return proptests::table_in(readme) == table; });
+  }
   long passed = 0, failed = 0;
   for (const auto& o : session.outcomes()) ++(o.passed ? passed : failed);
-  std::cout << '\n' << proptests::verdict_table(session.outcomes()) << '\n';
+  std::cout << '\n' << table << '\n';
   if (!out.empty()) proptests::write_verdicts(session.outcomes(), out);
   for (const auto& o : session.outcomes())
     if (!o.passed) std::cout << "FAILED " << o.stem << ": " << o.sentence << "\n       " << o.detail << '\n';
