@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "algorithms/model/crash_guard.hpp"
 #include "algorithms/model/gltf_audit.hpp"
 #include "algorithms/model/mesh_binding.hpp"
 #include "algorithms/weights/quantize.hpp"
@@ -51,6 +52,7 @@ std::string complaint(const Assimp::Importer& importer) {
 const aiScene& read_scene(Assimp::Importer& importer, const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) throw ModelError(path, "file", "does not exist");
   audit_gltf(path);
+  if (!survives([&] { Assimp::Importer().ReadFile(path, 0); })) throw ModelError(path, "file", "assimp crashes on it");
   const aiScene* scene = importer.ReadFile(path, 0);
   if (!scene) throw ModelError(path, "file", "assimp cannot read it: " + complaint(importer));
   if (!scene->mRootNode || scene->mNumMeshes == 0) throw ModelError(path, "file", "has no mesh");

@@ -348,6 +348,11 @@ PROPTEST(load) {
     const bool version = refuses(edited("\"2.0\"", "\"1.0\""), {"version 1.0"}).passed;
     return Checked(version && refuses(edited("5126", "5121"), {"not of floats"}).passed, 2);
   });
+  t.example("refused: an X file that crashes assimp, by weights of a vertex far out of range", {}, [] {
+    const Folder folder;
+    gen::write_x({.weighted = "0, 1, 2, 3, 4, 4000000000"}, folder.file("rig.X"));
+    return refuses(folder.file("rig.X"), {"assimp crashes"});
+  });
   t.example("refused: an X file of a vertex without weight, or with a negative weight, which assimp drops", {}, [] {
     const Folder folder;
     const std::string path = folder.file("rig.X");

@@ -7,8 +7,9 @@ namespace proptests::gen {
 
 // What the text has in these places, as is.
 struct TwoBoneX {
-  std::string ticks_per_second = "7";                       // empty: the file does not say
-  std::string root_weights = "1, 1, 0.5, 0.5, 0.25, 0.25";  // of vertices 0 to 5
+  std::string ticks_per_second = "7";         // empty: the file does not say
+  std::string weighted = "0, 1, 2, 3, 4, 5";  // the vertices that the weights are of
+  std::string root_weights = "1, 1, 0.5, 0.5, 0.25, 0.25";
   std::string tip_weights = "0, 0, 0.5, 0.5, 0.75, 0.75";
   std::string last_key = "14";  // of clip "wave", in ticks; the first is 0
 };
