@@ -28,11 +28,11 @@ struct SmallestBall {
   bool converged = false;                    // false only where rounding kept the walk from ending (never in exact numbers)
 };
 
-// What counts as zero, relative to the radius: rounding grows in a walk, and what it makes of a zero must not steer it.
+// What rounding may do to one sum of products, relative to the radius.
 template <class S>
-S walk_tolerance() {
+S rounding_noise() {
   if constexpr (std::is_floating_point_v<S>)
-    return 4096 * std::numeric_limits<S>::epsilon();
+    return 32 * std::numeric_limits<S>::epsilon();
   else
     return S(0);
 }
@@ -47,13 +47,14 @@ class SmallestBallWalk {
   }
 
   SmallestBall<S, D> run() {
-    // Dropping the most negative coefficient is fast and in rare degenerate cases cycles; the smallest index never does.
-    const int patience = 20 * D, limit = 4 * (patience + static_cast<int>(points_.size()));
+    // Dropping the most negative coefficient is fast and in rare degenerate cases cycles; the smallest index never does,
+    // but for rounding, which in some of a million degenerate cases keeps a cycle alive until more of it counts as zero.
+    const int patience = 20 * D + static_cast<int>(points_.size()), limit = 20 * patience;
     while (!ball_.converged && ball_.steps < limit) {
-      ++ball_.steps;
+      if (++ball_.steps % patience == 0) noise_ = noise_ * S(2);
       squared_radius_ = squared_distance(position(ball_.support[0]), center_);
       project_on_hull();
-      if (ball_.support_size <= D && squared_tolerance_ * squared_radius_ < squared_norm(walk_))
+      if (ball_.support_size <= D && sq(tolerance()) * squared_radius_ < squared_norm(walk_))
         walk_to_hull();
       else if (const int unneeded = negative_coefficient(ball_.steps < patience); unneeded >= 0)
         drop(unneeded);
@@ -66,6 +67,9 @@ class SmallestBallWalk {
   }
 
  private:
+  // What counts as zero, relative to the radius, after a few steps: rounding grows in a walk, and must not steer it.
+  S tolerance() const { return S(128) * noise_; }
+
   Vec<S, D> position(int i) const { return points_[i] - points_[0]; }
 
   int farthest_from_first() const {
@@ -116,8 +120,10 @@ class SmallestBallWalk {
   void walk_to_hull() {
     const Vec<S, D>& on_boundary = points_[ball_.support[0]];
     const Vec<S, D> center = center_, walk = walk_;
-    const S too_flat = squared_tolerance_ * squared_radius_ * squared_norm(walk);  // would make a degenerate support
-    const S touching = walk_tolerance<S>() * squared_radius_;
+    // A point that joins must be off the support's hull by more than rounding, of the walk's direction above all.
+    const S too_flat = squared_radius_ * max_of(S(sq(tolerance()) * squared_norm(walk)),
+                                                S(sq(noise_) * squared_radius_));
+    const S touching = tolerance() * squared_radius_;
     S fraction(1);
     int stop = -1;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
@@ -146,7 +152,7 @@ class SmallestBallWalk {
   }
 
   std::span<const Vec<S, D>> points_;
-  const S squared_tolerance_ = sq(walk_tolerance<S>());
+  S noise_ = rounding_noise<S>();
   Vec<S, D> center_, walk_;
   S squared_radius_;
   SmallestBall<S, D> ball_;
