@@ -1,15 +1,17 @@
 // Lemma 5: the smallest ball that encloses a cap.
 //
-// Statement. Let C be a cap of R^d, d >= 2, with center c, apex a, radius r = ||a - c|| and an angle alpha of [0, pi]. With
-// k = max(cos alpha, 0), the ball with center c + k (a - c) and radius sqrt(1 - k^2) r encloses C, and no other ball that
-// small does: two points of C are opposite each other on its surface. For alpha beyond pi/2 it is the whole ball [c, r].
-// In R^1 it encloses C too, but is the smallest only for k = 1 or alpha = pi.
+// Statement. Let C be a cap of R^d, d >= 2, with center c, apex a, radius r = ||a - c|| and an angle alpha of [0, pi].
+// With k = max(cos alpha, 0), the ball with center c + k (a - c) and radius sqrt(1 - k^2) r encloses C, and no other
+// ball that small does: two points of C are opposite each other on its surface. For alpha beyond pi/2 it is the whole
+// ball [c, r]. In R^1 it encloses C too, but is the smallest only for k = 1 or alpha = pi.
 //
 // Paper: appendix, Lemma 5; used in section 4.3 and line 15 of Algorithm 1. Its center is 0.
-// Notation: a -> cap.apex, alpha -> cap.cos_angle, r^2 -> squared_radius(cap), v -> rim_direction, v_1, v_2 -> first, second.
+// Notation: a -> cap.apex, alpha -> cap.cos_angle, r^2 -> squared_radius(cap), v -> rim_direction, v_1, v_2 -> first,
+// second.
 //
-// Proof. For x in C: ||x - c - k (a - c)||^2 = r^2 - 2k (x - c, a - c) + k^2 r^2 <= r^2 (1 - 2k cos + k^2) <= r^2 (1 - k^2),
-// as k >= 0 and k cos = k^2. A ball that holds both ends of a diameter is no smaller, and if it is no larger, it is the same.
+// Proof. For x in C: ||x - c - k (a - c)||^2 = r^2 - 2k (x - c, a - c) + k^2 r^2 <= r^2 (1 - 2k cos + k^2) <= r^2 (1 -
+// k^2), as k >= 0 and k cos = k^2. A ball that holds both ends of a diameter is no smaller, and if it is no larger, it
+// is the same.
 #pragma once
 
 #include "lemmas/vocabulary/cap.hpp"
@@ -58,8 +60,8 @@ template <class S, int D>
 struct CapBall {
   Verdict verdict;
   SquaredBall<S, D> ball;
-  S height;                  // k
-  Vec<S, D> first, second;   // the ends of the diameter
+  S height;                 // k
+  Vec<S, D> first, second;  // the ends of the diameter
 };
 
 // Of an angle and a point of its rim, without a root.
@@ -88,9 +90,9 @@ CapBall<S, D> smallest_cap_ball_by_roots(const Cap<S, D>& cap) {
   return smallest_cap_ball<S, D>(cap, root(S(S(1) - sq(cap.cos_angle))), v * stretch);
 }
 
-// Independent check of the witness. Encloses: the center is height >= 0 along the axis, and its farthest point of the cap
-// is at most at squared distance r^2 (1 - 2 height cos + height^2). Smallest: the ends are in the cap, on the surface,
-// and opposite.
+// Independent check of the witness. Encloses: the center is height >= 0 along the axis, and its farthest point of the
+// cap is at most at squared distance r^2 (1 - 2 height cos + height^2). Smallest: the ends are in the cap, on the
+// surface, and opposite.
 template <class S, int D>
 Verdict is_smallest_cap_ball(const Cap<S, D>& cap, const CapBall<S, D>& witness) {
   const Vec<S, D> axis = cap.apex - cap.center, along = witness.ball.center - cap.center;

@@ -1,7 +1,7 @@
 // SquaredBall: a ball of R^d known by its squared radius, {x : ||x - c||^2 <= r^2}.
 //
-// Most radii of the paper are roots of rational numbers. Their squares are rational, so statements about such a ball are
-// decided without a root. A negative squared radius encloses nothing. Where a lemma speaks of a sphere's surface,
+// Most radii of the paper are roots of rational numbers. Their squares are rational, so statements about such a ball
+// are decided without a root. A negative squared radius encloses nothing. Where a lemma speaks of a sphere's surface,
 // the same two numbers describe it: {x : ||x - c||^2 = r^2}.
 #pragma once
 

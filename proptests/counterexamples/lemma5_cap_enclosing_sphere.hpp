@@ -28,7 +28,8 @@ inline const Cap2 no_points{Point<2>(0, 0), Point<2>(1, 0), Q(5, 4)};
 inline const Cap1 on_a_line{Point<1>(Q(0)), Point<1>(Q(1)), Q(0)};
 inline const refitlab::SquaredBall<Q, 1> point_on_a_line{Point<1>(Q(1)), Q(0)};
 
-// In R^2 a direction that is not perpendicular, or a sine that does not belong to the cosine, gives no point of the rim.
+// In R^2 a direction that is not perpendicular, or a sine that does not belong to the cosine, gives no point of the
+// rim.
 inline const Cap2 narrow{Point<2>(0, 0), Point<2>(1, 0), Q(3, 5)};
 inline const Point<2> perpendicular(0, 1), slanted(Q(3, 5), Q(4, 5));
 inline const Q sine_of_narrow(4, 5), not_its_sine(3, 5);

@@ -1,4 +1,5 @@
-// Rational caps in R^d: any center, radius 0 and angles 0, pi/2, pi at a good share; with points of the cap and of its rim.
+// Rational caps in R^d: any center, radius 0 and angles 0, pi/2, pi at a good share; with points of the cap and of its
+// rim.
 #pragma once
 
 #include "proptests/gen/cap_angle.hpp"
@@ -10,8 +11,8 @@ namespace proptests::gen {
 template <int D>
 struct RimmedCap {
   refitlab::Cap<Rational, D> cap;
-  Rational sine;                  // of the cap's angle
-  RationalVec<D> rim_direction;   // perpendicular to apex - center and as long
+  Rational sine;                 // of the cap's angle
+  RationalVec<D> rim_direction;  // perpendicular to apex - center and as long
 };
 template <int D>
 rc::Gen<RimmedCap<D>> rimmed_cap();

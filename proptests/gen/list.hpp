@@ -10,9 +10,8 @@ namespace proptests::gen {
 // Between low and high elements (low >= 1); shrinks towards fewer and simpler ones.
 template <class T>
 rc::Gen<std::vector<T>> list_with_repeats(int low, int high, rc::Gen<T> element) {
-  const auto fresh = rc::gen::mapcat(rc::gen::inRange(low, high + 1), [element](int n) {
-    return rc::gen::container<std::vector<T>>(n, element);
-  });
+  const auto fresh = rc::gen::mapcat(rc::gen::inRange(low, high + 1),
+                                     [element](int n) { return rc::gen::container<std::vector<T>>(n, element); });
   return rc::gen::apply(
       [](std::vector<T> list, int kind) {
         if (kind == 2) list.back() = list.front();

@@ -5,8 +5,8 @@
 namespace proptests::gen {
 
 rc::Gen<RationalQuaternion> unit_quaternion() {
-  const auto general = rc::gen::map(
-      rc::gen::container<std::vector<int>>(4, small_integer()), [](const std::vector<int>& c) {
+  const auto general =
+      rc::gen::map(rc::gen::container<std::vector<int>>(4, small_integer()), [](const std::vector<int>& c) {
         const RationalQuaternion q(c[0], c[1], c[2], c[3]);
         const Rational square = refitlab::squared_norm(q);
         if (square == Rational(0)) return refitlab::identity_quaternion<Rational>();

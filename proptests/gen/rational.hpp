@@ -21,4 +21,7 @@ rc::Gen<Rational> positive_rational();
 // In [0, 1], with both ends at a good share.
 rc::Gen<Rational> unit_interval_rational();
 
+// 0, or down to 1/10^80 of either sign: enough to leave a tie for one that only long numbers can tell from it.
+rc::Gen<Rational> nudge();
+
 }  // namespace proptests::gen

@@ -6,8 +6,10 @@ namespace proptests::gen {
 
 rc::Gen<RationalTransform> rigid_transform() {
   return rc::gen::apply(
-      [](const RationalQuaternion& q, const RationalVec<3>& t) { return RationalTransform{q, t}; }, unit_quaternion(),
-      rational_vector<3>());
+      [](const RationalQuaternion& q, const RationalVec<3>& t) {
+        return RationalTransform{q, t};
+      },
+      unit_quaternion(), rational_vector<3>());
 }
 
 rc::Gen<std::vector<RationalTransform>> rigid_transforms(int low, int high) {

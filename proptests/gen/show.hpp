@@ -5,11 +5,10 @@
 
 #include <ostream>
 
-#include "lemmas/vocabulary/exact.hpp"
-#include "lemmas/vocabulary/quaternion.hpp"
-#include "lemmas/vocabulary/rigid.hpp"
 #include "lemmas/vocabulary/cap.hpp"
-#include "lemmas/vocabulary/sphere.hpp"
+#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/vocabulary/rigid.hpp"
+#include "lemmas/vocabulary/squared_ball.hpp"
 
 namespace CGAL {
 void showValue(const Gmpq& x, std::ostream& out);
@@ -34,6 +33,14 @@ void showValue(const Ball<Rational, D>& ball, std::ostream& out) {
   showValue(ball.center, out);
   out << " and radius ";
   showValue(ball.radius, out);
+}
+
+template <int D>
+void showValue(const SquaredBall<Rational, D>& ball, std::ostream& out) {
+  out << "ball of center ";
+  showValue(ball.center, out);
+  out << " and squared radius ";
+  showValue(ball.squared_radius, out);
 }
 
 template <int D>

@@ -5,8 +5,8 @@
 
 namespace proptests::gen {
 
-// n weights that are non-negative and sum to 1: about a third of them zero; a tenth of the lists are a corner (0, .., 1, .., 0).
-// Shrinks towards equal weights.
+// n weights that are non-negative and sum to 1: about a third of them zero; a tenth of the lists are a corner (0, ..,
+// 1, .., 0). Shrinks towards equal weights.
 rc::Gen<std::vector<Rational>> convex_weights(int n);
 
 }  // namespace proptests::gen

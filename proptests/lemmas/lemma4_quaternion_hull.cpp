@@ -1,0 +1,191 @@
+#include "lemmas/lemma4_quaternion_hull.hpp"
+
+#include "proptests/counterexamples/lemma4_quaternion_hull.hpp"
+#include "proptests/gen/cap_angle.hpp"
+#include "proptests/gen/dimension.hpp"
+#include "proptests/gen/hull.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/number_types.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+// The blend is 0 or one of the vectors, the plane passes through 0, or the ball's radius or center is 0.
+template <int D>
+bool is_degenerate(const gen::EnclosedHull<D>& hull) {
+  bool corner = false;
+  for (const Rational& w : hull.weights) corner = corner || w == Rational(1);
+  return corner || squared_norm(combine<Rational, D>(hull.weights, hull.units)) == Rational(0) ||
+         hull_offset(hull.ball) == Rational(0) || hull.ball.squared_radius == Rational(0) ||
+         squared_norm(hull.ball.center) == Rational(0);
+}
+
+const auto direction_enclosed = [](const auto& ball, const auto& units, const auto& weights) {
+  return hull_element(ball, units, weights).verdict;
+};
+const auto rotation_enclosed = [](const auto& ball, const auto& blend) { return rotation_is_enclosed(ball, blend); };
+const auto keeps_hulls = [](const auto& ball) { return ball_keeps_hulls(ball); };
+
+PROPTEST(lemma4_quaternion_hull) {
+  using namespace lemma4;
+  t.example("a mean ball of radius 6/5 bounds its hull: a radius below 1 is not needed", {.form = "printed"}, [] {
+    const Disc& disc = mean_of_three_and_one;
+    const Q o = hull_offset(disc), d_H_squared = o * o / (Q(4) * squared_norm(disc.center));
+    return are_units_enclosed(disc, three_and_one) == Verdict::holds && d_H_squared == Q(1, 325) &&
+           radius_below_one_is_needed_printed(disc) == Verdict::fails && ball_keeps_hulls(disc) == Verdict::holds &&
+           hull_stays_in_cap_repaired(disc, three_and_one, quarters) == Verdict::holds;
+  });
+
+  t.holds("a ball of radius below 1 around unit vectors holds the directions of all blends, and no blend is 0",
+          {.form = "printed", .number_type = "rational", .cases = 2000, .degenerate_at_least = 0.1}, [] {
+            gen::for_some_dimension<1, 4>([](auto d) {
+              const auto hull = *gen::enclosed_hull<d>().as("case");
+              RC_PRE(hull_hypotheses_printed(hull.ball, hull.units, hull.weights) == Verdict::holds);
+              RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
+              RC_ASSERT(hull_stays_in_cap_printed(hull.ball, hull.units, hull.weights) == Verdict::holds);
+              RC_ASSERT(rotations_stay_in_cap_printed(hull.ball, hull.units, hull.weights) == Verdict::holds);
+            });
+          });
+  t.refuted("only a ball of radius below 1 bounds hulls (why section 4.3 falls back on all of S_3)",
+            {.form = "printed", .number_type = "rational"}, [] {
+              gen::for_some_dimension<2, 4>([](auto d) {
+                const auto hull = *gen::enclosed_hull<d>().as("case");
+                RC_ASSERT(radius_below_one_is_needed_printed(hull.ball) == Verdict::holds);
+              });
+            });
+
+  t.holds("with r^2 <= 1 + c^2, or all of the surface, a ball around unit vectors holds the directions of all blends",
+          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.3}, [] {
+            gen::for_some_dimension<1, 4>([](auto d) {
+              const auto hull = *gen::enclosed_hull<d>().as("case");
+              RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
+              RC_ASSERT(are_units_enclosed(hull.ball, hull.units) == Verdict::holds);
+              RC_ASSERT(hull_stays_in_cap_repaired(hull.ball, hull.units, hull.weights) == Verdict::holds);
+              // c != 0 need not be asked for.
+              if (hull_offset(hull.ball) > Rational(0)) RC_ASSERT(hull.ball.center != gen::RationalVec<d>::Zero());
+              if (ball_keeps_hulls(hull.ball) != Verdict::holds) return;
+              RC_CLASSIFY(hull.ball.squared_radius >= Rational(1), "radius of 1 or more");
+              const auto made = hull_element(hull.ball, hull.units, hull.weights);
+              RC_ASSERT(made.verdict == Verdict::holds);
+              RC_ASSERT(is_hull_element(hull.ball, hull.units, hull.weights, made) == Verdict::holds);
+            });
+          });
+  t.holds("every other ball fails for two unit vectors and their middle",
+          {.form = "repaired", .number_type = "rational", .cases = 2000}, [] {
+            gen::for_some_dimension<2, 4>([](auto d) {
+              const auto frame = *gen::perpendicular_pair<d>().as("frame");
+              const Rational distance = *gen::positive_rational().as("distance");
+              const auto angle = *gen::cap_angle().as("angle");
+              RC_PRE(angle.cosine < Rational(0) && angle.sine > Rational(0));
+              const Rational square = Rational(1) + distance * distance - Rational(2) * distance * angle.cosine;
+              const SquaredBall<Rational, d> ball{frame.first * distance, square};
+              const VecList<Rational, d> units{frame.first * angle.cosine + frame.second * angle.sine,
+                                               frame.first * angle.cosine - frame.second * angle.sine};
+              RC_ASSERT(are_units_enclosed(ball, units) == Verdict::holds);
+              RC_ASSERT(ball_keeps_hulls(ball) == Verdict::fails);
+              RC_ASSERT(hull_element(ball, units, halves).verdict == Verdict::fails);
+              RC_ASSERT(is_hull_element(ball, units, halves, hull_element(ball, units, halves)) == Verdict::fails);
+              RC_ASSERT(rotations_stay_in_cap_repaired(ball, units, halves) == Verdict::holds);
+            });
+          });
+  t.holds("Corollary 1: any ball around unit quaternions holds the rotations of all blends",
+          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.3}, [] {
+            gen::for_some_dimension<1, 4>([](auto d) {
+              const auto hull = *gen::enclosed_hull<d>().as("case");
+              RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
+              RC_CLASSIFY(hull_offset(hull.ball) < Rational(0), "more than half of the surface");
+              RC_ASSERT(rotations_stay_in_cap_repaired(hull.ball, hull.units, hull.weights) == Verdict::holds);
+            });
+          });
+  t.holds("the squared form says what the normalised blend does",
+          {.form = "repaired", .number_type = "exact root", .cases = 150}, [] {
+            gen::for_some_dimension<1, 4>([](auto d) {
+              const auto hull = *gen::enclosed_hull<d>().as("case");
+              const auto b = combine<Rational, d>(hull.weights, hull.units);
+              RC_PRE(b != gen::RationalVec<d>::Zero());
+              const auto ball = lift<ExactRoot>(hull.ball);
+              const auto direction = direction_by_root(lift<ExactRoot>(b));
+              const Vec<ExactRoot, d> opposite = -direction;
+              RC_ASSERT((encloses(ball, direction) == direction_is_enclosed(hull.ball, b)));
+              RC_ASSERT(((encloses(ball, direction) | encloses(ball, opposite)) == rotation_is_enclosed(hull.ball, b)));
+            });
+          });
+
+  t.holds("intervals never contradict the exact verdict on balls, directions and rotations",
+          {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.3}, [] {
+            gen::for_some_dimension<1, 4>([](auto d) {
+              auto hull = *gen::enclosed_hull<d>().as("case");
+              RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
+              hull.ball.squared_radius += *gen::nudge().as("nudge of the squared radius");
+              decide_by_all(direction_enclosed, hull.ball, hull.units, hull.weights);
+              decide_by_all(rotation_enclosed, hull.ball, combine<Rational, d>(hull.weights, hull.units));
+              decide_by_all(keeps_hulls, hull.ball);
+            });
+          });
+
+  t.holds("a mutated witness is rejected", {.number_type = "rational", .degenerate_at_least = 0.3}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto hull = *gen::enclosed_hull<d>().as("case");
+      RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
+      const Rational amount = *gen::positive_rational().as("amount");
+      const auto shift = *gen::nonzero_vector<d>().as("shift");
+      auto bad = hull_element(hull.ball, hull.units, hull.weights);
+      switch (*rc::gen::inRange(0, 3).as("mutation")) {
+        case 0:
+          bad.blend += shift;
+          bad.along = dot(bad.blend, hull.ball.center);
+          break;
+        case 1: bad.along += amount; break;
+        default: bad.along -= amount;
+      }
+      RC_ASSERT(is_hull_element(hull.ball, hull.units, hull.weights, bad) == Verdict::fails);
+    });
+  });
+
+  t.example(
+      "a ball of more than half of the surface loses a direction, but not its rotation",
+      {.form = "repaired", .hypothesis = "r^2 <= 1 + c^2"}, [] {
+        bool all = true;
+        for (const auto& [disc, units] : {std::pair{around_behind, behind}, {around_left_and_down, left_and_down}})
+          all = all && are_units_enclosed(disc, units) == Verdict::holds && ball_keeps_hulls(disc) == Verdict::fails &&
+                hull_element(disc, units, halves).verdict == Verdict::fails &&
+                rotations_stay_in_cap_repaired(disc, units, halves) == Verdict::holds;
+        return Checked(all, 2);
+      });
+  t.example("the mean ball of 1, 1, 1 and a wide turn has a negative d_H: it bounds rotations, but not directions",
+            {.form = "repaired", .hypothesis = "r^2 <= 1 + c^2"}, [] {
+              const Disc& disc = mean_of_three_and_wide;
+              return are_units_enclosed(disc, three_and_wide) == Verdict::holds && hull_offset(disc) == Q(-7, 10) &&
+                     ball_keeps_hulls(disc) == Verdict::fails &&
+                     rotations_stay_in_cap_repaired(disc, three_and_wide, quarters) == Verdict::holds;
+            });
+  t.example("at r^2 = 1 + c^2 a blend may be 0", {.form = "repaired", .hypothesis = "r^2 < 1 + c^2"}, [] {
+    return are_units_enclosed(around_up_and_down, up_and_down) == Verdict::holds &&
+           hull_offset(around_up_and_down) == Q(0) && squared_norm(combine<Q, 2>(halves, up_and_down)) == Q(0) &&
+           hull_stays_in_cap_repaired(around_up_and_down, up_and_down, halves) == Verdict::holds;
+  });
+  t.example("a vector that is not of unit length is in the ball, its direction is not",
+            {.form = "repaired", .hypothesis = "the n_i are unit vectors"}, [] {
+              return encloses(only_not_unit, not_unit[0]) == Verdict::holds &&
+                     ball_keeps_hulls(only_not_unit) == Verdict::holds &&
+                     hull_element(only_not_unit, not_unit, alone).verdict == Verdict::fails &&
+                     rotation_is_enclosed(only_not_unit, not_unit[0]) == Verdict::fails;
+            });
+  t.example("a ball bounds only what it holds", {.form = "repaired", .hypothesis = "the n_i are in the ball"}, [] {
+    return ball_keeps_hulls(only_right) == Verdict::holds && are_units_enclosed(only_right, up) == Verdict::fails &&
+           hull_element(only_right, up, alone).verdict == Verdict::fails &&
+           rotation_is_enclosed(only_right, up[0]) == Verdict::fails;
+  });
+  t.example("weights that are not convex leave the cap", {.form = "repaired", .hypothesis = "w is in W_m"}, [] {
+    const auto made = hull_element(mean_of_right_and_up, right_and_up, not_convex);
+    return are_units_enclosed(mean_of_right_and_up, right_and_up) == Verdict::holds &&
+           ball_keeps_hulls(mean_of_right_and_up) == Verdict::holds && made.verdict == Verdict::fails &&
+           is_hull_element(mean_of_right_and_up, right_and_up, not_convex, made) == Verdict::fails &&
+           rotation_is_enclosed(mean_of_right_and_up, made.blend) == Verdict::fails;
+  });
+}
+
+}  // namespace
+}  // namespace proptests
