@@ -1,0 +1,96 @@
+#include "lemmas/t3_min_dot_distance.hpp"
+
+#include "proptests/counterexamples/t3_min_dot_distance.hpp"
+#include "proptests/gen/dimension.hpp"
+#include "proptests/gen/sphere_point.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/number_types.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+// Units, a center that is one of them, their mean or any point but 0, and the largest squared distance.
+template <int D>
+struct UnitsAndCenter {
+  std::vector<Vec<Rational, D>> units = *gen::sphere_points<D>(1, 6);
+  Vec<Rational, D> center = *rc::gen::oneOf(rc::gen::just(units[0]), rc::gen::just(mean()), gen::nonzero_vector<D>());
+  Rational squared_radius = squared_distance(units[0], center);
+
+  UnitsAndCenter() {
+    for (const auto& n : units) squared_radius = max_of(squared_radius, squared_distance(n, center));
+    RC_CLASSIFY(units.size() == 1 || units.front() == units.back() || squared_radius == 0, "degenerate");
+  }
+  auto distance() const { return min_dot_distance<Rational, D>(units, center, squared_radius); }
+
+ private:
+  Vec<Rational, D> mean() const {
+    Vec<Rational, D> sum = Vec<Rational, D>::Zero();
+    for (const auto& n : units) sum += n;
+    return sum == Vec<Rational, D>::Zero() ? units[0] : Vec<Rational, D>(sum / Rational(static_cast<int>(units.size())));
+  }
+};
+
+PROPTEST(t3_min_dot_distance) {
+  t.holds("d_H is the least dot product of a unit with the direction of the center",
+          {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            gen::for_some_dimension<2, 4>([](auto d) {
+              const UnitsAndCenter<d()> c;
+              RC_ASSERT((min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) == Verdict::holds));
+              const auto distance = c.distance();
+              RC_ASSERT(distance.verdict == Verdict::holds);
+              RC_ASSERT((is_least_dot<Rational, d()>(c.units, c.center, distance) == Verdict::holds));
+            });
+          });
+  t.holds("for any larger radius the direct form is not looser",
+          {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            UnitsAndCenter<4> c;
+            c.squared_radius += *gen::unit_interval_rational();
+            RC_ASSERT(c.distance().not_looser == Verdict::holds);
+          });
+
+  t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 500}, [] {
+    UnitsAndCenter<4> c;
+    if (*rc::gen::arbitrary<bool>()) c.squared_radius += *gen::rational();
+    decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n, const Vec<S, 4>& center,
+                              const S& r2) { return min_dot_distance<S, 4>(n, center, r2).verdict; },
+                  c.units, c.center, c.squared_radius);
+    decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n, const Vec<S, 4>& center,
+                              const S& r2) { return min_dot_distance<S, 4>(n, center, r2).not_looser; },
+                  c.units, c.center, c.squared_radius);
+  });
+
+  t.holds("a mutated minimum is rejected", {.number_type = "rational", .cases = 500}, [] {
+    const UnitsAndCenter<3> c;
+    const auto rejected = [&](const MinDotDistance<Rational>& w) {
+      return is_least_dot<Rational, 3>(c.units, c.center, w) == Verdict::fails;
+    };
+    auto less = c.distance(), more = less, beyond = less;
+    less.least_dot -= *gen::positive_rational();
+    more.least_dot += *gen::positive_rational();
+    beyond.nearest = c.units.size();
+    RC_ASSERT(rejected(less) && rejected(more) && rejected(beyond));
+    // Another unit with its own dot product, that is not the least.
+    for (std::size_t k = 0; k < c.units.size(); ++k) {
+      auto other = c.distance();
+      other.nearest = k;
+      other.least_dot = dot(c.units[k], c.center);
+      if (other.least_dot != c.distance().least_dot) RC_ASSERT(rejected(other));
+    }
+  });
+
+  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const t3_dot::Case& c) {
+    t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
+      return min_dot_distance_hypotheses<Rational, 2>(c.units, c.center, c.squared_radius) == Verdict::fails &&
+             min_dot_distance<Rational, 2>(c.units, c.center, c.squared_radius).verdict == Verdict::fails;
+    });
+  };
+  fails_without("the vectors are units", "for a vector of length 2 the two forms differ", t3_dot::not_unit);
+  fails_without("r is at most the largest distance", "for a larger radius the paper's form is smaller", t3_dot::too_large);
+  fails_without("r is at least the largest distance", "for a smaller radius the paper's form is larger", t3_dot::too_small);
+  fails_without("c is not 0", "about 0 there is no distance", t3_dot::about_zero);
+}
+
+}  // namespace
+}  // namespace proptests
