@@ -9,8 +9,9 @@
 namespace proptests {
 namespace {
 
-// A listener that counts labels; the harness prints its own progress.
+// A listener that counts labels, and shows progress once a property takes long.
 struct Quiet : rc::detail::TestListener {
+  Quiet(const Session& s, long n) : session(s), wanted(n) {}
   void onTestCaseFinished(const rc::detail::CaseDescription& c) override {
     ++cases;
     bool degenerate = false;
@@ -22,9 +23,16 @@ struct Quiet : rc::detail::TestListener {
       degenerate = degenerate || tag == "degenerate";
     }
     degenerate_cases += degenerate;
+    if (const auto now = std::chrono::steady_clock::now(); now - shown_at > std::chrono::seconds(2)) {
+      session.progress(std::min(cases, wanted), wanted);
+      shown_at = now;
+    }
   }
   void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
   void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+  const Session& session;
+  const long wanted;
+  std::chrono::steady_clock::time_point shown_at = std::chrono::steady_clock::now();
   long cases = 0, degenerate_cases = 0;
   std::map<std::string, long> tags;
 };
@@ -49,10 +57,10 @@ void Suite::run(const std::string& sentence, const std::string& kind, const Opti
   rc::detail::TestParams params;
   // Each property has a stream of its own, so that adding one test does not change what the others try.
   params.seed = session.seed() ^ std::hash<std::string>{}(metadata.id);
-  params.maxSuccess = std::max(1, static_cast<int>(options.cases * session.scale()));
+  params.maxSuccess = session.cases_for(options.cases);
   params.maxSize = options.max_size;
   params.maxDiscardRatio = 20;
-  Quiet listener;
+  Quiet listener(session, params.maxSuccess);
   const auto result = rc::detail::checkProperty(property, metadata, params, listener);
 
   Outcome outcome{.stem = stem_, .sentence = sentence, .kind = kind, .options = options};

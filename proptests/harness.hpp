@@ -24,7 +24,7 @@ namespace proptests {
 struct Options {
   std::string form = "";          // "printed", "repaired", "beyond", or empty for a check that is no statement of a lemma
   std::string number_type = "";   // "rational", "interval", "double", ...
-  int cases = 1000;               // random cases, scaled by --scale
+  int cases = 1000;               // random cases, unless --cases says otherwise
   int max_size = 100;             // RapidCheck's size: how wild a generated value may be
   double degenerate_at_least = 0; // the share of degenerate cases below which the test fails
   std::string hypothesis = "";    // the hypothesis whose necessity this shows, for a counterexample without it

@@ -8,18 +8,30 @@
 #include "proptests/session.hpp"
 #include "proptests/verdict_table.hpp"
 
+namespace {
+
+std::uint64_t parse_seed(const std::string& text) {
+  if (text == "random") return std::random_device{}() * 0x100000001ull ^ std::random_device{}();
+  std::size_t end = 0;
+  const std::uint64_t seed = text.empty() || text[0] == '-' ? 0 : std::stoull(text, &end);
+  if (end == 0 || end != text.size()) throw std::invalid_argument("--seed takes a number or 'random', not '" + text + "'");
+  return seed;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) try {
   namespace po = boost::program_options;
   std::vector<std::string> only;
   constexpr std::uint64_t fixed_seed = 2006;
-  std::uint64_t seed = fixed_seed;
-  double scale = 1;
+  std::string seed_text = std::to_string(fixed_seed);
+  int cases = 0;
   std::string out, readme;
   po::options_description options("proptests: the property tests of refitlab");
   options.add_options()("help", "this text")("list", "the stems, a line each")(
       "only", po::value(&only)->multitoken(), "run the suites whose stem contains one of these")(
-      "seed", po::value(&seed), "seed of the random cases (fixed unless given)")("random", "a fresh seed, printed")(
-      "scale", po::value(&scale), "multiply the number of random cases, for a heavy campaign")(
+      "seed", po::value(&seed_text), "seed of the random cases, or 'random' for a fresh one (fixed unless given)")(
+      "cases", po::value(&cases), "cases of every property, for a campaign as long as wanted")(
       "out", po::value(&out), "folder for verdicts.csv and verdicts.md")(
       "readme", po::value(&readme), "a file whose verdict table must be the one of a full run with the fixed seed")(
       "update-readme", "put the table into that file instead");
@@ -27,16 +39,16 @@ int main(int argc, char** argv) try {
   po::store(po::parse_command_line(argc, argv, options), map);
   po::notify(map);
   if (map.count("help")) return std::cout << options, 0;
-  if (!(scale > 0)) throw po::error("--scale must be positive");
-  if (map.count("random")) seed = std::random_device{}() * 0x100000001ull ^ std::random_device{}();
+  if (map.count("cases") && cases < 1) throw po::error("--cases must be positive");
+  const std::uint64_t seed = parse_seed(seed_text);
 
   auto& session = proptests::Session::get();
-  session.set(seed, scale);
+  session.set(seed, cases);
   if (map.count("list")) {
     for (const auto& [stem, suites] : session.suites()) std::cout << stem << '\n';
     return 0;
   }
-  std::cout << "proptests: seed " << seed << ", scale " << scale << '\n';
+  std::cout << "proptests: seed " << seed << (cases ? ", " + std::to_string(cases) + " cases of each property" : "") << '\n';
   const auto start = std::chrono::steady_clock::now();
   std::size_t done = 0;
   for (const auto& [stem, suites] : session.suites()) {
@@ -49,7 +61,7 @@ int main(int argc, char** argv) try {
     for (const auto function : suites) function(suite);
   }
   const std::string table = proptests::verdict_table(session.outcomes());
-  const bool is_the_fixed_run = only.empty() && seed == fixed_seed && scale == 1;
+  const bool is_the_fixed_run = only.empty() && seed == fixed_seed && cases == 0;
   if (!readme.empty() && is_the_fixed_run) {
     if (map.count("update-readme"))
       proptests::put_table_in(readme, table);

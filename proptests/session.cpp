@@ -14,6 +14,11 @@ void Session::announce(const std::string& stem, const std::string& sentence) con
   std::cout << "  [ .... ] " << stem << ": " << sentence << std::flush;
 }
 
+void Session::progress(long done, long of) const {
+  std::printf("\r  [ %2ld %% ]", 100 * done / of);
+  std::fflush(stdout);
+}
+
 void Session::add(Outcome o) {
   char summary[96];
   std::snprintf(summary, sizeof summary, "%ld case%s, %.0f %% degenerate, %.2f s", o.cases, o.cases == 1 ? "" : "s",
@@ -23,7 +28,9 @@ void Session::add(Outcome o) {
   if (!o.options.number_type.empty()) std::cout << ", " << o.options.number_type;
   std::cout << "; " << summary << ")\n";
   if (!o.detail.empty() && (!o.passed || o.kind != "holds")) std::cout << "           " << o.detail.substr(0, 600) << '\n';
-  if (!o.passed) std::cout << "           seed of the run: " << seed_ << '\n';
+  if (!o.passed)
+    std::cout << "           again: proptests/run --only " << o.stem << " --seed " << seed_
+              << (cases_ ? " --cases " + std::to_string(cases_) : "") << '\n';
   std::cout << std::flush;
   outcomes_.push_back(std::move(o));
 }

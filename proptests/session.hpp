@@ -16,18 +16,21 @@ class Session {
 
   std::map<std::string, std::vector<SuiteFunction>>& suites() { return suites_; }
   std::uint64_t seed() const { return seed_; }
-  double scale() const { return scale_; }
+  // How many cases to run of a property that asks for so many by default.
+  int cases_for(int by_default) const { return cases_ > 0 ? cases_ : by_default; }
   const std::vector<Outcome>& outcomes() const { return outcomes_; }
 
-  void set(std::uint64_t seed, double scale) { seed_ = seed, scale_ = scale; }
+  // cases: of every property, or 0 for what each asks for.
+  void set(std::uint64_t seed, int cases) { seed_ = seed, cases_ = cases; }
   void announce(const std::string& stem, const std::string& sentence) const;
+  void progress(long done, long of) const;
   void add(Outcome outcome);
 
  private:
   std::map<std::string, std::vector<SuiteFunction>> suites_;  // by stem: in a fixed order whatever the link order
   std::vector<Outcome> outcomes_;
   std::uint64_t seed_ = 2006;  // fixed unless --seed says otherwise
-  double scale_ = 1;
+  int cases_ = 0;
 };
 
 }  // namespace proptests

@@ -105,7 +105,7 @@ void double_properties(Suite& t) {
             {.number_type = "double"}, [] {
               const Session& session = Session::get();
               std::mt19937_64 random(session.seed() + D);
-              const long cases = static_cast<long>(40000 * session.scale());
+              const long cases = session.cases_for(40000);
               long degenerate = 0, steps = 0, most_steps = 0;
               for (long c = 0; c < cases; ++c) {
                 const Shape shape = static_cast<Shape>(random() % gen::shape_count);
