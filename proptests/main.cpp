@@ -1,5 +1,6 @@
 // proptests: runs every property (or those of --only STEM) and ends with the verdict table.
 #include <boost/program_options.hpp>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -12,9 +13,10 @@ namespace {
 
 std::uint64_t parse_seed(const std::string& text) {
   if (text == "random") return std::random_device{}() * 0x100000001ull ^ std::random_device{}();
-  std::size_t end = 0;
-  const std::uint64_t seed = text.empty() || text[0] == '-' ? 0 : std::stoull(text, &end);
-  if (end == 0 || end != text.size()) throw std::invalid_argument("--seed takes a number or 'random', not '" + text + "'");
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw std::invalid_argument("--seed takes a number or 'random', not '" + text + "'");
   return seed;
 }
 
