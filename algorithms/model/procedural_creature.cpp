@@ -26,7 +26,7 @@ const Point3 scapula(0.09, 1.14, 0.28), shoulder(0.18, 0.93, 0.38), elbow(0.23, 
     front_ball(0.22, 0.06, 0.41), front_tip(0.23, 0.03, 0.59);
 
 const Point3 wing_root(0.11, 1.22, 0.20), wing_elbow(0.38, 1.50, 0.00), wing_wrist(0.70, 1.74, 0.24),
-    wing_palm(0.76, 1.76, 0.23), flank(0.10, 1.06, -0.25);
+    wing_palm(0.84, 1.78, 0.21), flank(0.10, 1.06, -0.25);
 const std::array<Point3, 3> finger_middle = {Point3(1.14, 1.78, 0.10), Point3(1.04, 1.60, -0.18),
                                              Point3(0.80, 1.50, -0.29)},
                             finger_tip = {Point3(1.52, 1.68, -0.10), Point3(1.26, 1.38, -0.60),
@@ -75,12 +75,13 @@ std::vector<Bone> bones_of_creature() {
 // The wings come first: what is carved out of their trailing edge must not cut into anything else.
 void add_wings(ImplicitBody& body) {
   Sides sides{body};
-  constexpr double half_thickness = 0.012, blend = 0.015;
+  constexpr double half_thickness = 0.013, blend = 0.015;
   for (int i = 0; i < 2; ++i) {  // between two fingers
     sides.add_membrane(wing_palm, finger_middle[i], finger_middle[i + 1], half_thickness, blend);
     sides.add_membrane(finger_middle[i], finger_tip[i], finger_middle[i + 1], half_thickness, blend);
     sides.add_membrane(finger_tip[i], finger_tip[i + 1], finger_middle[i + 1], half_thickness, blend);
   }
+  sides.add_membrane(wing_elbow, wing_wrist, wing_palm, half_thickness, blend);
   sides.add_membrane(wing_palm, finger_middle[2], wing_elbow, half_thickness, blend);
   sides.add_membrane(wing_elbow, finger_middle[2], finger_tip[2], half_thickness, blend);
   sides.add_membrane(wing_elbow, finger_tip[2], flank, half_thickness, blend);
@@ -93,7 +94,7 @@ void add_wings(ImplicitBody& body) {
     const Point3 outward = -(inside - dot(inside, edge) * edge).normalized();
     const double half = norm(Point3(trailing[i] - middle));
     const Point3 center = middle + 1.05 * half * outward;
-    sides.carve_cone(center, 1.36 * half, center, 1.36 * half, 0.01);
+    sides.carve_cone(center, 1.31 * half, center, 1.31 * half, 0.01);
   }
   sides.add_cone(wing_root, 0.085, wing_elbow, 0.045, 0.05);
   sides.add_cone(wing_elbow, 0.045, wing_wrist, 0.034, 0.03);

@@ -48,7 +48,7 @@ bool folds_nothing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, Mesh
     if (a == except || b == except) continue;
     const Point3 before = twice_area_normal(old, place(mesh, a), place(mesh, b));
     const Point3 after = twice_area_normal(p, place(mesh, a), place(mesh, b));
-    if (dot(before, after) <= 0.3 * norm(before) * norm(after)) return false;
+    if (dot(before, after) <= 0.5 * norm(before) * norm(after)) return false;
   }
   return true;
 }
@@ -65,6 +65,16 @@ double worst_shape(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p) {
   double worst = 1;
   for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
     worst = std::min(worst, shape(p, place(mesh, mesh.target(mesh.next(h))), place(mesh, mesh.source(h))));
+  return worst;
+}
+
+// The smallest cosine between a direction and the normal of a triangle around v, with v at p.
+double worst_facing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, const Point3& direction) {
+  double worst = 1;
+  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+    const Point3 normal = twice_area_normal(p, place(mesh, mesh.target(mesh.next(h))), place(mesh, mesh.source(h)));
+    worst = std::min(worst, dot(normal, direction) / norm(normal));
+  }
   return worst;
 }
 
@@ -166,7 +176,10 @@ void relax(Mesh& mesh, Mesh::Vertex_index v, const ImplicitBody& body, const Siz
   if (std::any_of(normals.begin(), normals.end(), [&](const Point3& n) { return dot(n, normal) < steep; }))
     target += 0.3 * std::sqrt(area) * normal;
   const Point3 moved = body.project(target);
-  if (folds_nothing(mesh, v, moved) && worst_shape(mesh, v, moved) >= std::min(0.6, worst_shape(mesh, v, p)))
+  // Judged by the mean normal and not, as folds_nothing() does, by each triangle's own: what is folded must be free to
+  // unfold.
+  if (worst_facing(mesh, v, moved, normal) >= std::min(0.2, worst_facing(mesh, v, p, normal)) &&
+      worst_shape(mesh, v, moved) >= std::min(0.6, worst_shape(mesh, v, p)))
     move(mesh, v, moved);
 }
 

@@ -13,9 +13,9 @@ Quaternion<double> turn(const Point3& axis, double degrees) {
 }
 
 Posture posture(const std::vector<Joint>& joints, const Turns& turns, const Point3& offset) {
-  for (const auto& [name, q] : turns)
-    if (std::none_of(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == name; }))
-      throw ModelError("generated motion", "joint " + name, "no such joint");
+  for (const auto& turned : turns)
+    if (std::none_of(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == turned.first; }))
+      throw ModelError("generated motion", "joint " + turned.first, "no such joint");
   Posture c;
   for (const Joint& joint : joints) {
     RigidTransform<double> local;
