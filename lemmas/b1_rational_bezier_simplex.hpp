@@ -1,0 +1,219 @@
+// Beyond the paper: blend skinning is a rational Bezier simplex in the weights.
+//
+// Statement. Let the corners k = 1 ... m of a simplex of weights carry what is linear in the weights, and let u have the
+// sum 1. A sum over I = (j <= k <= l) takes each multi-index once, with the Bernstein polynomial B_I(u): the product of
+// u_j, u_k, u_l times the number of orderings of I. The deformed point is v'(u) = sum_I B_I(u) N_I / sum_I B_I(u) W_I, with
+// - degree 1, linear blending, p_k the images of the point: W_k = 1, N_k = p_k;
+// - degree 2, dual quaternions q_k + eps d_k, v' = (Im(q p q*) + 2 Im(d q*)) / ||q||^2 of the blended q, d:
+//     W_kl = (q_k, q_l),  N_kl = P_kl + T_kl,  P_kl = Im(q_k p q_l* + q_l p q_k*) / 2,  T_kl = Im(d_k q_l* + d_l q_k*);
+// - degree 3, spherical blending, Equation (1) of the paper: v' = Im(q x q*) / ||q||^2 + r', x = p - r_c:
+//     W_jkl = (W_jk + W_kl + W_jl) / 3,  N_jkl = (P_jk + P_kl + P_jl) / 3 + (r'_j W_kl + r'_k W_jl + r'_l W_jk) / 3.
+// The denominators are 1, ||q(u)||^2 and ||q(u)||^2: where the blend is not 0, v'(u) is what the skinning makes.
+//
+// Goes beyond: section 4.3, which bounds the rotation and section 4.2, which bounds the linear part, apart from each other.
+// Notation: q'_k -> rotations[k], r'_k -> center_images[k], u -> u, I -> ControlPoint::index, N_I, W_I -> numerator, weight.
+//
+// Proof. Both sides are homogeneous polynomials of the degree in u (1 = sum u raises a degree), and the N_I, W_I are the
+// coefficients of their symmetric multilinear forms. Such polynomials are equal if they agree at the points of W_m whose
+// coordinates are multiples of 1 / degree: so finitely many exact comparisons decide the statement for all u at once.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lemmas/vocabulary/quaternion.hpp"
+#include "lemmas/vocabulary/weights.hpp"
+
+namespace refitlab {
+
+// N and D of a deformed point N / D.
+template <class S>
+struct ScaledPoint {
+  Vec<S, 3> numerator;
+  S denominator;
+};
+
+// N_I / W_I for the corners of a sorted multi-index I.
+template <class S>
+struct ControlPoint {
+  std::vector<std::size_t> index;
+  Vec<S, 3> numerator;
+  S weight;
+};
+
+// P_kl = Im(a x b* + b x a*) / 2.
+template <class S>
+Vec<S, 3> mixed_rotation(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
+  const Quaternion<S> pure(S(0), x[0], x[1], x[2]);
+  const Quaternion<S> sum = multiply(multiply(a, pure), conjugate(b)) + multiply(multiply(b, pure), conjugate(a));
+  return imaginary(sum) / S(2);
+}
+
+// --- The three kinds of blending: their value at u, and their control points ---
+
+template <class S>
+struct LinearBlend {
+  using Number = S;
+  static constexpr int degree = 1;
+  std::vector<Vec<S, 3>> images;  // p_k
+
+  std::size_t corner_count() const { return images.size(); }
+  ScaledPoint<S> at(std::span<const S> u) const { return {combine<S, 3>(u, images), S(1)}; }
+  ControlPoint<S> control_point(const std::vector<std::size_t>& index) const { return {index, images[index[0]], S(1)}; }
+};
+
+template <class S>
+struct DualQuaternionBlend {
+  using Number = S;
+  static constexpr int degree = 2;
+  std::vector<Quaternion<S>> rotations, duals;  // q_k and d_k = t_k q_k / 2 for a rotation q_k and then a translation t_k
+  Vec<S, 3> point;
+
+  std::size_t corner_count() const { return rotations.size(); }
+  ScaledPoint<S> at(std::span<const S> u) const {
+    const Quaternion<S> q = combine<S, 4>(u, rotations), d = combine<S, 4>(u, duals);
+    return {rotate_scaled(q, point) + imaginary(multiply(d, conjugate(q))) * S(2), squared_norm(q)};
+  }
+  ControlPoint<S> control_point(const std::vector<std::size_t>& index) const {
+    const std::size_t k = index[0], l = index[1];
+    const Vec<S, 3> moved = imaginary(multiply(duals[k], conjugate(rotations[l]))) +
+                            imaginary(multiply(duals[l], conjugate(rotations[k])));
+    return {index, mixed_rotation(rotations[k], rotations[l], point) + moved, dot(rotations[k], rotations[l])};
+  }
+};
+
+template <class S>
+struct SphericalBlend {
+  using Number = S;
+  static constexpr int degree = 3;
+  std::vector<Quaternion<S>> rotations;  // q'_k
+  std::vector<Vec<S, 3>> center_images;  // r'_k
+  Vec<S, 3> x;                           // p - r_c
+
+  std::size_t corner_count() const { return rotations.size(); }
+  ScaledPoint<S> at(std::span<const S> u) const {
+    const Quaternion<S> q = combine<S, 4>(u, rotations);
+    const S length = squared_norm(q);
+    return {rotate_scaled(q, x) + combine<S, 3>(u, center_images) * length, length};
+  }
+  ControlPoint<S> control_point(const std::vector<std::size_t>& index) const {
+    const std::size_t j = index[0], k = index[1], l = index[2];
+    const auto& q = rotations;
+    const S w_jk = dot(q[j], q[k]), w_kl = dot(q[k], q[l]), w_jl = dot(q[j], q[l]);
+    const Vec<S, 3> turned = mixed_rotation(q[j], q[k], x) + mixed_rotation(q[k], q[l], x) + mixed_rotation(q[j], q[l], x);
+    const Vec<S, 3> moved = center_images[j] * w_kl + center_images[k] * w_jl + center_images[l] * w_jk;
+    return {index, (turned + moved) / S(3), (w_jk + w_kl + w_jl) / S(3)};
+  }
+};
+
+// --- Multi-indices and Bernstein polynomials ---
+
+// Calls visit(index) for each sorted list of `degree` corners out of m, extending the given one.
+template <class Visit>
+void for_each_index(std::size_t m, int degree, Visit&& visit, std::vector<std::size_t> index = {}) {
+  if (static_cast<int>(index.size()) == degree) return visit(index);
+  for (std::size_t k = index.empty() ? 0 : index.back(); k < m; ++k) {
+    index.push_back(k);
+    for_each_index(m, degree, visit, index);
+    index.pop_back();
+  }
+}
+
+// B_I(u).
+template <class S>
+S bernstein(const std::vector<std::size_t>& index, std::span<const S> u) {
+  int orderings = 1, repeats = 0;
+  S product(1);
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    repeats = i > 0 && index[i] == index[i - 1] ? repeats + 1 : 1;
+    orderings = orderings * static_cast<int>(i + 1) / repeats;
+    product = product * u[index[i]];
+  }
+  return product * S(orderings);
+}
+
+// --- Hypotheses ---
+
+template <class S>
+Verdict bezier_simplex_hypotheses(std::span<const S> u) {
+  S sum(0);
+  for (const S& x : u) sum = sum + x;
+  return equal(sum, S(1));
+}
+
+// For the deformed point itself: the blend is not 0.
+template <class Blend, class S = typename Blend::Number>
+Verdict blend_has_image(const Blend& blend, std::span<const S> u) {
+  return less(S(0), blend.at(u).denominator);
+}
+
+// v' is what the skinning makes: D v' = N. Where the blend is 0 this holds for every v'.
+template <class Blend, class S = typename Blend::Number>
+Verdict is_blended_image(const Blend& blend, std::span<const S> u, const Vec<S, 3>& image) {
+  const ScaledPoint<S> at = blend.at(u);
+  Verdict v = Verdict::holds;
+  for (int i = 0; i < 3; ++i) v &= equal(S(at.denominator * image[i]), at.numerator[i]);
+  return v;
+}
+
+// --- Witness and its check ---
+
+// sum_I B_I(u) N_I and sum_I B_I(u) W_I.
+template <class S>
+ScaledPoint<S> evaluate(const std::vector<ControlPoint<S>>& points, std::span<const S> u) {
+  ScaledPoint<S> sum{Vec<S, 3>::Constant(S(0)), S(0)};
+  for (const auto& p : points) {
+    const S b = bernstein<S>(p.index, u);
+    sum.numerator = sum.numerator + p.numerator * b;
+    sum.denominator = sum.denominator + p.weight * b;
+  }
+  return sum;
+}
+
+template <class Blend, class S = typename Blend::Number>
+Verdict agrees_at(const Blend& blend, const std::vector<ControlPoint<S>>& points, std::span<const S> u) {
+  const ScaledPoint<S> sum = evaluate<S>(points, u), at = blend.at(u);
+  Verdict v = equal(sum.denominator, at.denominator);
+  for (int i = 0; i < 3; ++i) v &= equal(sum.numerator[i], at.numerator[i]);
+  return v;
+}
+
+// Numerator and denominator agree for every u of sum 1.
+template <class Blend, class S = typename Blend::Number>
+Verdict is_bezier_simplex(const Blend& blend, const std::vector<ControlPoint<S>>& points) {
+  Verdict v = Verdict::holds;
+  for_each_index(blend.corner_count(), Blend::degree, [&](const std::vector<std::size_t>& index) {
+    std::vector<S> u(blend.corner_count(), S(0));
+    for (const std::size_t k : index) u[k] = u[k] + S(1) / S(Blend::degree);
+    v &= agrees_at<Blend, S>(blend, points, u);
+  });
+  return v;
+}
+
+// --- Conclusion ---
+
+template <class Blend, class S = typename Blend::Number>
+std::vector<ControlPoint<S>> control_points(const Blend& blend) {
+  std::vector<ControlPoint<S>> points;
+  for_each_index(blend.corner_count(), Blend::degree,
+                 [&](const std::vector<std::size_t>& index) { points.push_back(blend.control_point(index)); });
+  return points;
+}
+
+template <class S>
+struct BezierSimplex {
+  Verdict verdict;  // of the statement at u
+  std::vector<ControlPoint<S>> points;
+};
+
+template <class Blend, class S = typename Blend::Number>
+BezierSimplex<S> bezier_simplex(const Blend& blend, std::span<const S> u) {
+  auto points = control_points(blend);
+  const Verdict v = agrees_at<Blend, S>(blend, points, u);
+  return {v, std::move(points)};
+}
+
+}  // namespace refitlab
+
+// Sources: rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"]; dual quaternion skinning [Kavan et al. 2008].
+// Used by: b2_control_hull_encloses, b3_subdivision, b5_rotation_axis; algorithms/refit.

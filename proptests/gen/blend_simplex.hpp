@@ -1,0 +1,29 @@
+// Simplices of blends in exact rationals: what is linear in the weights at each corner, with weights, made to be awkward.
+#pragma once
+
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "proptests/gen/quaternion.hpp"
+#include "proptests/gen/weights.hpp"
+
+namespace proptests::gen {
+
+enum class Spread {
+  any,       // also equal and opposite corners, corners that are 0, right angles
+  positive   // all (q'_k, q'_l) > 0
+};
+
+struct BlendCase {
+  refitlab::SphericalBlend<Rational> blend;
+  std::vector<Rational> weights;  // u of W_m
+  bool is_degenerate() const;     // one corner, equal corners, a right angle, a corner that is 0, x = 0
+};
+
+// 1 to most corners of any length (blends of unit quaternions).
+rc::Gen<BlendCase> blend_case(Spread spread, int most);
+
+// Weights of sum 1 with any signs.
+rc::Gen<std::vector<Rational>> affine_weights(int n);
+
+void showValue(const BlendCase& c, std::ostream& out);
+
+}  // namespace proptests::gen

@@ -1,0 +1,135 @@
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+
+#include "proptests/counterexamples/b1_rational_bezier_simplex.hpp"
+#include "proptests/gen/blend_simplex.hpp"
+#include "proptests/gen/rigid.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/number_types.hpp"
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::RationalVec;
+using Weights = std::vector<Rational>;
+using Transforms = std::vector<RigidTransform<Rational>>;
+
+Quaternion<Rational> dual_part(const RigidTransform<Rational>& c) {
+  const auto& t = c.translation;
+  return multiply(Quaternion<Rational>(0, t[0], t[1], t[2]), c.rotation) / Rational(2);
+}
+
+// The corners of the whole simplex of weights: the joints themselves.
+SphericalBlend<Rational> spherical_of(const Transforms& joints, const RationalVec<3>& center, const RationalVec<3>& v) {
+  SphericalBlend<Rational> blend{{}, {}, v - center};
+  for (const auto& c : joints) blend.rotations.push_back(c.rotation), blend.center_images.push_back(apply(c, center));
+  return blend;
+}
+DualQuaternionBlend<Rational> dual_of(const Transforms& joints, const RationalVec<3>& v) {
+  DualQuaternionBlend<Rational> blend{{}, {}, v};
+  for (const auto& c : joints) blend.rotations.push_back(c.rotation), blend.duals.push_back(dual_part(c));
+  return blend;
+}
+LinearBlend<Rational> linear_of(const Transforms& joints, const RationalVec<3>& v) {
+  LinearBlend<Rational> blend;
+  for (const auto& c : joints) blend.images.push_back(apply(c, v));
+  return blend;
+}
+
+// Dual quaternion skinning as in Kavan et al. 2008, Algorithm 1: v + 2 d x (d x v + a v) + 2 (a e - b d + d x e) for the
+// normalised blend (a, d) + eps (b, e).
+RationalVec<3> dual_quaternion_skinning(const Transforms& joints, const Weights& w, const RationalVec<3>& v) {
+  Quaternion<Rational> q(0, 0, 0, 0), e(0, 0, 0, 0);
+  for (std::size_t i = 0; i < w.size(); ++i) q += joints[i].rotation * w[i], e += dual_part(joints[i]) * w[i];
+  const RationalVec<3> d(q[1], q[2], q[3]), moved(e[1], e[2], e[3]);
+  const RationalVec<3> inner = d.cross(v) + v * q[0];
+  const RationalVec<3> turned = d.cross(inner);
+  const RationalVec<3> shift = moved * q[0] - d * e[0] + d.cross(moved);
+  const Rational scale = Rational(2) / squared_norm(q);
+  return v + (turned + shift) * scale;
+}
+
+template <class Blend>
+void assert_simplex(const Blend& blend, const Weights& u) {
+  RC_ASSERT(bezier_simplex_hypotheses<Rational>(u) == Verdict::holds);
+  const auto simplex = bezier_simplex(blend, std::span<const Rational>(u));
+  RC_ASSERT(simplex.verdict == Verdict::holds);
+  RC_ASSERT(is_bezier_simplex(blend, simplex.points) == Verdict::holds);
+}
+
+template <class Blend>
+void assert_rejected(const Blend& blend) {
+  auto points = control_points(blend);
+  auto& p = points[*rc::gen::inRange<std::size_t>(0, points.size())];
+  const Rational amount = *gen::positive_rational();
+  if (*rc::gen::arbitrary<bool>())
+    p.numerator[*rc::gen::inRange(0, 3)] += amount;
+  else
+    p.weight -= amount;
+  RC_ASSERT(is_bezier_simplex(blend, points) == Verdict::fails);
+}
+
+PROPTEST(b1_rational_bezier_simplex) {
+  const Options exact{.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2};
+  t.holds("spherical blending is a rational Bezier simplex of degree 3 in the weights", exact, [] {
+    const auto c = *gen::blend_case(gen::Spread::any, 4);
+    RC_CLASSIFY(c.is_degenerate(), "degenerate");
+    assert_simplex(c.blend, c.weights);
+    assert_simplex(c.blend, *gen::affine_weights(static_cast<int>(c.weights.size())));
+  });
+  t.holds("dual quaternion blending is one of degree 2, linear blending one of degree 1", exact, [] {
+    const auto c = *gen::blend_case(gen::Spread::any, 4);
+    RC_CLASSIFY(c.is_degenerate(), "degenerate");
+    const auto duals = *rc::gen::container<std::vector<gen::RationalQuaternion>>(
+        c.weights.size(), gen::nonzero_quaternion());
+    assert_simplex(DualQuaternionBlend<Rational>{c.blend.rotations, duals, c.blend.x}, c.weights);
+    assert_simplex(LinearBlend<Rational>{c.blend.center_images}, c.weights);
+  });
+  t.holds("over the joints of a skin the simplices are what the skinnings make of a vertex", exact, [] {
+    const Transforms joints = *gen::rigid_transforms(1, 4);
+    const auto v = *gen::rational_vector<3>(), center = *gen::rational_vector<3>();
+    const Weights w = *gen::convex_weights(static_cast<int>(joints.size()));
+    RC_CLASSIFY(joints.size() == 1 || v == center || joints[0].rotation == joints.back().rotation, "degenerate");
+    const std::span<const Rational> u(w);
+    RC_ASSERT(is_blended_image(linear_of(joints, v), u, oracle::linear(joints, w, v)) == Verdict::holds);
+    const auto spherical = spherical_of(joints, center, v);
+    if (blend_has_image(spherical, u) != Verdict::holds) return;
+    RC_ASSERT(is_blended_image(spherical, u, oracle::spherical(joints, w, center, v)) == Verdict::holds);
+    RC_ASSERT(is_blended_image(dual_of(joints, v), u, dual_quaternion_skinning(joints, w, v)) == Verdict::holds);
+  });
+
+  t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
+    const auto c = *gen::blend_case(gen::Spread::any, 3);
+    auto wrong = c.weights;
+    wrong[0] += *gen::rational();
+    const auto statement = []<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Vec<S, 3>>& r,
+                                       const Vec<S, 3>& x, const std::vector<S>& u) {
+      return bezier_simplex(SphericalBlend<S>{q, r, x}, std::span<const S>(u)).verdict;
+    };
+    for (const auto& u : {c.weights, wrong})
+      decide_by_all(statement, c.blend.rotations, c.blend.center_images, c.blend.x, u);
+  });
+
+  t.holds("a mutated control point is rejected", {.number_type = "rational", .cases = 400}, [] {
+    const auto c = *gen::blend_case(gen::Spread::any, 4);
+    assert_rejected(c.blend);
+    assert_rejected(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x});
+    assert_rejected(LinearBlend<Rational>{c.blend.center_images});
+  });
+
+  t.example("with weights that do not sum to 1 the parts are scaled apart",
+            {.form = "beyond", .hypothesis = "the weights sum to 1"}, [] {
+              return bezier_simplex_hypotheses<Rational>(b1::twice) == Verdict::fails &&
+                     bezier_simplex(b1::moved, std::span<const Rational>(b1::twice)).verdict == Verdict::fails;
+            });
+  t.example("where the blend is 0 every point is an image", {.form = "beyond", .hypothesis = "the blend is not 0"}, [] {
+    const std::span<const Rational> u(b1::halves);
+    return blend_has_image(b1::cancelling, u) == Verdict::fails &&
+           is_blended_image(b1::cancelling, u, b1::here) == Verdict::holds &&
+           is_blended_image(b1::cancelling, u, b1::elsewhere) == Verdict::holds;
+  });
+}
+
+}  // namespace
+}  // namespace proptests

@@ -1,0 +1,127 @@
+#include "lemmas/b2_control_hull_encloses.hpp"
+
+#include "proptests/counterexamples/b2_control_hull_encloses.hpp"
+#include "proptests/gen/blend_simplex.hpp"
+#include "proptests/gen/sphere_point.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/number_types.hpp"
+#include "proptests/oracles/upper_root.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::RationalVec;
+using Weights = std::vector<Rational>;
+
+template <class Blend>
+void assert_in_hull(const Blend& blend, const Weights& w) {
+  const std::span<const Rational> u(w);
+  RC_ASSERT(control_hull_hypotheses(control_points(blend), u) == Verdict::holds);
+  const auto found = image_in_control_hull(blend, u);
+  RC_ASSERT(found.verdict == Verdict::holds);
+  RC_ASSERT(is_blended_image(blend, u, found.image) == Verdict::holds);
+  RC_ASSERT((is_hull_point<Rational, 3>(positions(control_points(blend)), found.image, found.coefficients) ==
+             Verdict::holds));
+}
+
+// The ball about a center that touches the farthest of the balls.
+Ball3<Rational> ball_around(const RationalVec<3>& center, const std::vector<RationalVec<3>>& points, const Rational& radius) {
+  Rational farthest(0);
+  for (const auto& p : points) farthest = std::max(farthest, squared_distance(p, center));
+  return {center, upper_root(farthest) + radius};
+}
+
+PROPTEST(b2_control_hull_encloses) {
+  const Options exact{.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.15};
+  t.holds("with positive weights every blended point is a convex combination of the control points", exact, [] {
+    const auto c = *gen::blend_case(gen::Spread::positive, 4);
+    RC_CLASSIFY(c.is_degenerate(), "degenerate");
+    RC_ASSERT(pairs_are_positive(c.blend.rotations) == Verdict::holds);
+    assert_in_hull(c.blend, c.weights);
+    const auto duals = *rc::gen::container<std::vector<gen::RationalQuaternion>>(
+        c.weights.size(), gen::nonzero_quaternion());
+    assert_in_hull(DualQuaternionBlend<Rational>{c.blend.rotations, duals, c.blend.x}, c.weights);
+    assert_in_hull(LinearBlend<Rational>{c.blend.center_images}, c.weights);
+  });
+  t.holds("it is the weights of the control points that count, not the pairs",
+          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.1}, [] {
+            const auto c = *gen::blend_case(gen::Spread::any, 3);
+            RC_PRE(control_weights_are_positive(control_points(c.blend)) == Verdict::holds);
+            RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            RC_CLASSIFY(pairs_are_positive(c.blend.rotations) == Verdict::fails, "a pair is not positive");
+            assert_in_hull(c.blend, c.weights);
+          });
+  t.holds("a ball around the control balls encloses the vertices of the reference ball", exact, [] {
+    const auto c = *gen::blend_case(gen::Spread::positive, 4);
+    const std::span<const Rational> u(c.weights);
+    const Rational radius = *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational());
+    RC_CLASSIFY(c.is_degenerate() || radius == 0, "degenerate");
+    const auto points = control_points(c.blend);
+    const auto ball = ball_around(*gen::rational_vector<3>(), positions(points), radius);
+    const RationalVec<3> offset = *gen::sphere_point<3>() * radius;
+    RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::holds);
+    RC_ASSERT(control_balls_enclose(c.blend, u, ball, radius, offset) == Verdict::holds);
+    const RationalVec<3> vertex = image_in_control_hull(c.blend, u).image + offset;
+    RC_ASSERT(encloses(ball, vertex) == Verdict::holds);
+  });
+
+  t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
+    const auto c = *gen::blend_case(gen::Spread::positive, 3);
+    const auto wrong = *gen::affine_weights(static_cast<int>(c.weights.size()));
+    const auto statement = []<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Vec<S, 3>>& r,
+                                       const Vec<S, 3>& x, const std::vector<S>& u) {
+      return image_in_control_hull(SphericalBlend<S>{q, r, x}, std::span<const S>(u)).verdict;
+    };
+    for (const auto& u : {c.weights, wrong}) {
+      if (blend_has_image(c.blend, std::span<const Rational>(u)) != Verdict::holds) continue;
+      decide_by_all(statement, c.blend.rotations, c.blend.center_images, c.blend.x, u);
+    }
+    decide_by_all([]<class S>(const std::vector<Quaternion<S>>& q) { return pairs_are_positive<S>(q); }, c.blend.rotations);
+  });
+
+  t.holds("mutated coefficients or a mutated image are rejected", {.number_type = "rational", .cases = 300}, [] {
+    const auto c = *gen::blend_case(gen::Spread::positive, 4);
+    const std::span<const Rational> u(c.weights);
+    const auto points = positions(control_points(c.blend));
+    const auto good = image_in_control_hull(c.blend, u);
+    auto coefficients = good.coefficients;
+    coefficients[*rc::gen::inRange<std::size_t>(0, coefficients.size())] += *gen::positive_rational();
+    RC_ASSERT((is_hull_point<Rational, 3>(points, good.image, coefficients) == Verdict::fails));
+    const RationalVec<3> moved = good.image + *gen::nonzero_vector<3>();
+    RC_ASSERT((is_hull_point<Rational, 3>(points, moved, good.coefficients) == Verdict::fails));
+    RC_ASSERT(is_blended_image(c.blend, u, moved) == Verdict::fails);
+  });
+
+  t.example("with a negative weight the image is outside the hull",
+            {.form = "beyond", .hypothesis = "all W_I are positive"}, [] {
+              const std::span<const Rational> u(b2::halves);
+              const auto points = control_points(b2::far_apart);
+              const auto found = image_in_control_hull(b2::far_apart, u);
+              return control_weights_are_positive(points) == Verdict::fails && found.verdict == Verdict::fails &&
+                     separates<Rational, 3>(b2::upwards, found.image, positions(points)) == Verdict::holds;
+            });
+  t.example("weights beyond the corners make images outside the hull",
+            {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
+              const std::span<const Rational> u(b2::beyond_the_first);
+              const auto points = control_points(b2::near);
+              const auto found = image_in_control_hull(b2::near, u);
+              return control_weights_are_positive(points) == Verdict::holds && found.verdict == Verdict::fails &&
+                     separates<Rational, 3>(b2::downwards, found.image, positions(points)) == Verdict::holds;
+            });
+  t.example("a vertex outside the reference ball may leave the ball around the control balls",
+            {.form = "beyond", .hypothesis = "||y|| <= r"}, [] {
+              const RationalVec<3> vertex =
+                  image_in_control_hull(b2::resting, std::span<const Rational>(b2::all)).image + b2::too_long;
+              return encloses_control_balls<Rational>(b2::unit_ball, control_points(b2::resting), 1) == Verdict::holds &&
+                     encloses(b2::unit_ball, vertex) == Verdict::fails;
+            });
+  t.example("degree 3 reaches beyond half a turn, where a pair is negative", {.form = "beyond"}, [] {
+    return pairs_are_positive(b2::beyond_half_a_turn.rotations) == Verdict::fails &&
+           control_weights_are_positive(control_points(b2::beyond_half_a_turn)) == Verdict::holds &&
+           image_in_control_hull(b2::beyond_half_a_turn, std::span<const Rational>(b2::halves)).verdict == Verdict::holds;
+  });
+}
+
+}  // namespace
+}  // namespace proptests
