@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int ubyte_component = 5121, ushort_component = 5123, uint_component = 5125, float_component = 5126;
+constexpr int ushort_component = 5123, uint_component = 5125, float_component = 5126;
 
 std::string read_bytes(const std::filesystem::path& path, const std::string& file, const std::string& thing) {
   std::ifstream in(path, std::ios::binary);
