@@ -1,18 +1,18 @@
 // Section 4.1, corners span W' (Equation 4).
 //
-// Statement. Weight bounds <l_i, h_i> cut W' = {w : l_i <= w_i <= h_i, sum w_i = 1} out of the plane of affine weights. Let
-// the list c_1 ... c_m hold points of W' only, and each point of W' that has at most one coordinate off its bounds. Then
-// every w of W' is a convex combination of the list, and every convex combination of the list is in W'.
-// W' is empty unless l_i <= h_i and sum l <= 1 <= sum h. It has at most n C(n-1, floor((n-1)/2)) corners.
+// Statement. Weight bounds <l_i, h_i> cut W' = {w : l_i <= w_i <= h_i, sum w_i = 1} out of the plane of affine weights.
+// Let the list c_1 ... c_m hold points of W' only, and each point of W' that has at most one coordinate off its bounds.
+// Then every w of W' is a convex combination of the list, and every convex combination of the list is in W'. W' is
+// empty unless l_i <= h_i and sum l <= 1 <= sum h. It has at most n C(n-1, floor((n-1)/2)) corners.
 //
 // Paper: section 4.1, from [Matousek 2002] without a construction; the number of corners is not bounded there.
 // Notation: n -> bounds.low.size(), l_i, h_i -> bounds.low[i], bounds.high[i], c_k -> corners[k], u -> coefficients.
 //
-// Proof. From w walk away from a corner v of the smallest face of W' that holds w, until a bound stops the walk at w': then
-// w lies between v and w', and w' is in a smaller face. After at most n - 1 walks a corner is left. For the number: scale
-// the box to the unit cube and walk along its edges from all-low to all-high. The sum rises, so each of the n! shortest
-// walks passes one corner. A corner on an edge with k coordinates high lies on k! (n-1-k)! of them, a corner at a vertex
-// on more, and k! (n-1-k)! is least at k = floor((n-1)/2).
+// Proof. From w walk away from a corner v of the smallest face of W' that holds w, until a bound stops the walk at w':
+// then w lies between v and w', and w' is in a smaller face. After at most n - 1 walks a corner is left. For the
+// number: scale the box to the unit cube and walk along its edges from all-low to all-high. The sum rises, so each of
+// the n! shortest walks passes one corner. A corner on an edge with k coordinates high lies on k! (n-1-k)! of them, a
+// corner at a vertex on more, and k! (n-1-k)! is least at k = floor((n-1)/2).
 #pragma once
 
 #include <optional>
@@ -82,7 +82,8 @@ Verdict corners_are_proper(const WeightBounds<S>& bounds, const Corners<S>& corn
   Verdict v = corners_are_admissible(bounds, corners);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     Verdict tight = Verdict::fails;
-    for_each_corner_candidate(bounds, [&](const std::vector<S>& candidate) { tight |= same_weights(corners[k], candidate); });
+    for_each_corner_candidate(bounds,
+                              [&](const std::vector<S>& candidate) { tight |= same_weights(corners[k], candidate); });
     v &= tight;
     for (std::size_t l = 0; l < k; ++l) v &= !same_weights(corners[k], corners[l]);
   }
@@ -97,7 +98,8 @@ Verdict is_corner_combination(const Corners<S>& corners, const std::vector<S>& w
   Verdict v = verdict_of(coefficients.size() == corners.size()) & is_convex<S>(coefficients);
   for (std::size_t i = 0; i < w.size(); ++i) {
     S sum(0);
-    for (std::size_t k = 0; k < corners.size() && k < coefficients.size(); ++k) sum = sum + coefficients[k] * corners[k][i];
+    for (std::size_t k = 0; k < corners.size() && k < coefficients.size(); ++k)
+      sum = sum + coefficients[k] * corners[k][i];
     v &= equal(sum, w[i]);
   }
   return v;
@@ -198,7 +200,7 @@ constexpr std::size_t most_corners(std::size_t n) {
 }
 
 // --- Erratum: W' may be empty ---
-// The paper gives W' a hull of m points for any bounds. Bounds taken from vertices are never empty; arbitrary ones may be.
+// The paper gives W' a hull of m points for any bounds. It is never empty for bounds taken from vertices.
 
 // A corner of W', which shows that there is one.
 template <class S>
@@ -245,6 +247,6 @@ Verdict corners_exist_repaired(const WeightBounds<S>& bounds) {
 
 }  // namespace refitlab
 
-// Sources: Matousek, Lectures on Discrete Geometry, 2002 (bounded H-polytopes are V-polytopes); O'Neil, Hyperplane cuts of
-// an n-cube, Discrete Mathematics 1, 1971 (the number of edges cut).
+// Sources: Matousek, Lectures on Discrete Geometry, 2002 (bounded H-polytopes are V-polytopes); O'Neil, Hyperplane cuts
+// of an n-cube, Discrete Mathematics 1, 1971 (the number of edges cut).
 // Used by: s42_linear_part_hull, s44_joint_sets; algorithms/weights/corners.hpp enumerates the corners.

@@ -1,14 +1,14 @@
 // Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the corners.
 //
-// Statement. Let W' be the hull of the corners c_1 ... c_m (s41_corners_span) and let r_1 ... r_n be points of R^d. With
-// r'_k = sum_i c_ki r_i, {sum_i w_i r_i : w in W'} = CH(r'_1, ..., r'_m). Any d: the paper uses it for the images
+// Statement. Let W' be the hull of the corners c_1 ... c_m (s41_corners_span) and let r_1 ... r_n be points of R^d.
+// With r'_k = sum_i c_ki r_i, {sum_i w_i r_i : w in W'} = CH(r'_1, ..., r'_m). Any d: the paper uses it for the images
 // C_{j_i} r_c of the rotation center (d = 3, Equation 5) and for the quaternions q_i (d = 4, section 4.3).
 //
 // Paper: section 4.2 and, for quaternions, section 4.3. It holds as printed.
 // Notation: C_{j_i} r_c or q_i -> points[i], c_ki -> corners[k][i], r'_k or q'_k -> images[k], u -> coefficients.
 //
-// Proof. Swap the sums: sum_i (sum_k u_k c_ki) r_i = sum_k u_k r'_k. So the coefficients that take the corners to w take
-// the images to the blend, and the other way round.
+// Proof. Swap the sums: sum_i (sum_k u_k c_ki) r_i = sum_k u_k r'_k. So the coefficients that take the corners to w
+// take the images to the blend, and the other way round.
 #pragma once
 
 #include <span>

@@ -1,9 +1,10 @@
-// Section 4.3, the range of the distance: d_H = (1 + ||c||^2 - r^2) / (2 ||c||) is in [0, 1], so that arccos d_H exists.
+// Section 4.3, the range of the distance: d_H = (1 + ||c||^2 - r^2) / (2 ||c||) is in [0, 1], and arccos d_H exists.
 //
 // Statement. Let E = [c, r] be a ball of R^d with c != 0. If | ||c|| - 1 | <= r and r^2 <= 1 + ||c||^2, then d_H is in
 // [0, 1]. The first holds as soon as E holds one unit vector; the second as soon as r <= 1.
 //
-// Paper: section 4.3, after Equation 6. Notation: c_E -> center, r_E -> radius, d_H -> scaled_distance / (2 ||center||).
+// Paper: section 4.3, after Equation 6.
+// Notation: c_E -> center, r_E -> radius, d_H -> scaled_distance / (2 ||center||).
 //
 // Proof. 0 <= d_H is the second condition. With N = 1 + ||c||^2 - r^2 = 2 ||c|| d_H,
 //   4 ||c||^2 - N^2 = ((1 + r)^2 - ||c||^2) (||c||^2 - (1 - r)^2),
@@ -70,7 +71,8 @@ Verdict distance_range_hypotheses_by_point(const Vec<S, D>& center, const S& squ
 template <class S>
 struct DistanceRange {
   Verdict verdict;
-  S from_outside, from_inside;  // (1 + r)^2 - ||c||^2 and ||c||^2 - (1 - r)^2, both >= 0; their product is 4||c||^2 - N^2
+  S from_outside;  // (1 + r)^2 - ||c||^2 >= 0
+  S from_inside;   // ||c||^2 - (1 - r)^2 >= 0; the product of both is 4 ||c||^2 - N^2
 };
 
 template <class S, int D>

@@ -6,8 +6,8 @@
 // Paper: section 4.3, first equation. It holds as printed, for blends that are not 0.
 // Notation: S = [p, r] -> ball, r_c -> pivot, q(w) -> blend, Q_w x -> the x' with ||q||^2 x' = Im(q x q*).
 //
-// The relation ||q||^2 x' = Im(q x q*) is used in place of the quotient, so that a rational q of any length gives an exact
-// statement, and so that a zero blend shows up as what it is: a relation that holds for every x'.
+// The relation ||q||^2 x' = Im(q x q*) is used in place of the quotient, so that a rational q of any length gives an
+// exact statement, and so that a zero blend shows up as what it is: a relation that holds for every x'.
 #pragma once
 
 #include "lemmas/vocabulary/quaternion.hpp"

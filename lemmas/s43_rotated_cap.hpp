@@ -2,14 +2,14 @@
 //
 // Statement. For non-zero quaternions p, q with the angle arccos c between them, and any v of R^3,
 //   (R_p v, R_q v) >= ||v||^2 (2 c^2 - 1).
-// So if C is the cap of S_3 with apex a and angle alpha <= pi/2, then {R_q v : q in C} is inside the cap of R^3 with apex
-// R_a v and angle 2 alpha; and it is all of that cap. For alpha > pi/2 the set is the whole sphere of radius ||v||.
+// So if C is the cap of S_3 with apex a and angle alpha <= pi/2, then {R_q v : q in C} is inside the cap of R^3 with
+// apex R_a v and angle 2 alpha; and it is all of that cap. For alpha > pi/2 it is all of the sphere of radius ||v||.
 //
 // Paper: section 4.3, after Figure 2: "an arbitrary axis and angle within <0, 2 alpha_C>", without a proof.
 // Notation: a_C -> apex, cos alpha_C -> cos_angle, p - r_c -> v, cos of the angle in R^3 -> rotated_cap_cosine.
 //
-// Proof. With s = p* q the difference of both sides, times ||p||^2 ||q||^2, is 2 (Im s, v)^2. Filled: the shortest rotation
-// s from R_a v to x turns by the angle between them, and s a is at half that angle from a.
+// Proof. With s = p* q the difference of both sides, times ||p||^2 ||q||^2, is 2 (Im s, v)^2. Filled: the shortest
+// rotation s from R_a v to x turns by the angle between them, and s a is at half that angle from a.
 #pragma once
 
 #include "lemmas/s43_minkowski_sum.hpp"
@@ -19,14 +19,14 @@ namespace refitlab {
 // --- The rotation bound ---
 
 template <class S>
-struct RotationBound {
+struct RotationSlack {
   Verdict verdict;
   S slack;       // ||p||^2 ||q||^2 times the left side minus the right
   S along_axis;  // (Im(p* q), v): the slack is twice its square
 };
 
 template <class S>
-RotationBound<S> rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& v) {
+RotationSlack<S> rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& v) {
   const S left = dot(rotate_scaled(p, v), rotate_scaled(q, v));
   const S right = squared_norm(v) * (S(2) * sq(dot(p, q)) - squared_norm(p) * squared_norm(q));
   return {less_equal(right, left), left - right, dot(imaginary(multiply(conjugate(p), q)), v)};
@@ -35,7 +35,7 @@ RotationBound<S> rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, 
 // The slack is what is claimed, and a square.
 template <class S>
 Verdict is_rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& v,
-                          const RotationBound<S>& witness) {
+                          const RotationSlack<S>& witness) {
   const Vec<S, 3> a = rotate_scaled(p, v), b = rotate_scaled(q, v);
   const S right = squared_norm(v) * (S(2) * sq(dot(p, q)) - squared_norm(p) * squared_norm(q));
   return equal(S(dot(a, b) - right), witness.slack) & equal(witness.slack, S(S(2) * sq(witness.along_axis)));
@@ -64,7 +64,8 @@ Verdict rotated_cap_hypotheses(const Quaternion<S>& apex, const S& cos_angle, co
 
 // x is on the sphere of v and within the rotated cap: what a rotation of the cap can make of v.
 template <class S>
-Verdict filled_cap_hypotheses(const Quaternion<S>& apex, const Vec<S, 3>& v, const Vec<S, 3>& x, const S& rotated_cosine) {
+Verdict filled_cap_hypotheses(const Quaternion<S>& apex, const Vec<S, 3>& v, const Vec<S, 3>& x,
+                              const S& rotated_cosine) {
   return less(S(0), squared_norm(apex)) & equal(squared_norm(x), squared_norm(v)) &
          within_angle<S, 3>(rotate_scaled(apex, v), x, rotated_cosine);
 }
@@ -101,7 +102,8 @@ Verdict is_rotated_pair(const Quaternion<S>& apex, const Quaternion<S>& q, const
 }
 
 template <class S>
-RotatedPair<S> rotated_cap(const Quaternion<S>& apex, const Quaternion<S>& q, const Vec<S, 3>& v, const S& rotated_cosine) {
+RotatedPair<S> rotated_cap(const Quaternion<S>& apex, const Quaternion<S>& q, const Vec<S, 3>& v,
+                           const S& rotated_cosine) {
   const Vec<S, 3> at_apex = rotate_by(apex, v), rotated = rotate_by(q, v);
   return {less_equal(S(squared_norm(v) * rotated_cosine), dot(at_apex, rotated)), at_apex, rotated};
 }

@@ -1,14 +1,14 @@
 // Section 4.3, when to fall back on the whole of S_3.
 //
-// Statement. Let n_1 ... n_m be unit vectors in the ball E = [c, r] of R^4, and N = 1 + ||c||^2 - r^2. If c != 0 and N > 0
-// then no convex combination b of the n_k is 0, and b / ||b|| is in the cap of S_3 with apex c / ||c|| and cosine
-// d_H = N / (2 ||c||) > 0; so R_b v is within the angle with cosine 2 d_H^2 - 1 of R_c v. If not, the cosine -1 (all of the
-// sphere) is a bound for the blends that are not 0.
+// Statement. Let n_1 ... n_m be unit vectors in the ball E = [c, r] of R^4, and let N = 1 + ||c||^2 - r^2. If N > 0,
+// then c is not 0, no convex combination b of the n_k is 0, and b / ||b|| is in the cap of S_3 with apex c / ||c|| and
+// cosine d_H = N / (2 ||c||) > 0; so R_b v is within the angle with cosine 2 d_H^2 - 1 of R_c v. If N <= 0, the cosine
+// -1 (all of the sphere) is a bound for the blends that are not 0.
 //
-// Paper: section 4.3, the paragraph before Equation 6; lines 12-15 of Algorithm 1. The radius may be known squared only.
+// Paper: section 4.3, the paragraph before Equation 6; lines 12-15 of Algorithm 1.
 // Notation: q''_k -> units[k], c_E -> center, r_E^2 -> squared_radius, N -> scaled_distance, u -> coefficients.
 //
-// Proof. ||n_k - c||^2 <= r^2 is (n_k, c) >= N / 2. So (b, c) >= N / 2 >= (N / 2) ||b||, as ||b|| <= 1.
+// Proof. ||n_k - c||^2 <= r^2 is (n_k, c) >= N / 2. So (b, c) >= N / 2 > 0, and N / 2 >= (N / 2) ||b||, as ||b|| <= 1.
 #pragma once
 
 #include <span>
@@ -29,7 +29,8 @@ Verdict units_in_ball(std::span<const Quaternion<S>> units, const Quaternion<S>&
   return v;
 }
 
-// The ball makes a cap of less than a half of S_3: r^2 < 1 + ||c||^2 and c != 0.
+// The ball makes a cap of less than a half of S_3: r^2 < 1 + ||c||^2. A ball of units then has c != 0; one of nothing
+// need not, and makes no cap.
 template <class S>
 Verdict ball_makes_cap(const Quaternion<S>& center, const S& squared_radius) {
   return less(S(0), squared_norm(center)) & less(S(0), scaled_distance(center, squared_radius));
@@ -82,8 +83,8 @@ Verdict fallback_is_needed_repaired(const Quaternion<S>& center, const S& square
   return !ball_makes_cap(center, squared_radius);
 }
 
-// Line 15 as printed, with no fallback: c_E != 0, |d_H| <= 1, and the radius sin(2 arccos d_H) ||u||, which has the sign of
-// d_H, is not negative.
+// Line 15 as printed, with no fallback: c_E != 0, |d_H| <= 1, and the radius sin(2 arccos d_H) ||u||, which has the
+// sign of d_H, is not negative.
 template <class S>
 Verdict line_15_makes_ball_printed(const Quaternion<S>& center, const S& squared_radius) {
   return distance_is_in_range(center, squared_radius);
@@ -103,8 +104,8 @@ RotatedVectorsCap<S> rotated_vectors_cap_repaired(const Quaternion<S>& center, c
   return {center, sq(scaled_distance(center, squared_radius)) / (S(2) * squared_norm(center)) - S(1)};
 }
 
-// Lines 13-15, repaired: cos alpha is in [-1, 1], so that sin alpha exists, and R_b v is in the cap. For blends that are
-// not 0.
+// Lines 13-15, repaired: cos alpha is in [-1, 1], so that sin alpha exists, and R_b v is in the cap. For blends that
+// are not 0.
 template <class S>
 Verdict rotated_blend_is_bounded(const RotatedVectorsCap<S>& cap, const Quaternion<S>& blend, const Vec<S, 3>& v) {
   return less_equal(S(-1), cap.cos_angle) & less_equal(cap.cos_angle, S(1)) &

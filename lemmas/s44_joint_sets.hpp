@@ -1,7 +1,7 @@
 // Section 4.4, several joint-sets: one ball of the balls of all joint-sets.
 //
 // Statement. Let S = [p, r] enclose vertices that belong to joint-sets z = 1 ... Z, each joint-set with its own joints,
-// rotation center and corners. A ball [g, R] that encloses the balls r'_{k,z} (+) F_z of every joint-set, as [g, R + r],
+// rotation center and corners. If a ball [g, R] encloses the balls r'_{k,z} (+) F_z of every joint-set, then [g, R + r]
 // encloses every deformed vertex of every joint-set. Here F_z is any ball that holds the turned p - r_c of joint-set z.
 //
 // Paper: section 4.4, second paragraph; lines 4-8 of Algorithm 1.
@@ -64,7 +64,8 @@ Verdict encloses_part(const Ball3<S>& ball, const SquaredBall<S, 3>& part) {
 }
 
 // --- Erratum: whose corners, whose rotation center ---
-// The input of Algorithm 1 has one list of corners and one rotation center, and its lines 6-8 use them for every joint-set.
+// The input of Algorithm 1 has one list of corners and one rotation center, and its lines 6-8 use them for every
+// joint-set.
 
 // Printed: the corners and the rotation center of the first joint-set serve all of them (which have as many joints).
 template <class S>
@@ -116,8 +117,8 @@ struct JointSetVertex {
   Vec<S, 3> linear, spherical, offset;  // the deformed vertex is their sum
 };
 
-// The three parts make the deformed vertex, the linear one is where the coefficients take the corner images, and the other
-// two are no longer than ||p - r_c|| and r.
+// The three parts make the deformed vertex, the linear one is where the coefficients take the corner images, and the
+// other two are no longer than ||p - r_c|| and r.
 template <class S>
 Verdict is_joint_set_vertex(const PosedJointSet<S>& set, const Ball3<S>& reference, std::span<const S> w,
                             const Vec<S, 3>& v, const std::vector<S>& coefficients, const JointSetVertex<S>& witness) {

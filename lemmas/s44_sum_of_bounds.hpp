@@ -1,15 +1,16 @@
 // Section 4.4, adding the bounds: the sum of the linear and the spherical part is in one ball of equal balls.
 //
-// Statement. Let the linear part be in CH(r'_1, ..., r'_m), the spherical part of the center in the ball F = [f, s], and
-// let a ball [g, R] enclose the m equal balls r'_k (+) F. Then every sum of the two parts and of an offset of at most r is
-// in [g, R + r]. Moreover CH(r'_1 (+) F, ..., r'_m (+) F) = CH(r'_1, ..., r'_m) (+) F, so nothing is lost but the shape.
-// A ball encloses [x, s] if and only if it encloses the point of [x, s] that is farthest from its center.
+// Statement. Let the linear part be in CH(r'_1, ..., r'_m), the spherical part of the center in the ball F = [f, s],
+// and let a ball [g, R] enclose the m equal balls r'_k (+) F. Then every sum of the two parts and of an offset of at
+// most r is in [g, R + r]. Moreover CH(r'_1 (+) F, ..., r'_m (+) F) = CH(r'_1, ..., r'_m) (+) F, so nothing is lost but
+// the shape. A ball encloses [x, s] if and only if it encloses the point of [x, s] that is farthest from its center.
 //
 // Paper: section 4.4, first paragraph; line 16 of Algorithm 1. It holds as printed.
 // Notation: r'_k -> linear[k], F -> spherical, r -> inflation, u -> coefficients, the result before line 16 -> ball.
 //
-// Proof. f + sum u_k r'_k is in [g, R - s], which is convex and holds all f + r'_k. The spherical part moves it by at most
-// s, the offset by at most r. For the equality: sum u_k (r'_k + f_k) = sum u_k r'_k + sum u_k f_k, and F is convex.
+// Proof. f + sum u_k r'_k is in [g, R - s], which is convex and holds all f + r'_k. The spherical part moves it by at
+// most s, the offset by at most r. For the equality: sum u_k (r'_k + f_k) = sum u_k r'_k + sum u_k f_k, and F is
+// convex.
 #pragma once
 
 #include <span>
@@ -66,7 +67,8 @@ struct SumSteps {
 };
 
 template <class S>
-Verdict is_sum_steps(const Ball3<S>& ball, const PartBounds<S>& bounds, const Vec<S, 3>& vertex, const SumSteps<S>& steps) {
+Verdict is_sum_steps(const Ball3<S>& ball, const PartBounds<S>& bounds, const Vec<S, 3>& vertex,
+                     const SumSteps<S>& steps) {
   const S slack = ball.radius - bounds.spherical.radius;
   Verdict v = less_equal(S(0), slack) & less_equal(squared_norm(steps.to_center), sq(slack)) &
               less_equal(squared_norm(steps.to_spherical), sq(bounds.spherical.radius)) &

@@ -2,15 +2,16 @@
 //
 // Statement. Let q_1 ... q_m and c be vectors of R^4 and kappa^2 a number, with (q_k, c) >= 0 and
 //   kappa^2 ||q_k||^2 ||c||^2 <= (q_k, c)^2 for all k.
-// Every convex combination b of the q_k has (b, c) >= 0 and kappa^2 ||b||^2 ||c||^2 <= (b, c)^2. So if b and c are not 0, R_b v
-// is within the angle with cosine 2 kappa^2 - 1 of R_c v. If all (q_k, c) > 0, then b is not 0.
-// The best kappa^2 for non-zero q_k and c is min_k (q_k, c)^2 / (||q_k||^2 ||c||^2): rational for rational data.
+// Every convex combination b of the q_k has (b, c) >= 0 and kappa^2 ||b||^2 ||c||^2 <= (b, c)^2. So if neither b nor c
+// is 0, R_b v is within the angle with cosine 2 kappa^2 - 1 of R_c v. If all (q_k, c) > 0, then b is not 0. The best
+// kappa^2 for non-zero q_k and c is min_k (q_k, c)^2 / (||q_k||^2 ||c||^2): rational for rational data.
 //
 // Replaces: Lemmas 2, 3, 4, Corollary 1, and the angle of Equation 6.
 // Notation: q'_k -> quaternions[k], c -> axis, u -> coefficients, kappa^2 -> squared_cosine.
 //
-// Proof. (b, c)^2 - kappa^2 ||c||^2 ||b||^2 = sum_kl u_k u_l G_kl with G_kl = (q_k, c)(q_l, c) - kappa^2 ||c||^2 (q_k, q_l).
-// Each G_kl >= 0, because (q_k, c) >= kappa ||c|| ||q_k||.
+// Proof. With G_kl = (q_k, c)(q_l, c) - kappa^2 ||c||^2 (q_k, q_l),
+//   (b, c)^2 - kappa^2 ||c||^2 ||b||^2 = sum_kl u_k u_l G_kl,
+// and each G_kl >= 0, because (q_k, c) >= kappa ||c|| ||q_k||.
 #pragma once
 
 #include <span>
@@ -24,7 +25,9 @@ namespace refitlab {
 // kappa^2 of non-zero quaternions and a non-zero axis: the best there is.
 template <class S>
 S squared_cap_cosine(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis) {
-  const auto ratio = [&](const Quaternion<S>& q) { return S(sq(dot(q, axis)) / (squared_norm(q) * squared_norm(axis))); };
+  const auto ratio = [&](const Quaternion<S>& q) {
+    return S(sq(dot(q, axis)) / (squared_norm(q) * squared_norm(axis)));
+  };
   S least = ratio(quaternions[0]);
   for (const auto& q : quaternions.subspan(1)) least = min_of(least, ratio(q));
   return least;
@@ -42,7 +45,8 @@ Verdict are_ahead(std::span<const Quaternion<S>> quaternions, const Quaternion<S
 
 // kappa^2 bounds the angle of each quaternion.
 template <class S>
-Verdict are_within_cosine(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis, const S& squared_cosine) {
+Verdict are_within_cosine(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis,
+                          const S& squared_cosine) {
   Verdict v = Verdict::holds;
   for (const auto& q : quaternions)
     v &= less_equal(S(squared_cosine * squared_norm(q) * squared_norm(axis)), sq(dot(q, axis)));
@@ -50,8 +54,8 @@ Verdict are_within_cosine(std::span<const Quaternion<S>> quaternions, const Quat
 }
 
 template <class S>
-Verdict one_cap_hypotheses(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis, const S& squared_cosine,
-                           std::span<const S> coefficients) {
+Verdict one_cap_hypotheses(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis,
+                           const S& squared_cosine, std::span<const S> coefficients) {
   return are_ahead(quaternions, axis) & are_within_cosine(quaternions, axis, squared_cosine) & is_convex(coefficients);
 }
 
@@ -98,7 +102,8 @@ OneCap<S> one_cap(std::span<const Quaternion<S>> quaternions, const Quaternion<S
   return {v, std::move(gram)};
 }
 
-// What it says in R^3, for a blend and an axis that are not 0: R_b v is within the angle with cosine 2 kappa^2 - 1 of R_c v.
+// What it says in R^3, for a blend and an axis that are not 0: R_b v is within the angle with cosine 2 kappa^2 - 1 of
+// R_c v.
 template <class S>
 RotatedPair<S> one_cap_rotated(const Quaternion<S>& blend, const Quaternion<S>& axis, const S& squared_cosine,
                                const Vec<S, 3>& v) {

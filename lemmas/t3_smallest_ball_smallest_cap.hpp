@@ -1,14 +1,15 @@
-// Beyond the paper: the smallest ball of points on the unit sphere gives the smallest cap, and is a nearest-point problem.
+// Beyond the paper: the smallest ball of points on the unit sphere gives the smallest cap, and is a nearest-point
+// problem.
 //
-// Statement. Let n_1 ... n_m be unit vectors of R^d with 0 outside their hull, and c the point of the hull nearest to 0. Then
-// the smallest ball that encloses the n_k has center c and squared radius 1 - ||c||^2; the smallest cap of the sphere that
-// holds them has apex c / ||c|| and cosine d_H = ||c|| = min_k (n_k, c) / ||c||.
+// Statement. Let n_1 ... n_m be unit vectors of R^d with 0 outside their hull, and c the point of the hull nearest to
+// 0. Then the smallest ball that encloses the n_k has center c and squared radius 1 - ||c||^2; the smallest cap of the
+// sphere that holds them has apex c / ||c|| and cosine d_H = ||c|| = min_k (n_k, c) / ||c||.
 //
 // Replaces: BOUNDINGSPHERE on line 11 of Algorithm 1, where the smallest cap is wanted.
 // Notation: q''_k -> units[k], c_E -> nearest point, u -> coefficients: c = sum_k u_k n_k.
 //
-// Proof. c is nearest if and only if (n_k, c) >= ||c||^2 for all k. Then ||n_k - c||^2 <= 1 - ||c||^2. For any other center g,
-// sum_k u_k ||n_k - g||^2 = 1 - ||c||^2 + ||g - c||^2, and for any unit a, min_k (n_k, a) <= (c, a) <= ||c||.
+// Proof. c is nearest if and only if (n_k, c) >= ||c||^2 for all k. Then ||n_k - c||^2 <= 1 - ||c||^2. For any other
+// center g, sum_k u_k ||n_k - g||^2 = 1 - ||c||^2 + ||g - c||^2, and for any unit a, min_k (n_k, a) <= (c, a) <= ||c||.
 #pragma once
 
 #include <span>
@@ -48,7 +49,8 @@ struct SmallestCap {
   S squared_distance;  // d_H^2 = ||c||^2
 };
 
-// It encloses; its support, the n_k with u_k > 0, is on its boundary; its center is a convex combination of the support.
+// It encloses; its support, the n_k with u_k > 0, is on its boundary; its center is a convex combination of the
+// support.
 template <class S, int D>
 Verdict is_smallest_ball(std::span<const Vec<S, D>> points, std::span<const S> coefficients, const Vec<S, D>& center,
                          const S& squared_radius) {

@@ -53,7 +53,7 @@ template <class S>
 Verdict less(const S& a, const S& b) {
   return NumberTraits<S>::less(a, b);
 }
-// An object, not a function: CGAL has an equal(Interval, Interval) of its own, which would be as good a match for its numbers.
+// An object, not a function: CGAL has an equal() of its own that would be as good a match for its numbers.
 inline constexpr auto equal = []<class S>(const S& a, const S& b) { return NumberTraits<S>::equal(a, b); };
 template <class S>
 bool prefer_less(const S& a, const S& b) {

@@ -31,8 +31,8 @@ inline const Weights only_the_first{1, 0, 0};
 // With a repeated corner there are more than n C(n-1, floor((n-1)/2)) = 2.
 inline const Corners<Q> repeated{{1, 0}, {0, 1}, {1, 0}};
 
-// Printed: any bounds have corners. These let no weights through: the low ones sum to 3/2, the high ones to 1/2, or a low one
-// is above its high one.
+// Printed: any bounds have corners. These let no weights through: the low ones sum to 3/2, the high ones to 1/2, or a
+// low one is above its high one.
 inline const WeightBounds<Q> low_too_high{{Q(3, 4), Q(3, 4)}, {1, 1}};
 inline const WeightBounds<Q> high_too_low{{0, 0}, {Q(1, 4), Q(1, 4)}};
 inline const WeightBounds<Q> crossed{{1, 0}, {0, 1}};

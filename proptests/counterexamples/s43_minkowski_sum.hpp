@@ -16,8 +16,8 @@ inline const Point pivot(0, 0, 0);
 inline const refitlab::Quaternion<Q> zero_blend(0, 0, 0, 0);
 inline const Point anywhere(2, 0, 0);
 
-// A box in place of the ball: turned about z by the angle of (2, 1), which has cosine 3/5, the corner (1, 1, 1) of [-1, 1]^3
-// leaves the box.
+// A box in place of the ball: turned about z by the angle with cosine 3/5, the corner (1, 1, 1) of the box [-1, 1]^3
+// leaves it.
 inline const refitlab::Quaternion<Q> turn(2, 0, 0, 1);
 inline const Point box_corner(1, 1, 1);
 

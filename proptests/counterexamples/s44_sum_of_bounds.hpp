@@ -15,7 +15,8 @@ struct Case {
   refitlab::Parts<Q> parts;
 };
 
-// r'_1 = 0, r'_2 = (2, 0, 0), F = [0, 1], r = 1. The smallest ball of both balls is [(1, 0, 0), 2]; with r it ends at x = 4.
+// r'_1 = 0, r'_2 = (2, 0, 0), F = [0, 1], r = 1. The smallest ball of both balls is [(1, 0, 0), 2]; with r its radius
+// is 3.
 inline const refitlab::PartBounds<Q> two_points{{Point(0, 0, 0), Point(2, 0, 0)}, {Point(0, 0, 0), 1}, 1};
 inline const refitlab::Ball3<Q> around_both{Point(1, 0, 0), 2};
 // The farthest vertex: at r'_2, with both other parts at their ends. It is on the boundary.

@@ -30,7 +30,8 @@ rc::Gen<BoundsWithCorners> bounds_of_vertices(int n) {
     for (int i = 0; i < count; ++i) axes[i][i] = 1;
     return axes;
   });
-  return rc::gen::map(rc::gen::weightedOneOf<std::vector<RationalWeights>>({{1, all_of_wn}, {6, vertices}}), with_corners);
+  return rc::gen::map(rc::gen::weightedOneOf<std::vector<RationalWeights>>({{1, all_of_wn}, {6, vertices}}),
+                      with_corners);
 }
 
 rc::Gen<BoundsWithCorners> any_bounds_of_vertices(int most) {
@@ -40,8 +41,11 @@ rc::Gen<BoundsWithCorners> any_bounds_of_vertices(int most) {
 rc::Gen<RationalBounds> arbitrary_bounds(int most) {
   return rc::gen::mapcat(rc::gen::inRange(1, most + 1), [](int n) {
     const auto side = rc::gen::container<RationalWeights>(n, unit_interval_rational());
-    return rc::gen::apply([](const RationalWeights& low, const RationalWeights& high) { return RationalBounds{low, high}; },
-                          side, side);
+    return rc::gen::apply(
+        [](const RationalWeights& low, const RationalWeights& high) {
+          return RationalBounds{low, high};
+        },
+        side, side);
   });
 }
 

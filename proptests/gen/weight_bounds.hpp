@@ -14,16 +14,16 @@ struct BoundsWithCorners {
   std::vector<RationalWeights> corners;  // all of them
 };
 
-// Bounds of n weights as they come from vertices: the least and the greatest of one to four weight vectors. One vertex (so
-// one corner), fixed weights and the whole of W_n come up often.
+// Bounds of n weights as they come from vertices: the least and the greatest of one to four weight vectors. One vertex
+// (so one corner), fixed weights and the whole of W_n come up often.
 rc::Gen<BoundsWithCorners> bounds_of_vertices(int n);
 // The same for 1 to most weights.
 rc::Gen<BoundsWithCorners> any_bounds_of_vertices(int most);
 // Any numbers in [0, 1] as bounds: two in three let no weights through.
 rc::Gen<RationalBounds> arbitrary_bounds(int most);
 
-// Weights that the bounds admit, made without the corners: a point of the box, moved along the box until it sums to 1. Points
-// of the boundary come up often. The bounds admit some.
+// Weights that the bounds admit, made without the corners: a point of the box, moved along the box until it sums to 1.
+// Points of the boundary come up often. The bounds admit some.
 rc::Gen<RationalWeights> admissible_weights(const RationalBounds& bounds);
 
 void showValue(const BoundsWithCorners& b, std::ostream& out);

@@ -68,9 +68,8 @@ PROPTEST(s41_corners_span) {
     return Checked(all, 6);
   });
 
-  t.refuted("any bounds have corners", {.form = "printed", .number_type = "rational"}, [] {
-    RC_ASSERT(corners_exist_printed(*gen::arbitrary_bounds(4)) == Verdict::holds);
-  });
+  t.refuted("any bounds have corners", {.form = "printed", .number_type = "rational"},
+            [] { RC_ASSERT(corners_exist_printed(*gen::arbitrary_bounds(4)) == Verdict::holds); });
   t.holds("bounds have corners if and only if sum l <= 1 <= sum h and no l_i > h_i",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.1}, [] {
             const auto bounds = *gen::arbitrary_bounds(4);
@@ -91,16 +90,17 @@ PROPTEST(s41_corners_span) {
     return Checked(all, 3);
   });
 
-  t.holds("no number type contradicts the exact verdict on a combination", {.number_type = "interval", .cases = 300}, [] {
-    const auto b = *gen::any_bounds_of_vertices(4);
-    Weights w = *gen::admissible_weights(b.bounds);
-    if (*rc::gen::arbitrary<bool>()) w[0] += Rational(1, 64);  // a statement that fails
-    const auto coefficients = corners_span(b.bounds, b.corners, w).coefficients;
-    decide_by_all([](const auto& l, const auto& c, const auto& x) { return corners_span(l, c, x).verdict; }, b.bounds,
-                  b.corners, w);
-    decide_by_all([](const auto& c, const auto& x, const auto& u) { return is_corner_combination(c, x, u); }, b.corners, w,
-                  coefficients);
-  });
+  t.holds("no number type contradicts the exact verdict on a combination", {.number_type = "interval", .cases = 300},
+          [] {
+            const auto b = *gen::any_bounds_of_vertices(4);
+            Weights w = *gen::admissible_weights(b.bounds);
+            if (*rc::gen::arbitrary<bool>()) w[0] += Rational(1, 64);  // a statement that fails
+            const auto coefficients = corners_span(b.bounds, b.corners, w).coefficients;
+            decide_by_all([](const auto& l, const auto& c, const auto& x) { return corners_span(l, c, x).verdict; },
+                          b.bounds, b.corners, w);
+            decide_by_all([](const auto& c, const auto& x, const auto& u) { return is_corner_combination(c, x, u); },
+                          b.corners, w, coefficients);
+          });
   t.holds("no number type contradicts the exact verdict on bounds", {.number_type = "interval", .cases = 300}, [] {
     const auto bounds = *gen::arbitrary_bounds(4);
     decide_by_all([](const auto& l) { return corners_exist_printed(l); }, bounds);

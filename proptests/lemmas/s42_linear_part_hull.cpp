@@ -22,7 +22,8 @@ struct LinearPart {
 
   explicit LinearPart(int most)
       : weights(*gen::any_bounds_of_vertices(most)),
-        points(*rc::gen::container<std::vector<Vec<Rational, D>>>(weights.bounds.low.size(), gen::rational_vector<D>())) {
+        points(
+            *rc::gen::container<std::vector<Vec<Rational, D>>>(weights.bounds.low.size(), gen::rational_vector<D>())) {
     bool coincident = false;
     for (std::size_t i = 1; i < points.size(); ++i) coincident = coincident || points[i] == points[0];
     RC_CLASSIFY(coincident || weights.corners.size() == 1, "degenerate");
@@ -65,14 +66,12 @@ PROPTEST(s42_linear_part_hull) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const LinearPart<3> part(3);
     const Weights w = *gen::admissible_weights(part.weights.bounds);
-    decide_by_all(
-        []<class S>(const WeightBounds<S>& l, const Corners<S>& c, const std::vector<Vec<S, 3>>& p,
-                    const std::vector<S>& x) { return linear_part_in_hull<S, 3>(l, c, p, x).verdict; },
-        part.weights.bounds, part.weights.corners, part.points, w);
-    decide_by_all(
-        []<class S>(const WeightBounds<S>& l, const Corners<S>& c, const std::vector<Vec<S, 3>>& p,
-                    const std::vector<S>& u) { return hull_in_linear_part<S, 3>(l, c, p, u).verdict; },
-        part.weights.bounds, part.weights.corners, part.points, part.coefficients());
+    decide_by_all([]<class S>(const WeightBounds<S>& l, const Corners<S>& c, const std::vector<Vec<S, 3>>& p,
+                              const std::vector<S>& x) { return linear_part_in_hull<S, 3>(l, c, p, x).verdict; },
+                  part.weights.bounds, part.weights.corners, part.points, w);
+    decide_by_all([]<class S>(const WeightBounds<S>& l, const Corners<S>& c, const std::vector<Vec<S, 3>>& p,
+                              const std::vector<S>& u) { return hull_in_linear_part<S, 3>(l, c, p, u).verdict; },
+                  part.weights.bounds, part.weights.corners, part.points, part.coefficients());
   });
 
   t.holds("a mutated witness of either inclusion is rejected", {.number_type = "rational", .cases = 300}, [] {

@@ -16,10 +16,10 @@ template <int D>
 struct BallAndSphere {
   Rational length = *gen::positive_rational();
   Vec<Rational, D> center = *gen::sphere_point<D>() * length;
-  Rational radius = *rc::gen::oneOf(rc::gen::just(Rational(abs(length - 1))), gen::unit_interval_rational(),
-                                    rc::gen::map(gen::unit_interval_rational(), [at = abs(length - 1)](const Rational& x) {
-                                      return Rational(at + x);
-                                    }));
+  Rational radius =
+      *rc::gen::oneOf(rc::gen::just(Rational(abs(length - 1))), gen::unit_interval_rational(),
+                      rc::gen::map(gen::unit_interval_rational(),
+                                   [at = abs(length - 1)](const Rational& x) { return Rational(at + x); }));
 
   bool touches() const { return radius == abs(length - 1); }
 };
@@ -76,8 +76,8 @@ PROPTEST(s43_distance_range) {
     decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_printed<S, 4>(c, r); }, b.center,
                   b.radius);
     // The range check that arccos relies on.
-    decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_is_in_range<S, 4>(c, sq(r)); }, b.center,
-                  b.radius);
+    decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_is_in_range<S, 4>(c, sq(r)); },
+                  b.center, b.radius);
   });
 
   t.holds("a mutated factor of Heron's formula is rejected", {.number_type = "rational", .cases = 500}, [] {
@@ -95,7 +95,8 @@ PROPTEST(s43_distance_range) {
       RC_ASSERT(is_distance_range(b.center, b.radius, both) == Verdict::fails);
   });
 
-  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const s43_range::Case& c) {
+  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence,
+                                  const s43_range::Case& c) {
     t.example(sentence, {.form = "repaired", .hypothesis = hypothesis}, [&] {
       return distance_range_hypotheses_repaired(c.center, c.radius) == Verdict::fails &&
              distance_range(c.center, c.radius).verdict == Verdict::fails &&

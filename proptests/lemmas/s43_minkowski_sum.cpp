@@ -15,8 +15,8 @@ using Point = Vec<Rational, 3>;
 // A blend, a ball, a pivot, and a vector no longer than the radius.
 struct TurnedBall {
   Quaternion<Rational> blend = *gen::nonzero_vector<4>();
-  Ball3<Rational> ball{*gen::rational_vector<3>(), *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational(),
-                                                                   gen::positive_rational())};
+  Ball3<Rational> ball{*gen::rational_vector<3>(),
+                       *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational(), gen::positive_rational())};
   Point pivot = *gen::rational_vector<3>();
   Point offset = *gen::sphere_point<3>() * (ball.radius * *gen::unit_interval_rational());
 
@@ -46,21 +46,20 @@ PROPTEST(s43_minkowski_sum) {
             RC_ASSERT(sum.witness.offset == c.offset);
             RC_ASSERT(is_turned_point(c.blend, c.ball, c.pivot, sum.witness) == Verdict::holds);
           });
-  t.holds("a turn keeps scalar products and handedness, and only a zero blend is refused", {.number_type = "rational"}, [] {
-    const Quaternion<Rational> q = *gen::nonzero_vector<4>();
-    const Point x = *gen::rational_vector<3>(), y = *gen::rational_vector<3>();
-    const Point turned_x = rotate_by(q, x), turned_y = rotate_by(q, y);
-    RC_ASSERT(dot(turned_x, turned_y) == dot(x, y));
-    RC_ASSERT(cross(turned_x, turned_y) == rotate_by<Rational>(q, cross(x, y)));
-  });
+  t.holds("a turn keeps scalar products and handedness, and only a zero blend is refused", {.number_type = "rational"},
+          [] {
+            const Quaternion<Rational> q = *gen::nonzero_vector<4>();
+            const Point x = *gen::rational_vector<3>(), y = *gen::rational_vector<3>();
+            const Point turned_x = rotate_by(q, x), turned_y = rotate_by(q, y);
+            RC_ASSERT(dot(turned_x, turned_y) == dot(x, y));
+            RC_ASSERT(cross(turned_x, turned_y) == rotate_by<Rational>(q, cross(x, y)));
+          });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     const TurnedBall c;
-    decide_by_all(
-        []<class S>(const Quaternion<S>& q, const Ball3<S>& ball, const Vec<S, 3>& pivot, const Vec<S, 3>& point) {
-          return turned_ball_in_sum<S>(q, ball, pivot, point).verdict;
-        },
-        c.blend, c.ball, c.pivot, Point(c.ball.center + c.offset * *gen::positive_rational()));
+    decide_by_all([]<class S>(const Quaternion<S>& q, const Ball3<S>& ball, const Vec<S, 3>& pivot,
+                              const Vec<S, 3>& point) { return turned_ball_in_sum<S>(q, ball, pivot, point).verdict; },
+                  c.blend, c.ball, c.pivot, Point(c.ball.center + c.offset * *gen::positive_rational()));
   });
 
   t.holds("a mutated witness is rejected", {.number_type = "rational", .cases = 500}, [] {
@@ -88,7 +87,8 @@ PROPTEST(s43_minkowski_sum) {
   t.example("for the zero blend every point is an image, so an offset may be longer than the radius", non_zero, [] {
     using namespace s43_minkowski;
     const Point center = unit_ball.center;
-    return minkowski_sum_hypotheses(zero_blend) == Verdict::fails && is_rotated(zero_blend, center, center) == Verdict::holds &&
+    return minkowski_sum_hypotheses(zero_blend) == Verdict::fails &&
+           is_rotated(zero_blend, center, center) == Verdict::holds &&
            is_rotated(zero_blend, center, anywhere) == Verdict::holds &&
            is_turned_point(zero_blend, unit_ball, pivot, {center, anywhere, center, anywhere}) == Verdict::fails;
   });

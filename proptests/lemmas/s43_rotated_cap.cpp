@@ -46,7 +46,8 @@ PROPTEST(s43_rotated_cap) {
             {.form = "printed", .number_type = "rational"}, [] {
               const CapOfRotations c;
               RC_ASSERT(rotated_cap<Rational>(c.apex, c.rotation, *gen::rational_vector<3>(),
-                                              rotated_cap_cosine_printed(c.angle.cosine)).verdict == Verdict::holds);
+                                              rotated_cap_cosine_printed(c.angle.cosine))
+                            .verdict == Verdict::holds);
             });
   t.holds("a cap of rotations takes v into the cap of the doubled angle, or the whole sphere past pi/2",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
@@ -62,7 +63,8 @@ PROPTEST(s43_rotated_cap) {
   t.holds("the rotated cap is filled: some rotation of the cap takes v to each of its points",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             const CapOfRotations c;
-            const Rational length = *gen::unit_interval_rational(), cosine = rotated_cap_cosine_repaired(c.angle.cosine);
+            const Rational length = *gen::unit_interval_rational(),
+                           cosine = rotated_cap_cosine_repaired(c.angle.cosine);
             const auto frame = *gen::perpendicular_pair<3>();
             // The doubled angle; past pi/2 it is pi.
             const gen::CapAngle doubled{cosine, c.angle.cosine < 0 ? Rational(0) : 2 * c.angle.cosine * c.angle.sine};
@@ -77,21 +79,22 @@ PROPTEST(s43_rotated_cap) {
 
   t.example("the half turn refutes the printed doubled angle of an angle past pi/2", {.form = "printed"}, [] {
     using namespace s43_cap;
-    const Q printed = rotated_cap_cosine_printed(past_right_angle), repaired = rotated_cap_cosine_repaired(past_right_angle);
-    return rotated_cap_hypotheses(no_turn, past_right_angle, half_turn_about_x) == Verdict::holds && printed == Q(7, 25) &&
-           rotated_cap(no_turn, half_turn_about_x, y, printed).verdict == Verdict::fails && repaired == Q(-1) &&
-           rotated_cap(no_turn, half_turn_about_x, y, repaired).verdict == Verdict::holds;
+    const Q printed = rotated_cap_cosine_printed(past_right_angle),
+            repaired = rotated_cap_cosine_repaired(past_right_angle);
+    return rotated_cap_hypotheses(no_turn, past_right_angle, half_turn_about_x) == Verdict::holds &&
+           printed == Q(7, 25) && rotated_cap(no_turn, half_turn_about_x, y, printed).verdict == Verdict::fails &&
+           repaired == Q(-1) && rotated_cap(no_turn, half_turn_about_x, y, repaired).verdict == Verdict::holds;
   });
 
-  t.holds("membership in a cap agrees with a comparison of cosines where norms are rational", {.number_type = "rational"},
-          [] {
-            const CapOfRotations c;
-            const gen::CapAngle other = *gen::cap_angle();
-            const Quaternion<Rational> q = (c.frame.first * other.cosine + c.frame.second * other.sine) *
-                                           *gen::positive_rational();
-            RC_ASSERT((within_angle<Rational, 4>(c.apex, q, c.angle.cosine) ==
-                       verdict_of(c.angle.cosine <= other.cosine)));
-          });
+  t.holds(
+      "membership in a cap agrees with a comparison of cosines where norms are rational", {.number_type = "rational"},
+      [] {
+        const CapOfRotations c;
+        const gen::CapAngle other = *gen::cap_angle();
+        const Quaternion<Rational> q =
+            (c.frame.first * other.cosine + c.frame.second * other.sine) * *gen::positive_rational();
+        RC_ASSERT((within_angle<Rational, 4>(c.apex, q, c.angle.cosine) == verdict_of(c.angle.cosine <= other.cosine)));
+      });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     const CapOfRotations c;
@@ -105,11 +108,9 @@ PROPTEST(s43_rotated_cap) {
                  rotated_cap<S>(p, q, x, rotated_cap_cosine_printed(cosine)).verdict;
         },
         c.apex, c.rotation, v, c.angle.cosine);
-    decide_by_all(
-        []<class S>(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x, const S& cosine) {
-          return rotation_onto<S>(p, cosine, x, rotate_by<S>(q, x)).verdict;
-        },
-        c.apex, c.rotation, v, c.angle.cosine);
+    decide_by_all([]<class S>(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x,
+                              const S& cosine) { return rotation_onto<S>(p, cosine, x, rotate_by<S>(q, x)).verdict; },
+                  c.apex, c.rotation, v, c.angle.cosine);
   });
 
   t.holds("a mutated witness is rejected", {.number_type = "rational", .cases = 500}, [] {

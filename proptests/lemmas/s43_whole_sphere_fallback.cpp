@@ -44,15 +44,16 @@ BlendInCap<Rational> blend_of(const Case& c) {
 
 bool is_degenerate(const Case& c) {
   bool equal_units = false;
-  for (std::size_t k = 1; k < c.units.size(); ++k) equal_units = equal_units || c.units[k] == c.units[0] || c.units[k] == -c.units[0];
+  for (std::size_t k = 1; k < c.units.size(); ++k)
+    equal_units = equal_units || c.units[k] == c.units[0] || c.units[k] == -c.units[0];
   return equal_units || c.squared_radius == 0 || c.squared_radius == 1 || squared_norm(c.center) == 0;
 }
 
 PROPTEST(s43_whole_sphere_fallback) {
-  t.refuted("a ball with r_E >= 1 makes no cap of less than a half", {.form = "printed", .number_type = "rational"}, [] {
+  t.refuted("a ball with r_E >= 1 needs the whole sphere", {.form = "printed", .number_type = "rational"}, [] {
     const Case c = any_cap();
-    RC_ASSERT(fallback_is_needed_printed(c.squared_radius) ==
-              fallback_is_needed_repaired(c.center, c.squared_radius));
+    RC_ASSERT(implies(fallback_is_needed_printed(c.squared_radius),
+                      fallback_is_needed_repaired(c.center, c.squared_radius)) == Verdict::holds);
   });
   t.example("a mean ball of radius 6/5 that makes a valid cap refutes the printed border", {.form = "printed"}, [] {
     const Case& c = s43_fallback::thrown_away;
@@ -106,10 +107,12 @@ PROPTEST(s43_whole_sphere_fallback) {
     decide_by_all([]<class S>(const std::vector<Quaternion<S>>& n, const Quaternion<S>& center, const S& r2,
                               const std::vector<S>& u) { return blend_in_cap<S>(n, center, r2, u).verdict; },
                   c.units, c.center, c.squared_radius, c.coefficients);
-    decide_by_all([]<class S>(const Quaternion<S>& center, const S& r2) { return fallback_is_needed_repaired<S>(center, r2); },
-                  c.center, c.squared_radius);
-    decide_by_all([]<class S>(const Quaternion<S>& center, const S& r2) { return line_15_makes_ball_printed<S>(center, r2); },
-                  c.center, c.squared_radius);
+    decide_by_all(
+        []<class S>(const Quaternion<S>& center, const S& r2) { return fallback_is_needed_repaired<S>(center, r2); },
+        c.center, c.squared_radius);
+    decide_by_all(
+        []<class S>(const Quaternion<S>& center, const S& r2) { return line_15_makes_ball_printed<S>(center, r2); },
+        c.center, c.squared_radius);
   });
 
   t.holds("a mutated blend is rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -134,19 +137,24 @@ PROPTEST(s43_whole_sphere_fallback) {
       const Verdict all = units_in_ball<Rational>(c.units, c.center, c.squared_radius) &
                           ball_makes_cap(c.center, c.squared_radius) & is_convex<Rational>(c.coefficients);
       return all == Verdict::fails && blend_of(c).verdict == Verdict::fails &&
-             is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c)) == Verdict::fails;
+             is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c)) ==
+                 Verdict::fails;
     });
   };
   fails_without("r^2 < 1 + ||c||^2", "past half of the sphere a blend leaves the cap", s43_fallback::past_half);
   fails_without("the vectors are units", "a short vector in the ball is far from the axis", s43_fallback::short_one);
-  fails_without("the ball encloses the units", "a unit outside the ball is outside the cap", s43_fallback::not_enclosed);
-  fails_without("the coefficients are convex", "a negative multiple of a unit is outside the cap", s43_fallback::not_convex);
-  const Options center{.form = "repaired", .hypothesis = "c is not 0"};
-  t.example("about 0 the vanishing of the distance makes no cap, and a blend of both units is 0", center, [] {
-    const Case& c = s43_fallback::zero_center;
-    return ball_makes_cap(c.center, c.squared_radius) == Verdict::fails &&
-           blend_in_cap<Rational>(c.units, c.center, c.squared_radius, std::vector<Rational>{Rational(1, 2), Rational(1, 2)})
-                   .verdict == Verdict::fails;
+  fails_without("the ball encloses the units", "a unit outside the ball is outside the cap",
+                s43_fallback::not_enclosed);
+  fails_without("the coefficients are convex", "a negative multiple of a unit is outside the cap",
+                s43_fallback::not_convex);
+  t.holds("a ball of units with r^2 < 1 + ||c||^2 is not about 0", {.form = "repaired", .number_type = "rational"}, [] {
+    const Case c = any_mean_ball();
+    RC_ASSERT(implies(less(Rational(0), scaled_distance(c.center, c.squared_radius)),
+                      less(Rational(0), squared_norm(c.center))) == Verdict::holds);
+  });
+  t.example("a ball of nothing about 0 makes no cap, though its distance is positive", {}, [] {
+    const Quaternion<Rational> zero = Quaternion<Rational>::Zero();
+    return scaled_distance(zero, Rational(1, 4)) > 0 && ball_makes_cap(zero, Rational(1, 4)) == Verdict::fails;
   });
 }
 

@@ -29,9 +29,10 @@ struct Node {
     for (int z = 0; z < count; ++z) {
       auto limits = *gen::bounds_of_vertices(joints);
       bounds.push_back(limits.bounds);
-      sets.push_back({*rc::gen::container<std::vector<RigidTransform<Rational>>>(joints, gen::rigid_transform()),
-                      *rc::gen::weightedOneOf<Point>({{1, rc::gen::just(reference.center)}, {5, gen::rational_vector<3>()}}),
-                      limits.corners});
+      sets.push_back(
+          {*rc::gen::container<std::vector<RigidTransform<Rational>>>(joints, gen::rigid_transform()),
+           *rc::gen::weightedOneOf<Point>({{1, rc::gen::just(reference.center)}, {5, gen::rational_vector<3>()}}),
+           limits.corners});
     }
     set = *rc::gen::inRange<std::size_t>(0, count);
     weights = *gen::admissible_weights(bounds[set]);
@@ -55,13 +56,15 @@ Ball3<Rational> ball_around(const std::vector<SquaredBall<Rational, 3>>& parts) 
 }
 
 PROPTEST(s44_joint_sets) {
-  t.refuted("a ball of the balls made with the corners and rotation center of the first joint-set encloses every vertex",
-            {.form = "printed", .number_type = "rational"}, [] {
-              const Node n;
-              RC_PRE(is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds);
-              const auto ball = ball_around(joint_set_balls_printed<Rational>(n.sets, n.reference.center));
-              RC_ASSERT(joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict == Verdict::holds);
-            });
+  t.refuted(
+      "a ball of the balls made with the corners and rotation center of the first joint-set encloses every vertex",
+      {.form = "printed", .number_type = "rational"}, [] {
+        const Node n;
+        RC_PRE(is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds);
+        const auto ball = ball_around(joint_set_balls_printed<Rational>(n.sets, n.reference.center));
+        RC_ASSERT(joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict ==
+                  Verdict::holds);
+      });
   t.holds("a ball of the balls of all joint-sets, each made with its own data, encloses every vertex",
           {.form = "repaired", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.3}, [] {
             const Node n;
@@ -84,10 +87,12 @@ PROPTEST(s44_joint_sets) {
              blend_vertex<Rational>(own, c.weights, c.vertex) == c.deformed &&
              encloses_parts<Rational>(c.ball, printed) == Verdict::holds &&
              joint_set_vertex<Rational>(c.ball, own, c.reference, c.weights, c.vertex).verdict == Verdict::fails &&
-             joint_set_vertex<Rational>(ball_around(repaired), own, c.reference, c.weights, c.vertex).verdict == Verdict::holds;
+             joint_set_vertex<Rational>(ball_around(repaired), own, c.reference, c.weights, c.vertex).verdict ==
+                 Verdict::holds;
     });
   };
-  refutes("one rotation center for two joint-sets misses a vertex that the second one turns", s44_joints::rotation_center);
+  refutes("one rotation center for two joint-sets misses a vertex that the second one turns",
+          s44_joints::rotation_center);
   refutes("one list of corners for two joint-sets misses a vertex that the second one moves", s44_joints::corners);
 
   t.holds("a vertex of one joint moves rigidly, whatever its rotation center", {.number_type = "rational"}, [] {
@@ -126,7 +131,8 @@ PROPTEST(s44_joint_sets) {
     RC_PRE(is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds);
     const auto good = joint_set_vertex<Rational>({n.vertex, 1}, n.own(), n.reference, n.weights, n.vertex);
     const auto rejected = [&](const JointSetVertex<Rational>& w) {
-      return is_joint_set_vertex<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients, w) == Verdict::fails;
+      return is_joint_set_vertex<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients, w) ==
+             Verdict::fails;
     };
     auto linear = good, spherical = good, offset = good, shifted = good, longer = good;
     const Point bump = *gen::nonzero_vector<3>();
@@ -163,7 +169,8 @@ PROPTEST(s44_joint_sets) {
     const auto& c = s44_joints::corners;
     const JointSets first{c.sets[0]};
     const auto ball = ball_around(joint_set_balls_repaired<Rational>(first, c.reference.center));
-    return encloses_parts<Rational>(ball, joint_set_balls_repaired<Rational>(c.sets, c.reference.center)) == Verdict::fails &&
+    return encloses_parts<Rational>(ball, joint_set_balls_repaired<Rational>(c.sets, c.reference.center)) ==
+               Verdict::fails &&
            joint_set_vertex<Rational>(ball, c.sets[1], c.reference, c.weights, c.vertex).verdict == Verdict::fails;
   });
 }

@@ -13,7 +13,9 @@ namespace {
 using namespace refitlab;
 using Point = Vec<Rational, 3>;
 
-Rational any_radius() { return *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational(), gen::positive_rational()); }
+Rational any_radius() {
+  return *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational(), gen::positive_rational());
+}
 
 // A point of the ball [0, radius], often of its boundary.
 Point point_within(const Rational& radius) {
@@ -26,7 +28,8 @@ s44_sum::Case any_case() {
   c.parts = {*gen::convex_weights(static_cast<int>(c.bounds.linear.size())),
              c.bounds.spherical.center + point_within(c.bounds.spherical.radius), point_within(c.bounds.inflation)};
   // About one of the points or any point; as small as it can be.
-  c.ball.center = *rc::gen::arbitrary<bool>() ? Point(c.bounds.linear[0] + c.bounds.spherical.center) : *gen::rational_vector<3>();
+  c.ball.center =
+      *rc::gen::arbitrary<bool>() ? Point(c.bounds.linear[0] + c.bounds.spherical.center) : *gen::rational_vector<3>();
   Rational farthest(0);
   for (const Point& r : c.bounds.linear)
     farthest = max_of(farthest, squared_distance<Rational, 3>(r + c.bounds.spherical.center, c.ball.center));
@@ -49,29 +52,31 @@ PROPTEST(s44_sum_of_bounds) {
             RC_ASSERT(sum.verdict == Verdict::holds);
             RC_ASSERT(is_sum_steps(c.ball, c.bounds, sum.vertex, sum.steps) == Verdict::holds);
           });
-  t.holds("the hull of the balls r'_k + F is the hull of the r'_k plus F: nothing is lost",
-          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
-            const auto c = any_case();
-            RC_CLASSIFY(is_degenerate(c), "degenerate");
-            std::vector<Point> points;
-            for (const Point& r : c.bounds.linear)
-              points.push_back(r + c.bounds.spherical.center + point_within(c.bounds.spherical.radius));
-            const auto hull = hull_of_balls_in_sum<Rational>(c.bounds, points, c.parts.coefficients);
-            RC_ASSERT(hull.verdict == Verdict::holds);
-            RC_ASSERT((is_hull_point<Rational, 3>(c.bounds.linear, hull.linear, c.parts.coefficients) == Verdict::holds));
-            RC_ASSERT((is_hull_point<Rational, 3>(points, hull.linear + hull.spherical, c.parts.coefficients) ==
-                       Verdict::holds));
-          });
-  t.holds("a ball encloses another if and only if it encloses its farthest point",
-          {.form = "printed", .number_type = "exact root", .cases = 200, .degenerate_at_least = 0.2}, [] {
-            const Ball3<Rational> inner{*gen::rational_vector<3>(), any_radius()};
-            Ball3<Rational> outer{*rc::gen::oneOf(rc::gen::just(inner.center), gen::rational_vector<3>()), any_radius()};
-            if (*rc::gen::arbitrary<bool>())  // touching, if the distance is rational, or nearly so
-              outer.radius = inner.radius + upper_root(squared_distance(inner.center, outer.center));
-            RC_CLASSIFY(inner.radius == 0 || inner.center == outer.center, "degenerate");
-            const auto decides = [](const auto& o, const auto& i) { return farthest_point_decides(o, i); };
-            RC_ASSERT(decide_by_all<ExactRoot>(decides, outer, inner) == Verdict::holds);
-          });
+  t.holds(
+      "the hull of the balls r'_k + F is the hull of the r'_k plus F: nothing is lost",
+      {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
+        const auto c = any_case();
+        RC_CLASSIFY(is_degenerate(c), "degenerate");
+        std::vector<Point> points;
+        for (const Point& r : c.bounds.linear)
+          points.push_back(r + c.bounds.spherical.center + point_within(c.bounds.spherical.radius));
+        const auto hull = hull_of_balls_in_sum<Rational>(c.bounds, points, c.parts.coefficients);
+        RC_ASSERT(hull.verdict == Verdict::holds);
+        RC_ASSERT((is_hull_point<Rational, 3>(c.bounds.linear, hull.linear, c.parts.coefficients) == Verdict::holds));
+        RC_ASSERT(
+            (is_hull_point<Rational, 3>(points, hull.linear + hull.spherical, c.parts.coefficients) == Verdict::holds));
+      });
+  t.holds(
+      "a ball encloses another if and only if it encloses its farthest point",
+      {.form = "printed", .number_type = "exact root", .cases = 200, .degenerate_at_least = 0.2}, [] {
+        const Ball3<Rational> inner{*gen::rational_vector<3>(), any_radius()};
+        Ball3<Rational> outer{*rc::gen::oneOf(rc::gen::just(inner.center), gen::rational_vector<3>()), any_radius()};
+        if (*rc::gen::arbitrary<bool>())  // touching, if the distance is rational, or nearly so
+          outer.radius = inner.radius + upper_root(squared_distance(inner.center, outer.center));
+        RC_CLASSIFY(inner.radius == 0 || inner.center == outer.center, "degenerate");
+        const auto decides = [](const auto& o, const auto& i) { return farthest_point_decides(o, i); };
+        RC_ASSERT(decide_by_all<ExactRoot>(decides, outer, inner) == Verdict::holds);
+      });
   t.example("the farthest vertex of a segment of balls is on the boundary of the inflated ball", {}, [] {
     const auto& c = s44_sum::extreme;
     const auto sum = sum_of_bounds(c.ball, c.bounds, c.parts);
@@ -89,9 +94,11 @@ PROPTEST(s44_sum_of_bounds) {
         },
         c.ball, c.bounds.linear, c.bounds.spherical, c.bounds.inflation, c.parts.coefficients, c.parts.spherical,
         c.parts.offset);
-    decide_by_all([]<class S>(const Ball3<S>& ball, const std::vector<Vec<S, 3>>& linear,
-                              const Ball3<S>& spherical) { return encloses_equal_balls<S>(ball, {linear, spherical, S(0)}); },
-                  c.ball, c.bounds.linear, c.bounds.spherical);
+    decide_by_all(
+        []<class S>(const Ball3<S>& ball, const std::vector<Vec<S, 3>>& linear, const Ball3<S>& spherical) {
+          return encloses_equal_balls<S>(ball, {linear, spherical, S(0)});
+        },
+        c.ball, c.bounds.linear, c.bounds.spherical);
   });
 
   t.holds("mutated steps are rejected", {.number_type = "rational", .cases = 400}, [] {
@@ -125,7 +132,8 @@ PROPTEST(s44_sum_of_bounds) {
   fails_without("the coefficients are convex", "beyond the hull a sum leaves the ball", s44_sum::not_convex);
   fails_without("the spherical part is in F", "beyond F a sum leaves the ball", s44_sum::spherical_outside);
   fails_without("the offset is at most r", "beyond r a sum leaves the ball", s44_sum::offset_too_long);
-  fails_without("the ball encloses balls, not only their centers", "a ball of the centers is too small", s44_sum::ball_of_points);
+  fails_without("the ball encloses balls, not only their centers", "a ball of the centers is too small",
+                s44_sum::ball_of_points);
   fails_without("the ball encloses every ball", "a ball of one of the balls misses the others", s44_sum::ball_of_one);
 }
 

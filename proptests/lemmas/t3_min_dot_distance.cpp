@@ -28,7 +28,8 @@ struct UnitsAndCenter {
   Vec<Rational, D> mean() const {
     Vec<Rational, D> sum = Vec<Rational, D>::Zero();
     for (const auto& n : units) sum += n;
-    return sum == Vec<Rational, D>::Zero() ? units[0] : Vec<Rational, D>(sum / Rational(static_cast<int>(units.size())));
+    return sum == Vec<Rational, D>::Zero() ? units[0]
+                                           : Vec<Rational, D>(sum / Rational(static_cast<int>(units.size())));
   }
 };
 
@@ -37,7 +38,8 @@ PROPTEST(t3_min_dot_distance) {
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             gen::for_some_dimension<2, 4>([](auto d) {
               const UnitsAndCenter<d()> c;
-              RC_ASSERT((min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) == Verdict::holds));
+              RC_ASSERT(
+                  (min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) == Verdict::holds));
               const auto distance = c.distance();
               RC_ASSERT(distance.verdict == Verdict::holds);
               RC_ASSERT((is_least_dot<Rational, d()>(c.units, c.center, distance) == Verdict::holds));
@@ -87,8 +89,10 @@ PROPTEST(t3_min_dot_distance) {
     });
   };
   fails_without("the vectors are units", "for a vector of length 2 the two forms differ", t3_dot::not_unit);
-  fails_without("r is at most the largest distance", "for a larger radius the paper's form is smaller", t3_dot::too_large);
-  fails_without("r is at least the largest distance", "for a smaller radius the paper's form is larger", t3_dot::too_small);
+  fails_without("r is at most the largest distance", "for a larger radius the paper's form is smaller",
+                t3_dot::too_large);
+  fails_without("r is at least the largest distance", "for a smaller radius the paper's form is larger",
+                t3_dot::too_small);
   fails_without("c is not 0", "about 0 there is no distance", t3_dot::about_zero);
 }
 

@@ -52,7 +52,8 @@ PROPTEST(t3_one_cap) {
             const Quaternion<Rational> blend = combine<Rational, 4>(c.coefficients, c.quaternions);
             RC_PRE(squared_norm(blend) != 0);
             RC_CLASSIFY(c.quaternions.size() == 1 || c.squared_cosine == 0 || c.squared_cosine == 1, "degenerate");
-            RC_ASSERT(one_cap_rotated(blend, c.axis, c.squared_cosine, *gen::rational_vector<3>()).verdict == Verdict::holds);
+            RC_ASSERT(one_cap_rotated(blend, c.axis, c.squared_cosine, *gen::rational_vector<3>()).verdict ==
+                      Verdict::holds);
           });
   t.holds("no larger kappa will do, and lengths do not matter", {.form = "beyond", .number_type = "rational"}, [] {
     Case c = any_case();
@@ -100,18 +101,20 @@ PROPTEST(t3_one_cap) {
   });
 
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const Case& c) {
-    t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
-      return hypotheses_of(c) == Verdict::fails && cap_of(c).verdict == Verdict::fails;
-    });
+    t.example(sentence, {.form = "beyond", .hypothesis = hypothesis},
+              [&] { return hypotheses_of(c) == Verdict::fails && cap_of(c).verdict == Verdict::fails; });
   };
-  fails_without("no quaternion is behind the axis", "a quaternion behind the axis turns a blend out of the cap", t3_cap::behind);
-  fails_without("kappa bounds every quaternion", "a quaternion outside the cap is a blend outside the cap", t3_cap::too_narrow);
+  fails_without("no quaternion is behind the axis", "a quaternion behind the axis turns a blend out of the cap",
+                t3_cap::behind);
+  fails_without("kappa bounds every quaternion", "a quaternion outside the cap is a blend outside the cap",
+                t3_cap::too_narrow);
   fails_without("the coefficients are convex", "beyond the hull a blend leaves the cap", t3_cap::not_convex);
-  t.example("at a right angle to the axis a blend may be 0", {.form = "beyond", .hypothesis = "the blend is not 0"}, [] {
-    const Case& c = t3_cap::right_angles;
-    return hypotheses_of(c) == Verdict::holds && cap_of(c).verdict == Verdict::holds &&
-           squared_norm(combine<Rational, 4>(c.coefficients, c.quaternions)) == Rational(0);
-  });
+  t.example("at a right angle to the axis a blend may be 0", {.form = "beyond", .hypothesis = "the blend is not 0"},
+            [] {
+              const Case& c = t3_cap::right_angles;
+              return hypotheses_of(c) == Verdict::holds && cap_of(c).verdict == Verdict::holds &&
+                     squared_norm(combine<Rational, 4>(c.coefficients, c.quaternions)) == Rational(0);
+            });
 }
 
 }  // namespace

@@ -57,11 +57,12 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
               const Vec<Rational, d()> rival = cap.center + step * share;
               RC_ASSERT((is_not_smaller_ball<Rational, d()>(c.units, cap, rival) == Verdict::holds));
               RC_ASSERT((is_not_smaller_ball<Rational, d()>(c.units, cap, cap.center) == Verdict::holds));
-              if (squared_norm(rival) != 0) RC_ASSERT((is_not_smaller_cap<Rational, d()>(c.units, cap, rival) == Verdict::holds));
+              if (squared_norm(rival) != 0)
+                RC_ASSERT((is_not_smaller_cap<Rational, d()>(c.units, cap, rival) == Verdict::holds));
             });
           });
-  t.holds("a larger claim is not believed: some rival is as small as the cap itself", {.number_type = "rational", .cases = 300},
-          [] {
+  t.holds("a larger claim is not believed: some rival is as small as the cap itself",
+          {.number_type = "rational", .cases = 300}, [] {
             const UnitsOnOneSide<4> c;
             auto cap = c.cap();
             const Rational more = *gen::positive_rational();
@@ -78,11 +79,9 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
     decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n,
                               const std::vector<S>& u) { return smallest_cap<S, 4>(n, u).verdict; },
                   c.units, c.coefficients);
-    decide_by_all(
-        []<class S>(const std::vector<Vec<S, 4>>& n, const std::vector<S>& u, const Vec<S, 4>& g) {
-          return is_not_smaller_ball<S, 4>(n, smallest_cap<S, 4>(n, u), g);
-        },
-        c.units, c.coefficients, rival);
+    decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n, const std::vector<S>& u,
+                              const Vec<S, 4>& g) { return is_not_smaller_ball<S, 4>(n, smallest_cap<S, 4>(n, u), g); },
+                  c.units, c.coefficients, rival);
   });
 
   t.holds("a mutated certificate is rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -126,15 +125,19 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
            cap.squared_distance == repeated.squared_distance && cap.center == repeated.center;
   });
 
-  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const t3_smallest::Case& c) {
+  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence,
+                                  const t3_smallest::Case& c) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
       return smallest_cap_hypotheses<Rational, 2>(c.units, c.coefficients) == Verdict::fails &&
              smallest_cap<Rational, 2>(c.units, c.coefficients).verdict == Verdict::fails;
     });
   };
-  fails_without("the points are units", "for points of different lengths the nearest point is no center", t3_smallest::not_units);
-  fails_without("c is the nearest point", "about another point of the hull the ball is not the smallest", t3_smallest::not_nearest);
-  fails_without("0 is not in the hull", "if 0 is in the hull the nearest point is no direction", t3_smallest::zero_inside);
+  fails_without("the points are units", "for points of different lengths the nearest point is no center",
+                t3_smallest::not_units);
+  fails_without("c is the nearest point", "about another point of the hull the ball is not the smallest",
+                t3_smallest::not_nearest);
+  fails_without("0 is not in the hull", "if 0 is in the hull the nearest point is no direction",
+                t3_smallest::zero_inside);
 }
 
 }  // namespace
