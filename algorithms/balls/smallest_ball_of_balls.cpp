@@ -1,30 +1,70 @@
 #include "algorithms/balls/smallest_ball_of_balls.hpp"
 
 #include <CGAL/Cartesian.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/Min_sphere_of_spheres_d_traits_3.h>
 
-#include <cmath>
-#include <limits>
+#include <Eigen/QR>
 #include <vector>
 
 namespace refitlab {
+namespace {
+
+template <class S, class UseRoots>
+using SmallestOf = CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_spheres_d_traits_3<CGAL::Cartesian<S>, S, UseRoots>>;
+using Quick = SmallestOf<double, CGAL::Tag_true>;
+using Exact = SmallestOf<CGAL::Gmpq, CGAL::Tag_false>;
+
+template <class Solver>
+Solver solve(std::span<const Ball3<double>> balls) {
+  std::vector<typename Solver::Sphere> spheres;
+  spheres.reserve(balls.size());
+  for (const auto& b : balls) spheres.push_back({{b.center[0], b.center[1], b.center[2]}, b.radius});
+  return Solver(spheres.begin(), spheres.end());
+}
+
+Ball3<double> ball_about(const Vec<double, 3>& center, std::span<const Ball3<double>> balls) {
+  Ball3<double> out{center, 0};
+  for (const auto& b : balls) out.radius = std::max(out.radius, norm<double, 3>(b.center - center) + b.radius);
+  return out;
+}
+
+// The balls that the solver has grown its ball around touch it, and its center is a convex combination of theirs: what
+// makes it the smallest.
+bool is_supported(Quick& smallest, const Vec<double, 3>& center) {
+  Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, 4> system(4, 0);
+  for (auto b = smallest.support_begin(); b != smallest.support_end(); ++b) {
+    const auto& [c, radius] = *b;
+    const Vec<double, 3> arm(c.x() - center[0], c.y() - center[1], c.z() - center[2]);
+    if (norm(arm) + radius < smallest.radius() * (1 - 1e-10)) return false;
+    system.conservativeResize(4, system.cols() + 1);
+    system.rightCols<1>() << arm, smallest.radius();
+  }
+  const Eigen::Vector4d goal(0, 0, 0, smallest.radius());
+  const auto coefficients = system.colPivHouseholderQr().solve(goal).eval();
+  return coefficients.minCoeff() >= -1e-10 && (system * coefficients - goal).norm() <= 1e-10 * smallest.radius();
+}
+
+// Slow, and right in degenerate cases too.
+Ball3<double> solve_exactly(std::span<const Ball3<double>> balls) {
+  auto smallest = solve<Exact>(balls);
+  const double root = std::sqrt(CGAL::to_double(smallest.discriminant()));
+  Vec<double, 3> center;
+  auto c = smallest.center_cartesian_begin();
+  for (int i = 0; i < 3; ++i, ++c) center[i] = CGAL::to_double(c->first) + CGAL::to_double(c->second) * root;
+  return ball_about(center, balls);
+}
+
+}  // namespace
 
 Ball3<double> smallest_ball_of_balls(std::span<const Ball3<double>> balls) {
-  using Kernel = CGAL::Cartesian<double>;
-  using Traits = CGAL::Min_sphere_of_spheres_d_traits_3<Kernel, double, CGAL::Tag_true>;  // square roots, not exact
-  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& b : balls)
-    if (!b.center.allFinite() || !(b.radius >= 0) || !std::isfinite(b.radius))
-      return {Vec<double, 3>::Constant(undefined), undefined};
-  std::vector<Traits::Sphere> spheres;
-  spheres.reserve(balls.size());
-  for (const auto& b : balls) spheres.emplace_back(Kernel::Point_3(b.center[0], b.center[1], b.center[2]), b.radius);
-  CGAL::Min_sphere_of_spheres_d<Traits> smallest(spheres.begin(), spheres.end());
+  auto smallest = solve<Quick>(balls);
   const double* c = smallest.center_cartesian_begin();
-  Ball3<double> out{{c[0], c[1], c[2]}, 0};
-  for (const auto& b : balls) out.radius = std::max(out.radius, norm<double, 3>(b.center - out.center) + b.radius);
-  return out;
+  const Ball3<double> out = ball_about({c[0], c[1], c[2]}, balls);
+  // The solver grows a ball around few of the balls until it holds all. On grids, rounding may make it stop too early, when
+  // its own radius is too small for its center, or grow its ball around the wrong ones.
+  return out.radius <= smallest.radius() * (1 + 1e-10) && is_supported(smallest, out.center) ? out : solve_exactly(balls);
 }
 
 }  // namespace refitlab

@@ -1,4 +1,5 @@
-// The smallest enclosing ball of balls of R^3, by CGAL's Min_sphere_of_spheres_d [Fischer and Gaertner 2003].
+// The smallest enclosing ball of balls of R^3, by CGAL's Min_sphere_of_spheres_d [Fischer and Gaertner 2003]: in
+// double, and where its result does not hold up, in rationals.
 #pragma once
 
 #include <span>

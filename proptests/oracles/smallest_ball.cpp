@@ -20,12 +20,13 @@ int sign_of_difference(const RootNumber& x, const Rational& y) {
   return left2 == root2 ? 0 : left2 > root2 ? sign_left : sign_root;
 }
 
-// The bound that one choice of at most four balls gives, or -1 where the center is outside their hull.
+// The bound that one choice of at most four balls gives, or -1 where the center is not in their hull, or not nearly.
 Rational bound_of(const std::vector<refitlab::Ball<double, 3>>& balls, const refitlab::Vec<double, 3>& center) {
   const int n = static_cast<int>(balls.size());
   Eigen::MatrixXd system(4, n);
   for (int k = 0; k < n; ++k) system.col(k) << balls[k].center - center, 1;
   const Eigen::VectorXd u = system.colPivHouseholderQr().solve(Eigen::Vector4d(0, 0, 0, 1));
+  if ((system * u).head<3>().norm() > 1e-8 * (system.topRows<3>().norm() + balls[0].radius)) return Rational(-1);
   std::vector<ExactPoint<3>> v(n);
   ExactPoint<3> excess = ExactPoint<3>::Constant(Rational(0));
   for (int k = 0; k < n; ++k) {
@@ -66,7 +67,7 @@ Rational radius_at_least(std::span<const refitlab::Ball<double, 3>> balls, const
   far.erase(std::unique(far.begin(), far.end(),
                         [](const auto& a, const auto& b) { return a.center == b.center && a.radius == b.radius; }),
             far.end());
-  if (far.size() > 10) far.resize(10);
+  if (far.size() > 12) far.resize(12);
   Rational best(-1);
   for (unsigned chosen = 1; chosen < 1u << far.size(); ++chosen) {
     if (__builtin_popcount(chosen) > 4) continue;

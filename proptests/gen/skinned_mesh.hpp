@@ -1,0 +1,29 @@
+// Small skinned meshes for trees: a tube of one to four joints with random weights, and what is awkward about meshes.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "algorithms/model/model.hpp"
+
+namespace proptests::gen {
+
+enum class MeshKind { tube, one_triangle, one_point, flat, repeated_triangles, many_influences };
+inline constexpr int mesh_kind_count = 6;
+
+struct MeshPlan {
+  MeshKind kind;
+  int rings, sides, joints;  // 2 (rings - 1) sides triangles, but for one_triangle
+  unsigned seed;             // of positions and weights
+};
+
+// Up to 12 rings of up to 8 vertices; a fourth are plain tubes.
+rc::Gen<MeshPlan> mesh_plan();
+
+// A valid model without clips. With many_influences the weights spread over eight joints, more than can be enumerated.
+refitlab::Model make_mesh(const MeshPlan& plan);
+
+inline bool is_degenerate(const MeshPlan& plan) { return plan.kind != MeshKind::tube; }
+
+void showValue(const MeshPlan& plan, std::ostream& out);
+
+}  // namespace proptests::gen
