@@ -62,7 +62,7 @@ std::string escape_html(const std::string& text) {
 }
 
 std::string LinePlot::svg() const {
-  Axis x{1e300, -1e300, false}, y{1e300, -1e300, log_y};
+  Axis x{1e300, -1e300, log_x}, y{1e300, -1e300, log_y};
   for (const PlotLine& line : lines)
     for (const auto& [px, py] : line.points) {
       x.low = std::min(x.low, px), x.high = std::max(x.high, px);
@@ -71,6 +71,7 @@ std::string LinePlot::svg() const {
   if (!(x.low < x.high)) x.high = x.low + 1;
   const double margin = 0.04 * (y.high - y.low) + 1e-9;
   if (!log_y) y.low -= margin, y.high += margin;
+  if (log_x) x.low *= 0.8, x.high *= 1.25;
   const auto px = [&](double v) { return x.place(v, left, width - right); };
   const auto py = [&](double v) { return y.place(v, height - bottom, top); };
 

@@ -17,7 +17,7 @@ struct PlotLine {
 struct LinePlot {
   std::string title, x_label, y_label;
   std::vector<PlotLine> lines;
-  bool log_y = false;
+  bool log_x = false, log_y = false;
   std::string svg() const;
 };
 

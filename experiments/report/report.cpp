@@ -140,6 +140,34 @@ void write_speed_section(std::ostringstream& out, const std::vector<SpeedResult>
   out << "</tbody></table></div>\n";
 }
 
+// The mean over all postures and levels of a variant's average radius / Optimal; 0 where it was not measured.
+double mean_ratio(const std::vector<TightnessResult>& results, const std::string& model, const std::string& variant) {
+  double sum = 0;
+  int count = 0;
+  for (const TightnessResult& r : results)
+    if (r.model == model)
+      for (const LevelTightness& level : r.tightness.at(variant)) sum += level.ratio_to_optimal(), ++count;
+  return count ? sum / count : 0;
+}
+
+// Tightness against cost: what is worth its price lies at the lower left.
+void write_pareto_section(std::ostringstream& out, const Report& report) {
+  if (report.speed.empty() || report.tightness.empty()) return;
+  out << "<h2>Tightness against cost</h2><p>Each variant by what a sphere costs and how large it is: the mean of average radius / "
+         "Optimal over all levels and postures of the model. Down and left is better.</p>\n";
+  std::string model;
+  for (const SpeedResult& first : report.speed) {
+    if (first.model == model) continue;
+    model = first.model;
+    LinePlot plot{.title = model, .x_label = "ns per sphere", .y_label = "mean radius / Optimal", .lines = {}, .log_x = true};
+    for (const SpeedResult& r : report.speed)
+      if (r.model == model)
+        plot.lines.push_back({r.variant, {{r.ns_per_sphere, mean_ratio(report.tightness, model, r.variant)}},
+                              plot_color(plot.lines.size()), plot.lines.size() >= 8});
+    out << plot.svg();
+  }
+}
+
 }  // namespace
 
 void write_report(const Report& report, const std::string& path) {
@@ -153,6 +181,7 @@ void write_report(const Report& report, const std::string& path) {
   write_pictures(out, report.pictures);
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
+  write_pareto_section(out, report);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
       << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";
   write_whole(path, out.str());
