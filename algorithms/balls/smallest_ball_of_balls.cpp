@@ -46,13 +46,20 @@ bool is_supported(Quick& smallest, const Vec<double, 3>& center) {
   return coefficients.minCoeff() >= -1e-10 && (system * coefficients - goal).norm() <= 1e-10 * smallest.radius();
 }
 
+// In rationals, to far more digits than a double has: the solver's results are differences a + b sqrt(x) of large numbers.
+CGAL::Gmpq square_root(const CGAL::Gmpq& x) {
+  CGAL::Gmpq root = std::sqrt(CGAL::to_double(x));
+  for (int step = 0; step < 2 && root != 0; ++step) root = (root + x / root) / 2;
+  return root;
+}
+
 // Slow, and right in degenerate cases too.
 Ball3<double> solve_exactly(std::span<const Ball3<double>> balls) {
   auto smallest = solve<Exact>(balls);
-  const double root = std::sqrt(CGAL::to_double(smallest.discriminant()));
+  const CGAL::Gmpq root = square_root(smallest.discriminant());
   Vec<double, 3> center;
   auto c = smallest.center_cartesian_begin();
-  for (int i = 0; i < 3; ++i, ++c) center[i] = CGAL::to_double(c->first) + CGAL::to_double(c->second) * root;
+  for (int i = 0; i < 3; ++i, ++c) center[i] = CGAL::to_double(CGAL::Gmpq(c->first + c->second * root));
   return ball_about(center, balls);
 }
 

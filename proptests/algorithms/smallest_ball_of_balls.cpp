@@ -3,6 +3,7 @@
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
+#include "proptests/session.hpp"
 
 namespace proptests {
 namespace {
@@ -70,6 +71,22 @@ PROPTEST(smallest_ball_of_balls) {
             RC_ASSERT(low <= Rational(ball.radius) * Rational(1 + 1e-14));
             RC_ASSERT(low >= Rational(ball.radius) * Rational(1 - 1e-7) - Rational(size_of(balls.list) * 0x1p-40));
           });
+  t.example("balls about points of a grid, where CGAL's solver in double may fail, are enclosed by the smallest ball too",
+            {.number_type = "rational"}, [] {
+              std::mt19937_64 random(Session::get().seed());
+              constexpr long cases = 2500;
+              for (long c = 0; c < cases; ++c) {
+                std::vector<Ball3<double>> balls;
+                const int n = 3 + static_cast<int>(random() % 14), radii = 1 + static_cast<int>(random() % 4);
+                for (const auto& p : gen::rounded_cloud<3>(random, gen::Shape::grid, n, c % 2 ? 0 : 1))
+                  balls.push_back({p, 0.1 * static_cast<double>(random() % radii)});
+                const double radius = smallest_ball_of_balls(balls).radius;
+                const auto optimum = oracle::smallest_ball_by_cgal<3>(exact(balls)).radius;
+                if (optimum < Rational(radius * (1 - 1e-9)) || optimum > Rational(radius * (1 + 1e-14)))
+                  return Checked(false, c, "case " + std::to_string(c));
+              }
+              return Checked(true, cases);
+            });
   t.example("one ball, a ball in a ball, two that touch, and two points", {.number_type = "double"}, [] {
     const Ball3<double> a{{1, 2, 3}, 4}, inside{{1, 2, 4}, 1}, left{{-1, 0, 0}, 1}, right{{1, 0, 0}, 1};
     const Ball3<double> p{{-3, 0, 0}, 0}, q{{3, 0, 0}, 0};
