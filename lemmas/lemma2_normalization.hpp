@@ -7,8 +7,8 @@
 // rotation.
 //
 // Paper: appendix, Lemma 2; used in section 4.3 and line 9 of Algorithm 1.
-// Notation: q_i -> vectors[i], ||q_i|| -> factors[i], n_i -> divided(vectors, factors)[i], w, t -> weights, u, s ->
-// witness.weights, K, L -> witness.scale.
+// Notation: q_i -> vectors[i], ||q_i|| -> factors[i], n_i -> divided(vectors, factors)[i], w and t -> weights,
+// u and s -> witness.weights, K and L -> witness.scale.
 //
 // Proof. k = sum w_j f_j > 0 and u_i = w_i f_i / k: then k sum u_i p_i = sum w_i f_i q_i / f_i. Back, with 1 / f_i.
 #pragma once

@@ -1,12 +1,11 @@
 // Lemma 3: where a ball cuts a sphere's surface there is a cap, and its half-space is at a known distance.
 //
 // Statement. In R^d, d >= 1, let A be the surface with center a and radius r_a >= 0, and B the ball with center b != a
-// and radius r_b. Let e = ||b - a||^2 + r_a^2 - r_b^2 and H = {x : (x, 2 (b - a)) >= r_a^2 - r_b^2 + ||b||^2 -
-// ||a||^2}. Then
-// (1) a point of A is in B if and only if it is in H; and A meets B if and only if A meets H, that is | ||b - a|| - r_a
-// | <= r_b.     If they meet, what they have in common is a cap (Lemma 1).
-// (2) a is outside H if and only if r_b^2 < r_a^2 + ||b - a||^2. While e >= 0, the distance from a to H is e / (2 ||b -
-// a||).
+// and radius r_b. Let delta = ||b - a||, e = delta^2 + r_a^2 - r_b^2 and
+// H = {x : (x, 2 (b - a)) >= r_a^2 - r_b^2 + ||b||^2 - ||a||^2}. Then
+// (1) a point of A is in B if and only if it is in H; A meets B if and only if A meets H, that is |delta - r_a| <= r_b;
+// and if they meet, what they have in common is a cap (Lemma 1).
+// (2) a is outside H if and only if r_b^2 < r_a^2 + delta^2. While e >= 0, the distance from a to H is e / (2 delta).
 // For b = a there is no H, and B holds all of A or nothing of it.
 //
 // Paper: appendix, Lemma 3; used in section 4.3 and line 13 of Algorithm 1, with a = 0 and r_a = 1.

@@ -1,17 +1,15 @@
 // Lemma 4 and Corollary 1: a ball around unit vectors bounds the directions of all of their blends.
 //
 // Statement. In R^d, d >= 1, let n_1 ... n_m be unit vectors in the ball E = [c, r], C = E with the unit sphere's
-// surface, and o = 1 + ||c||^2 - r^2, so that C is cut out by {x : (x, 2c) >= o} (Lemma 3). Let b = sum w_i n_i, w in
-// W_m.
-// Lemma 4: if o >= 0, or if E holds the whole surface, b / ||b|| is in C for every b != 0. If o > 0, then no b is 0
-// (and c != 0).
-// For d >= 2 every other ball fails for some n_i and w.
+// surface, and o = 1 + ||c||^2 - r^2, so that C is cut out by {x : (x, 2c) >= o} (Lemma 3). Let b = sum w_i n_i with
+// w in W_m.
+// Lemma 4: if o >= 0, or if E holds the whole surface, b / ||b|| is in C for every b != 0. If o > 0, no b is 0, and
+// c != 0. For d >= 2 every other ball fails for some n_i and w.
 // Corollary 1: for every b != 0, b / ||b|| or its negative is in C. So each rotation of the hull is in C, for any ball
 // E that holds the n_i: the corollary needs no condition on the radius.
 //
 // Paper: appendix, Lemma 4 and Corollary 1, for d = 4 and r < 1; used in section 4.3 and lines 11-13 of Algorithm 1.
-// Notation: n_i -> units[i], E -> ball, w -> weights, n' (b) -> blend, o -> hull_offset = 2 ||c|| d_H, C -> ball and
-// unit surface.
+// Notation: n_i -> units[i], E -> ball, w -> weights, n' (b) -> blend, o -> hull_offset = 2 ||c|| d_H.
 //
 // Proof. ||n_i - c||^2 <= r^2 is 2 (n_i, c) >= o, so 2 (b, c) >= o, and ||b|| <= 1 makes that 2 (b, c) >= o ||b|| while
 // o >= 0. If o > 0 this is not 0. If o <= 0, one of b and -b has 2 (+-b, c) >= 0 >= o ||b||. Conversely let -2 ||c|| <

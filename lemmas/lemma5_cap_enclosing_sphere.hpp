@@ -6,8 +6,8 @@
 // ball [c, r]. In R^1 it encloses C too, but is the smallest only for k = 1 or alpha = pi.
 //
 // Paper: appendix, Lemma 5; used in section 4.3 and line 15 of Algorithm 1. Its center is 0.
-// Notation: a -> cap.apex, alpha -> cap.cos_angle, r^2 -> squared_radius(cap), v -> rim_direction, v_1, v_2 -> first,
-// second.
+// Notation: a -> cap.apex, alpha -> cap.cos_angle, r^2 -> squared_radius(cap), v -> rim_direction,
+// v_1 and v_2 -> first and second.
 //
 // Proof. For x in C: ||x - c - k (a - c)||^2 = r^2 - 2k (x - c, a - c) + k^2 r^2 <= r^2 (1 - 2k cos + k^2) <= r^2 (1 -
 // k^2), as k >= 0 and k cos = k^2. A ball that holds both ends of a diameter is no smaller, and if it is no larger, it
