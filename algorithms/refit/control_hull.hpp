@@ -8,8 +8,9 @@
 //   N_jkl = (P_jk + P_kl + P_jl) / 3 + (r'_j W_kl + r'_k W_jl + r'_l W_jk) / 3.
 // If all W_kl are positive, the skinned p is a convex combination of the control points N_jkl / W_jkl, and the whole
 // reference ball stays within its radius of their hull. Rotations far apart make the control points stray, so a simplex
-// with corners more than 120 degrees apart is halved (de Casteljau) at its widest edge, a few times; what is left with a
-// W_kl <= 0 falls back on the cap bound of Algorithm 1 repaired.
+// with corners 120 degrees apart or more, or with a corner that is 0, is halved (de Casteljau) at its widest edge, a few
+// times; what is still so wide then falls back on the cap bound of Algorithm 1 repaired, which is no larger there. So the
+// W_kl divided by are never small against the corners. The lemmas: b1_rational_bezier_simplex to b5_rotation_axis.
 #pragma once
 
 #include <vector>
@@ -47,10 +48,7 @@ class ControlHull {
     const std::size_t first = lists_.corners.size() - m;
     multiply_all(first, m);
     const auto [k, l] = widest_edge(m);
-    const S& worst = dots(m, k, l);
-    // cos 60 degrees between quaternions is 120 degrees of rotation.
-    const bool near = certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(4) * sq(worst))) && certainly_less(S(0), worst);
-    if (near || (halvings_left == 0 && certainly_less(S(0), worst))) {
+    if (is_near(m, k, l)) {
       emit(first, m);
     } else if (halvings_left > 0) {
       halve(first, m, k, l, halvings_left);
@@ -79,18 +77,28 @@ class ControlHull {
       }
   }
 
-  // The pair of corners with the smallest normalised dot product, compared without roots.
+  // Less than 120 degrees of rotation apart, 60 degrees between the quaternions, which are certainly not 0.
+  bool is_near(std::size_t m, std::size_t k, std::size_t l) {
+    const S& w = dots(m, k, l);
+    return certainly_less(S(0), w) && certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(4) * sq(w)));
+  }
+
+  // The pair of corners with the smallest normalised dot product, compared without roots or quotients. A corner that may be
+  // 0 makes any pair of it the widest.
   std::pair<std::size_t, std::size_t> widest_edge(std::size_t m) {
-    std::pair<std::size_t, std::size_t> widest{0, 0};
+    std::pair<std::size_t, std::size_t> widest{m > 1 ? 1 : 0, 0};
     const auto signed_square = [&](std::size_t k, std::size_t l) {
       const S& w = dots(m, k, l);
-      const S ratio = sq(w) / (dots(m, k, k) * dots(m, l, l));
-      return prefer_less(w, S(0)) ? S(-ratio) : ratio;
+      return prefer_less(w, S(0)) ? S(-sq(w)) : sq(w);
     };
+    const auto lengths = [&](std::size_t k, std::size_t l) { return S(dots(m, k, k) * dots(m, l, l)); };
     for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t l = 0; l < k; ++l)
-        if ((widest.first == widest.second) || prefer_less(signed_square(k, l), signed_square(widest.first, widest.second)))
+      for (std::size_t l = 0; l < k; ++l) {
+        if (!certainly_less(S(0), lengths(k, l))) return {k, l};
+        if (prefer_less(S(signed_square(k, l) * lengths(widest.first, widest.second)),
+                        S(signed_square(widest.first, widest.second) * lengths(k, l))))
           widest = {k, l};
+      }
     return widest;
   }
 

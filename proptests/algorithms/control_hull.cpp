@@ -1,0 +1,304 @@
+// The control balls hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the fallback.
+#include "algorithms/refit/control_hull.hpp"
+
+#include <cstdio>
+#include <random>
+
+#include "algorithms/skinning/rotation_center.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "proptests/gen/skinned_samples.hpp"
+#include "proptests/harness.hpp"
+
+// The control points need no root, only the fallback does: in rationals it says so, unless the root is rational.
+struct NoRationalRoot {};
+namespace refitlab {
+template <>
+inline Rational NumberTraits<Rational>::sqrt(const Rational& x) {
+  CGAL::Gmpz n, d, rest;
+  mpz_sqrtrem(n.mpz(), rest.mpz(), x.numerator().mpz());
+  if (rest != 0) throw NoRationalRoot{};
+  mpz_sqrtrem(d.mpz(), rest.mpz(), x.denominator().mpz());
+  if (rest != 0) throw NoRationalRoot{};
+  return {n, d};
+}
+}  // namespace refitlab
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::RationalVec;
+using gen::RefitCase;
+
+template <class S>
+std::vector<Ball3<S>> balls_of(const RefitCase& c) {
+  const gen::NodeOf<S> node(c);
+  ControlLists<S> lists;
+  const auto balls = control_balls(node.node(), lists);
+  return {balls.begin(), balls.end()};
+}
+
+// From the hull's point nearest to v towards v, in double [Gilbert 1966]: if v is outside, this direction shows it.
+Point3 direction_away(const std::vector<Ball3<double>>& balls, const Point3& v) {
+  Point3 nearest = balls[0].center;
+  for (int step = 0; step < 60; ++step) {
+    const Point3 d = v - nearest;
+    const Ball3<double>* best = &balls[0];
+    for (const auto& b : balls)
+      if (b.center.dot(d) + b.radius * d.norm() > best->center.dot(d) + best->radius * d.norm()) best = &b;
+    const Point3 edge = best->center - nearest;
+    if (edge.squaredNorm() < 1e-28) break;
+    nearest += edge * std::clamp(edge.dot(d) / edge.squaredNorm(), 0.0, 1.0);
+  }
+  return v - nearest;
+}
+
+// (v, d) <= max over the balls of (center, d) + radius ||d||.
+template <class S>
+Verdict reaches(const std::vector<Ball3<S>>& balls, const Vec<S, 3>& v, const Vec<S, 3>& d) {
+  Verdict any = Verdict::fails;
+  const S length = squared_norm(d);
+  for (const auto& b : balls) {
+    const S beyond = dot<S, 3>(v - b.center, d);
+    any |= less_equal(beyond, S(0)) | less_equal(sq(beyond), S(sq(b.radius) * length));
+  }
+  return any;
+}
+
+template <class S>
+void assert_holds(const RefitCase& c, const std::vector<Ball3<S>>& balls, Verdict at_least) {
+  const auto rounded = balls_of<double>(c);
+  for (const auto& sample : gen::samples(c, gen::Blending::spherical, rounded[0].center)) {
+    const auto v = gen::skinned(c, sample, gen::Blending::spherical);
+    if (!v) continue;
+    const Point3 away = direction_away(rounded, lift<double>(*v));
+    const RationalVec<3> directions[] = {convert<Rational>(away), *gen::nonzero_vector<3>()};
+    for (const auto& d : directions) RC_ASSERT(reaches<S>(balls, lift<S>(*v), lift<S>(d)) >= at_least);
+  }
+}
+
+std::size_t control_point_count(std::size_t m) { return m * (m + 1) * (m + 2) / 6; }
+
+// What the cases went through.
+struct Paths {
+  long exact = 0, halved = 0, fallback = 0;
+};
+
+void check_hull(Paths& paths) {
+  const RefitCase c = *gen::refit_case(gen::Turns::any);
+  for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
+  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
+  try {
+    const auto balls = balls_of<Rational>(c);
+    ++paths.exact;
+    std::size_t unhalved = 0;
+    for (const auto& set : c.sets)
+      unhalved += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
+    paths.halved += balls.size() > unhalved;
+    assert_holds(c, balls, Verdict::holds);
+  } catch (const NoRationalRoot&) {
+    ++paths.fallback;
+    assert_holds(c, balls_of<MultiprecisionInterval>(c), Verdict::undecided);  // on the boundary of a cap's ball
+  }
+}
+
+// How far the policy's ball of double misses the exactly skinned vertices of the same doubles: at most 1e-12 of the
+// coordinates' size.
+template <class Policy>
+void check_double() {
+  const RefitCase c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
+  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
+  ControlLists<double> lists;
+  const gen::NodeOf<double> node(c);
+  const Ball3<double> ball = refit_control_hull<Policy>(node.node(), lists);
+  double size = ball.center.norm() + ball.radius;
+  for (const auto& set : c.sets) size += lift<double>(set.pose.rotation_center).norm();
+  const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
+  for (const auto& sample : gen::samples(c, gen::Blending::spherical, ball.center))
+    if (const auto v = gen::skinned(c, sample, gen::Blending::spherical)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
+}
+
+// A joint-set by hand: rotations about the origin without translation, and corners.
+RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations, const std::vector<std::vector<Rational>>& corners) {
+  gen::SetCase set;
+  for (const auto& q : rotations) set.pose.transforms.push_back({q, RationalVec<3>::Zero()});
+  place_rotation_center<Rational>(set.pose, RationalVec<3>(0, 0, 0));
+  set.weights.corners = corners;
+  return {{RationalVec<3>(1, 2, 3), Rational(1, 2)}, {set}};
+}
+
+std::vector<std::vector<Rational>> whole_simplex(std::size_t n) {
+  std::vector<std::vector<Rational>> rows(n, std::vector<Rational>(n, Rational(0)));
+  for (std::size_t i = 0; i < n; ++i) rows[i][i] = 1;
+  return rows;
+}
+
+// Every vertex that moves by blends of the corners at multiples of 1/8, in double.
+bool holds_on_a_grid(const RefitCase& c) {
+  const auto balls = balls_of<double>(c);
+  for (const auto& b : balls)
+    if (!b.center.allFinite() || !(b.radius >= 0)) return false;
+  const gen::NodeOf<double> storage(c);
+  const auto node = storage.node();
+  const auto& set = node.joint_sets[0];
+  bool all = true;
+  for_each_index(set.corner_count, 8, [&](const std::vector<std::size_t>& index) {
+    std::vector<double> w(node.pose[0].transforms.size(), 0.0);
+    for (const auto k : index)
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] += node.corner(set, static_cast<int>(k))[i] / 8;
+    if (blend_quaternion<double>(node.pose[0], w).norm() < 1e-9) return;
+    const Point3 v = blend_spherical<double>(node.pose[0], w, node.reference.center);
+    const Point3 d = direction_away(balls, v);
+    double reach = -1e300;
+    for (const auto& b : balls) reach = std::max(reach, (b.center - v).dot(d) + b.radius * d.norm());
+    all = all && reach >= node.reference.radius * d.norm() - 1e-9;  // with all of the reference ball
+  });
+  return all;
+}
+
+// Random joint-sets of joints that turn about near points by at most 120 degrees against each other, r = 0: the smallest
+// ball of the control points over the smallest ball of densely sampled true positions.
+Checked measure_tightness() {
+  std::mt19937_64 random(2006);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto vector = [&] { return Point3(normal(random), normal(random), normal(random)); };
+  double sum = 0, worst = 0;
+  int count = 0;
+  while (count < 300) {
+    const int n = 2 + count % 3;
+    JointSetPose<double> pose;
+    for (int i = 0; i < n; ++i) {
+      Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
+      q.normalize();
+      const Point3 pivot = 0.3 * vector();
+      pose.transforms.push_back({q, pivot - rotate(q, pivot)});
+    }
+    make_signs_consistent<double>(pose.transforms);
+    bool near = true;
+    for (const auto& a : pose.transforms)
+      for (const auto& b : pose.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
+    if (!near) continue;
+    place_rotation_center<double>(pose, rotation_center(pose.transforms, Point3::Zero()));
+    const Ball3<double> reference{2 * vector(), 0};
+    std::vector<double> corners;
+    for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
+      for (int i = 0, share = count / 3 % 3; i < n; ++i) corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
+    const NodeJointSet set{0, 0, n};
+    const RefitNode<double> node{reference, {&set, 1}, corners.data(), {&pose, 1}};
+    ControlLists<double> lists;
+    const double bound = refit_control_hull<SmallestBalls>(node, lists).radius;
+    std::vector<Point3> positions;
+    for_each_index(n, n == 2 ? 400 : n == 3 ? 40 : 20, [&](const std::vector<std::size_t>& index) {
+      std::vector<double> w(n, 0.0);
+      for (const auto k : index)
+        for (int i = 0; i < n; ++i) w[i] += corners[k * n + i] / double(index.size());
+      positions.push_back(blend_spherical<double>(pose, w, reference.center));
+    });
+    const double truth = as_ball(smallest_ball<double, 3>(positions)).radius;
+    if (!(truth > 1e-6)) continue;
+    sum += bound / truth;
+    worst = std::max(worst, bound / truth);
+    ++count;
+  }
+  char text[160];
+  std::snprintf(text, sizeof text, "control balls over sampled positions: mean %.4f, worst %.4f (goal: mean at most 1.005)",
+                sum / count, worst);
+  return Checked(sum / count <= 1.02, count, text);
+}
+
+}  // namespace
+
+PROPTEST(control_hull) {
+  static Paths paths;
+  t.holds("the hull of the control balls holds every vertex of S with admissible weights",
+          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.3}, [] { check_hull(paths); });
+  t.example("of the cases many are exact, some are halved, some need the fallback", {}, [] {
+    char text[100];
+    std::snprintf(text, sizeof text, "%ld exact, of these %ld halved; %ld on the fallback", paths.exact, paths.halved,
+                  paths.fallback);
+    const long all = paths.exact + paths.fallback;
+    return Checked(paths.exact * 2 > all && paths.halved * 20 > all && paths.fallback * 50 > all, all, text);
+  });
+  t.holds("up to a right angle between joints no root is taken and nothing is halved",
+          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2}, [] {
+            const RefitCase c = *gen::refit_case(gen::Turns::moderate);
+            RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
+            const auto balls = balls_of<Rational>(c);
+            std::size_t expected = 0;
+            for (const auto& set : c.sets)
+              expected += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
+            RC_ASSERT(balls.size() == expected);
+            for (const auto& b : balls) RC_ASSERT(b.radius == c.reference.radius);
+            assert_holds(c, balls, Verdict::holds);
+          });
+  t.holds("halving ends: at most 16 m (m + 1) (m + 2) / 6 balls for m corners, all of them finite",
+          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.3}, [] {
+            const RefitCase c = *gen::refit_case(gen::Turns::any);
+            RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
+            const auto balls = balls_of<double>(c);
+            std::size_t most = 0;
+            for (const auto& set : c.sets) most += 16 * control_point_count(set.weights.corners.size());
+            RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
+            for (const auto& b : balls) RC_ASSERT(b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0);
+          });
+  t.holds("a ball of each piece's own serves its vertices as S serves all",
+          {.number_type = "rational", .cases = 200}, [] {
+            const RefitCase c = *gen::refit_case(gen::Turns::moderate);
+            const gen::NodeOf<Rational> storage(c);
+            auto node = storage.node();
+            std::vector<Ball3<Rational>> own;
+            for (std::size_t i = 0; i < c.sets.size(); ++i) own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
+            node.piece_references = own;
+            ControlLists<Rational> lists;
+            const auto balls = control_balls(node, lists);
+            std::size_t first = 0;
+            for (std::size_t i = 0; i < c.sets.size(); ++i) {
+              const RefitCase alone{own[i], {c.sets[i]}};
+              for (const auto& b : balls_of<Rational>(alone)) {
+                RC_ASSERT(first < balls.size());
+                RC_ASSERT(b.center == balls[first].center && b.radius == balls[first].radius);
+                ++first;
+              }
+            }
+            RC_ASSERT(first == balls.size());
+          });
+  const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2};
+  t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
+          [] { check_double<MeanBalls>(); });
+  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
+          [] { check_double<NearSmallestBalls>(); });
+  t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
+          [] { check_double<SmallestBalls>(); });
+
+  t.example("a corner that is 0 beside two near ones: all rotations are allowed for it", {}, [] {
+    const RefitCase c = by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}}, {{1, 0}, {Rational(3, 4), Rational(1, 4)}, {Rational(1, 2), Rational(1, 2)}});
+    bool all_of_them = false;
+    for (const auto& b : balls_of<double>(c)) all_of_them = all_of_them || b.radius >= 0.5 + std::sqrt(14.0) - 1e-9;
+    return all_of_them && holds_on_a_grid(c);
+  });
+  t.example("antipodal quaternions: all rotations, whose ball is about the rotation center", {}, [] {
+    const RefitCase c = by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}}, whole_simplex(2));
+    return holds_on_a_grid(c);
+  });
+  t.example("one, two and three half-turns about perpendicular axes, and equal corners", {}, [] {
+    const gen::RationalQuaternion one(1, 0, 0, 0), i(0, 1, 0, 0), j(0, 0, 1, 0), k(0, 0, 0, 1);
+    return holds_on_a_grid(by_hand({one, i}, whole_simplex(2))) && holds_on_a_grid(by_hand({one, i, j}, whole_simplex(3))) &&
+           holds_on_a_grid(by_hand({one, i, j, k}, whole_simplex(4))) &&
+           holds_on_a_grid(by_hand({one, i}, {{1, 0}, {1, 0}, {0, 1}, {0, 1}}));
+  });
+  t.example("a vertex at the rotation center moves as its linear part alone", {.number_type = "rational"}, [] {
+    RefitCase c = by_hand({{1, 0, 0, 0}, {Rational(3, 5), Rational(4, 5), 0, 0}}, whole_simplex(2));
+    c.reference = {RationalVec<3>(0, 0, 0), 0};
+    c.sets[0].pose.transforms[1].translation = RationalVec<3>(1, 0, 0);
+    place_rotation_center<Rational>(c.sets[0].pose, RationalVec<3>(0, 0, 0));
+    bool on_the_way = true;
+    for (const auto& b : balls_of<Rational>(c))
+      on_the_way = on_the_way && b.radius == 0 && b.center[0] >= 0 && b.center[0] <= 1 && b.center[1] == 0 && b.center[2] == 0;
+    return on_the_way;
+  });
+  t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth", {.number_type = "double"},
+            measure_tightness);
+}
+
+}  // namespace proptests
