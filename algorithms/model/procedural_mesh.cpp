@@ -22,7 +22,8 @@ Mesh to_cgal(const SkinMesh& skin) {
   Mesh mesh;
   for (const Point3& p : skin.vertices) mesh.add_vertex(CgalPoint(p[0], p[1], p[2]));
   for (const auto& [a, b, c] : skin.triangles)
-    mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
+    if (mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) == Mesh::null_face())
+      throw ModelError("generated mesh", "a triangle", "does not fit to its neighbours: the surface is no manifold");
   return mesh;
 }
 
