@@ -6,6 +6,8 @@
 #include <CGAL/Min_sphere_of_spheres_d_traits_3.h>
 
 #include <Eigen/QR>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace refitlab {
@@ -66,6 +68,10 @@ Ball3<double> solve_exactly(std::span<const Ball3<double>> balls) {
 }  // namespace
 
 Ball3<double> smallest_ball_of_balls(std::span<const Ball3<double>> balls) {
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& b : balls)
+    if (!b.center.allFinite() || !(b.radius >= 0) || !std::isfinite(b.radius))
+      return {Vec<double, 3>::Constant(undefined), undefined};
   auto smallest = solve<Quick>(balls);
   const double* c = smallest.center_cartesian_begin();
   const Ball3<double> out = ball_about({c[0], c[1], c[2]}, balls);

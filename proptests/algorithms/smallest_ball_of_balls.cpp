@@ -97,6 +97,16 @@ PROPTEST(smallest_ball_of_balls) {
     return is(of({a}), a) && is(of({a, inside}), a) && is(of({inside, a, a}), a) && is(of({left, right}), {{0, 0, 0}, 2}) &&
            is(of({p, q}), {{0, 0, 0}, 3}) && is(of({p}), p);
   });
+
+  t.example("balls of which one is undefined have an undefined ball, and the others one that is defined", {}, [] {
+    const Ball3<double> good{{1, 2, 3}, 4}, nan{{1, std::nan(""), 3}, 1}, negative{{0, 0, 0}, -1}, infinite{{0, 0, 0}, INFINITY};
+    for (const auto& bad : {nan, negative, infinite}) {
+      const std::vector<Ball3<double>> balls{good, bad};
+      const auto ball = smallest_ball_of_balls(balls);
+      if (!std::isnan(ball.radius) || !std::isnan(ball.center[0])) return false;
+    }
+    return smallest_ball_of_balls(std::vector<Ball3<double>>{good}).radius == 4;
+  });
 }
 
 }  // namespace proptests
