@@ -8,7 +8,8 @@
 namespace refitlab {
 
 // balls is not empty. Starts from the middle of the balls' bounding box; step i moves the center by the share 1/(i + 2) towards
-// the ball that reaches farthest. The best center met is returned, with the radius that encloses all balls from there.
+// the ball that reaches farthest. The best center met is returned, with the radius that encloses all balls from there: at
+// most sqrt(3) times the smallest, already from the first center (half the box's diagonal against half its longest edge).
 template <class S>
 Ball3<S> near_smallest_ball(std::span<const Ball3<S>> balls, int steps) {
   Vec<S, 3> low = balls[0].center - Vec<S, 3>::Constant(balls[0].radius);
@@ -25,9 +26,10 @@ Ball3<S> near_smallest_ball(std::span<const Ball3<S>> balls, int steps) {
     S reach = norm<S, 3>(balls[0].center - center) + balls[0].radius;
     for (std::size_t i = 1; i < balls.size(); ++i) {
       const S r = norm<S, 3>(balls[i].center - center) + balls[i].radius;
-      if (reach < r) reach = r, farthest = i;
+      if (prefer_less(reach, r)) farthest = i;
+      reach = max_of(reach, r);
     }
-    if (step == 0 || reach < best.radius) best = {center, reach};
+    if (step == 0 || prefer_less(reach, best.radius)) best = {center, reach};
     center = center + (balls[farthest].center - center) / S(step + 2);
   }
   return best;

@@ -1,0 +1,131 @@
+#include "algorithms/tree/pieces.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "algorithms/model/procedural.hpp"
+#include "lemmas/vocabulary/exact.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/convex_combination.hpp"
+#include "proptests/oracles/corners.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+struct Rig {
+  explicit Rig(Model m) : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets)), vertices(tree, model) {
+    for (int s = 0; s < sets.count(); ++s)
+      pose.push_back({std::vector<RigidTransform<double>>(sets.joints(s).size()), Point3::Zero(), {}});
+  }
+  Model model;
+  JointSets sets;
+  SphereTree tree;
+  NodeVertices vertices;
+  SkinningPose<double> pose;  // at rest
+};
+
+oracle::Row exact(std::span<const double> w) { return {w.begin(), w.end()}; }
+
+std::vector<oracle::Row> corners_of(const RefitNode<double>& node, const NodeJointSet& piece) {
+  std::vector<oracle::Row> rows;
+  for (int k = 0; k < piece.corner_count; ++k) rows.push_back(exact(node.corner(piece, k)));
+  return rows;
+}
+
+// Exactly. For more than four weights a simplex search is too slow: there the corners are rows, or those of a weight box.
+bool in_hull(const std::vector<oracle::Row>& corners, const oracle::Row& w) {
+  if (w.size() <= 4 || std::find(corners.begin(), corners.end(), w) != corners.end())
+    return oracle::as_convex_combination(corners, w).has_value();
+  const auto box = oracle::bounds_around(corners);
+  for (std::size_t i = 0; i < w.size(); ++i)
+    if (w[i] < box.low[i] || box.high[i] < w[i]) return false;
+  return true;
+}
+
+bool in_ball(const Ball3<double>& ball, const Point3& v) {
+  const Ball3<Rational> wider{convert<Rational>(ball.center), Rational(ball.radius) * Rational(1 + 1e-14)};
+  return encloses<Rational, 3>(wider, convert<Rational>(v)) == Verdict::holds;
+}
+
+// What is wrong with a node's pieces; empty if nothing is. At most `most` of its vertices are looked at.
+std::string fault(const Rig& rig, const PieceTable& table, int n, int most_pieces, std::size_t most) {
+  const auto node = table.refit_node(rig.tree, n, rig.pose);
+  const auto of_node = rig.vertices[n];
+  std::set<int> expected, seen;
+  for (const int v : of_node) expected.insert(rig.sets.of_vertex(v));
+  for (const auto& piece : node.joint_sets) seen.insert(piece.joint_set);
+  if (seen != expected) return "the pieces' joint-sets are not those of the vertices";
+  if (node.joint_sets.size() > std::max<std::size_t>(expected.size(), static_cast<std::size_t>(most_pieces)))
+    return "too many pieces";
+  const auto simple = rig.tree.refit_node(n, rig.pose);
+  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+    if (node.piece_reference(i).radius > simple.reference.radius * (1 + 1e-12)) return "a piece is larger than its node";
+    for (const auto& set : simple.joint_sets)
+      if (most_pieces == 1 && set.joint_set == node.joint_sets[i].joint_set && node.joint_sets[i].corner_count > set.corner_count)
+        return "more corners than the weight box";
+  }
+  const std::size_t step = std::max<std::size_t>(1, of_node.size() / most);
+  for (std::size_t i = 0; i < of_node.size(); i += step) {
+    const int v = of_node[i];
+    bool covered = false;
+    for (std::size_t p = 0; p < node.joint_sets.size() && !covered; ++p)
+      covered = node.joint_sets[p].joint_set == rig.sets.of_vertex(v) && in_ball(node.piece_reference(p), rig.model.vertices[v]) &&
+                in_hull(corners_of(node, node.joint_sets[p]), exact(rig.sets.weights(v)));
+    if (!covered) return "vertex " + std::to_string(v) + " is in no piece";
+  }
+  return "";
+}
+
+Checked check_man(int most_pieces) {
+  static const Rig rig(make_man());
+  const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {most_pieces});
+  long nodes = 0;
+  const int count = static_cast<int>(rig.tree.nodes.size());
+  for (int n = 0; n < count; n += n < 30 ? 1 : 61) {
+    const std::string wrong = fault(rig, table, n, most_pieces, 40);
+    if (!wrong.empty()) return Checked(false, nodes, "node " + std::to_string(n) + ": " + wrong);
+    ++nodes;
+  }
+  return Checked(nodes > 100, nodes, std::to_string(table.piece_count()) + " pieces for " + std::to_string(count) + " nodes");
+}
+
+}  // namespace
+
+PROPTEST(pieces) {
+  t.holds("every vertex is in a piece of its joint-set: in its ball, and in the hull of its weights",
+          {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Rig rig(gen::make_mesh(plan));
+            for (const int most : {1, 2, 5, 64}) {
+              const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {most});
+              for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); n += n < 12 ? 1 : 5)
+                RC_ASSERT(fault(rig, table, n, most, 12) == "");
+            }
+          });
+  t.holds("more pieces are smaller pieces: the largest of a node never grows, and as many as allowed are made",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Rig rig(gen::make_mesh(plan));
+            const PieceTable few(rig.tree, rig.vertices, rig.model, rig.sets, {1});
+            const PieceTable many(rig.tree, rig.vertices, rig.model, rig.sets, {8});
+            for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) {
+              const auto a = few.refit_node(rig.tree, n, rig.pose), b = many.refit_node(rig.tree, n, rig.pose);
+              const auto largest = [](const RefitNode<double>& node) {
+                double r = 0;
+                for (const auto& ball : node.piece_references) r = std::max(r, ball.radius);
+                return r;
+              };
+              RC_ASSERT(largest(b) <= largest(a) * (1 + 1e-12));
+              RC_ASSERT(b.joint_sets.size() == std::max<std::size_t>(a.joint_sets.size(), std::min<std::size_t>(8, rig.vertices[n].size())));
+            }
+          });
+  t.example("on the built-in man, a piece for each joint-set", {.number_type = "rational"}, [] { return check_man(1); });
+  t.example("on the built-in man, up to 64 pieces", {.number_type = "rational"}, [] { return check_man(64); });
+}
+
+}  // namespace proptests
