@@ -64,6 +64,9 @@ PROPTEST(b2_control_hull_encloses) {
     RC_ASSERT(control_balls_enclose(c.blend, u, ball, radius, offset) == Verdict::holds);
     const RationalVec<3> vertex = image_in_control_hull(c.blend, u).image + offset;
     RC_ASSERT(encloses(ball, vertex) == Verdict::holds);
+    const auto centers_only = ball_around(ball.center, positions(points), Rational(0));
+    if (radius > Rational(1, 1000))
+      RC_ASSERT(encloses_control_balls(centers_only, points, radius) == Verdict::fails);
   });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
