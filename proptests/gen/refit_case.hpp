@@ -1,0 +1,63 @@
+// Refits in exact rationals: a reference ball, and joint-sets in a posture with weight bounds, made to be awkward.
+#pragma once
+
+#include "algorithms/refit/refit_node.hpp"
+#include "lemmas/vocabulary/lift.hpp"
+#include "proptests/gen/rigid.hpp"
+#include "proptests/gen/weight_bounds.hpp"
+
+namespace proptests::gen {
+
+struct SetCase {
+  refitlab::JointSetPose<Rational> pose;
+  BoundsWithCorners weights;
+};
+
+struct RefitCase {
+  refitlab::Ball3<Rational> reference;  // S = [p, r]
+  std::vector<SetCase> sets;
+};
+
+enum class Turns {
+  any,        // also equal and antipodal quaternions, half-turns, blends that vanish, signs of either kind
+  moderate    // any two joints of a set differ by at most 90 degrees, with consistent signs
+};
+
+// 1 to 3 joint-sets of 1 to 5 joints, weight bounds from one to four vertices, a rotation center anywhere, at p or at a
+// common joint, r = 0 in a quarter of the cases.
+rc::Gen<RefitCase> refit_case(Turns turns);
+
+// How a case is degenerate, a word each; empty if it is not.
+std::vector<std::string> degeneracies(const RefitCase& c);
+
+// The same case in doubles, and those taken as exact numbers: what a program in double is given. The rotations are of unit
+// length only nearly, the images of the rotation centers are those that double computes, the weights are multiples of
+// 2^-24 with all their corners.
+RefitCase rounded_to_double(const RefitCase& c);
+
+void showValue(const RefitCase& c, std::ostream& out);
+
+// A case over the number type T as the refit's input, with its storage.
+template <class T>
+class NodeOf {
+ public:
+  explicit NodeOf(const RefitCase& c) : reference_(refitlab::lift<T>(c.reference)) {
+    for (const SetCase& set : c.sets) {
+      const int first = static_cast<int>(weights_.size());
+      for (const auto& corner : set.weights.corners)
+        for (const Rational& w : corner) weights_.push_back(refitlab::lift<T>(w));
+      sets_.push_back({static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.corners.size())});
+      pose_.push_back({refitlab::lift<T>(set.pose.transforms), refitlab::lift<T>(set.pose.rotation_center),
+                       refitlab::lift<T>(set.pose.center_images)});
+    }
+  }
+  refitlab::RefitNode<T> node() const { return {reference_, sets_, weights_.data(), pose_}; }
+
+ private:
+  refitlab::Ball3<T> reference_;
+  std::vector<refitlab::NodeJointSet> sets_;
+  std::vector<T> weights_;
+  refitlab::SkinningPose<T> pose_;
+};
+
+}  // namespace proptests::gen

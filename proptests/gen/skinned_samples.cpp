@@ -1,0 +1,124 @@
+#include "proptests/gen/skinned_samples.hpp"
+
+#include "algorithms/skinning/blend.hpp"
+#include "proptests/gen/sphere_point.hpp"
+
+namespace proptests::gen {
+namespace {
+
+using namespace refitlab;
+
+// The nearest multiple of 2^-12: enough to aim with, and short.
+Rational coarse(double x) { return Rational(std::ldexp(std::round(std::ldexp(x, 12)), -12)); }
+
+// A rational unit vector near a direction.
+RationalVec<3> unit_near(const Point3& direction) {
+  const double length = direction.norm();
+  if (!(length > 1e-12 && length < 1e12)) return {1, 0, 0};
+  const Point3 d = direction / length;
+  const double sign = d[0] < 0 ? -1 : 1;  // project from the pole that is farther away
+  const RationalVec<3> x = inverse_stereographic<3>({coarse(sign * d[1] / (1 + sign * d[0])), coarse(sign * d[2] / (1 + sign * d[0]))});
+  return x * Rational(sign);
+}
+
+RationalWeights blend_of_corners(const SetCase& set, const std::vector<Rational>& shares) {
+  RationalWeights w(set.pose.transforms.size(), Rational(0));
+  Rational sum(0);
+  for (const Rational& share : shares) sum += share;
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] += set.weights.corners[k][i] * shares[k] / sum;
+  return w;
+}
+
+// The ascent, in double: shares of the corners are moved towards one corner as long as p is carried farther.
+class Ascent {
+ public:
+  Ascent(const RefitCase& c, const SetCase& set, Blending blending, const Point3& far_from)
+      : p_(lift<double>(c.reference.center)), blending_(blending), far_from_(far_from),
+        pose_{lift<double>(set.pose.transforms), lift<double>(set.pose.rotation_center), lift<double>(set.pose.center_images)},
+        corners_(lift<double>(set.weights.corners)), shares_(corners_.size(), 1.0 / double(corners_.size())) {}
+
+  std::vector<Rational> run() {
+    double reached = distance(shares_);
+    for (int round = 0; round < 3; ++round)
+      for (std::size_t k = 0; k < shares_.size(); ++k)
+        for (const double step : {0.9, 0.5, 0.2, 0.05, -0.1}) {
+          std::vector<double> moved = shares_;
+          for (double& s : moved) s *= 1 - step;
+          moved[k] += step;
+          if (moved[k] < 0) continue;
+          if (const double d = distance(moved); d > reached) reached = d, shares_ = moved;
+        }
+    std::vector<Rational> out;
+    for (const double s : shares_) out.push_back(coarse(s));
+    out[0] += Rational(1, 4096);  // so that they do not all round to 0
+    return out;
+  }
+
+ private:
+  double distance(const std::vector<double>& shares) const {
+    std::vector<double> w(pose_.transforms.size(), 0.0);
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] += corners_[k][i] * shares[k];
+    if (blending_ == Blending::linear) return (blend_linear<double>(pose_, w, p_) - far_from_).norm();
+    return (blend_spherical<double>(pose_, w, p_) - far_from_).norm();
+  }
+
+  Point3 p_;
+  Blending blending_;
+  Point3 far_from_;
+  JointSetPose<double> pose_;
+  std::vector<std::vector<double>> corners_;
+  std::vector<double> shares_;
+};
+
+// The point of the surface of S that these weights carry farthest from a point: outward, turned back.
+RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const RationalWeights& w, Blending blending,
+                               const Point3& far_from) {
+  const JointSetPose<double> pose{lift<double>(set.pose.transforms), lift<double>(set.pose.rotation_center),
+                                  lift<double>(set.pose.center_images)};
+  const auto weights = lift<double>(w);
+  const Point3 p = lift<double>(c.reference.center);
+  const auto image = [&](const Point3& v) {
+    return blending == Blending::linear ? blend_linear<double>(pose, weights, v) : blend_spherical<double>(pose, weights, v);
+  };
+  const Point3 outward = image(p) - far_from, origin = image(Point3::Zero());
+  Point3 back;
+  for (int i = 0; i < 3; ++i) back[i] = (image(Point3::Unit(i)) - origin).dot(outward);
+  return c.reference.center + unit_near(back) * c.reference.radius;
+}
+
+}  // namespace
+
+std::optional<RationalVec<3>> skinned(const RefitCase& c, const Sample& sample, Blending blending) {
+  const auto& pose = c.sets[sample.joint_set].pose;
+  if (blending == Blending::linear) return blend_linear<Rational>(pose, sample.weights, sample.vertex);
+  if (squared_norm(blend_quaternion<Rational>(pose, sample.weights)) == 0) return std::nullopt;
+  return blend_spherical<Rational>(pose, sample.weights, sample.vertex);
+}
+
+std::vector<Sample> samples(const RefitCase& c, Blending blending, const Point3& far_from) {
+  std::vector<Sample> out;
+  for (int s = 0; s < static_cast<int>(c.sets.size()); ++s) {
+    const SetCase& set = c.sets[s];
+    const int m = static_cast<int>(set.weights.corners.size());
+    const auto& a = set.weights.corners[*rc::gen::inRange(0, m)];
+    const auto& b = set.weights.corners[*rc::gen::inRange(0, m)];
+    const Rational t = *unit_interval_rational();
+    RationalWeights edge = a;
+    for (std::size_t i = 0; i < edge.size(); ++i) edge[i] += t * (b[i] - a[i]);
+    const auto worst = blend_of_corners(set, Ascent(c, set, blending, far_from).run());
+    const auto middle = blend_of_corners(set, std::vector<Rational>(m, Rational(1)));
+    const RationalVec<3> on_surface = c.reference.center + *sphere_point<3>() * c.reference.radius;
+    out.push_back({s, a, c.reference.center});
+    out.push_back({s, a, farthest_vertex(c, set, a, blending, far_from)});
+    out.push_back({s, edge, on_surface});
+    out.push_back({s, edge, farthest_vertex(c, set, edge, blending, far_from)});
+    out.push_back({s, middle, farthest_vertex(c, set, middle, blending, far_from)});
+    out.push_back({s, *admissible_weights(set.weights.bounds), on_surface});
+    out.push_back({s, worst, farthest_vertex(c, set, worst, blending, far_from)});
+  }
+  return out;
+}
+
+}  // namespace proptests::gen

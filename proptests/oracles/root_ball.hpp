@@ -1,0 +1,37 @@
+// The refits' balls without nested roots: rational centers, and radii that are a sum of two square roots.
+//
+// An axis of rotations that is rational up to a factor makes all of the repaired Algorithm 1 rational but for the last
+// radius, by the one cap lemma and Lemma 5 in squared form. So equality is decided, where the algorithm's own nested roots
+// are beyond exact arithmetic.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "proptests/gen/refit_case.hpp"
+
+namespace proptests::oracle {
+
+// Radius: the greatest sqrt(squared_distance) + sqrt(squared_radius), plus extra.
+struct RootBall {
+  struct Reach {
+    gen::Rational squared_distance, squared_radius;
+  };
+  gen::RationalVec<3> center;
+  std::vector<Reach> reaches;
+  gen::Rational extra;
+};
+
+// Decided always.
+bool encloses(const RootBall& ball, const gen::RationalVec<3>& point);
+
+// Where the balls of a list are gathered, and the quaternions of a joint-set: at their mean, or at the first of them.
+enum class Gather { at_mean, at_first };
+
+// The ball of the repaired Algorithm 1; nothing if a mean of unit quaternions is not rational up to a factor.
+std::optional<RootBall> repaired_ball(const gen::RefitCase& c, Gather gather);
+
+// The ball for linear blending.
+RootBall linear_ball(const gen::RefitCase& c);
+
+}  // namespace proptests::oracle
