@@ -152,4 +152,4 @@ Verdict radius_below_one_is_needed_printed(const SquaredBall<S, D>& ball) {
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: s43_whole_sphere_fallback; algorithms/refit, lines 11-13 of Algorithm 1.
+// Used by: algorithms/refit, lines 11-13 of Algorithm 1; s43_whole_sphere_fallback states the same for its cap in R^3.
