@@ -90,9 +90,10 @@ CapBall<S, D> smallest_cap_ball_by_roots(const Cap<S, D>& cap) {
   return smallest_cap_ball<S, D>(cap, root(S(S(1) - sq(cap.cos_angle))), v * stretch);
 }
 
-// Independent check of the witness. Encloses: the center is height >= 0 along the axis, and its farthest point of the
-// cap is at most at squared distance r^2 (1 - 2 height cos + height^2). Smallest: the ends are in the cap, on the
-// surface, and opposite.
+// Independent check of the witness. Encloses: the center is height >= 0 along the axis, and the cap's farthest point from
+// it is at most at squared distance r^2 (1 - 2 height cos + height^2). Smallest: the ends are in the cap, on the surface,
+// and opposite. (Two ends so far apart lie on the rim or across the whole sphere, which forces the height and the center.
+// Both are checked all the same, so that each half is seen by itself: a mutant without one of them is equivalent.)
 template <class S, int D>
 Verdict is_smallest_cap_ball(const Cap<S, D>& cap, const CapBall<S, D>& witness) {
   const Vec<S, D> axis = cap.apex - cap.center, along = witness.ball.center - cap.center;
