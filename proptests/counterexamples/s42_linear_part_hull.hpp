@@ -13,6 +13,8 @@ using Point = refitlab::Vec<Q, 3>;
 inline const refitlab::WeightBounds<Q> segment{{0, 0}, {1, 1}};
 inline const std::vector<Point> points{Point(0, 0, 0), Point(1, 0, 0)};
 inline const std::vector<Q> second{0, 1};
+// Bounds that admit no weight above 1/2.
+inline const refitlab::WeightBounds<Q> halves{{0, 0}, {Q(1, 2), Q(1, 2)}};
 
 // Without the second corner its point is beyond the hull.
 inline const refitlab::Corners<Q> first_only{{1, 0}};

@@ -136,7 +136,9 @@ PROPTEST(s41_corners_span) {
     return corners_span_hypotheses(s41::segment, s41::both_ends) == Verdict::holds &&
            admits<Rational>(s41::segment, s41::beyond_the_segment) == Verdict::fails &&
            corners_span(s41::segment, s41::both_ends, s41::beyond_the_segment).verdict == Verdict::fails &&
-           separates(s41::along_the_segment, s41::beyond_the_segment, s41::both_ends) == Verdict::holds;
+           separates(s41::along_the_segment, s41::beyond_the_segment, s41::both_ends) == Verdict::holds &&
+           // 2 and -1 make it of the corners, but are not convex.
+           is_corner_combination(s41::both_ends, s41::beyond_the_segment, s41::beyond_the_segment) == Verdict::fails;
   });
   const Options admissible_list{.form = "printed", .hypothesis = "the listed corners are admissible"};
   t.example("a listed point outside the bounds makes inadmissible combinations", admissible_list, [] {

@@ -94,6 +94,11 @@ PROPTEST(s42_linear_part_hull) {
     RC_ASSERT((is_admissible_blend<Rational, 3>(bounds, part.points, backward.point, x) == Verdict::fails));
   });
 
+  t.example("a blend with convex weights that the bounds do not admit is rejected", {}, [] {
+    return is_admissible_blend<Rational, 3>(s42::segment, s42::points, s42::points[1], s42::second) == Verdict::holds &&
+           is_admissible_blend<Rational, 3>(s42::halves, s42::points, s42::points[1], s42::second) == Verdict::fails;
+  });
+
   const Options completeness{.form = "printed", .hypothesis = "the list has every corner"};
   t.example("without one of the corners a blend is outside the hull", completeness, [] {
     const auto images = corner_images<Rational, 3>(s42::first_only, s42::points);
@@ -105,7 +110,9 @@ PROPTEST(s42_linear_part_hull) {
   t.example("with a corner outside the bounds the hull has points that are no blends", admissible, [] {
     const auto found = hull_in_linear_part<Rational, 3>(s42::segment, s42::too_far, s42::points, s42::only_the_first);
     return corners_are_complete(s42::segment, s42::too_far) == Verdict::holds && found.verdict == Verdict::fails &&
-           separates<Rational, 3>(-s42::along_the_points, found.point, s42::points) == Verdict::holds;
+           separates<Rational, 3>(-s42::along_the_points, found.point, s42::points) == Verdict::holds &&
+           // Coefficients that make it of the points are not convex.
+           is_hull_point<Rational, 3>(s42::points, found.point, std::vector<Rational>{2, -1}) == Verdict::fails;
   });
 }
 

@@ -69,6 +69,14 @@ PROPTEST(s43_distance_range) {
             });
           });
 
+  t.holds("the conditions on the norm, decided without it, are right where it is known", {.number_type = "rational"},
+          [] {
+            const BallAndSphere<3> b;
+            const Rational radius = *rc::gen::oneOf(rc::gen::just(b.radius), gen::positive_rational());
+            RC_ASSERT(reaches_surface_from_inside(b.center, radius) == verdict_of(b.length + radius >= 1));
+            RC_ASSERT(reaches_surface_from_outside(b.center, radius) == verdict_of(b.length - radius <= 1));
+          });
+
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 500}, [] {
     const BallAndSphere<4> b;
     decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_repaired<S, 4>(c, r); }, b.center,

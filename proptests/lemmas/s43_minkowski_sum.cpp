@@ -90,7 +90,8 @@ PROPTEST(s43_minkowski_sum) {
     return minkowski_sum_hypotheses(zero_blend) == Verdict::fails &&
            is_rotated(zero_blend, center, center) == Verdict::holds &&
            is_rotated(zero_blend, center, anywhere) == Verdict::holds &&
-           is_turned_point(zero_blend, unit_ball, pivot, {center, anywhere, center, anywhere}) == Verdict::fails;
+           is_turned_point(zero_blend, unit_ball, pivot, {center, anywhere, center, anywhere}) == Verdict::fails &&
+           is_turned_point(zero_blend, unit_ball, pivot, {anywhere, center, center, center}) == Verdict::fails;
   });
   const Options is_ball{.form = "printed", .hypothesis = "S is a ball"};
   t.example("a turned box is not the box about the turned center", is_ball, [] {

@@ -79,7 +79,7 @@ PROPTEST(s43_whole_sphere_fallback) {
     return Checked(all, 2);
   });
 
-  t.holds("if r^2 < 1 + ||c||^2 and c is not 0, every blend is in the cap and none is 0",
+  t.holds("if r^2 < 1 + ||c||^2, every blend is in the cap and none is 0",
           {.form = "repaired", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const Case c = any_cap();
             RC_PRE(ball_makes_cap(c.center, c.squared_radius) == Verdict::holds);
@@ -152,6 +152,14 @@ PROPTEST(s43_whole_sphere_fallback) {
     RC_ASSERT(implies(less(Rational(0), scaled_distance(c.center, c.squared_radius)),
                       less(Rational(0), squared_norm(c.center))) == Verdict::holds);
   });
+  t.example(
+      "past half of the sphere a unit is still on the rim, and of two opposite units the mean is nowhere", {}, [] {
+        const Case &rim = s43_fallback::past_half, &zero = s43_fallback::zero_center;
+        const std::vector<Rational> first{1, 0}, mean{Rational(1, 2), Rational(1, 2)};
+        return blend_in_cap<Rational>(rim.units, rim.center, rim.squared_radius, first).verdict == Verdict::holds &&
+               blend_in_cap<Rational>(zero.units, zero.center, zero.squared_radius, first).verdict == Verdict::holds &&
+               blend_in_cap<Rational>(zero.units, zero.center, zero.squared_radius, mean).verdict == Verdict::fails;
+      });
   t.example("a ball of nothing about 0 makes no cap, though its distance is positive", {}, [] {
     const Quaternion<Rational> zero = Quaternion<Rational>::Zero();
     return scaled_distance(zero, Rational(1, 4)) > 0 && ball_makes_cap(zero, Rational(1, 4)) == Verdict::fails;
