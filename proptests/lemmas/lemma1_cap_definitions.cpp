@@ -54,7 +54,7 @@ PROPTEST(lemma1_cap_definitions) {
             });
 
   t.holds("a half-space with d != 0 that meets the surface cuts out the cap of an apex and an angle",
-          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.3}, [] {
+          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               const auto c = *gen::surface_in_half_space<d>().as("case");
               RC_PRE(cuts_cap(c.surface, c.half_space) == Verdict::holds);
@@ -69,7 +69,7 @@ PROPTEST(lemma1_cap_definitions) {
             });
           });
   t.holds("a cap with r > 0 is what its half-space cuts out of the surface",
-          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.3}, [] {
+          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               const auto c = *gen::cap_point<d>().as("case");
               RC_PRE(c.cap.apex != c.cap.center);
@@ -105,7 +105,7 @@ PROPTEST(lemma1_cap_definitions) {
           });
 
   t.holds("intervals never contradict the exact verdict on half-spaces and points",
-          {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.3}, [] {
+          {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               auto c = *gen::surface_in_half_space<d>().as("case");
               RC_CLASSIFY(is_degenerate<d>(c), "degenerate");
@@ -116,7 +116,7 @@ PROPTEST(lemma1_cap_definitions) {
             });
           });
 
-  t.holds("a mutated witness is rejected", {.number_type = "rational", .degenerate_at_least = 0.3}, [] {
+  t.holds("a mutated witness is rejected", {.number_type = "rational", .degenerate_at_least = 0.25}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
       const auto c = *gen::surface_in_half_space<d>().as("case");
       RC_PRE(cuts_cap(c.surface, c.half_space) == Verdict::holds);

@@ -66,7 +66,7 @@ PROPTEST(lemma3_sphere_surface_intersection) {
       });
 
   t.holds("where b != a and the ball meets the surface, they have a cap in common",
-          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.3}, [] {
+          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               const auto c = *gen::surface_and_ball<d>().as("case");
               RC_CLASSIFY(is_degenerate<d>(c), "degenerate");
@@ -90,7 +90,7 @@ PROPTEST(lemma3_sphere_surface_intersection) {
             });
           });
   t.holds("0 is outside H if and only if r_b^2 < 1 + b^2, and then the printed formula is right unless b = 0",
-          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.3}, [] {
+          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               auto c = *gen::surface_and_ball<d>().as("case");
               if (*rc::gen::arbitrary<bool>().as("surface about 0")) c = about_origin(c);
@@ -119,7 +119,7 @@ PROPTEST(lemma3_sphere_surface_intersection) {
           });
 
   t.holds("intervals never contradict the exact verdict on meeting, on points and on the center",
-          {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.3}, [] {
+          {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               auto c = *gen::surface_and_ball<d>().as("case");
               RC_CLASSIFY(is_degenerate<d>(c), "degenerate");
