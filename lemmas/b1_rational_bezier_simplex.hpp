@@ -1,8 +1,9 @@
 // Beyond the paper: blend skinning is a rational Bezier simplex in the weights.
 //
-// Statement. Let the corners k = 1 ... m of a simplex of weights carry what is linear in the weights, and let u have the
-// sum 1. A sum over I = (j <= k <= l) takes each multi-index once, with the Bernstein polynomial B_I(u): the product of
-// u_j, u_k, u_l times the number of orderings of I. The deformed point is v'(u) = sum_I B_I(u) N_I / sum_I B_I(u) W_I, with
+// Statement. Let the corners k = 1 ... m of a simplex of weights carry what is linear in the weights, and let u have
+// the sum 1. A sum over I = (j <= k <= l) takes each multi-index once, with the Bernstein polynomial B_I(u): the
+// product of u_j, u_k, u_l times the number of orderings of I. The deformed point is v'(u) = sum_I B_I(u) N_I / sum_I
+// B_I(u) W_I, with
 // - degree 1, linear blending, p_k the images of the point: W_k = 1, N_k = p_k;
 // - degree 2, dual quaternions q_k + eps d_k, v' = (Im(q p q*) + 2 Im(d q*)) / ||q||^2 of the blended q, d:
 //     W_kl = (q_k, q_l),  N_kl = P_kl + T_kl,  P_kl = Im(q_k p q_l* + q_l p q_k*) / 2,  T_kl = Im(d_k q_l* + d_l q_k*);
@@ -10,12 +11,14 @@
 //     W_jkl = (W_jk + W_kl + W_jl) / 3,  N_jkl = (P_jk + P_kl + P_jl) / 3 + (r'_j W_kl + r'_k W_jl + r'_l W_jk) / 3.
 // The denominators are 1, ||q(u)||^2 and ||q(u)||^2: where the blend is not 0, v'(u) is what the skinning makes.
 //
-// Goes beyond: section 4.3, which bounds the rotation and section 4.2, which bounds the linear part, apart from each other.
-// Notation: q'_k -> rotations[k], r'_k -> center_images[k], u -> u, I -> ControlPoint::index, N_I, W_I -> numerator, weight.
+// Goes beyond: section 4.3, which bounds the rotation and section 4.2, which bounds the linear part, apart from each
+// other.
+// Notation: q'_k -> rotations[k], r'_k -> center_images[k], I -> ControlPoint::index, N_I, W_I -> numerator, weight.
 //
-// Proof. Both sides are homogeneous polynomials of the degree in u (1 = sum u raises a degree), and the N_I, W_I are the
-// coefficients of their symmetric multilinear forms. Such polynomials are equal if they agree at the points of W_m whose
-// coordinates are multiples of 1 / degree: so finitely many exact comparisons decide the statement for all u at once.
+// Proof. Both sides are homogeneous polynomials of the degree in u (1 = sum u raises a degree), and the N_I, W_I are
+// the coefficients of their symmetric multilinear forms. Such polynomials are equal if they agree at the points of W_m
+// whose coordinates are multiples of 1 / degree: so finitely many exact comparisons decide the statement for all u at
+// once.
 #pragma once
 
 #include <span>
@@ -66,7 +69,8 @@ template <class S>
 struct DualQuaternionBlend {
   using Number = S;
   static constexpr int degree = 2;
-  std::vector<Quaternion<S>> rotations, duals;  // q_k and d_k = t_k q_k / 2 for a rotation q_k and then a translation t_k
+  std::vector<Quaternion<S>> rotations;  // q_k
+  std::vector<Quaternion<S>> duals;      // d_k = t_k q_k / 2 for the rotation q_k and then a translation t_k
   Vec<S, 3> point;
 
   std::size_t corner_count() const { return rotations.size(); }
@@ -76,8 +80,8 @@ struct DualQuaternionBlend {
   }
   ControlPoint<S> control_point(const std::vector<std::size_t>& index) const {
     const std::size_t k = index[0], l = index[1];
-    const Vec<S, 3> moved = imaginary(multiply(duals[k], conjugate(rotations[l]))) +
-                            imaginary(multiply(duals[l], conjugate(rotations[k])));
+    const Vec<S, 3> moved =
+        imaginary(multiply(duals[k], conjugate(rotations[l]))) + imaginary(multiply(duals[l], conjugate(rotations[k])));
     return {index, mixed_rotation(rotations[k], rotations[l], point) + moved, dot(rotations[k], rotations[l])};
   }
 };
@@ -100,7 +104,8 @@ struct SphericalBlend {
     const std::size_t j = index[0], k = index[1], l = index[2];
     const auto& q = rotations;
     const S w_jk = dot(q[j], q[k]), w_kl = dot(q[k], q[l]), w_jl = dot(q[j], q[l]);
-    const Vec<S, 3> turned = mixed_rotation(q[j], q[k], x) + mixed_rotation(q[k], q[l], x) + mixed_rotation(q[j], q[l], x);
+    const Vec<S, 3> turned =
+        mixed_rotation(q[j], q[k], x) + mixed_rotation(q[k], q[l], x) + mixed_rotation(q[j], q[l], x);
     const Vec<S, 3> moved = center_images[j] * w_kl + center_images[k] * w_jl + center_images[l] * w_jk;
     return {index, (turned + moved) / S(3), (w_jk + w_kl + w_jl) / S(3)};
   }
@@ -215,5 +220,6 @@ BezierSimplex<S> bezier_simplex(const Blend& blend, std::span<const S> u) {
 
 }  // namespace refitlab
 
-// Sources: rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"]; dual quaternion skinning [Kavan et al. 2008].
+// Sources: rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"]; dual quaternion skinning [Kavan et al.
+// 2008].
 // Used by: b2_control_hull_encloses, b3_subdivision, b5_rotation_axis; algorithms/refit.

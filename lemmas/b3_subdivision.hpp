@@ -2,24 +2,27 @@
 //
 // Statement. Let a spherical blend have the corners (q'_i, r'_i), and let the halves at the edge (k, l) have its middle
 // ((q'_k + q'_l) / 2, (r'_k + r'_l) / 2) in place of l and in place of k.
-// 1. Cover: every blend with u in W_m is one of a half with u' in W_m, and the other way round. So the control points of
-//    both halves together hold what those of the whole hold, if their weights are positive (b2_control_hull_encloses);
-//    and if the weights of the whole are positive, the control points of a half are in the hull of the whole's.
-// 2. Rate: let ||q'_i - q'_k|| <= s, ||r'_i - r'_k|| <= t, ||q'_i|| <= b, ||x|| <= a. The control point of I = (j, k, l) is
-//    near the surface's point at the mean u of the three corners:
+// 1. Cover: every blend with u in W_m is one of a half with u' in W_m, and the other way round. So the control points
+//    of both halves together hold what those of the whole hold, if their weights are positive
+//    (b2_control_hull_encloses); and if the weights of the whole are positive, the control points of a half are in the
+//    hull of the whole's.
+// 2. Rate: let ||q'_i - q'_k|| <= s, ||r'_i - r'_k|| <= t, ||q'_i|| <= b, ||x|| <= a. The control point of I =
+//    (j, k, l) is near the surface's point at the mean u of the three corners:
 //      W_I ||N_I / W_I - v'(u)|| <= a s^2 / 3 + b s t / 3 + s^2 t / 5,
 //    and W_I >= ||q(u)||^2 - s^2 / 6. Half the sizes s and t leave at most a quarter of the distance bound.
 //    Halving the longest edge of all makes it half as long and leaves the new edges at most sqrt(3)/2 of it.
-// 3. Sign: W_kl = ||(q'_k + q'_l) / 2||^2 - ||(q'_k - q'_l) / 2||^2: it is positive if and only if the blend in the middle is
-//    longer than half the edge. So where no blend vanishes, all W_kl are positive once the edges are short enough; and for
-//    quaternions of equal length, both parts of an edge are after one halving, unless the blend in its middle is 0.
+// 3. Sign: W_kl = ||(q'_k + q'_l) / 2||^2 - ||(q'_k - q'_l) / 2||^2: it is positive if and only if the blend in
+//    the middle is longer than half the edge. So where no blend vanishes, all W_kl are positive once the edges are
+//    short enough; and for quaternions of equal length, both parts of an edge are after one halving, unless the blend
+//    in its middle is 0.
 //
 // Notation: as in b1; u' -> coefficients, s, t, b, a -> sizes, the mean of three corners -> middle_weights.
 //
-// Proof. 1. u_k c_k + u_l c_l = (u_k - u_l) c_k + 2 u_l (c_k + c_l) / 2 for u_l <= u_k; control points are multilinear in the
-// corners. 2. With q'_i = q + e_i, r'_i = r + f_i about the means: W_I = ||q||^2 - sum ||e_i||^2 / 6, and W_I (N_I / W_I -
-// v'(u)) = R_q x sum ||e_i||^2 / 6 - sum Im(e_i x e_i*) / 6 + sum f_j ((e_k, e_l) - (q, e_j)) / 3. Cauchy and Schwarz, with
-// sum ||e_i||^2 <= s^2 and sum ||f_i||^2 <= t^2, leave the factors 1/3, 1/3 and 1 / (3 sqrt 3) <= 1/5. 3. Expand.
+// Proof. 1. u_k c_k + u_l c_l = (u_k - u_l) c_k + 2 u_l (c_k + c_l) / 2 for u_l <= u_k; control points are multilinear
+// in the corners. 2. With q'_i = q + e_i, r'_i = r + f_i about the means: W_I = ||q||^2 - sum ||e_i||^2 / 6, and W_I
+// (N_I / W_I - v'(u)) = R_q x sum ||e_i||^2 / 6 - sum Im(e_i x e_i*) / 6 + sum f_j ((e_k, e_l) - (q, e_j)) / 3. Cauchy
+// and Schwarz, with sum ||e_i||^2 <= s^2 and sum ||f_i||^2 <= t^2, leave the factors 1/3, 1/3 and 1 / (3 sqrt 3) <=
+// 1/5. 3. Expand.
 #pragma once
 
 #include <algorithm>
@@ -62,7 +65,8 @@ struct HalfPoint {
 
 // Independent check: the same quaternion and the same image of the rotation center, so the same deformed vertices.
 template <class S>
-Verdict is_same_blend(const SphericalBlend<S>& a, std::span<const S> u, const SphericalBlend<S>& b, std::span<const S> v) {
+Verdict is_same_blend(const SphericalBlend<S>& a, std::span<const S> u, const SphericalBlend<S>& b,
+                      std::span<const S> v) {
   Verdict same = verdict_of(a.corner_count() == u.size() && b.corner_count() == v.size());
   if (same == Verdict::fails) return same;
   const Quaternion<S> p = combine<S, 4>(u, a.rotations), q = combine<S, 4>(v, b.rotations);
@@ -101,8 +105,8 @@ HalfPoint<S> half_in_whole(const SphericalBlend<S>& blend, const Half& half, std
   return {v, half, std::move(u)};
 }
 
-// The control point of a half as a convex combination of the whole's. The positions of its multi-index that hold the new
-// corner are shared out to both ends of the edge; the coefficients belong to control_points(blend).
+// The control point of a half as a convex combination of the whole's. The positions of its multi-index that hold the
+// new corner are shared out to both ends of the edge; the coefficients belong to control_points(blend).
 template <class S>
 HullCombination<S> half_control_point_in_hull(const SphericalBlend<S>& blend, const Half& half,
                                               const std::vector<std::size_t>& index) {
@@ -248,5 +252,6 @@ PositiveHalves<S> halving_makes_positive(const Quaternion<S>& p, const Quaternio
 
 }  // namespace refitlab
 
-// Sources: de Casteljau's algorithm and its quadratic rate [Farin, "Curves and Surfaces for CAGD"]; the constants are ours.
+// Sources: de Casteljau's algorithm and its quadratic rate [Farin, "Curves and Surfaces for CAGD"]; the constants are
+// ours.
 // Used by: algorithms/refit.

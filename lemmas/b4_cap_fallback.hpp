@@ -1,17 +1,18 @@
 // Beyond the paper: where the control points are no bound, the cap of the rotations still is.
 //
-// Statement. Let q'_k, c and kappa^2 be as in t3_one_cap with c not 0, or let kappa^2 <= 1/2 and q'_k, c be anything. With h =
-// max(2 kappa^2 - 1, 0), every vertex v' = R_b x + sum u_k r'_k + y with u in W_m, b = sum u_k q'_k not 0 and ||y|| <= r is in
-// the hull of the balls [r'_k + h R_c x, sqrt(1 - h^2) ||x|| + r], whatever the signs of the W_kl = (q'_k, q'_l).
-// If all W_kl >= 0 and no q'_k is 0, the cap about c = sum q'_k is there too: all (q'_k, c) > 0. So the control hull asks for
-// more than the cap; but neither bound is inside the other (for two corners apart by a rotation of more than a right
-// angle, a control point of degree 2 is outside the cap's ball; on a twist the cap is larger, b5_rotation_axis).
+// Statement. Let q'_k, c and kappa^2 be as in t3_one_cap with c not 0, or let kappa^2 <= 1/2 and q'_k, c be anything.
+// With h = max(2 kappa^2 - 1, 0), every vertex v' = R_b x + sum u_k r'_k + y with u in W_m, b = sum u_k q'_k not 0 and
+// ||y|| <= r is in the hull of the balls [r'_k + h R_c x, sqrt(1 - h^2) ||x|| + r], whatever the signs of the W_kl =
+// (q'_k, q'_l). If all W_kl >= 0 and no q'_k is 0, the cap about c = sum q'_k is there too: all (q'_k, c) > 0. So the
+// control hull asks for more than the cap; but neither bound is inside the other (for two corners apart by a rotation
+// of more than a right angle, a control point of degree 2 is outside the cap's ball; on a twist the cap is larger,
+// b5_rotation_axis).
 //
 // Replaces: lines 12 to 15 of Algorithm 1, and "take all of S_3" for r_E >= 1 (section 4.3).
 // Notation: q'_k, c, kappa^2 -> rotations, axis, squared_cosine; h -> height; r'_k -> center_images; y -> offset.
 //
-// Proof. R_b x is within the angle of cosine h of R_c x or, for h = 0, anywhere at distance ||x||: by Lemma 5 it is in the
-// ball [h R_c x, sqrt(1 - h^2) ||x||]. Then add the same combination of the r'_k, and y (s44_sum_of_bounds).
+// Proof. R_b x is within the angle of cosine h of R_c x or, for h = 0, anywhere at distance ||x||: by Lemma 5 it is in
+// the ball [h R_c x, sqrt(1 - h^2) ||x||]. Then add the same combination of the r'_k, and y (s44_sum_of_bounds).
 #pragma once
 
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
@@ -37,7 +38,8 @@ S fallback_height(const CapFallback<S>& cap) {
 // The ball around the rotated x: what is added to each r'_k.
 template <class S>
 SquaredBall<S, 3> fallback_ball(const CapFallback<S>& cap, const Vec<S, 3>& x) {
-  if (less_equal(cap.squared_cosine, S(S(1) / S(2))) == Verdict::holds) return {Vec<S, 3>::Constant(S(0)), squared_norm(x)};
+  if (less_equal(cap.squared_cosine, S(S(1) / S(2))) == Verdict::holds)
+    return {Vec<S, 3>::Constant(S(0)), squared_norm(x)};
   const Cap<S, 3> rotated{Vec<S, 3>::Constant(S(0)), rotate_by(cap.axis, x), fallback_height(cap)};
   return cap_ball_repaired(rotated);
 }
@@ -48,8 +50,8 @@ template <class S>
 Verdict cap_is_valid(const CapFallback<S>& cap) {
   const Verdict nothing_claimed = less_equal(cap.squared_cosine, S(S(1) / S(2)));
   return nothing_claimed |
-         (less(S(0), squared_norm(cap.axis)) & less_equal(cap.squared_cosine, S(1)) & are_ahead<S>(cap.rotations, cap.axis) &
-          are_within_cosine<S>(cap.rotations, cap.axis, cap.squared_cosine));
+         (less(S(0), squared_norm(cap.axis)) & less_equal(cap.squared_cosine, S(1)) &
+          are_ahead<S>(cap.rotations, cap.axis) & are_within_cosine<S>(cap.rotations, cap.axis, cap.squared_cosine));
 }
 
 template <class S>
@@ -66,7 +68,8 @@ struct FallbackSteps {
   Vec<S, 3> vertex, hull_point, rotation_step;
 };
 
-// Independent check: the hull point has the coefficients u, the rotation step is from h R_c x to R_b x and short enough.
+// Independent check: the hull point has the coefficients u, the rotation step is from h R_c x to R_b x and short
+// enough.
 template <class S>
 Verdict is_fallback_steps(const CapFallback<S>& cap, const Vec<S, 3>& x, std::span<const S> u, const Vec<S, 3>& offset,
                           const FallbackSteps<S>& steps) {
@@ -77,8 +80,7 @@ Verdict is_fallback_steps(const CapFallback<S>& cap, const Vec<S, 3>& x, std::sp
   Verdict v = is_hull_point<S, 3>(centers, steps.hull_point, u) &
               is_rotated<S>(combine<S, 4>(u, cap.rotations), x, rotated) &
               less_equal(squared_norm(steps.rotation_step), ball.squared_radius);
-  for (int i = 0; i < 3; ++i)
-    v &= equal(S(steps.hull_point[i] + steps.rotation_step[i] + offset[i]), steps.vertex[i]);
+  for (int i = 0; i < 3; ++i) v &= equal(S(steps.hull_point[i] + steps.rotation_step[i] + offset[i]), steps.vertex[i]);
   return v;
 }
 

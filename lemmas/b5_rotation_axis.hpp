@@ -1,17 +1,17 @@
 // Beyond the paper: on a twist only the distance from the axis moves.
 //
-// Statement. Let all quaternions q'_k turn about one axis n (Im q'_k parallel to n, n not 0), and split x = a + p into its part
-// along n and its part across. For every blend b = sum u_k q'_k that is not 0, R_b x = a + R_b p with R_b p perpendicular to n.
-// So with a cap about c, a rotation about n too, and h = max(2 kappa^2 - 1, 0) as in b4_cap_fallback, R_b x is in the ball
-// [a + h R_c p, sqrt(1 - h^2) ||p||], while the paper's has the radius sqrt(1 - h^2) ||x||: larger by ||x|| / ||p||, which
-// has no bound. The control points know the axis by themselves: P_kl(x) - W_kl a = P_kl(p) is perpendicular to n; for x on
-// the axis they all are x.
+// Statement. Let all quaternions q'_k turn about one axis n (Im q'_k parallel to n, n not 0), and split x = a + p into
+// its part along n and its part across. For every blend b = sum u_k q'_k that is not 0, R_b x = a + R_b p with R_b p
+// perpendicular to n. So with a cap about c, a rotation about n too, and h = max(2 kappa^2 - 1, 0) as in
+// b4_cap_fallback, R_b x is in the ball [a + h R_c p, sqrt(1 - h^2) ||p||], while the paper's has the radius sqrt(1 -
+// h^2) ||x||: larger by ||x|| / ||p||, which has no bound. The control points know the axis by themselves: P_kl(x) -
+// W_kl a = P_kl(p) is perpendicular to n; for x on the axis P_kl = W_kl x.
 //
 // Goes beyond: section 4.3, whose cap allows "an arbitrary axis".
 // Notation: n -> axis, a -> along, p -> across, P_kl, W_kl as in b1_rational_bezier_simplex.
 //
-// Proof. Quaternions s + t n are closed under sums and products, commute with the pure quaternion a, and turn a vector across
-// n into one across n. The rest is b4_cap_fallback for p in place of x.
+// Proof. Quaternions s + t n are closed under sums and products, commute with the pure quaternion a, and turn a vector
+// across n into one across n. The rest is b4_cap_fallback for p in place of x.
 #pragma once
 
 #include "lemmas/b1_rational_bezier_simplex.hpp"
@@ -84,9 +84,11 @@ TwistedPoint<S> twist_keeps_axis(const Vec<S, 3>& axis, const CapFallback<S>& ca
 
 // The control points keep the part along the axis too.
 template <class S>
-Verdict control_points_keep_axis(const Vec<S, 3>& axis, const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x) {
+Verdict control_points_keep_axis(const Vec<S, 3>& axis, const Quaternion<S>& p, const Quaternion<S>& q,
+                                 const Vec<S, 3>& x) {
   const AxisParts<S> parts = split_at_axis(axis, x);
-  const Vec<S, 3> rest = mixed_rotation(p, q, x) - parts.along * dot(p, q), expected = mixed_rotation(p, q, parts.across);
+  const Vec<S, 3> rest = mixed_rotation(p, q, x) - parts.along * dot(p, q),
+                  expected = mixed_rotation(p, q, parts.across);
   Verdict kept = equal(dot(rest, axis), S(0));
   for (int i = 0; i < 3; ++i) kept &= equal(rest[i], expected[i]);
   return implies(turns_about(axis, p) & turns_about(axis, q), kept);

@@ -1,4 +1,5 @@
-// A ball near the smallest enclosing one, by a few cheap steps [Badoiu and Clarkson 2003, "Smaller core-sets for balls"].
+// A ball near the smallest enclosing one, by a few cheap steps [Badoiu and Clarkson 2003, "Smaller core-sets for
+// balls"].
 #pragma once
 
 #include <span>
@@ -7,9 +8,10 @@
 
 namespace refitlab {
 
-// balls is not empty. Starts from the middle of the balls' bounding box; step i moves the center by the share 1/(i + 2) towards
-// the ball that reaches farthest. The best center met is returned, with the radius that encloses all balls from there: at
-// most sqrt(3) times the smallest, already from the first center (half the box's diagonal against half its longest edge).
+// balls is not empty. Starts from the middle of the balls' bounding box; step i moves the center by the share 1/(i + 2)
+// towards the ball that reaches farthest. The best center met is returned, with the radius that encloses all balls from
+// there: at most sqrt(3) times the smallest, already from the first center (half the box's diagonal against half its
+// longest edge).
 template <class S>
 Ball3<S> near_smallest_ball(std::span<const Ball3<S>> balls, int steps) {
   Vec<S, 3> low = balls[0].center - Vec<S, 3>::Constant(balls[0].radius);

@@ -2,15 +2,16 @@
 //
 // Let q'_k and r'_k be a piece's corner quaternions and corner images of the rotation center, and x = p - r_c. With
 //   W_kl = (q'_k, q'_l)   and   P_kl = Im(q'_k x q'_l* + q'_l x q'_k*) / 2
-// the image of x under the blend sum u_k q'_k is sum u_k u_l P_kl / sum u_k u_l W_kl; times the same denominator the linear
-// part makes Equation (1) a rational Bezier simplex of degree 3 with, for j <= k <= l,
+// the image of x under the blend sum u_k q'_k is sum u_k u_l P_kl / sum u_k u_l W_kl; times the same denominator the
+// linear part makes Equation (1) a rational Bezier simplex of degree 3 with, for j <= k <= l,
 //   W_jkl = (W_jk + W_kl + W_jl) / 3
 //   N_jkl = (P_jk + P_kl + P_jl) / 3 + (r'_j W_kl + r'_k W_jl + r'_l W_jk) / 3.
 // If all W_kl are positive, the skinned p is a convex combination of the control points N_jkl / W_jkl, and the whole
 // reference ball stays within its radius of their hull. Rotations far apart make the control points stray, so a simplex
-// with corners 120 degrees apart or more, or with a corner that is 0, is halved (de Casteljau) at its widest edge, a few
-// times; what is still so wide then falls back on the cap bound of Algorithm 1 repaired, which is no larger there. So the
-// W_kl divided by are never small against the corners. The lemmas: b1_rational_bezier_simplex to b5_rotation_axis.
+// with corners 120 degrees apart or more, or with a corner that is 0, is halved (de Casteljau) at its widest edge, a
+// few times; what is still so wide then falls back on the cap bound of Algorithm 1 repaired, which is no larger there.
+// So the W_kl divided by are never small against the corners. The lemmas: b1_rational_bezier_simplex to
+// b5_rotation_axis.
 #pragma once
 
 #include <vector>
@@ -62,7 +63,8 @@ class ControlHull {
   S& dots(std::size_t m, std::size_t k, std::size_t l) { return lists_.dots[k * m + l]; }
   Vec<S, 3>& products(std::size_t m, std::size_t k, std::size_t l) { return lists_.products[k * m + l]; }
 
-  // W and P of every pair. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
+  // W and P of every pair. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l
+  // v_k) x x.
   void multiply_all(std::size_t first, std::size_t m) {
     lists_.dots.resize(m * m);
     lists_.products.resize(m * m);
@@ -83,8 +85,8 @@ class ControlHull {
     return certainly_less(S(0), w) && certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(4) * sq(w)));
   }
 
-  // The pair of corners with the smallest normalised dot product, compared without roots or quotients. A corner that may be
-  // 0 makes any pair of it the widest.
+  // The pair of corners with the smallest normalised dot product, compared without roots or quotients. A corner that
+  // may be 0 makes any pair of it the widest.
   std::pair<std::size_t, std::size_t> widest_edge(std::size_t m) {
     std::pair<std::size_t, std::size_t> widest{m > 1 ? 1 : 0, 0};
     const auto signed_square = [&](std::size_t k, std::size_t l) {
@@ -109,7 +111,8 @@ class ControlHull {
         for (std::size_t l = k; l < m; ++l) {
           const S &w_jk = dots(m, j, k), &w_kl = dots(m, k, l), &w_jl = dots(m, j, l);
           const Vec<S, 3> turned = products(m, j, k) + products(m, k, l) + products(m, j, l);
-          const Vec<S, 3> moved = corner[j].center_image * w_kl + corner[k].center_image * w_jl + corner[l].center_image * w_jk;
+          const Vec<S, 3> moved =
+              corner[j].center_image * w_kl + corner[k].center_image * w_jl + corner[l].center_image * w_jk;
           const S scale = S(1) / (w_jk + w_kl + w_jl);
           lists_.cap.balls.push_back({(turned + moved) * scale, radius_});
         }
@@ -143,7 +146,8 @@ class ControlHull {
     }
     const Vec<S, 3> offset = rotate(bound.apex, x_) * bound.center_ratio;
     const S radius = radius_ + bound.radius_ratio * norm(x_);
-    for (std::size_t k = 0; k < m; ++k) lists_.cap.balls.push_back({lists_.corners[first + k].center_image + offset, radius});
+    for (std::size_t k = 0; k < m; ++k)
+      lists_.cap.balls.push_back({lists_.corners[first + k].center_image + offset, radius});
   }
 
   const Vec<S, 3> x_;

@@ -1,4 +1,5 @@
-// The control balls hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the fallback.
+// The control balls hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the
+// fallback.
 #include "algorithms/refit/control_hull.hpp"
 
 #include <cstdio>
@@ -6,6 +7,7 @@
 
 #include "algorithms/skinning/rotation_center.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
 
@@ -115,11 +117,13 @@ void check_double() {
   for (const auto& set : c.sets) size += lift<double>(set.pose.rotation_center).norm();
   const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
   for (const auto& sample : gen::samples(c, gen::Blending::spherical, ball.center))
-    if (const auto v = gen::skinned(c, sample, gen::Blending::spherical)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
+    if (const auto v = gen::skinned(c, sample, gen::Blending::spherical))
+      RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
 // A joint-set by hand: rotations about the origin without translation, and corners.
-RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations, const std::vector<std::vector<Rational>>& corners) {
+RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations,
+                  const std::vector<std::vector<Rational>>& corners) {
   gen::SetCase set;
   for (const auto& q : rotations) set.pose.transforms.push_back({q, RationalVec<3>::Zero()});
   place_rotation_center<Rational>(set.pose, RationalVec<3>(0, 0, 0));
@@ -156,8 +160,8 @@ bool holds_on_a_grid(const RefitCase& c) {
   return all;
 }
 
-// Random joint-sets of joints that turn about near points by at most 120 degrees against each other, r = 0: the smallest
-// ball of the control points over the smallest ball of densely sampled true positions.
+// Random joint-sets of joints that turn about near points by at most 120 degrees against each other, r = 0: the
+// smallest ball of the control points over the smallest ball of densely sampled true positions.
 Checked measure_tightness() {
   std::mt19937_64 random(2006);
   std::normal_distribution<double> normal;
@@ -183,18 +187,23 @@ Checked measure_tightness() {
     const Ball3<double> reference{2 * vector(), 0};
     std::vector<double> corners;
     for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
-      for (int i = 0, share = count / 3 % 3; i < n; ++i) corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
+      for (int i = 0, share = count / 3 % 3; i < n; ++i)
+        corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
     const NodeJointSet set{0, 0, n};
     const RefitNode<double> node{reference, {&set, 1}, corners.data(), {&pose, 1}};
     ControlLists<double> lists;
     const double bound = refit_control_hull<SmallestBalls>(node, lists).radius;
     std::vector<Point3> positions;
-    for_each_index(n, n == 2 ? 400 : n == 3 ? 40 : 20, [&](const std::vector<std::size_t>& index) {
-      std::vector<double> w(n, 0.0);
-      for (const auto k : index)
-        for (int i = 0; i < n; ++i) w[i] += corners[k * n + i] / double(index.size());
-      positions.push_back(blend_spherical<double>(pose, w, reference.center));
-    });
+    for_each_index(n,
+                   n == 2   ? 400
+                   : n == 3 ? 40
+                            : 20,
+                   [&](const std::vector<std::size_t>& index) {
+                     std::vector<double> w(n, 0.0);
+                     for (const auto k : index)
+                       for (int i = 0; i < n; ++i) w[i] += corners[k * n + i] / double(index.size());
+                     positions.push_back(blend_spherical<double>(pose, w, reference.center));
+                   });
     const double truth = as_ball(smallest_ball<double, 3>(positions)).radius;
     if (!(truth > 1e-6)) continue;
     sum += bound / truth;
@@ -202,8 +211,9 @@ Checked measure_tightness() {
     ++count;
   }
   char text[160];
-  std::snprintf(text, sizeof text, "control balls over sampled positions: mean %.4f, worst %.4f (goal: mean at most 1.005)",
-                sum / count, worst);
+  std::snprintf(text, sizeof text,
+                "control balls over sampled positions: mean %.4f, worst %.4f (goal: mean at most 1.005)", sum / count,
+                worst);
   return Checked(sum / count <= 1.02, count, text);
 }
 
@@ -212,7 +222,8 @@ Checked measure_tightness() {
 PROPTEST(control_hull) {
   static Paths paths;
   t.holds("the hull of the control balls holds every vertex of S with admissible weights",
-          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.3}, [] { check_hull(paths); });
+          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.3},
+          [] { check_hull(paths); });
   t.example("of the cases many are exact, some are halved, some need the fallback", {}, [] {
     char text[100];
     std::snprintf(text, sizeof text, "%ld exact, of these %ld halved; %ld on the fallback", paths.exact, paths.halved,
@@ -242,13 +253,14 @@ PROPTEST(control_hull) {
             RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
             for (const auto& b : balls) RC_ASSERT(b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0);
           });
-  t.holds("a ball of each piece's own serves its vertices as S serves all",
-          {.number_type = "rational", .cases = 200}, [] {
+  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
+          [] {
             const RefitCase c = *gen::refit_case(gen::Turns::moderate);
             const gen::NodeOf<Rational> storage(c);
             auto node = storage.node();
             std::vector<Ball3<Rational>> own;
-            for (std::size_t i = 0; i < c.sets.size(); ++i) own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
+            for (std::size_t i = 0; i < c.sets.size(); ++i)
+              own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
             node.piece_references = own;
             ControlLists<Rational> lists;
             const auto balls = control_balls(node, lists);
@@ -263,16 +275,40 @@ PROPTEST(control_hull) {
             }
             RC_ASSERT(first == balls.size());
           });
+  t.holds("without any halving the fallback holds every vertex",
+          {.number_type = "multiprecision interval", .cases = 300, .degenerate_at_least = 0.2}, [] {
+            using S = MultiprecisionInterval;
+            const auto c = *gen::blend_case(gen::Spread::any, 4);
+            RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            ControlLists<S> lists;
+            for (std::size_t k = 0; k < c.blend.corner_count(); ++k)
+              lists.corners.push_back({lift<S>(c.blend.rotations[k]), lift<S>(c.blend.center_images[k])});
+            ControlHull<S>(lift<S>(c.blend.x), S(0), lists).cover(c.blend.corner_count(), 0);
+            RC_ASSERT(lists.corners.empty() && !lists.cap.balls.empty());
+            std::vector<Ball3<double>> rounded;
+            for (const auto& b : lists.cap.balls) {
+              const auto middle = [](const S& x) { return static_cast<double>(median(x)); };
+              rounded.push_back({{middle(b.center[0]), middle(b.center[1]), middle(b.center[2])}, middle(b.radius)});
+            }
+            for (const auto& u : {c.weights, *gen::convex_weights(static_cast<int>(c.weights.size()))}) {
+              const auto at = c.blend.at(u);
+              if (at.denominator == 0) continue;
+              const RationalVec<3> v = at.numerator / at.denominator;
+              const RationalVec<3> d = convert<Rational>(direction_away(rounded, lift<double>(v)));
+              RC_ASSERT(reaches<S>(lists.cap.balls, lift<S>(v), lift<S>(d)) != Verdict::fails);
+            }
+          });
   const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<MeanBalls>(); });
-  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { check_double<NearSmallestBalls>(); });
+  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size",
+          in_double, [] { check_double<NearSmallestBalls>(); });
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<SmallestBalls>(); });
 
   t.example("a corner that is 0 beside two near ones: all rotations are allowed for it", {}, [] {
-    const RefitCase c = by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}}, {{1, 0}, {Rational(3, 4), Rational(1, 4)}, {Rational(1, 2), Rational(1, 2)}});
+    const RefitCase c = by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}},
+                                {{1, 0}, {Rational(3, 4), Rational(1, 4)}, {Rational(1, 2), Rational(1, 2)}});
     bool all_of_them = false;
     for (const auto& b : balls_of<double>(c)) all_of_them = all_of_them || b.radius >= 0.5 + std::sqrt(14.0) - 1e-9;
     return all_of_them && holds_on_a_grid(c);
@@ -283,9 +319,17 @@ PROPTEST(control_hull) {
   });
   t.example("one, two and three half-turns about perpendicular axes, and equal corners", {}, [] {
     const gen::RationalQuaternion one(1, 0, 0, 0), i(0, 1, 0, 0), j(0, 0, 1, 0), k(0, 0, 0, 1);
-    return holds_on_a_grid(by_hand({one, i}, whole_simplex(2))) && holds_on_a_grid(by_hand({one, i, j}, whole_simplex(3))) &&
+    return holds_on_a_grid(by_hand({one, i}, whole_simplex(2))) &&
+           holds_on_a_grid(by_hand({one, i, j}, whole_simplex(3))) &&
            holds_on_a_grid(by_hand({one, i, j, k}, whole_simplex(4))) &&
            holds_on_a_grid(by_hand({one, i}, {{1, 0}, {1, 0}, {0, 1}, {0, 1}}));
+  });
+  t.example("two joints are halved from 120 degrees on, and once is enough", {.number_type = "rational"}, [] {
+    const gen::RationalQuaternion one(1, 0, 0, 0);
+    const gen::RationalQuaternion turned_106(Rational(3, 5), Rational(4, 5), 0, 0);
+    const gen::RationalQuaternion turned_135(Rational(5, 13), Rational(12, 13), 0, 0);
+    return balls_of<Rational>(by_hand({one, turned_106}, whole_simplex(2))).size() == 4 &&
+           balls_of<Rational>(by_hand({one, turned_135}, whole_simplex(2))).size() == 8;
   });
   t.example("a vertex at the rotation center moves as its linear part alone", {.number_type = "rational"}, [] {
     RefitCase c = by_hand({{1, 0, 0, 0}, {Rational(3, 5), Rational(4, 5), 0, 0}}, whole_simplex(2));
@@ -294,11 +338,12 @@ PROPTEST(control_hull) {
     place_rotation_center<Rational>(c.sets[0].pose, RationalVec<3>(0, 0, 0));
     bool on_the_way = true;
     for (const auto& b : balls_of<Rational>(c))
-      on_the_way = on_the_way && b.radius == 0 && b.center[0] >= 0 && b.center[0] <= 1 && b.center[1] == 0 && b.center[2] == 0;
+      on_the_way =
+          on_the_way && b.radius == 0 && b.center[0] >= 0 && b.center[0] <= 1 && b.center[1] == 0 && b.center[2] == 0;
     return on_the_way;
   });
-  t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth", {.number_type = "double"},
-            measure_tightness);
+  t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth",
+            {.number_type = "double"}, measure_tightness);
 }
 
 }  // namespace proptests

@@ -21,7 +21,9 @@ Balls draw(bool& degenerate) {
   degenerate = gen::is_degenerate(cloud.shape) || radii != 0;
   Balls out;
   for (const auto& p : cloud.points)
-    out.push_back({lift<double>(p), radii == 1 ? 0.0 : radii == 2 ? 0.5 : 3 * CGAL::to_double(*gen::unit_interval_rational())});
+    out.push_back({lift<double>(p), radii == 1   ? 0.0
+                                    : radii == 2 ? 0.5
+                                                 : 3 * CGAL::to_double(*gen::unit_interval_rational())});
   if (radii == 3) out.front().radius = 1000;
   if (radii == 4) out.push_back(out.front());
   return out;
@@ -59,7 +61,8 @@ PROPTEST(near_smallest_ball) {
     bool degenerate;
     const Balls balls = draw(degenerate);
     RC_CLASSIFY(degenerate, "degenerate");
-    const Rational radius(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)).radius), half = half_extent(balls);
+    const Rational radius(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)).radius),
+        half = half_extent(balls);
     const Rational slack(1e-13);
     RC_ASSERT(radius >= half * (Rational(1) - slack));
     RC_ASSERT(radius * radius <= 3 * half * half * (Rational(1) + slack));
@@ -100,7 +103,8 @@ PROPTEST(near_smallest_ball) {
       worst = std::max(worst, ratio);
     }
     char text[120];
-    std::snprintf(text, sizeof text, "radius over that of the smallest ball: mean %.4f, worst %.4f", sum / count, worst);
+    std::snprintf(text, sizeof text, "radius over that of the smallest ball: mean %.4f, worst %.4f", sum / count,
+                  worst);
     return Checked(sum / count < 1.05 && worst < 1.2, count, text);
   });
 }

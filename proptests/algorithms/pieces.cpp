@@ -16,7 +16,8 @@ namespace {
 using namespace refitlab;
 
 struct Rig {
-  explicit Rig(Model m) : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets)), vertices(tree, model) {
+  explicit Rig(Model m)
+      : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets)), vertices(tree, model) {
     for (int s = 0; s < sets.count(); ++s)
       pose.push_back({std::vector<RigidTransform<double>>(sets.joints(s).size()), Point3::Zero(), {}});
   }
@@ -35,7 +36,8 @@ std::vector<oracle::Row> corners_of(const RefitNode<double>& node, const NodeJoi
   return rows;
 }
 
-// Exactly. For more than four weights a simplex search is too slow: there the corners are rows, or those of a weight box.
+// Exactly. For more than four weights a simplex search is too slow: there the corners are rows, or those of a weight
+// box.
 bool in_hull(const std::vector<oracle::Row>& corners, const oracle::Row& w) {
   if (w.size() <= 4 || std::find(corners.begin(), corners.end(), w) != corners.end())
     return oracle::as_convex_combination(corners, w).has_value();
@@ -62,9 +64,11 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, int most_piece
     return "too many pieces";
   const auto simple = rig.tree.refit_node(n, rig.pose);
   for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
-    if (node.piece_reference(i).radius > simple.reference.radius * (1 + 1e-12)) return "a piece is larger than its node";
+    if (node.piece_reference(i).radius > simple.reference.radius * (1 + 1e-12))
+      return "a piece is larger than its node";
     for (const auto& set : simple.joint_sets)
-      if (most_pieces == 1 && set.joint_set == node.joint_sets[i].joint_set && node.joint_sets[i].corner_count > set.corner_count)
+      if (most_pieces == 1 && set.joint_set == node.joint_sets[i].joint_set &&
+          node.joint_sets[i].corner_count > set.corner_count)
         return "more corners than the weight box";
   }
   const std::size_t step = std::max<std::size_t>(1, of_node.size() / most);
@@ -72,7 +76,8 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, int most_piece
     const int v = of_node[i];
     bool covered = false;
     for (std::size_t p = 0; p < node.joint_sets.size() && !covered; ++p)
-      covered = node.joint_sets[p].joint_set == rig.sets.of_vertex(v) && in_ball(node.piece_reference(p), rig.model.vertices[v]) &&
+      covered = node.joint_sets[p].joint_set == rig.sets.of_vertex(v) &&
+                in_ball(node.piece_reference(p), rig.model.vertices[v]) &&
                 in_hull(corners_of(node, node.joint_sets[p]), exact(rig.sets.weights(v)));
     if (!covered) return "vertex " + std::to_string(v) + " is in no piece";
   }
@@ -89,7 +94,8 @@ Checked check_man(int most_pieces) {
     if (!wrong.empty()) return Checked(false, nodes, "node " + std::to_string(n) + ": " + wrong);
     ++nodes;
   }
-  return Checked(nodes > 100, nodes, std::to_string(table.piece_count()) + " pieces for " + std::to_string(count) + " nodes");
+  return Checked(nodes > 100, nodes,
+                 std::to_string(table.piece_count()) + " pieces for " + std::to_string(count) + " nodes");
 }
 
 }  // namespace
@@ -121,10 +127,21 @@ PROPTEST(pieces) {
                 return r;
               };
               RC_ASSERT(largest(b) <= largest(a) * (1 + 1e-12));
-              RC_ASSERT(b.joint_sets.size() == std::max<std::size_t>(a.joint_sets.size(), std::min<std::size_t>(8, rig.vertices[n].size())));
+              RC_ASSERT(b.joint_sets.size() ==
+                        std::max<std::size_t>(a.joint_sets.size(), std::min<std::size_t>(8, rig.vertices[n].size())));
             }
           });
-  t.example("on the built-in man, a piece for each joint-set", {.number_type = "rational"}, [] { return check_man(1); });
+  t.example("the widest piece is split first: eight pieces of a tube of one joint are a fraction of it", {}, [] {
+    const Rig rig(gen::make_mesh({gen::MeshKind::tube, 12, 4, 1, 2006}));
+    const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {8});
+    const auto root = table.refit_node(rig.tree, 0, rig.pose);
+    double largest = 0;
+    for (const auto& ball : root.piece_references) largest = std::max(largest, ball.radius);
+    return Checked(root.joint_sets.size() == 8 && largest < 0.45 * root.reference.radius, 8,
+                   "the largest has " + std::to_string(largest / root.reference.radius) + " of the node's radius");
+  });
+  t.example("on the built-in man, a piece for each joint-set", {.number_type = "rational"},
+            [] { return check_man(1); });
   t.example("on the built-in man, up to 64 pieces", {.number_type = "rational"}, [] { return check_man(64); });
 }
 

@@ -25,7 +25,8 @@ std::vector<int> shares(int n) {
   int sum = 1, rest = one;
   for (const int p : parts) sum += p;
   std::vector<int> out;
-  for (int i = 0; i + 1 < n; ++i) out.push_back(static_cast<int>(std::int64_t{one} * parts[i] / sum / 64 * 64)), rest -= out.back();
+  for (int i = 0; i + 1 < n; ++i)
+    out.push_back(static_cast<int>(std::int64_t{one} * parts[i] / sum / 64 * 64)), rest -= out.back();
   out.push_back(rest);
   return out;
 }
@@ -41,7 +42,8 @@ struct Weights {
 
 Weights draw(int most) {
   Weights out{*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, most + 1)),
-              static_cast<Kind>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 5))), {}};
+              static_cast<Kind>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 5))),
+              {}};
   const int count = out.kind == Kind::one_row ? 1 : *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 13));
   std::vector<std::vector<int>> units;
   for (int r = 0; r < count; ++r) units.push_back(shares(out.n));
@@ -95,29 +97,32 @@ PROPTEST(weight_hull) {
     for (const auto& row : exact(w.rows)) RC_ASSERT(covers(corners, w.rows, row));
     for (const auto& c : exact(corners)) RC_ASSERT(is_convex<Rational>(c) == Verdict::holds);
   });
-  t.holds("there are never more corners than those of the box, nor than distinct rows, of which they are for up to four weights",
-          options, [] {
-            const Weights w = draw(6);
+  t.holds(
+      "there are never more corners than those of the box, nor than distinct rows, of which they are for up to four "
+      "weights",
+      options, [] {
+        const Weights w = draw(6);
+        RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
+        const Rows corners = weight_corners(w.spans()), box = box_corners(w.rows);
+        const std::set<std::vector<double>> distinct(w.rows.begin(), w.rows.end());
+        RC_ASSERT(corners.size() <= box.size());
+        RC_ASSERT(corners.size() <= distinct.size());
+        for (const auto& c : extreme_rows(w.spans())) RC_ASSERT(distinct.count(c) == 1u);
+      });
+  t.holds("of up to three weights, and of four that span space, no extreme row is a combination of the others", options,
+          [] {
+            const Weights w = draw(4);
             RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-            const Rows corners = weight_corners(w.spans()), box = box_corners(w.rows);
-            const std::set<std::vector<double>> distinct(w.rows.begin(), w.rows.end());
-            RC_ASSERT(corners.size() <= box.size());
-            RC_ASSERT(corners.size() <= distinct.size());
-            for (const auto& c : extreme_rows(w.spans())) RC_ASSERT(distinct.count(c) == 1u);
+            RC_PRE(w.n < 4 || w.kind == Kind::general);
+            const auto rows = exact(extreme_rows(w.spans()));
+            RC_PRE(w.n < 4 || rows.size() > 4);
+            RC_ASSERT(!rows.empty());
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+              auto others = rows;
+              others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+              RC_ASSERT(others.empty() || !oracle::as_convex_combination(others, rows[i]));
+            }
           });
-  t.holds("of up to three weights, and of four that span space, no extreme row is a combination of the others", options, [] {
-    const Weights w = draw(4);
-    RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-    RC_PRE(w.n < 4 || w.kind == Kind::general);
-    const auto rows = exact(extreme_rows(w.spans()));
-    RC_PRE(w.n < 4 || rows.size() > 4);
-    RC_ASSERT(!rows.empty());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      auto others = rows;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      RC_ASSERT(others.empty() || !oracle::as_convex_combination(others, rows[i]));
-    }
-  });
   t.example("a triangle inside its box keeps its three corners; a full box of rows keeps the fewer ones", {}, [] {
     const Rows triangle{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}, {0.375, 0.375, 0.25}};
     const Rows segment{{0.25, 0.75}, {0.5, 0.5}, {0.75, 0.25}};

@@ -15,17 +15,13 @@ inline const Point x_axis(1, 0, 0), y_axis(0, 1, 0);
 inline const std::vector<Point> at_origin{Point(0, 0, 0), Point(0, 0, 0)};
 inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)};
 
-// A twist about the x axis with the cap cos alpha = 7/25. A point of the axis does not move; the paper's ball for it has the
-// squared radius 576/625.
-inline const Fallback twist{{Rotation(Q(4, 5), Q(3, 5), 0, 0), Rotation(Q(4, 5), Q(-3, 5), 0, 0)},
-                            at_origin,
-                            Rotation(1, 0, 0, 0),
-                            Q(16, 25)};
+// A twist about the x axis with the cap cos alpha = 7/25. A point of the axis does not move; the paper's ball for it
+// has the squared radius 576/625.
+inline const Fallback twist{
+    {Rotation(Q(4, 5), Q(3, 5), 0, 0), Rotation(Q(4, 5), Q(-3, 5), 0, 0)}, at_origin, Rotation(1, 0, 0, 0), Q(16, 25)};
 
 // The second turns about another axis: a point of the first axis moves.
-inline const Fallback two_axes{{Rotation(Q(4, 5), Q(3, 5), 0, 0), Rotation(Q(4, 5), 0, Q(3, 5), 0)},
-                               at_origin,
-                               Rotation(1, 0, 0, 0),
-                               Q(16, 25)};
+inline const Fallback two_axes{
+    {Rotation(Q(4, 5), Q(3, 5), 0, 0), Rotation(Q(4, 5), 0, Q(3, 5), 0)}, at_origin, Rotation(1, 0, 0, 0), Q(16, 25)};
 
 }  // namespace proptests::b5

@@ -1,4 +1,5 @@
-// Simplices of blends in exact rationals: what is linear in the weights at each corner, with weights, made to be awkward.
+// Simplices of blends in exact rationals: what is linear in the weights at each corner, with weights, made to be
+// awkward.
 #pragma once
 
 #include "lemmas/b1_rational_bezier_simplex.hpp"
@@ -8,8 +9,8 @@
 namespace proptests::gen {
 
 enum class Spread {
-  any,       // also equal and opposite corners, corners that are 0, right angles
-  positive   // all (q'_k, q'_l) > 0
+  any,      // also equal and opposite corners, corners that are 0, right angles
+  positive  // all (q'_k, q'_l) > 0
 };
 
 struct BlendCase {

@@ -37,8 +37,8 @@ LinearBlend<Rational> linear_of(const Transforms& joints, const RationalVec<3>& 
   return blend;
 }
 
-// Dual quaternion skinning as in Kavan et al. 2008, Algorithm 1: v + 2 d x (d x v + a v) + 2 (a e - b d + d x e) for the
-// normalised blend (a, d) + eps (b, e).
+// Dual quaternion skinning as in Kavan et al. 2008, Algorithm 1: v + 2 d x (d x v + a v) + 2 (a e - b d + d x e) for
+// the normalised blend (a, d) + eps (b, e).
 RationalVec<3> dual_quaternion_skinning(const Transforms& joints, const Weights& w, const RationalVec<3>& v) {
   Quaternion<Rational> q(0, 0, 0, 0), e(0, 0, 0, 0);
   for (std::size_t i = 0; i < w.size(); ++i) q += joints[i].rotation * w[i], e += dual_part(joints[i]) * w[i];
@@ -63,10 +63,8 @@ void assert_rejected(const Blend& blend) {
   auto points = control_points(blend);
   auto& p = points[*rc::gen::inRange<std::size_t>(0, points.size())];
   const Rational amount = *gen::positive_rational();
-  if (*rc::gen::arbitrary<bool>())
-    p.numerator[*rc::gen::inRange(0, 3)] += amount;
-  else
-    p.weight -= amount;
+  if (*rc::gen::arbitrary<bool>()) p.numerator[*rc::gen::inRange(0, 3)] += amount;
+  else p.weight -= amount;
   RC_ASSERT(is_bezier_simplex(blend, points) == Verdict::fails);
 }
 
@@ -81,8 +79,8 @@ PROPTEST(b1_rational_bezier_simplex) {
   t.holds("dual quaternion blending is one of degree 2, linear blending one of degree 1", exact, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
-    const auto duals = *rc::gen::container<std::vector<gen::RationalQuaternion>>(
-        c.weights.size(), gen::nonzero_quaternion());
+    const auto duals =
+        *rc::gen::container<std::vector<gen::RationalQuaternion>>(c.weights.size(), gen::nonzero_quaternion());
     assert_simplex(DualQuaternionBlend<Rational>{c.blend.rotations, duals, c.blend.x}, c.weights);
     assert_simplex(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });

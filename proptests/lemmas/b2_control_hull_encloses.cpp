@@ -26,7 +26,8 @@ void assert_in_hull(const Blend& blend, const Weights& w) {
 }
 
 // The ball about a center that touches the farthest of the balls.
-Ball3<Rational> ball_around(const RationalVec<3>& center, const std::vector<RationalVec<3>>& points, const Rational& radius) {
+Ball3<Rational> ball_around(const RationalVec<3>& center, const std::vector<RationalVec<3>>& points,
+                            const Rational& radius) {
   Rational farthest(0);
   for (const auto& p : points) farthest = std::max(farthest, squared_distance(p, center));
   return {center, upper_root(farthest) + radius};
@@ -39,8 +40,8 @@ PROPTEST(b2_control_hull_encloses) {
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
     RC_ASSERT(pairs_are_positive(c.blend.rotations) == Verdict::holds);
     assert_in_hull(c.blend, c.weights);
-    const auto duals = *rc::gen::container<std::vector<gen::RationalQuaternion>>(
-        c.weights.size(), gen::nonzero_quaternion());
+    const auto duals =
+        *rc::gen::container<std::vector<gen::RationalQuaternion>>(c.weights.size(), gen::nonzero_quaternion());
     assert_in_hull(DualQuaternionBlend<Rational>{c.blend.rotations, duals, c.blend.x}, c.weights);
     assert_in_hull(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });
@@ -65,8 +66,7 @@ PROPTEST(b2_control_hull_encloses) {
     const RationalVec<3> vertex = image_in_control_hull(c.blend, u).image + offset;
     RC_ASSERT(encloses(ball, vertex) == Verdict::holds);
     const auto centers_only = ball_around(ball.center, positions(points), Rational(0));
-    if (radius > Rational(1, 1000))
-      RC_ASSERT(encloses_control_balls(centers_only, points, radius) == Verdict::fails);
+    if (radius > Rational(1, 1000)) RC_ASSERT(encloses_control_balls(centers_only, points, radius) == Verdict::fails);
   });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
@@ -80,7 +80,8 @@ PROPTEST(b2_control_hull_encloses) {
       if (blend_has_image(c.blend, std::span<const Rational>(u)) != Verdict::holds) continue;
       decide_by_all(statement, c.blend.rotations, c.blend.center_images, c.blend.x, u);
     }
-    decide_by_all([]<class S>(const std::vector<Quaternion<S>>& q) { return pairs_are_positive<S>(q); }, c.blend.rotations);
+    decide_by_all([]<class S>(const std::vector<Quaternion<S>>& q) { return pairs_are_positive<S>(q); },
+                  c.blend.rotations);
   });
 
   t.holds("mutated coefficients or a mutated image are rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -116,13 +117,15 @@ PROPTEST(b2_control_hull_encloses) {
             {.form = "beyond", .hypothesis = "||y|| <= r"}, [] {
               const RationalVec<3> vertex =
                   image_in_control_hull(b2::resting, std::span<const Rational>(b2::all)).image + b2::too_long;
-              return encloses_control_balls<Rational>(b2::unit_ball, control_points(b2::resting), 1) == Verdict::holds &&
+              return encloses_control_balls<Rational>(b2::unit_ball, control_points(b2::resting), 1) ==
+                         Verdict::holds &&
                      encloses(b2::unit_ball, vertex) == Verdict::fails;
             });
   t.example("degree 3 reaches beyond half a turn, where a pair is negative", {.form = "beyond"}, [] {
     return pairs_are_positive(b2::beyond_half_a_turn.rotations) == Verdict::fails &&
            control_weights_are_positive(control_points(b2::beyond_half_a_turn)) == Verdict::holds &&
-           image_in_control_hull(b2::beyond_half_a_turn, std::span<const Rational>(b2::halves)).verdict == Verdict::holds;
+           image_in_control_hull(b2::beyond_half_a_turn, std::span<const Rational>(b2::halves)).verdict ==
+               Verdict::holds;
   });
 }
 

@@ -98,7 +98,8 @@ PROPTEST(b3_subdivision) {
     const auto near = control_point_is_near(c.blend, index, sizes);
     RC_ASSERT(near.verdict == Verdict::holds);
     RC_ASSERT(is_control_point_distance(c.blend, index, sizes, near) == Verdict::holds);
-    const SimplexSizes<Rational> half{sizes.rotation_spread / 2, sizes.center_spread / 2, sizes.rotation_length, sizes.arm};
+    const SimplexSizes<Rational> half{sizes.rotation_spread / 2, sizes.center_spread / 2, sizes.rotation_length,
+                                      sizes.arm};
     RC_ASSERT(distance_bound(half) * 4 <= distance_bound(sizes));
   });
   t.holds("halving the longest edge leaves new edges of at most sqrt(3)/2 of it", rarer, [] {
@@ -126,23 +127,25 @@ PROPTEST(b3_subdivision) {
             RC_ASSERT(found.verdict == Verdict::holds);
             RC_ASSERT(is_positive_halves(q[0], q[1], found) == Verdict::holds);
           });
-  t.example("measured: each halving of all edges takes the control points four times nearer", {.number_type = "double"}, [] {
-    SphericalBlend<double> blend{{{1, 0, 0, 0}, {0.6, 0.8, 0, 0}}, {{0, 0, 0}, {0.3, -0.2, 0.1}}, {0.4, 1, 0.2}};
-    std::string text = "distances";
-    double last = 0, worst = 4;
-    for (int halvings = 0; halvings <= 6; ++halvings) {
-      const double distance = largest_distance(blend);
-      char number[32];
-      std::snprintf(number, sizeof number, " %.2e", distance);
-      text += number;
-      if (halvings > 1) worst = std::min(worst, last / distance);
-      last = distance;
-      blend = SphericalBlend<double>{{blend.rotations[0], (blend.rotations[0] + blend.rotations[1]) / 2},
+  t.example(
+      "measured: each halving of all edges takes the control points four times nearer", {.number_type = "double"}, [] {
+        SphericalBlend<double> blend{{{1, 0, 0, 0}, {0.6, 0.8, 0, 0}}, {{0, 0, 0}, {0.3, -0.2, 0.1}}, {0.4, 1, 0.2}};
+        std::string text = "distances";
+        double last = 0, worst = 4;
+        for (int halvings = 0; halvings <= 6; ++halvings) {
+          const double distance = largest_distance(blend);
+          char number[32];
+          std::snprintf(number, sizeof number, " %.2e", distance);
+          text += number;
+          if (halvings > 1) worst = std::min(worst, last / distance);
+          last = distance;
+          blend =
+              SphericalBlend<double>{{blend.rotations[0], (blend.rotations[0] + blend.rotations[1]) / 2},
                                      {blend.center_images[0], (blend.center_images[0] + blend.center_images[1]) / 2},
                                      blend.x};
-    }
-    return Checked(worst > 3, 7, text);
-  });
+        }
+        return Checked(worst > 3, 7, text);
+      });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 150}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 3);
@@ -164,8 +167,9 @@ PROPTEST(b3_subdivision) {
             return control_point_is_near<S>({q, r, x}, index, {s[0], s[1], s[2], s[3]}).verdict;
           },
           c.blend.rotations, c.blend.center_images, c.blend.x, all);
-    decide_by_all([]<class S>(const Quaternion<S>& p, const Quaternion<S>& q) { return halving_makes_positive<S>(p, q).verdict; },
-                  c.blend.rotations[0], c.blend.rotations[1]);
+    decide_by_all(
+        []<class S>(const Quaternion<S>& p, const Quaternion<S>& q) { return halving_makes_positive<S>(p, q).verdict; },
+        c.blend.rotations[0], c.blend.rotations[1]);
   });
 
   t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -210,8 +214,8 @@ PROPTEST(b3_subdivision) {
               return sizes_bound(b3::edge, b3::no_size) == Verdict::fails &&
                      control_point_is_near(b3::edge, b3::first_twice, b3::no_size).verdict == Verdict::fails;
             });
-  t.example("halving another edge than the longest may make a longer one", {.form = "beyond", .hypothesis = "the edge is the longest"},
-            [] {
+  t.example("halving another edge than the longest may make a longer one",
+            {.form = "beyond", .hypothesis = "the edge is the longest"}, [] {
               const b3::Rotation middle = (b3::a + b3::close_to_a) / b3::Q(2);
               return 4 * squared_distance(middle, b3::far_from_a) > 3 * squared_distance(b3::a, b3::close_to_a);
             });

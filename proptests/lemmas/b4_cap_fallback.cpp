@@ -23,8 +23,7 @@ Fallback fallback_of(const SphericalBlend<Rational>& blend) {
   const int kind = *rc::gen::inRange(0, 4);
   if (kind < 2)
     for (const auto& q : blend.rotations) cap.axis += q;
-  else
-    cap.axis = kind == 2 ? blend.rotations[0] : *gen::nonzero_quaternion();
+  else cap.axis = kind == 2 ? blend.rotations[0] : *gen::nonzero_quaternion();
   bool available = squared_norm(cap.axis) > 0;
   for (const auto& q : cap.rotations) available = available && squared_norm(q) > 0 && dot(q, cap.axis) >= 0;
   if (available) cap.squared_cosine = squared_cap_cosine<Rational>(cap.rotations, cap.axis);
@@ -67,7 +66,8 @@ PROPTEST(b4_cap_fallback) {
             RC_CLASSIFY(f.c.is_degenerate() || f.radius == 0, "degenerate");
             const auto steps = cap_fallback_encloses(f.cap, f.c.blend.x, f.u(), f.offset);
             const auto turned = fallback_ball(f.cap, f.c.blend.x);
-            const PartBounds<Rational> bounds{f.cap.center_images, {turned.center, upper_root(turned.squared_radius)}, f.radius};
+            const PartBounds<Rational> bounds{
+                f.cap.center_images, {turned.center, upper_root(turned.squared_radius)}, f.radius};
             const RationalVec<3> center = *gen::rational_vector<3>();
             Rational farthest(0);
             for (const auto& r : f.cap.center_images)
@@ -94,7 +94,8 @@ PROPTEST(b4_cap_fallback) {
                 const b4::Point control = mixed_rotation(q[0], q[1], b4::x) / dot(q[0], q[1]);
                 return encloses(fallback_ball(cap, b4::x), control);
               };
-              return inside(b4::below_a_right_angle) == Verdict::holds && inside(b4::beyond_a_right_angle) == Verdict::fails;
+              return inside(b4::below_a_right_angle) == Verdict::holds &&
+                     inside(b4::beyond_a_right_angle) == Verdict::fails;
             });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
@@ -122,8 +123,8 @@ PROPTEST(b4_cap_fallback) {
     const RationalVec<3> bump = *gen::nonzero_vector<3>();
     auto vertex = good, hull = good, step = good;
     vertex.vertex += bump;
-    hull.hull_point += bump, hull.vertex += bump;          // consistent, but off the hull point of u
-    step.rotation_step += bump, step.vertex += bump;       // consistent, but no rotation of x by the blend
+    hull.hull_point += bump, hull.vertex += bump;     // consistent, but off the hull point of u
+    step.rotation_step += bump, step.vertex += bump;  // consistent, but no rotation of x by the blend
     RC_ASSERT(rejected(vertex) && rejected(hull) && rejected(step));
   });
 
@@ -135,10 +136,12 @@ PROPTEST(b4_cap_fallback) {
              cap_fallback_encloses(cap, b4::x, weights, b4::no_offset).verdict == Verdict::fails;
     });
   };
-  fails_without("kappa^2 bounds every corner", "a cap without one of the corners misses it", b4::too_narrow, b4::second);
-  fails_without("no corner is behind the axis", "half-way to a corner behind the axis the blend leaves the cap", b4::behind,
-                b4::halves);
-  fails_without("the weights are convex", "beyond the corners a blend leaves the cap", b4::fitting, b4::beyond_the_second);
+  fails_without("kappa^2 bounds every corner", "a cap without one of the corners misses it", b4::too_narrow,
+                b4::second);
+  fails_without("no corner is behind the axis", "half-way to a corner behind the axis the blend leaves the cap",
+                b4::behind, b4::halves);
+  fails_without("the weights are convex", "beyond the corners a blend leaves the cap", b4::fitting,
+                b4::beyond_the_second);
 }
 
 }  // namespace

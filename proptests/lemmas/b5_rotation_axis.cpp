@@ -13,7 +13,8 @@ using namespace refitlab;
 using gen::RationalVec;
 using Span = std::span<const Rational>;
 
-// Up to four corners that turn about one axis, a cap about the sum of them (or about one) where there is one, and weights.
+// Up to four corners that turn about one axis, a cap about the sum of them (or about one) where there is one, and
+// weights.
 struct Twist {
   RationalVec<3> axis = *gen::nonzero_vector<3>();
   CapFallback<Rational> cap;
@@ -44,20 +45,21 @@ struct Twist {
 };
 
 PROPTEST(b5_rotation_axis) {
-  t.holds("on a twist a point keeps its part along the axis, and its ball has the radius of the part across",
-          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
-            const Twist w;
-            RC_PRE(w.applies());
-            RC_CLASSIFY(w.is_degenerate(), "degenerate");
-            const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
-            RC_ASSERT(found.verdict == Verdict::holds);
-            RC_ASSERT(is_twisted_point<Rational>(w.axis, w.cap, w.x, w.weights, found) == Verdict::holds);
-            // Smaller than the paper's ball by ||p||^2 / ||x||^2, squared.
-            const auto tight = twist_ball(w.cap, found.parts), loose = fallback_ball(w.cap, w.x);
-            RC_ASSERT(tight.squared_radius * squared_norm(w.x) == loose.squared_radius * squared_norm(found.parts.across));
-          });
-  t.holds("so do the control points", {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1},
-          [] {
+  t.holds(
+      "on a twist a point keeps its part along the axis, and its ball has the radius of the part across",
+      {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
+        const Twist w;
+        RC_PRE(w.applies());
+        RC_CLASSIFY(w.is_degenerate(), "degenerate");
+        const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
+        RC_ASSERT(found.verdict == Verdict::holds);
+        RC_ASSERT(is_twisted_point<Rational>(w.axis, w.cap, w.x, w.weights, found) == Verdict::holds);
+        // Smaller than the paper's ball by ||p||^2 / ||x||^2, squared.
+        const auto tight = twist_ball(w.cap, found.parts), loose = fallback_ball(w.cap, w.x);
+        RC_ASSERT(tight.squared_radius * squared_norm(w.x) == loose.squared_radius * squared_norm(found.parts.across));
+      });
+  t.holds("so do the control points",
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1}, [] {
             const Twist w;
             const auto p = w.about_axis(), q = w.about_axis();
             RC_CLASSIFY(w.is_degenerate() || p == q, "degenerate");
@@ -103,11 +105,12 @@ PROPTEST(b5_rotation_axis) {
     RC_ASSERT(rejected(split) && rejected(sum) && rejected(image));
   });
 
-  t.example("with rotations about two axes no axis is kept", {.form = "beyond", .hypothesis = "all turn about one axis"}, [] {
-    const Span u(b5::halves);
-    return twist_hypotheses(b5::x_axis, b5::two_axes, u) == Verdict::fails &&
-           twist_keeps_axis(b5::x_axis, b5::two_axes, b5::x_axis, u).verdict == Verdict::fails;
-  });
+  t.example("with rotations about two axes no axis is kept",
+            {.form = "beyond", .hypothesis = "all turn about one axis"}, [] {
+              const Span u(b5::halves);
+              return twist_hypotheses(b5::x_axis, b5::two_axes, u) == Verdict::fails &&
+                     twist_keeps_axis(b5::x_axis, b5::two_axes, b5::x_axis, u).verdict == Verdict::fails;
+            });
 }
 
 }  // namespace
