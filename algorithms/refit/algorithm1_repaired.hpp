@@ -1,7 +1,10 @@
-// Algorithm 1, repaired: sound for every posture, every weight bound and every number type.
+// Algorithm 1, repaired: sound for every posture and every weight bound; in intervals and exact numbers without exception,
+// in float and double up to rounding.
 //
 // Against the printed one: the skinning's own quaternion signs; a blend that may vanish or a cap of a half-sphere and more
 // means all rotations; beyond 90 degrees the smallest ball of a cap is the whole sphere's; the angle by its chord.
+// Rounding: a few ulps of the coordinates' size, divided by the length of the shortest blended quaternion of a corner. With
+// consistent signs that is at least the corner's first weight.
 #pragma once
 
 #include "algorithms/refit/ball_policy.hpp"
