@@ -28,5 +28,6 @@ inline const Case offset_too_long{around_both, two_points, {{0, 1}, Point(1, 0, 
 // The ball encloses the points but not the balls about them, or misses one of the balls.
 inline const Case ball_of_points{{Point(1, 0, 0), 1}, two_points, extreme.parts};
 inline const Case ball_of_one{{Point(0, 0, 0), 1}, two_points, extreme.parts};
+inline const Case ball_of_other{{Point(2, 0, 0), 1}, two_points, {{1, 0}, Point(-1, 0, 0), Point(-1, 0, 0)}};
 
 }  // namespace proptests::s44_sum

@@ -122,6 +122,22 @@ PROPTEST(s44_sum_of_bounds) {
     third.to_offset += leap, third.to_spherical -= leap;
     RC_ASSERT(rejected(first) && rejected(second) && rejected(third));
   });
+  t.holds("one step from the center may be as long as its own bound, and no longer",
+          {.number_type = "rational", .cases = 400}, [] {
+            const auto c = any_case();
+            const Rational amount = *gen::positive_rational(), s = c.bounds.spherical.radius;
+            const Point way = *gen::sphere_point<3>(), rest = Point::Zero();
+            const auto alone = [&](int step, const Rational& length) {
+              const Point to = way * length;
+              const SumSteps<Rational> steps{step == 0 ? to : rest, step == 1 ? to : rest, step == 2 ? to : rest};
+              return is_sum_steps<Rational>(c.ball, c.bounds, c.ball.center + to, steps);
+            };
+            const Rational limits[] = {c.ball.radius - s, s, c.bounds.inflation};
+            for (int step = 0; step < 3; ++step) {
+              RC_ASSERT(alone(step, limits[step]) == Verdict::holds);
+              RC_ASSERT(alone(step, limits[step] + amount) == Verdict::fails);
+            }
+          });
 
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const s44_sum::Case& c) {
     t.example(sentence, {.form = "printed", .hypothesis = hypothesis}, [&] {
@@ -134,7 +150,8 @@ PROPTEST(s44_sum_of_bounds) {
   fails_without("the offset is at most r", "beyond r a sum leaves the ball", s44_sum::offset_too_long);
   fails_without("the ball encloses balls, not only their centers", "a ball of the centers is too small",
                 s44_sum::ball_of_points);
-  fails_without("the ball encloses every ball", "a ball of one of the balls misses the others", s44_sum::ball_of_one);
+  fails_without("the ball encloses every ball", "a ball of the first ball misses the second", s44_sum::ball_of_one);
+  fails_without("the ball encloses every ball", "a ball of the second ball misses the first", s44_sum::ball_of_other);
 }
 
 }  // namespace
