@@ -48,12 +48,13 @@ std::vector<Picture> twist_pictures(const Character& c, const std::string& postu
   std::vector<Row> rows(1);
   rows[0] = {"reference posture, smallest balls", c.model.vertices, {}};
   for (const TreeNode& n : c.tree.nodes) rows[0].balls.push_back(n.reference);
-  const auto add = [&](const std::string& label, Skinning skinning, const std::string& variant) {
-    const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-    rows.push_back({posture_name + ", " + label, skin(c.model, c.sets, pose, skinning), c.refit_all(refit_variant(variant), pose)});
+  const auto add = [&](const std::string& label, const RefitVariant& variant) {
+    const auto pose = make_skinning_pose(c.model, c.sets, posture, variant.skinning);
+    rows.push_back({posture_name + ", " + label, skin(c.model, c.sets, pose, variant.skinning), c.refit_all(variant, pose)});
   };
-  add("linear blending, refitted by [Kavan and Zara 2005a]", Skinning::linear, "linear");
-  add("spherical blending, refitted by Algorithm 1 repaired", Skinning::spherical, "spherical_repaired");
+  add("linear blending, refitted by [Kavan and Zara 2005a]", refit_variant("linear"));
+  add("spherical blending, refitted by Algorithm 1 repaired", refit_variant("spherical_repaired"));
+  add("spherical blending, refitted by control hulls per joint-set", refit_variant("control_sets_exact"));
 
   const render::Camera camera = frame_all(rows);
   std::vector<Picture> pictures;

@@ -20,7 +20,7 @@ th,td{padding:.2rem .55rem;text-align:right;white-space:nowrap;border-bottom:1px
 th:first-child,td:first-child{text-align:left}thead th{background:var(--band)}
 .bad{color:var(--bad);font-weight:600}.soft{color:var(--soft)}
 figure{margin:0}figcaption{font-size:.85rem;color:var(--soft)}
-.gallery{display:grid;grid-template-columns:repeat(auto-fit,minmax(16rem,1fr));gap:1rem}
+.gallery{display:grid;grid-template-columns:repeat(3,minmax(0,1fr));gap:1rem}
 .gallery img{width:100%;height:auto;background:#fff;border-radius:6px}
 .plot{width:100%;max-width:46rem;height:auto;font-size:12px}.plot text{fill:var(--ink)}.plot .title{font-size:14px;font-weight:600}
 .plot .grid{stroke:var(--rule)}details{margin:.5rem 0}summary{cursor:pointer}
