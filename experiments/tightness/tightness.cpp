@@ -96,9 +96,10 @@ std::vector<TightnessResult> run_tightness(const Character& c, const TightnessSe
 void write_tightness(const std::vector<TightnessResult>& results, const std::string& path) {
   ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
   for (const auto& r : results)
-    for (const auto& [variant, levels] : r.tightness)
-      for (std::size_t l = 0; l < levels.size(); ++l) {
-        const LevelTightness& t = levels[l];
+    for (const auto& column : r.tightness)
+      for (std::size_t l = 0; l < column.second.size(); ++l) {
+        const std::string& variant = column.first;
+        const LevelTightness& t = column.second[l];
         const auto add = [&](const char* quantity, double value, const char* unit) {
           file.add({"tightness", r.model, r.posture, variant, std::to_string(l + 1), quantity, format_number(value), unit});
         };
