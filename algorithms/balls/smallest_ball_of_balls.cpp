@@ -5,7 +5,6 @@
 #include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/Min_sphere_of_spheres_d_traits_3.h>
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -30,22 +29,6 @@ Ball3<double> ball_about(const Vec<double, 3>& center, std::span<const Ball3<dou
   Ball3<double> out{center, 0};
   for (const auto& b : balls) out.radius = std::max(out.radius, norm<double, 3>(b.center - center) + b.radius);
   return out;
-}
-
-// The balls that the solver has grown its ball around touch it, and its center is a convex combination of theirs: what
-// makes it the smallest.
-bool is_supported(Quick& smallest, const Vec<double, 3>& center) {
-  Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, 4> system(4, 0);
-  for (auto b = smallest.support_begin(); b != smallest.support_end(); ++b) {
-    const auto& [c, radius] = *b;
-    const Vec<double, 3> arm(c.x() - center[0], c.y() - center[1], c.z() - center[2]);
-    if (norm(arm) + radius < smallest.radius() * (1 - 1e-10)) return false;
-    system.conservativeResize(4, system.cols() + 1);
-    system.rightCols<1>() << arm, smallest.radius();
-  }
-  const Eigen::Vector4d goal(0, 0, 0, smallest.radius());
-  const auto coefficients = system.colPivHouseholderQr().solve(goal).eval();
-  return coefficients.minCoeff() >= -1e-10 && (system * coefficients - goal).norm() <= 1e-10 * smallest.radius();
 }
 
 // In rationals, to far more digits than a double has: the solver's results are differences a + b sqrt(x) of large numbers.
@@ -75,9 +58,9 @@ Ball3<double> smallest_ball_of_balls(std::span<const Ball3<double>> balls) {
   auto smallest = solve<Quick>(balls);
   const double* c = smallest.center_cartesian_begin();
   const Ball3<double> out = ball_about({c[0], c[1], c[2]}, balls);
-  // The solver grows a ball around few of the balls until it holds all. On grids, rounding may make it stop too early, when
-  // its own radius is too small for its center, or grow its ball around the wrong ones.
-  return out.radius <= smallest.radius() * (1 + 1e-10) && is_supported(smallest, out.center) ? out : solve_exactly(balls);
+  // The solver grows a ball around few of the balls until it holds all. On grids, rounding may make it stop too early: its
+  // own radius is then too small for its center.
+  return out.radius <= smallest.radius() * (1 + 1e-10) ? out : solve_exactly(balls);
 }
 
 }  // namespace refitlab

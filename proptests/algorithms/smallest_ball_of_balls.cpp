@@ -87,6 +87,11 @@ PROPTEST(smallest_ball_of_balls) {
               }
               return Checked(true, cases);
             });
+  t.example("five balls for which CGAL's exact result is a difference of large numbers keep their digits", {}, [] {
+    const std::vector<Ball3<double>> balls{
+        {{1.2, 1, 1.1}, 0.1}, {{1.2, 1.1, 1.1}, 0}, {{1.2, 1.2, 1.2}, 0.1}, {{1.1, 1.3, 1}, 0}, {{1.2, 1.2, 1}, 0.1}};
+    return std::abs(smallest_ball_of_balls(balls).radius - 0.225) < 1e-12;
+  });
   t.example("one ball, a ball in a ball, two that touch, and two points", {.number_type = "double"}, [] {
     const Ball3<double> a{{1, 2, 3}, 4}, inside{{1, 2, 4}, 1}, left{{-1, 0, 0}, 1}, right{{1, 0, 0}, 1};
     const Ball3<double> p{{-3, 0, 0}, 0}, q{{3, 0, 0}, 0};

@@ -51,6 +51,7 @@ std::string structural_fault(const SphereTree& tree, const Model& model, const T
         return "vertices of a leaf";
       continue;
     }
+    if (n.triangle_count <= options.triangles_per_leaf) return "an inner node that could be a leaf";
     if (n.vertex_count != 0) return "an inner node with vertices of its own";
     if (n.child_count < 2 || n.first_child != next) return "children";
     next += n.child_count;
