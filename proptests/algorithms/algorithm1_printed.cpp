@@ -42,7 +42,8 @@ void check_theorem(gen::Turns turns) {
   oracle::RefitLadder ladder(c, Printed<signs>{});
   const Ball3<double> ball = Repaired{}(gen::NodeOf<double>(c).node());
   for (const Sample& sample : gen::samples(c, Blending::spherical, ball.center))
-    if (const auto v = gen::skinned(c, sample, Blending::spherical)) RC_ASSERT(ladder.encloses(*v).verdict != Verdict::fails);
+    if (const auto v = gen::skinned(c, sample, Blending::spherical))
+      RC_ASSERT(ladder.encloses(*v).verdict != Verdict::fails);
 }
 
 bool is_finite(const Ball3<double>& ball) { return ball.center.allFinite() && std::isfinite(ball.radius); }
@@ -56,13 +57,14 @@ Checked replay(const counterexamples::PinnedRefit& pinned) {
   // The printed algorithm reads the matrices; only the finding about signs needs that to fail.
   oracle::RefitLadder as_printed(pinned.input, Printed<Signs::of_matrices>{});
   oracle::RefitLadder repaired(pinned.input, Repaired{}, oracle::repaired_ball(pinned.input, oracle::Gather::at_mean));
-  const bool printed_fails = pinned.undefined ? !is_finite(Printed<Signs::of_skinning>{}(gen::NodeOf<double>(pinned.input).node()))
-                                              : as_printed.encloses(*v).verdict == Verdict::fails;
+  const bool printed_fails = pinned.undefined
+                                 ? !is_finite(Printed<Signs::of_skinning>{}(gen::NodeOf<double>(pinned.input).node()))
+                                 : as_printed.encloses(*v).verdict == Verdict::fails;
   return printed_fails && repaired.encloses(*v).verdict == Verdict::holds;
 }
 
-// Nodes of a single corner in floating point: in exact arithmetic their quaternions' sphere has radius 0, and line 13 takes
-// the arccos of 1. The joints' rotations are products of five unit quaternions, as down a limb.
+// Nodes of a single corner in floating point: in exact arithmetic their quaternions' sphere has radius 0, and line 13
+// takes the arccos of 1. The joints' rotations are products of five unit quaternions, as down a limb.
 struct OneCorner {
   long balls = 0, not_a_number = 0, repaired_wrong = 0;
 };
@@ -92,7 +94,8 @@ OneCorner refit_one_corner(int joints, int balls) {
     out.not_a_number += std::isnan(refit_algorithm1_printed<MeanBalls>(node, Signs::of_skinning, lists).radius);
     const Ball3<S> repaired = refit_algorithm1_repaired<MeanBalls>(node, lists);
     const Vec<S, 3> image = blend_spherical<S>(pose[0], weights, node.reference.center);
-    out.repaired_wrong += !(norm<S, 3>(repaired.center - image) < 1e-5 && repaired.radius >= 1 && repaired.radius < S(1.00001));
+    out.repaired_wrong +=
+        !(norm<S, 3>(repaired.center - image) < 1e-5 && repaired.radius >= 1 && repaired.radius < S(1.00001));
   }
   return out;
 }
@@ -116,25 +119,30 @@ PROPTEST(algorithm1_printed) {
             {.form = "printed", .number_type = "interval to exact"}, [] {
               const auto& pinned = counterexamples::algorithm1()[0];
               oracle::RefitLadder ladder(pinned.input, Printed<Signs::of_skinning>{});
-              const auto v = gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
+              const auto v =
+                  gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
               return ladder.encloses(*v).verdict == Verdict::fails;
             });
   t.example("the pinned quaternions of lost sign are bounded once the skinning's signs are used",
             {.number_type = "interval to exact"}, [] {
               const auto& pinned = counterexamples::algorithm1().back();
               oracle::RefitLadder ladder(pinned.input, Printed<Signs::of_skinning>{});
-              const auto v = gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
+              const auto v =
+                  gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
               return ladder.encloses(*v).verdict != Verdict::fails;  // the ball is the vertex
             });
   t.refuted("the ball encloses every vertex of S with admissible weights, given the skinning's signs",
             {.form = "printed", .number_type = "interval to exact", .cases = 2000},
             [] { check_theorem<Signs::of_skinning>(gen::Turns::any); });
-  t.refuted("the ball encloses every vertex of S with admissible weights, with signs of matrices, for turns up to 90 degrees",
-            {.form = "printed", .number_type = "interval to exact", .cases = 2000},
-            [] { check_theorem<Signs::of_matrices>(gen::Turns::moderate); });
-  t.holds("where any two joints of a set differ by at most 90 degrees, mean balls and the skinning's signs enclose every vertex",
-          {.form = "printed", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2},
-          [] { check_theorem<Signs::of_skinning>(gen::Turns::moderate); });
+  t.refuted(
+      "the ball encloses every vertex of S with admissible weights, with signs of matrices, for turns up to 90 degrees",
+      {.form = "printed", .number_type = "interval to exact", .cases = 2000},
+      [] { check_theorem<Signs::of_matrices>(gen::Turns::moderate); });
+  t.holds(
+      "where any two joints of a set differ by at most 90 degrees, mean balls and the skinning's signs enclose every "
+      "vertex",
+      {.form = "printed", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2},
+      [] { check_theorem<Signs::of_skinning>(gen::Turns::moderate); });
   t.example("in double, balls of nodes moved by one joint are often not a number; repaired never",
             {.form = "printed", .number_type = "double"}, [] { return share_not_a_number<double>(1, 0.01); });
   t.example("in float, balls of nodes moved by one joint are often not a number; repaired never",

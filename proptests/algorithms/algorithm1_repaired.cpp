@@ -71,7 +71,8 @@ struct Misses {
 bool has_short_blend(const RefitCase& c) {
   for (const auto& set : c.sets)
     for (const auto& corner : set.weights.corners)
-      if (const auto q = squared_norm(blend_quaternion<Rational>(set.pose, corner)); q != 0 && q < Rational(1, 1000000)) return true;
+      if (const auto q = squared_norm(blend_quaternion<Rational>(set.pose, corner)); q != 0 && q < Rational(1, 1000000))
+        return true;
   return false;
 }
 
@@ -80,7 +81,8 @@ void check_double(Misses& misses) {
   const RefitCase c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
   RC_PRE(!has_short_blend(c));
   const Ball3<double> ball = Repaired<Policy>{}(gen::NodeOf<double>(c).node());
-  const Ball3<Rational> exact{{Rational(ball.center[0]), Rational(ball.center[1]), Rational(ball.center[2])}, Rational(ball.radius)};
+  const Ball3<Rational> exact{{Rational(ball.center[0]), Rational(ball.center[1]), Rational(ball.center[2])},
+                              Rational(ball.radius)};
   bool missed = false;
   for (const Sample& sample : gen::samples(c, Blending::spherical, ball.center)) {
     const auto v = gen::skinned(c, sample, Blending::spherical);
@@ -92,7 +94,8 @@ void check_double(Misses& misses) {
     const Rational beyond = squared_distance(*v, exact.center) - exact.radius * exact.radius;
     double size = ball.center.norm() + ball.radius;
     for (const auto& set : c.sets) size += lift<double>(set.pose.rotation_center).norm();
-    const double relative = CGAL::to_double(beyond) / (ball.radius + std::sqrt(CGAL::to_double(squared_distance(*v, exact.center)))) / size;
+    const double relative =
+        CGAL::to_double(beyond) / (ball.radius + std::sqrt(CGAL::to_double(squared_distance(*v, exact.center)))) / size;
     misses.worst = std::max(misses.worst, relative);
     RC_ASSERT(relative <= 1e-12);
   }
@@ -115,7 +118,8 @@ std::pair<double, double> miss_of_short_blend(int off) {
   const RefitNode<double> node{{{1, 2, 3}, 0}, {&set, 1}, w.data(), pose};
   const Ball3<double> ball = Repaired<MeanBalls>{}(node);
   JointSetPose<Rational> exact;
-  for (const auto& c : pose[0].transforms) exact.transforms.push_back({convert<Rational>(c.rotation), convert<Rational>(c.translation)});
+  for (const auto& c : pose[0].transforms)
+    exact.transforms.push_back({convert<Rational>(c.rotation), convert<Rational>(c.translation)});
   place_rotation_center<Rational>(exact, gen::RationalVec<3>::Zero());
   std::vector<Rational> weights;
   for (const double x : w) weights.push_back(Rational(x));
@@ -126,8 +130,9 @@ std::pair<double, double> miss_of_short_blend(int off) {
 
 Checked report(const Misses& m) {
   char text[160];
-  std::snprintf(text, sizeof text, "%ld of %ld vertices missed by rounding (%.1f %%), by at most %.1e of the coordinates' size",
-                m.missed, m.vertices, 100.0 * double(m.missed) / double(m.vertices), m.worst);
+  std::snprintf(text, sizeof text,
+                "%ld of %ld vertices missed by rounding (%.1f %%), by at most %.1e of the coordinates' size", m.missed,
+                m.vertices, 100.0 * double(m.missed) / double(m.vertices), m.worst);
   return Checked(m.worst <= 1e-12, m.vertices, text);
 }
 
@@ -140,14 +145,14 @@ PROPTEST(algorithm1_repaired) {
           {.form = "repaired", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2},
           [] { check_theorem<MeanBalls>(oracle::Gather::at_mean, mean); });
   t.example("of its points, intervals of doubles decide most, and squared forms most of those on the surface", {}, [] {
-    return Checked(mean.share("interval") > 0.6 && mean.share(oracle::RungTally::none) < 0.1, mean.total(), mean.text());
+    return Checked(mean.share("interval") > 0.6 && mean.share(oracle::RungTally::none) < 0.1, mean.total(),
+                   mean.text());
   });
   t.holds("whatever centers the balls are given, the ball encloses every vertex of S with admissible weights",
           {.form = "repaired", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2},
           [] { check_theorem<FirstPoints>(oracle::Gather::at_first, first); });
-  t.example("with these centers every point is decided exactly", {}, [] {
-    return Checked(first.share(oracle::RungTally::none) == 0, first.total(), first.text());
-  });
+  t.example("with these centers every point is decided exactly", {},
+            [] { return Checked(first.share(oracle::RungTally::none) == 0, first.total(), first.text()); });
   t.holds("intervals hold the ball of the squared form, or miss no point of it where they fall back on all rotations",
           {.number_type = "interval", .cases = 1000, .degenerate_at_least = 0.2}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::any);
@@ -156,8 +161,9 @@ PROPTEST(algorithm1_repaired) {
             const auto ball = Repaired<FirstPoints>{}(gen::NodeOf<MultiprecisionInterval>(c).node());
             MultiprecisionInterval radius(0);
             for (const auto& reach : exact->reaches)
-              radius = max_of<MultiprecisionInterval>(radius, root(lift<MultiprecisionInterval>(reach.squared_distance)) +
-                                                                  root(lift<MultiprecisionInterval>(reach.squared_radius)));
+              radius =
+                  max_of<MultiprecisionInterval>(radius, root(lift<MultiprecisionInterval>(reach.squared_distance)) +
+                                                             root(lift<MultiprecisionInterval>(reach.squared_radius)));
             const Ball3<MultiprecisionInterval> expected{lift<MultiprecisionInterval>(exact->center),
                                                          radius + lift<MultiprecisionInterval>(exact->extra)};
             Verdict same = equal(ball.radius, expected.radius);
@@ -166,23 +172,28 @@ PROPTEST(algorithm1_repaired) {
           });
   t.holds("in double with mean balls it misses no exactly skinned vertex by more than 1e-12 of the coordinates' size",
           {.number_type = "double", .cases = 2000}, [] { check_double<MeanBalls>(mean_misses); });
-  t.example("how often mean balls in double miss by rounding", {.number_type = "double"}, [] { return report(mean_misses); });
-  t.holds("in double with smallest balls it misses no exactly skinned vertex by more than 1e-12 of the coordinates' size",
-          {.number_type = "double", .cases = 2000}, [] { check_double<SmallestBalls>(smallest_misses); });
-  t.example("how often smallest balls in double miss by rounding", {.number_type = "double"}, [] { return report(smallest_misses); });
-  t.example("in double the miss is a few ulps over the length of the shortest blend, far more than 1e-12 where that all but "
-            "vanishes", {.number_type = "double"}, [] {
-    bool bounded = true;
-    double shortest = 1, worst = 0;
-    for (int off = 1; off < 2000; ++off) {
-      const auto [length, miss] = miss_of_short_blend(off);
-      bounded = bounded && miss <= 1e-15 / length;
-      if (miss > worst) worst = miss, shortest = length;
-    }
-    char text[100];
-    std::snprintf(text, sizeof text, "a blend of length %.1e misses by %.1e of ||p - r_c||", shortest, worst);
-    return Checked(bounded && worst > 1e-12, 1999, text);
-  });
+  t.example("how often mean balls in double miss by rounding", {.number_type = "double"},
+            [] { return report(mean_misses); });
+  t.holds(
+      "in double with smallest balls it misses no exactly skinned vertex by more than 1e-12 of the coordinates' size",
+      {.number_type = "double", .cases = 2000}, [] { check_double<SmallestBalls>(smallest_misses); });
+  t.example("how often smallest balls in double miss by rounding", {.number_type = "double"},
+            [] { return report(smallest_misses); });
+  t.example(
+      "in double the miss is a few ulps over the length of the shortest blend, far more than 1e-12 where that all but "
+      "vanishes",
+      {.number_type = "double"}, [] {
+        bool bounded = true;
+        double shortest = 1, worst = 0;
+        for (int off = 1; off < 2000; ++off) {
+          const auto [length, miss] = miss_of_short_blend(off);
+          bounded = bounded && miss <= 1e-15 / length;
+          if (miss > worst) worst = miss, shortest = length;
+        }
+        char text[100];
+        std::snprintf(text, sizeof text, "a blend of length %.1e misses by %.1e of ||p - r_c||", shortest, worst);
+        return Checked(bounded && worst > 1e-12, 1999, text);
+      });
 }
 
 }  // namespace proptests

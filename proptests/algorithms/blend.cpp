@@ -95,7 +95,8 @@ PROPTEST(blend) {
             RC_ASSERT((blend_linear<double>(pose, w, v) - oracle::linear_by_eigen(pose.transforms, w, v)).norm() <=
                       1e-12 * size);
             RC_ASSERT((blend_spherical<double>(pose, w, v) -
-                       oracle::spherical_by_eigen(pose.transforms, w, pose.rotation_center, v)).norm() <= 1e-12 * size);
+                       oracle::spherical_by_eigen(pose.transforms, w, pose.rotation_center, v))
+                          .norm() <= 1e-12 * size);
           });
 }
 

@@ -1,9 +1,10 @@
 // Every sound refit variant on nodes of whole models, against vertices that are skinned exactly.
 //
-// What is compared: the double data of a posture's joint-sets (quaternions, rotation centers, images of the centers) are
-// taken as exact rationals, and Equation (1) is evaluated in rationals. It divides by the squared norm, so its rotations
-// are exact although quaternions in double are not quite of unit length; for linear blending the slightly scaled
-// rotations are part of what is compared. The ball is the one that double computes, its numbers taken as they are.
+// What is compared: the double data of a posture's joint-sets (quaternions, rotation centers, images of the centers)
+// are taken as exact rationals, and Equation (1) is evaluated in rationals. It divides by the squared norm, so its
+// rotations are exact although quaternions in double are not quite of unit length; for linear blending the slightly
+// scaled rotations are part of what is compared. The ball is the one that double computes, its numbers taken as they
+// are.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -28,7 +29,10 @@ constexpr int nodes_per_posture = 60, vertices_per_node = 12;
 
 struct Character {
   explicit Character(Model m)
-      : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets)), vertices(tree, model),
+      : model(std::move(m)),
+        sets(model),
+        tree(build_sphere_tree(model, sets)),
+        vertices(tree, model),
         joint_set_pieces(tree, vertices, model, sets, {.most_pieces = 1}),
         clusters(tree, vertices, model, sets, {.most_pieces = most_clusters}) {}
 
@@ -109,7 +113,8 @@ std::vector<int> some_nodes(const Character& c, std::mt19937& random) {
   const int n = static_cast<int>(c.tree.nodes.size());
   std::vector<int> out;
   for (int i = 0; i < nodes_per_posture; ++i)
-    out.push_back(i < nodes_per_posture / 4 ? std::min(i, n - 1) : std::uniform_int_distribution<int>(0, n - 1)(random));
+    out.push_back(i < nodes_per_posture / 4 ? std::min(i, n - 1)
+                                            : std::uniform_int_distribution<int>(0, n - 1)(random));
   return out;
 }
 
@@ -138,8 +143,8 @@ Checked check_model(Model model) {
   std::string text = std::to_string(c.tree.nodes.size()) + " nodes; missed by rounding:";
   for (const auto& [name, tally] : tallies) {
     char part[120];
-    std::snprintf(part, sizeof part, " %s %.2f %% by %.0e,", name.c_str(), 100.0 * double(tally.misses) / double(tally.vertices),
-                  tally.worst);
+    std::snprintf(part, sizeof part, " %s %.2f %% by %.0e,", name.c_str(),
+                  100.0 * double(tally.misses) / double(tally.vertices), tally.worst);
     text += part;
     vertices += tally.vertices;
     passed = passed && tally.worst <= tolerance;
@@ -148,7 +153,8 @@ Checked check_model(Model model) {
   return Checked(passed, vertices, text + "of the radius at most");
 }
 
-const char* const sentence = "every sound variant's ball in double encloses exactly skinned vertices up to 1e-12 of its radius: ";
+const char* const sentence =
+    "every sound variant's ball in double encloses exactly skinned vertices up to 1e-12 of its radius: ";
 
 }  // namespace
 

@@ -1,6 +1,5 @@
 // Refitting for linear blending.
 #include "algorithms/refit/linear.hpp"
-
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/refit_ladder.hpp"
@@ -43,27 +42,31 @@ PROPTEST(refit_linear) {
           {.form = "linear blending", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2},
           [] { check_enclosure(Blending::linear, linear); });
   t.example("every point is decided exactly, most by intervals of doubles", {}, [] {
-    return Checked(linear.share("interval") > 0.6 && linear.share(oracle::RungTally::none) == 0, linear.total(), linear.text());
+    return Checked(linear.share("interval") > 0.6 && linear.share(oracle::RungTally::none) == 0, linear.total(),
+                   linear.text());
   });
   t.refuted("the ball encloses every spherically skinned vertex of S with admissible weights",
             {.number_type = "interval to exact"}, [] { check_enclosure(Blending::spherical, spherical); });
-  t.example("a half-way twist of 180 degrees leaves the linear ball: the linear vertex sinks to the axis, the spherical one "
-            "does not", {.number_type = "rational"}, [] {
-    // p = (0, 1, 0) halfway between the identity and a half-turn about x, weights (1/2, 1/2): the linear ball is the point 0.
-    RefitCase c;
-    c.reference = {{0, 1, 0}, Rational(0)};
-    c.sets.emplace_back();
-    auto& set = c.sets[0];
-    set.pose.transforms.resize(2);
-    set.pose.transforms[1].rotation = {0, 1, 0, 0};
-    place_rotation_center<Rational>(set.pose, gen::RationalVec<3>::Zero());
-    const std::vector<Rational> half(2, Rational(1, 2));
-    set.weights = {{half, half}, {half}};
-    oracle::RefitLadder ladder(c, Linear{}, oracle::linear_ball(c));
-    const Sample sample{0, half, c.reference.center};
-    return ladder.encloses(*gen::skinned(c, sample, Blending::linear)).verdict == Verdict::holds &&
-           ladder.encloses(*gen::skinned(c, sample, Blending::spherical)).verdict == Verdict::fails;
-  });
+  t.example(
+      "a half-way twist of 180 degrees leaves the linear ball: the linear vertex sinks to the axis, the spherical one "
+      "does not",
+      {.number_type = "rational"}, [] {
+        // p = (0, 1, 0) halfway between the identity and a half-turn about x, weights (1/2, 1/2): the linear ball is
+        // the point 0.
+        RefitCase c;
+        c.reference = {{0, 1, 0}, Rational(0)};
+        c.sets.emplace_back();
+        auto& set = c.sets[0];
+        set.pose.transforms.resize(2);
+        set.pose.transforms[1].rotation = {0, 1, 0, 0};
+        place_rotation_center<Rational>(set.pose, gen::RationalVec<3>::Zero());
+        const std::vector<Rational> half(2, Rational(1, 2));
+        set.weights = {{half, half}, {half}};
+        oracle::RefitLadder ladder(c, Linear{}, oracle::linear_ball(c));
+        const Sample sample{0, half, c.reference.center};
+        return ladder.encloses(*gen::skinned(c, sample, Blending::linear)).verdict == Verdict::holds &&
+               ladder.encloses(*gen::skinned(c, sample, Blending::spherical)).verdict == Verdict::fails;
+      });
 }
 
 }  // namespace proptests

@@ -38,8 +38,8 @@ Hull draw(int most) {
   return h;
 }
 
-// The bound of the images of x without a root, from the lemmas: kappa^2 is rational, and so are the apex's image and the
-// squared radius.
+// The bound of the images of x without a root, from the lemmas: kappa^2 is rational, and so are the apex's image and
+// the squared radius.
 SquaredBall<Rational, 3> ball_from_lemmas(const Hull& h, const RationalVec<3>& x) {
   const std::span<const RationalQuaternion> unit(h.unit);
   for (const auto& q : h.unit)  // also where the direction is 0
@@ -113,44 +113,50 @@ PROPTEST(rotation_bound) {
             const SquaredBall<Rational, 3> all{RationalVec<3>::Zero(), squared_norm(x)};
             RC_ASSERT(same(ball, ball_from_lemmas(h, x)) != Verdict::fails || same(ball, all) != Verdict::fails);
           });
-  t.example("no direction, and quaternions on a half-sphere's rim or beyond, are all rotations", {.form = "repaired"}, [] {
-    const std::vector<Quaternion<double>> opposite{{1, 0, 0, 0}, {-1, 0, 0, 0}}, rim{{1, 0, 0, 0}, {0, 1, 0, 0}};
-    bool all = true;
-    for (const auto& [unit, direction] :
-         {std::pair{opposite, Quaternion<double>{0, 0, 0, 0}}, std::pair{opposite, Quaternion<double>{1, 0, 0, 0}},
-          std::pair{rim, Quaternion<double>{1, 0, 0, 0}}, std::pair{rim, Quaternion<double>{-1, -1, 0, 0}},
-          std::pair{rim, Quaternion<double>::Constant(std::nan("")).eval()}}) {
-      const auto bound = bound_rotations<double>(unit, direction);
-      all = all && bound.center_ratio == 0 && bound.radius_ratio == 1;
-    }
-    return Checked(all, 5);
-  });
-  t.example("in float the chord keeps its digits at small angles, where the dot product loses them", {.number_type = "float"}, [] {
-    std::mt19937 random(2006);
-    std::normal_distribution<double> gauss;
-    double chord_worst = 0, dot_worst = 0;
-    long too_small = 0, cases = 0;
-    for (double half_angle = 0.3; half_angle > 1e-3; half_angle /= 1.1)
-      for (int i = 0; i < 100; ++i, ++cases) {
-        Quaternion<double> middle(gauss(random), gauss(random), gauss(random), gauss(random));
-        Quaternion<double> side(gauss(random), gauss(random), gauss(random), gauss(random));
-        middle /= norm(middle);
-        side -= middle * dot(middle, side);
-        side /= norm(side);
-        const std::vector<Quaternion<float>> unit{(middle * std::cos(half_angle) + side * std::sin(half_angle)).cast<float>(),
-                                                  (middle * std::cos(half_angle) - side * std::sin(half_angle)).cast<float>()};
-        const Quaternion<float> direction = (unit[0] + unit[1]) / 2;
-        const double sine = std::sin(2 * half_angle);
-        const double by_dot = sine_by_dot(unit, direction / norm(direction));
-        chord_worst = std::max(chord_worst, std::abs(bound_rotations<float>(unit, direction).radius_ratio / sine - 1));
-        dot_worst = std::max(dot_worst, std::abs(by_dot / sine - 1));
-        too_small += by_dot < sine;
-      }
-    char text[160];
-    std::snprintf(text, sizeof text, "half angles 0.3 to 0.001 rad, worst relative error of sin alpha: chord %.1e, dot %.1e; "
-                  "by dot too small in %.0f %%", chord_worst, dot_worst, 100.0 * too_small / cases);
-    return Checked(chord_worst < 3e-4 && dot_worst > 100 * chord_worst, cases, text);
-  });
+  t.example(
+      "no direction, and quaternions on a half-sphere's rim or beyond, are all rotations", {.form = "repaired"}, [] {
+        const std::vector<Quaternion<double>> opposite{{1, 0, 0, 0}, {-1, 0, 0, 0}}, rim{{1, 0, 0, 0}, {0, 1, 0, 0}};
+        bool all = true;
+        for (const auto& [unit, direction] :
+             {std::pair{opposite, Quaternion<double>{0, 0, 0, 0}}, std::pair{opposite, Quaternion<double>{1, 0, 0, 0}},
+              std::pair{rim, Quaternion<double>{1, 0, 0, 0}}, std::pair{rim, Quaternion<double>{-1, -1, 0, 0}},
+              std::pair{rim, Quaternion<double>::Constant(std::nan("")).eval()}}) {
+          const auto bound = bound_rotations<double>(unit, direction);
+          all = all && bound.center_ratio == 0 && bound.radius_ratio == 1;
+        }
+        return Checked(all, 5);
+      });
+  t.example("in float the chord keeps its digits at small angles, where the dot product loses them",
+            {.number_type = "float"}, [] {
+              std::mt19937 random(2006);
+              std::normal_distribution<double> gauss;
+              double chord_worst = 0, dot_worst = 0;
+              long too_small = 0, cases = 0;
+              for (double half_angle = 0.3; half_angle > 1e-3; half_angle /= 1.1)
+                for (int i = 0; i < 100; ++i, ++cases) {
+                  Quaternion<double> middle(gauss(random), gauss(random), gauss(random), gauss(random));
+                  Quaternion<double> side(gauss(random), gauss(random), gauss(random), gauss(random));
+                  middle /= norm(middle);
+                  side -= middle * dot(middle, side);
+                  side /= norm(side);
+                  const std::vector<Quaternion<float>> unit{
+                      (middle * std::cos(half_angle) + side * std::sin(half_angle)).cast<float>(),
+                      (middle * std::cos(half_angle) - side * std::sin(half_angle)).cast<float>()};
+                  const Quaternion<float> direction = (unit[0] + unit[1]) / 2;
+                  const double sine = std::sin(2 * half_angle);
+                  const double by_dot = sine_by_dot(unit, direction / norm(direction));
+                  chord_worst =
+                      std::max(chord_worst, std::abs(bound_rotations<float>(unit, direction).radius_ratio / sine - 1));
+                  dot_worst = std::max(dot_worst, std::abs(by_dot / sine - 1));
+                  too_small += by_dot < sine;
+                }
+              char text[160];
+              std::snprintf(text, sizeof text,
+                            "half angles 0.3 to 0.001 rad, worst relative error of sin alpha: chord %.1e, dot %.1e; "
+                            "by dot too small in %.0f %%",
+                            chord_worst, dot_worst, 100.0 * too_small / cases);
+              return Checked(chord_worst < 3e-4 && dot_worst > 100 * chord_worst, cases, text);
+            });
 }
 
 }  // namespace proptests

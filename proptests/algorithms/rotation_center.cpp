@@ -66,7 +66,8 @@ PROPTEST(rotation_center) {
     const Point3 center = rotation_center(c, prior);
     const double at_center = oracle::sum_over_pairs(c, center);
     for (const double length : {1e-3, 1e-1, 1.0, 10.0})
-      RC_ASSERT(oracle::sum_over_pairs(c, center + length * step) >= at_center - 1e-9 * size_of(c, prior) * size_of(c, prior));
+      RC_ASSERT(oracle::sum_over_pairs(c, center + length * step) >=
+                at_center - 1e-9 * size_of(c, prior) * size_of(c, prior));
   });
   t.holds("it moves away from the prior only in directions that the transforms determine",
           {.number_type = "double", .degenerate_at_least = 0.9}, [] {

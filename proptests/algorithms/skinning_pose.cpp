@@ -118,33 +118,37 @@ PROPTEST(skinning_pose) {
               const auto w = sets.weights(static_cast<int>(v));
               // The least-squares center may lie far away, and rounding grows with its distance.
               const double tolerance = 1e-11 * (size_of(posed) + set.rotation_center.norm());
-              RC_ASSERT((by_points[v] - oracle::linear_by_eigen(set.transforms, w, posed.model.vertices[v])).norm() <= tolerance);
+              RC_ASSERT((by_points[v] - oracle::linear_by_eigen(set.transforms, w, posed.model.vertices[v])).norm() <=
+                        tolerance);
               if (norm(blend_quaternion<double>(set, w)) < 0.01) continue;
-              RC_ASSERT((by_quaternions[v] - oracle::spherical_by_eigen(set.transforms, w, set.rotation_center,
-                                                                       posed.model.vertices[v])).norm() <= tolerance);
+              RC_ASSERT((by_quaternions[v] -
+                         oracle::spherical_by_eigen(set.transforms, w, set.rotation_center, posed.model.vertices[v]))
+                            .norm() <= tolerance);
             }
           });
-  t.holds("the data of a joint-set are its joints' transforms in order, with images of one common center",
-          {.number_type = "double", .cases = 300}, [] {
-            const PosedModel posed = *gen::posed_model();
-            const JointSets sets(posed.model);
-            const auto pose = make_skinning_pose(posed.model, sets, posed.posture,
-                                                 *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl));
-            RC_ASSERT(pose.size() == static_cast<std::size_t>(sets.count()));
-            for (int s = 0; s < sets.count(); ++s) {
-              RC_ASSERT(pose[s].transforms.size() == sets.joints(s).size());
-              RC_ASSERT(pose[s].center_images.size() == sets.joints(s).size());
-              for (std::size_t i = 0; i < sets.joints(s).size(); ++i) {
-                const auto& given = posed.posture[sets.joints(s)[i]];
-                const auto& c = pose[s].transforms[i];
-                RC_ASSERT(c.translation == given.translation);
-                RC_ASSERT(c.rotation == given.rotation || c.rotation == -given.rotation);
-                RC_ASSERT((pose[s].center_images[i] - oracle::times<double>(oracle::affine_of(given.rotation, given.translation),
-                                                                            pose[s].rotation_center)).norm() <=
-                          1e-12 * (size_of(posed) + pose[s].rotation_center.norm()));
-              }
-            }
-          });
+  t.holds(
+      "the data of a joint-set are its joints' transforms in order, with images of one common center",
+      {.number_type = "double", .cases = 300}, [] {
+        const PosedModel posed = *gen::posed_model();
+        const JointSets sets(posed.model);
+        const auto pose = make_skinning_pose(posed.model, sets, posed.posture,
+                                             *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl));
+        RC_ASSERT(pose.size() == static_cast<std::size_t>(sets.count()));
+        for (int s = 0; s < sets.count(); ++s) {
+          RC_ASSERT(pose[s].transforms.size() == sets.joints(s).size());
+          RC_ASSERT(pose[s].center_images.size() == sets.joints(s).size());
+          for (std::size_t i = 0; i < sets.joints(s).size(); ++i) {
+            const auto& given = posed.posture[sets.joints(s)[i]];
+            const auto& c = pose[s].transforms[i];
+            RC_ASSERT(c.translation == given.translation);
+            RC_ASSERT(c.rotation == given.rotation || c.rotation == -given.rotation);
+            RC_ASSERT(
+                (pose[s].center_images[i] -
+                 oracle::times<double>(oracle::affine_of(given.rotation, given.translation), pose[s].rotation_center))
+                    .norm() <= 1e-12 * (size_of(posed) + pose[s].rotation_center.norm()));
+          }
+        }
+      });
   t.holds("the signs of a posture's quaternions move no vertex, but where joints of a set differ by a half-turn",
           {.number_type = "double", .cases = 500}, [] {
             const PosedModel posed = *gen::posed_model();
@@ -158,26 +162,28 @@ PROPTEST(skinning_pose) {
             RC_ASSERT(worst_difference(skin(posed.model, sets, pose, Skinning::spherical),
                                        skin(posed.model, sets, other, Skinning::spherical)) == 0);
           });
-  t.holds("the joint that two neighbouring bones share is where their transforms agree, and blending about it is blending "
-          "about any point of the relative rotation's axis",
-          {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
-            const auto parent = *gen::rigid_transform();
-            const auto turn = *gen::unit_quaternion();
-            const auto joint = *gen::rational_vector<3>();
-            const auto vertex = *gen::rational_vector<3>();
-            const Rational along = *gen::rational();
-            JointSetPose<Rational> about_joint;
-            about_joint.transforms = {parent, compose(parent, {turn, joint - rotate(turn, joint)})};
-            make_signs_consistent<Rational>(about_joint.transforms);
-            JointSetPose<Rational> about_axis = about_joint;
-            place_rotation_center<Rational>(about_joint, joint);
-            const gen::RationalVec<3> elsewhere = joint + imaginary(turn) * along;
-            place_rotation_center<Rational>(about_axis, elsewhere);
-            RC_CLASSIFY(squared_norm(imaginary(turn)) == 0 || turn[0] == 0 || vertex == joint, "degenerate");
-            RC_ASSERT(about_joint.center_images[0] == about_joint.center_images[1]);
-            const auto w = *gen::convex_weights(2);
-            RC_ASSERT(blend_spherical<Rational>(about_joint, w, vertex) == blend_spherical<Rational>(about_axis, w, vertex));
-          });
+  t.holds(
+      "the joint that two neighbouring bones share is where their transforms agree, and blending about it is blending "
+      "about any point of the relative rotation's axis",
+      {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
+        const auto parent = *gen::rigid_transform();
+        const auto turn = *gen::unit_quaternion();
+        const auto joint = *gen::rational_vector<3>();
+        const auto vertex = *gen::rational_vector<3>();
+        const Rational along = *gen::rational();
+        JointSetPose<Rational> about_joint;
+        about_joint.transforms = {parent, compose(parent, {turn, joint - rotate(turn, joint)})};
+        make_signs_consistent<Rational>(about_joint.transforms);
+        JointSetPose<Rational> about_axis = about_joint;
+        place_rotation_center<Rational>(about_joint, joint);
+        const gen::RationalVec<3> elsewhere = joint + imaginary(turn) * along;
+        place_rotation_center<Rational>(about_axis, elsewhere);
+        RC_CLASSIFY(squared_norm(imaginary(turn)) == 0 || turn[0] == 0 || vertex == joint, "degenerate");
+        RC_ASSERT(about_joint.center_images[0] == about_joint.center_images[1]);
+        const auto w = *gen::convex_weights(2);
+        RC_ASSERT(blend_spherical<Rational>(about_joint, w, vertex) ==
+                  blend_spherical<Rational>(about_axis, w, vertex));
+      });
   t.holds("for neighbouring bones Hejl's center is the shared joint, and skinning about it is spherical skinning",
           {.number_type = "double", .cases = 500}, [] {
             const PosedModel posed = *gen::posed_model();

@@ -14,8 +14,8 @@ using gen::RationalVec;
 using Numbers = std::vector<Rational>;
 
 // S = [p, 0], joints that turn about the rotation center 0, so that only rotations matter.
-gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQuaternion>& rotations, const Numbers& low,
-                            const Numbers& high) {
+gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQuaternion>& rotations,
+                            const Numbers& low, const Numbers& high) {
   gen::SetCase set;
   for (const auto& q : rotations) set.pose.transforms.push_back({q, RationalVec<3>::Zero()});
   place_rotation_center<Rational>(set.pose, RationalVec<3>::Zero());
@@ -24,7 +24,9 @@ gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQ
   return {{p, Rational(0)}, {set}};
 }
 
-RationalQuaternion q(const Rational& w, const Rational& x, const Rational& y, const Rational& z) { return {w, x, y, z}; }
+RationalQuaternion q(const Rational& w, const Rational& x, const Rational& y, const Rational& z) {
+  return {w, x, y, z};
+}
 
 }  // namespace
 
@@ -38,16 +40,23 @@ const std::vector<PinnedRefit>& algorithm1() {
        Numbers(4, quarter), false},
       // Of the last two joints the matrices' quaternions are (33/65, 56/65, 0, 0) and (33/65, -56/65, 0, 0).
       {"a sphere of radius 1 or more around the quaternions gives a negative radius (no case for it)",
-       about_origin(y, {steep, steep, steep, q(-steep[0], steep[1], 0, 0)}, Numbers(4, Rational(0)), Numbers(4, Rational(1))),
-       {Rational(0), Rational(0), Rational(0), Rational(1)}, false},
+       about_origin(y, {steep, steep, steep, q(-steep[0], steep[1], 0, 0)}, Numbers(4, Rational(0)),
+                    Numbers(4, Rational(1))),
+       {Rational(0), Rational(0), Rational(0), Rational(1)},
+       false},
       {"a corner whose blend is zero divides by zero (line 9)",
        about_origin(y, {one, q(-a, b, 0, 0), q(-a, -b, 0, 0)}, {Rational(3, 8), Rational(0), Rational(0)},
                     {Rational(1), Rational(5, 16), Rational(5, 16)}),
-       {Rational(11, 16), Rational(5, 16), Rational(0)}, true},
+       {Rational(11, 16), Rational(5, 16), Rational(0)},
+       true},
       {"a mean of zero divides by zero (line 12)",
-       about_origin(y, {one, q(-1, 0, 0, 0)}, Numbers(2, Rational(0)), Numbers(2, Rational(1))), {quarter, Rational(3, 4)}, true},
+       about_origin(y, {one, q(-1, 0, 0, 0)}, Numbers(2, Rational(0)), Numbers(2, Rational(1))),
+       {quarter, Rational(3, 4)},
+       true},
       {"the sign of a quaternion is lost (line 3)",
-       about_origin(y, {q(a, b, 0, 0), q(-a, b, 0, 0)}, Numbers(2, half), Numbers(2, half)), {half, half}, false},
+       about_origin(y, {q(a, b, 0, 0), q(-a, b, 0, 0)}, Numbers(2, half), Numbers(2, half)),
+       {half, half},
+       false},
   };
   return list;
 }

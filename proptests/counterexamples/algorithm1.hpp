@@ -9,10 +9,10 @@
 namespace proptests::counterexamples {
 
 struct PinnedRefit {
-  std::string finding;                // what is wrong in print
+  std::string finding;  // what is wrong in print
   gen::RefitCase input;
   std::vector<gen::Rational> weights;  // of a vertex at S's center, in the first joint-set
-  bool undefined;                     // the printed algorithm divides by zero; else its ball misses the vertex
+  bool undefined;                      // the printed algorithm divides by zero; else its ball misses the vertex
 };
 
 const std::vector<PinnedRefit>& algorithm1();

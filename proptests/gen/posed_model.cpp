@@ -58,10 +58,14 @@ PosedModel assemble(const std::vector<JointPlan>& joints, const std::vector<Vert
 
 rc::Gen<PosedModel> posed_model() {
   const auto joint = rc::gen::apply(
-      [](int up, const RationalVec<3>& origin, const RationalQuaternion& turn) { return JointPlan{up, origin, turn}; },
+      [](int up, const RationalVec<3>& origin, const RationalQuaternion& turn) {
+        return JointPlan{up, origin, turn};
+      },
       rc::gen::inRange(0, 3), rational_vector<3>(), unit_quaternion());
   const auto vertex = rc::gen::apply(
-      [](const RationalVec<3>& p, const std::vector<std::pair<int, int>>& parts) { return VertexPlan{p, parts}; },
+      [](const RationalVec<3>& p, const std::vector<std::pair<int, int>>& parts) {
+        return VertexPlan{p, parts};
+      },
       rational_vector<3>(), between(1, 5, rc::gen::pair(rc::gen::inRange(0, 60), small_positive_integer())));
   return rc::gen::apply(assemble, between(1, 6, joint), between(3, 8, vertex));
 }

@@ -8,12 +8,12 @@ namespace proptests::gen {
 
 struct PosedModel {
   refitlab::Model model;
-  refitlab::Posture posture;                 // composed along the tree, as the paper has it: a joint turns about its origin
-  std::vector<RationalQuaternion> turns;     // the local rotation of each joint, exactly
+  refitlab::Posture posture;  // composed along the tree, as the paper has it: a joint turns about its origin
+  std::vector<RationalQuaternion> turns;  // the local rotation of each joint, exactly
 };
 
-// 1 to 6 joints, vertices of 1 to 5 influences. Unturned joints, half-turns and equal origins come up often. Numbers are
-// the doubles nearest to small rationals; a rotation's sign is as it comes.
+// 1 to 6 joints, vertices of 1 to 5 influences. Unturned joints, half-turns and equal origins come up often. Numbers
+// are the doubles nearest to small rationals; a rotation's sign is as it comes.
 rc::Gen<PosedModel> posed_model();
 
 void showValue(const PosedModel& posed, std::ostream& out);

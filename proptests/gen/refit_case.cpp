@@ -37,7 +37,8 @@ Transforms any_transforms() {
   const int relation = *rc::gen::inRange(0, 8);
   if (relation == 4 && n > 1) c[1].rotation = -c[0].rotation;
   if (relation >= 5 && n > 1) c[1].rotation = multiply(c[0].rotation, half_turn(*rc::gen::inRange(0, 3)));
-  if (relation >= 6 && n > 2) c[2].rotation = -c[1].rotation;  // perpendicular to the first, so signs stay: a zero blend
+  if (relation >= 6 && n > 2)
+    c[2].rotation = -c[1].rotation;  // perpendicular to the first, so signs stay: a zero blend
   return c;
 }
 
@@ -134,7 +135,8 @@ RefitCase rounded_to_double(const RefitCase& c) {
     JointSetPose<double> pose{lift<double>(set.pose.transforms), {}, {}};
     place_rotation_center<double>(pose, lift<double>(set.pose.rotation_center));
     s.pose.rotation_center = round(set.pose.rotation_center);
-    for (const auto& joint : set.pose.transforms) s.pose.transforms.push_back({round(joint.rotation), round(joint.translation)});
+    for (const auto& joint : set.pose.transforms)
+      s.pose.transforms.push_back({round(joint.rotation), round(joint.translation)});
     for (const auto& image : pose.center_images)
       s.pose.center_images.push_back({as_rational(image[0]), as_rational(image[1]), as_rational(image[2])});
     for (std::size_t i = 0; i < set.weights.bounds.low.size(); ++i) {

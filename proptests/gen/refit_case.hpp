@@ -19,8 +19,8 @@ struct RefitCase {
 };
 
 enum class Turns {
-  any,        // also equal and antipodal quaternions, half-turns, blends that vanish, signs of either kind
-  moderate    // any two joints of a set differ by at most 90 degrees, with consistent signs
+  any,      // also equal and antipodal quaternions, half-turns, blends that vanish, signs of either kind
+  moderate  // any two joints of a set differ by at most 90 degrees, with consistent signs
 };
 
 // 1 to 3 joint-sets of 1 to 5 joints, weight bounds from one to four vertices, a rotation center anywhere, at p or at a
@@ -30,9 +30,9 @@ rc::Gen<RefitCase> refit_case(Turns turns);
 // How a case is degenerate, a word each; empty if it is not.
 std::vector<std::string> degeneracies(const RefitCase& c);
 
-// The same case in doubles, and those taken as exact numbers: what a program in double is given. The rotations are of unit
-// length only nearly, the images of the rotation centers are those that double computes, the weights are multiples of
-// 2^-24 with all their corners.
+// The same case in doubles, and those taken as exact numbers: what a program in double is given. The rotations are of
+// unit length only nearly, the images of the rotation centers are those that double computes, the weights are multiples
+// of 2^-24 with all their corners.
 RefitCase rounded_to_double(const RefitCase& c);
 
 void showValue(const RefitCase& c, std::ostream& out);

@@ -17,7 +17,8 @@ RationalVec<3> unit_near(const Point3& direction) {
   if (!(length > 1e-12 && length < 1e12)) return {1, 0, 0};
   const Point3 d = direction / length;
   const double sign = d[0] < 0 ? -1 : 1;  // project from the pole that is farther away
-  const RationalVec<3> x = inverse_stereographic<3>({coarse(sign * d[1] / (1 + sign * d[0])), coarse(sign * d[2] / (1 + sign * d[0]))});
+  const RationalVec<3> x =
+      inverse_stereographic<3>({coarse(sign * d[1] / (1 + sign * d[0])), coarse(sign * d[2] / (1 + sign * d[0]))});
   return x * Rational(sign);
 }
 
@@ -34,9 +35,13 @@ RationalWeights blend_of_corners(const SetCase& set, const std::vector<Rational>
 class Ascent {
  public:
   Ascent(const RefitCase& c, const SetCase& set, Blending blending, const Point3& far_from)
-      : p_(lift<double>(c.reference.center)), blending_(blending), far_from_(far_from),
-        pose_{lift<double>(set.pose.transforms), lift<double>(set.pose.rotation_center), lift<double>(set.pose.center_images)},
-        corners_(lift<double>(set.weights.corners)), shares_(corners_.size(), 1.0 / double(corners_.size())) {}
+      : p_(lift<double>(c.reference.center)),
+        blending_(blending),
+        far_from_(far_from),
+        pose_{lift<double>(set.pose.transforms), lift<double>(set.pose.rotation_center),
+              lift<double>(set.pose.center_images)},
+        corners_(lift<double>(set.weights.corners)),
+        shares_(corners_.size(), 1.0 / double(corners_.size())) {}
 
   std::vector<Rational> run() {
     double reached = distance(shares_);
@@ -80,7 +85,8 @@ RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const Rat
   const auto weights = lift<double>(w);
   const Point3 p = lift<double>(c.reference.center);
   const auto image = [&](const Point3& v) {
-    return blending == Blending::linear ? blend_linear<double>(pose, weights, v) : blend_spherical<double>(pose, weights, v);
+    return blending == Blending::linear ? blend_linear<double>(pose, weights, v)
+                                        : blend_spherical<double>(pose, weights, v);
   };
   const Point3 outward = image(p) - far_from, origin = image(Point3::Zero());
   Point3 back;

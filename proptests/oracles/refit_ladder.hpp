@@ -1,5 +1,5 @@
-// Deciding whether a refitted ball encloses a rational point: the refit itself runs in ever more precise intervals, and at
-// last, for points on its surface, its ball in squared form is asked.
+// Deciding whether a refitted ball encloses a rational point: the refit itself runs in ever more precise intervals, and
+// at last, for points on its surface, its ball in squared form is asked.
 #pragma once
 
 #include <map>
@@ -22,7 +22,8 @@ class RefitLadder {
   refitlab::Decision encloses(const gen::RationalVec<3>& point) {
     using namespace refitlab;
     if (const Verdict v = on_rung(interval_, point); v != Verdict::undecided) return {v, Rung::interval};
-    if (const Verdict v = on_rung(multiprecision_, point); v != Verdict::undecided) return {v, Rung::multiprecision_interval};
+    if (const Verdict v = on_rung(multiprecision_, point); v != Verdict::undecided)
+      return {v, Rung::multiprecision_interval};
     return {exact_ ? verdict_of(oracle::encloses(*exact_, point)) : Verdict::undecided, Rung::exact};
   }
 

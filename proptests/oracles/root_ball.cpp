@@ -30,7 +30,8 @@ std::optional<RationalQuaternion> mean_direction(const std::vector<RationalQuate
 }
 
 // The ball of the images of u under the blends.
-std::optional<SquaredBall<Rational, 3>> images(const std::vector<RationalQuaternion>& blends, const RationalVec<3>& u, Gather gather) {
+std::optional<SquaredBall<Rational, 3>> images(const std::vector<RationalQuaternion>& blends, const RationalVec<3>& u,
+                                               Gather gather) {
   const SquaredBall<Rational, 3> all{RationalVec<3>::Zero(), squared_norm(u)};
   for (const auto& q : blends)
     if (squared_norm(q) == 0) return all;
@@ -58,8 +59,8 @@ RootBall gathered(const Balls& balls, Gather gather, const Rational& extra) {
 bool encloses(const RootBall& ball, const RationalVec<3>& point) {
   const ExactRoot distance = root(lift<ExactRoot>(squared_distance(point, ball.center)));
   for (const auto& reach : ball.reaches) {
-    const ExactRoot radius = root(lift<ExactRoot>(reach.squared_distance)) + root(lift<ExactRoot>(reach.squared_radius)) +
-                             lift<ExactRoot>(ball.extra);
+    const ExactRoot radius = root(lift<ExactRoot>(reach.squared_distance)) +
+                             root(lift<ExactRoot>(reach.squared_radius)) + lift<ExactRoot>(ball.extra);
     if (distance <= radius) return true;
   }
   return false;

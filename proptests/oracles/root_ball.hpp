@@ -1,8 +1,8 @@
 // The refits' balls without nested roots: rational centers, and radii that are a sum of two square roots.
 //
 // An axis of rotations that is rational up to a factor makes all of the repaired Algorithm 1 rational but for the last
-// radius, by the one cap lemma and Lemma 5 in squared form. So equality is decided, where the algorithm's own nested roots
-// are beyond exact arithmetic.
+// radius, by the one cap lemma and Lemma 5 in squared form. So equality is decided, where the algorithm's own nested
+// roots are beyond exact arithmetic.
 #pragma once
 
 #include <optional>

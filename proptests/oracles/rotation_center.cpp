@@ -8,7 +8,8 @@
 
 namespace proptests::oracle {
 
-RotationCenter rotation_center(std::span<const refitlab::RigidTransform<double>> transforms, const Eigen::Vector3d& prior) {
+RotationCenter rotation_center(std::span<const refitlab::RigidTransform<double>> transforms,
+                               const Eigen::Vector3d& prior) {
   const auto n = static_cast<Eigen::Index>(transforms.size());
   RotationCenter out{prior, 0, std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Identity()};
   if (n < 2) return out;
@@ -42,7 +43,8 @@ double sum_over_pairs(std::span<const refitlab::RigidTransform<double>> transfor
   for (std::size_t a = 0; a < transforms.size(); ++a)
     for (std::size_t b = a + 1; b < transforms.size(); ++b)
       sum += (times<double>(affine_of(transforms[a].rotation, transforms[a].translation), r) -
-              times<double>(affine_of(transforms[b].rotation, transforms[b].translation), r)).squaredNorm();
+              times<double>(affine_of(transforms[b].rotation, transforms[b].translation), r))
+                 .squaredNorm();
   return sum;
 }
 
