@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <iostream>
 
+#include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
 
 namespace {
 
-const char* const experiments[] = {"tightness", "speed"};
+const char* const experiments[] = {"tightness", "speed", "queries"};
 
 struct Options {
   std::vector<std::string> only, files;
   std::string models = "out/models", out = "out";
   refitlab::TightnessSettings tightness;
   refitlab::SpeedSettings speed;
+  refitlab::QuerySettings queries;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
   }
@@ -37,8 +39,8 @@ bool parse(int argc, char** argv, Options& o) {
   po::notify(map);
   if (map.count("help")) return std::cout << description, false;
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
-  if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3};
-  if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15};
+  if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3}, o.queries.count = 2000;
+  if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
   for (const auto& name : o.only)
     if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
       throw po::error("--only " + name + ": no such experiment; there are: " + names);
@@ -53,7 +55,7 @@ int main(int argc, char** argv) try {
   if (!parse(argc, argv, options)) return 0;
 
   DefaultModels models;
-  if (options.files.empty())
+  if (options.files.empty() && (options.wants("tightness") || options.wants("speed")))
     models = default_models(options.models);
   else
     for (const auto& file : options.files) models.models.push_back(load_named(file));
@@ -78,6 +80,11 @@ int main(int argc, char** argv) try {
       report.speed.insert(report.speed.end(), results.begin(), results.end());
       write_speed(report.speed, options.out + "/results/speed.csv");
     }
+  }
+  // Queries have nothing to do with a model: on one's own models they run only if they are asked for.
+  if (options.wants("queries") && (options.files.empty() || !options.only.empty())) {
+    report.queries = run_queries(options.queries);
+    write_queries(report.queries, options.queries, options.out + "/results");
   }
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";

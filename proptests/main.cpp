@@ -6,6 +6,7 @@
 #include <iostream>
 #include <random>
 
+#include "proptests/cases/case_file.hpp"
 #include "proptests/session.hpp"
 #include "proptests/verdict_table.hpp"
 
@@ -36,11 +37,14 @@ int main(int argc, char** argv) try {
       "cases", po::value(&cases), "cases of every property, for a campaign as long as wanted")(
       "out", po::value(&out), "folder for verdicts.csv and verdicts.md")(
       "readme", po::value(&readme), "a file whose verdict table must be the one of a full run with the fixed seed")(
-      "update-readme", "put the table into that file instead");
+      "update-readme", "put the table into that file instead")(
+      "print-cases", "print proptests/cases/cases.json as Markdown, and nothing else");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, options), map);
   po::notify(map);
   if (map.count("help")) return std::cout << options, 0;
+  if (map.count("print-cases"))
+    return std::cout << proptests::cases::as_markdown(proptests::cases::read_cases("proptests/cases/cases.json")), 0;
   if (map.count("cases") && cases < 1) throw po::error("--cases must be positive");
   const std::uint64_t seed = parse_seed(seed_text);
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "algorithms/queries/score.hpp"
 #include "algorithms/refit/variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/report/line_plot.hpp"
@@ -151,6 +152,24 @@ double mean_ratio(const std::vector<TightnessResult>& results, const std::string
 }
 
 // Tightness against cost: what is worth its price lies at the lower left.
+void write_queries_section(std::ostringstream& out, const std::vector<QueryResult>& results) {
+  if (results.empty()) return;
+  out << "<h2>Generated queries</h2><p>" << results[0].queries << " refit cases in exact rationals: 1 to 3 joint-sets of 1 to 5 joints, "
+         "wild and gentle postures, a quarter of them degenerate. Missed: queries of which the ball in double leaves a vertex outside, "
+         "decided exactly; beyond rounding where by more than " << format("%.0e", query_tolerance) << " of the coordinates' size. Looseness: "
+         "radius over the smallest ball of sampled true positions. The cost is rough.</p><div class=\"scroll\"><table><thead><tr>"
+         "<th>variant</th><th>undefined</th><th>missed</th><th>missed beyond rounding</th><th>worst miss</th><th>looseness, mean</th>"
+         "<th>median</th><th>max</th><th>ns per refit</th></tr></thead><tbody>\n";
+  for (const QueryResult& r : results)
+    if (r.share == "all")
+      out << "<tr><td>" << r.variant << "</td><td>" << r.undefined << "</td><td>" << r.misses << "</td><td"
+          << (r.misses_beyond_tolerance ? " class=\"bad\"" : "") << ">" << r.misses_beyond_tolerance << "</td><td>"
+          << format("%.1e", r.worst_miss) << "</td><td>" << format("%.3f", r.looseness_mean) << "</td><td>"
+          << format("%.3f", r.looseness_median) << "</td><td>" << format("%.3g", r.looseness_max) << "</td><td>"
+          << format("%.0f", r.ns_per_refit) << "</td></tr>\n";
+  out << "</tbody></table></div>\n";
+}
+
 void write_pareto_section(std::ostringstream& out, const Report& report) {
   if (report.speed.empty() || report.tightness.empty()) return;
   out << "<h2>Tightness against cost</h2><p>Each variant by what a sphere costs and how large it is: the mean of average radius / "
@@ -182,6 +201,7 @@ void write_report(const Report& report, const std::string& path) {
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
   write_pareto_section(out, report);
+  write_queries_section(out, report.queries);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
       << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";
   write_whole(path, out.str());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
@@ -15,6 +16,7 @@ struct Report {
   std::vector<Picture> pictures;
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
+  std::vector<QueryResult> queries;
 };
 
 void write_report(const Report& report, const std::string& path);

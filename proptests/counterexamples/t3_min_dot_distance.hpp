@@ -22,6 +22,8 @@ inline const Case not_unit{{twice_x}, x, 1};
 // A radius above the largest distance, and one below: the paper's form is 1/2 or 3/2 in place of 1.
 inline const Case too_large{{x}, x, 1};
 inline const Case too_small{{x}, twice_x, 0};
+// The radius of the nearest unit: the paper's form is 1, the least dot product -1.
+inline const Case of_the_nearest{{x, -x}, x, 0};
 // About 0 both forms divide by 0.
 inline const Case about_zero{{x, -x}, zero, 1};
 

@@ -180,6 +180,11 @@ PROPTEST(b3_subdivision) {
     auto half = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
     half.coefficients[*rc::gen::inRange<std::size_t>(0, half.coefficients.size())] += amount;
     RC_ASSERT(is_half_point<Rational>(c.blend, c.weights, half) == Verdict::fails);
+    // The same quaternions, with the images of another rotation center.
+    auto other_center = c.blend;
+    for (auto& r : other_center.center_images) r[*rc::gen::inRange(0, 3)] += amount;
+    RC_ASSERT(is_same_blend<Rational>(c.blend, c.weights, c.blend, c.weights) == Verdict::holds);
+    RC_ASSERT(is_same_blend<Rational>(c.blend, c.weights, other_center, c.weights) == Verdict::fails);
 
     const auto index = any_index(c.blend.corner_count());
     const auto sizes = sizes_of(c.blend);

@@ -118,11 +118,15 @@ PROPTEST(lemma2_normalization) {
       const Rational amount = *gen::positive_rational().as("amount");
       const std::size_t m = good.weights.size(), k = *rc::gen::inRange<std::size_t>(0, m).as("index");
       auto bad = good;
-      switch (*rc::gen::inRange(0, 5).as("mutation")) {
+      switch (*rc::gen::inRange(0, 6).as("mutation")) {
         case 0: bad.scale += amount; break;
         case 1: bad.scale = -bad.scale; break;
         case 2: bad.weights[k] += amount; break;
         case 3: bad.weights.push_back(Rational(0)); break;
+        case 4:  // the same point by weights that are not convex
+          for (auto& u : bad.weights) u *= Rational(1) + amount;
+          bad.scale /= Rational(1) + amount;
+          break;
         default:  // the sum of the weights is kept
           RC_PRE(m > 1 && to[k] != to[(k + 1) % m]);
           bad.weights[k] += amount;

@@ -44,7 +44,7 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
               });
             });
   t.holds("up to a right angle the printed ball encloses the cap",
-          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
+          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               const auto c = about_origin(*gen::cap_point<d>().as("case"));
               RC_PRE(c.cap.cos_angle >= Rational(0));
@@ -142,6 +142,18 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
       RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
     });
   });
+  t.holds("the ball of a narrower cap, smallest around two points of this one, is rejected", {.number_type = "rational"},
+          [] {
+            gen::for_some_dimension<2, 4>([](auto d) {
+              const auto c = *gen::rimmed_cap<d>().as("case");
+              const auto angle = *gen::cap_angle().as("angle of the narrower cap");
+              RC_PRE(c.cap.apex != c.cap.center && angle.cosine > max_of(c.cap.cos_angle, Rational(0)));
+              const Cap<Rational, d> narrower{c.cap.center, c.cap.apex, angle.cosine};
+              const auto bad = smallest_cap_ball(narrower, angle.sine, c.rim_direction);
+              RC_ASSERT(is_smallest_cap_ball(narrower, bad) == Verdict::holds);
+              RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
+            });
+          });
 
   t.example("without cos(alpha) <= 1 there is no ball", {.form = "repaired", .hypothesis = "cos(alpha) <= 1"}, [] {
     return cap_has_points(lemma5::no_points) == Verdict::fails &&

@@ -93,6 +93,7 @@ PROPTEST(t3_min_dot_distance) {
                 t3_dot::too_large);
   fails_without("r is at least the largest distance", "for a smaller radius the paper's form is larger",
                 t3_dot::too_small);
+  fails_without("r is that of the farthest unit", "the nearest unit's radius will not do", t3_dot::of_the_nearest);
   fails_without("c is not 0", "about 0 there is no distance", t3_dot::about_zero);
 }
 

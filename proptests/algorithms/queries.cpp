@@ -1,0 +1,169 @@
+// Generated queries and their scoring, which the experiment of that name rests on.
+#include <fstream>
+#include <iterator>
+
+#include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/queries/portable_random.hpp"
+#include "algorithms/queries/refit_query.hpp"
+#include "algorithms/queries/score.hpp"
+#include "proptests/cases/statements.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+constexpr std::uint64_t seed = 2006;
+constexpr int sample_count = 100;
+const char* const sample_file = "proptests/cases/queries_sample.json";
+
+std::string text_of(const char* file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(std::string(file) + ": cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// What a query promises; empty if it keeps it.
+std::string complaint(const RefitQuery& query) {
+  if (query.sets.empty() || query.sets.size() > 3) return "the number of joint-sets; ";
+  for (const QuerySet& set : query.sets) {
+    const std::size_t n = set.pose.transforms.size();
+    if (n < 1 || n > 5) return "the number of joints; ";
+    if (encloses(query.reference, set.reference) != Verdict::holds) return "a joint-set outside the reference ball; ";
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& c = set.pose.transforms[i];
+      if (squared_norm(c.rotation) != 1) return "a quaternion that is not of unit length; ";
+      if (set.pose.center_images[i] != apply(c, set.pose.rotation_center)) return "an image of the rotation center; ";
+      for (const Rational& x : {set.bounds.low[i], set.bounds.high[i]})
+        if ((x * Rational(1 << 24)).denominator() != 1) return "a bound that is no multiple of 2^-24; ";
+    }
+    if (corners_are_admissible(set.bounds, set.corners) != Verdict::holds ||
+        corners_are_complete(set.bounds, set.corners) != Verdict::holds || set.corners.empty())
+      return "the corners; ";
+    const auto weights = sampled_weights(set);
+    if (weights.empty()) return "no weights; ";
+    for (const auto& w : weights)
+      if (admits<Rational>(set.bounds, w) != Verdict::holds) return "weights outside the bounds; ";
+  }
+  return "";
+}
+
+// Scoring without any of score.cpp: matrices in rationals, and no interval.
+bool misses_by_matrices(const RefitQuery& query, const Ball3<double>& ball) {
+  const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
+  for (const QuerySet& set : query.sets)
+    for (const auto& w : sampled_weights(set)) {
+      const auto center = oracle::spherical(set.pose.transforms, w, set.pose.rotation_center, set.reference.center);
+      if (encloses(exact, Ball3<Rational>{center, set.reference.radius}) != Verdict::holds) return true;
+    }
+  return false;
+}
+
+Ball3<double> scaled(Ball3<double> ball, double factor) {
+  ball.radius *= factor;
+  return ball;
+}
+
+}  // namespace
+
+PROPTEST(queries) {
+  t.example("the stored sample is what the generator makes of its seed, to the letter", {.number_type = "rational"},
+            [] { return Checked(text_of(sample_file) == queries_as_case_file(seed, sample_count), sample_count); });
+  t.example("each case of the sample is read, and its vertex enclosed by the repaired Algorithm 1",
+            {.number_type = "interval to exact"}, [] {
+              std::string wrong;
+              const auto list = cases::read_cases(sample_file, [](const cases::Case& c) { cases::statement_of(c); });
+              for (const auto& c : list)
+                if (const auto j = cases::judge_refit(c); j.decided != c.expected)
+                  wrong += c.name + " is decided as " + j.decided + "; ";
+              return Checked(wrong.empty() && list.size() == sample_count, static_cast<long>(list.size()), wrong);
+            });
+  t.example("queries keep what they promise, and a quarter of them is degenerate in one of 8 ways",
+            {.number_type = "rational"}, [] {
+              std::string wrong;
+              std::map<std::string, long> kinds;
+              constexpr int count = 1000;
+              for (int number = 0; number < count; ++number) {
+                const RefitQuery query = make_refit_query(seed, number);
+                wrong += complaint(query);
+                ++kinds[query.degeneracy];
+              }
+              if (kinds[""] < count * 2 / 3 || kinds[""] > count * 5 / 6) wrong += "the share of degenerate queries; ";
+              if (kinds.size() != 9) wrong += std::to_string(kinds.size() - 1) + " ways; ";
+              return Checked(wrong.empty(), count, wrong);
+            });
+  t.holds("a ball is scored as missing exactly if matrices in rationals say so",
+          {.number_type = "double against rational", .cases = 300}, [] {
+            const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
+            SkinnedQuery skinned(query, Skinning::spherical);
+            const QueryNodes nodes(query);
+            const RefitVariant& variant = refit_variant(
+                *rc::gen::element<std::string>("spherical_printed_signed", "spherical_repaired", "control_mean"));
+            const Ball3<double> ball =
+                scaled(variant.refit(nodes.node(variant.pieces)), *rc::gen::element(1.0, 1.0, 0.9, 1.0000001));
+            const QueryScore score = skinned.score(ball);
+            RC_CLASSIFY(score.misses, "missed");
+            RC_CLASSIFY(score.undefined, "undefined");
+            RC_ASSERT(score.misses == (score.undefined || misses_by_matrices(query, ball)));
+          });
+  t.holds("a ball that is too small by a share is scored as missing by that share, and the smallest ball as 1",
+          {.number_type = "double", .cases = 300}, [] {
+            const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
+            SkinnedQuery skinned(query, Skinning::spherical);
+            std::vector<Ball3<double>> images;
+            double size = 0;
+            for (const QuerySet& set : query.sets) {
+              size = std::max(size, norm(lift<double>(set.pose.rotation_center)));
+              for (const auto& image : set.pose.center_images) size = std::max(size, norm(lift<double>(image)));
+              for (const auto& w : sampled_weights(set))
+                images.push_back({lift<double>(oracle::spherical(set.pose.transforms, w, set.pose.rotation_center,
+                                                                 set.reference.center)),
+                                  lift<double>(set.reference.radius)});
+            }
+            const Ball3<double> smallest = smallest_ball_of_balls(images);
+            RC_ASSERT(std::abs(skinned.smallest_radius() - smallest.radius) <= 1e-9 * (smallest.radius + size));
+            RC_ASSERT(!skinned.score(scaled(smallest, 1 + 1e-6)).misses_beyond_tolerance());
+            const double share = *rc::gen::element(1e-3, 0.1, 0.5);
+            const QueryScore score = skinned.score(scaled(smallest, 1 - share));
+            const double expected =
+                share * smallest.radius / (size + norm(smallest.center) + (1 - share) * smallest.radius);
+            if (smallest.radius > 1e-6)
+              RC_ASSERT(score.misses && std::abs(score.worst_miss - expected) <= 1e-6 * expected);
+          });
+  t.example("a ball that is not a number, or of negative radius, is undefined and misses", {.number_type = "double"},
+            [] {
+              const RefitQuery query = make_refit_query(seed, 0);
+              SkinnedQuery skinned(query, Skinning::spherical);
+              const auto is_undefined = [&](const Ball3<double>& ball) {
+                const QueryScore s = skinned.score(ball);
+                return s.undefined && s.misses && s.misses_beyond_tolerance();
+              };
+              return is_undefined({{0, 0, 0}, -1}) && is_undefined({{0, 0, 0}, NAN}) &&
+                     is_undefined({{NAN, 0, 0}, 1}) && is_undefined({{0, 0, 0}, INFINITY}) &&
+                     !is_undefined({{0, 0, 0}, 1e6}) && !skinned.score({{0, 0, 0}, 1e6}).misses;
+            });
+  t.example("every sound variant holds every query up to rounding; each printed form misses some",
+            {.number_type = "double against rational"}, [] {
+              constexpr int count = 300;
+              std::map<std::string, long> missed;
+              for (int number = 0; number < count; ++number) {
+                const RefitQuery query = make_refit_query(seed, number);
+                const QueryNodes nodes(query);
+                SkinnedQuery linear(query, Skinning::linear), spherical(query, Skinning::spherical);
+                for (const RefitVariant& v : refit_variants()) {
+                  const auto ball = v.refit(nodes.node(v.pieces));
+                  missed[v.name] +=
+                      (v.skinning == Skinning::linear ? linear : spherical).score(ball).misses_beyond_tolerance();
+                }
+              }
+              std::string wrong;
+              for (const RefitVariant& v : refit_variants())
+                if ((missed[v.name] == 0) != v.sound)
+                  wrong += v.name + " misses " + std::to_string(missed[v.name]) + "; ";
+              return Checked(wrong.empty(), count, wrong);
+            });
+}
+
+}  // namespace proptests
