@@ -20,6 +20,8 @@ inline const Quaternion<Q> one(1, 0, 0, 0);
 
 // Behind the axis: squares do not see the sign of -4/5, and the blend (0, 1/3, 0, 0) is at a right angle to the axis.
 inline const Case behind{{one, Quaternion<Q>(Q(-4, 5), Q(3, 5), 0, 0)}, one, Q(16, 25), {Q(4, 9), Q(5, 9)}};
+// The quaternion behind the axis by itself: its square is right, its sign is not.
+inline const Case only_behind{behind.quaternions, one, Q(16, 25), {0, 1}};
 // A kappa that one of the quaternions does not have.
 inline const Case too_narrow{{one, Quaternion<Q>(Q(3, 5), Q(4, 5), 0, 0)}, one, Q(16, 25), {0, 1}};
 // Coefficients that are not convex: the blend is (1, 2, 0, 0), beyond the second quaternion.

@@ -106,6 +106,8 @@ PROPTEST(t3_one_cap) {
   };
   fails_without("no quaternion is behind the axis", "a quaternion behind the axis turns a blend out of the cap",
                 t3_cap::behind);
+  fails_without("no quaternion is behind the axis", "a quaternion behind the axis is itself a blend behind it",
+                t3_cap::only_behind);
   fails_without("kappa bounds every quaternion", "a quaternion outside the cap is a blend outside the cap",
                 t3_cap::too_narrow);
   fails_without("the coefficients are convex", "beyond the hull a blend leaves the cap", t3_cap::not_convex);

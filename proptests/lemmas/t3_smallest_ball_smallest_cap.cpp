@@ -110,6 +110,12 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
     }
   });
 
+  t.example("a larger ball through both points, about 0, is not certified by their mean", {}, [] {
+    const auto& c = t3_smallest::once;
+    const t3_smallest::Point zero(0, 0), mean(Rational(1, 2), Rational(1, 2));
+    return is_smallest_ball<Rational, 2>(c.units, c.coefficients, mean, Rational(1, 2)) == Verdict::holds &&
+           is_smallest_ball<Rational, 2>(c.units, c.coefficients, zero, Rational(1)) == Verdict::fails;
+  });
   t.example("a repeated point widens the cap of the mean, not the smallest cap", {}, [] {
     const auto mean_cosine = [](const std::vector<t3_smallest::Point>& units) {
       t3_smallest::Point sum(0, 0);
