@@ -276,6 +276,7 @@ void add_beyond(std::vector<Twin>& out) {
     add("vector of length 2", not_unit);
     add("radius too large", too_large);
     add("radius too small", too_small);
+    add("radius of the nearest unit", of_the_nearest);
     add("units about 0", about_zero);
   }
   {
@@ -288,6 +289,7 @@ void add_beyond(std::vector<Twin>& out) {
       out.back().fields["squared_cosine"] = json(c.squared_cosine);
     };
     add("quaternion behind the axis", behind);
+    add("only the quaternion behind the axis", only_behind);
     add("kappa too large", too_narrow);
     add("coefficients beyond the second", not_convex);
     out.push_back({"right angles to the axis", blend(right_angles)});

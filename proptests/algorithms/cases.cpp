@@ -74,17 +74,20 @@ Checked check_coverage() {
 // A good case to be spoiled: its text with one part replaced by another.
 const std::string lemma_case = R"({"format": "refitlab cases 1", "cases": [{"name": "a", "statement": "t3_one_cap",
   "form": "beyond", "claim": "cap_holds_blend", "inputs": {"quaternions": [["1", "0", "0", "0"], ["1", "1", "0", "0"]],
-  "axis": ["1", "0", "0", "0"], "squared_cosine": "1/2", "coefficients": ["1/2", "1/2"]}, "expected": "holds", "note": "n"}]})";
+  "axis": ["1", "0", "0", "0"], "squared_cosine": "1/2", "coefficients": ["1/2", "1/2"]},
+  "expected": "holds", "note": "n"}]})";
 const std::string circle_case =
     R"({"format": "refitlab cases 1", "cases": [{"name": "a", "statement": "s43_distance_range",
   "form": "repaired", "claim": "distance_is_in_range", "dimension": 2, "inputs": {"center": ["2", "0"], "radius": "1"},
   "expected": "holds", "note": "n"}]})";
 const std::string refit_case = R"({"format": "refitlab cases 1", "cases": [{"name": "a", "statement": "algorithm1",
-  "form": "repaired", "claim": "ball_encloses_vertex", "inputs": {"reference": {"center": ["1", "0", "0"], "radius": "0"},
+  "form": "repaired", "claim": "ball_encloses_vertex",
+  "inputs": {"reference": {"center": ["1", "0", "0"], "radius": "0"},
   "joint_sets": [{"transforms": [{"rotation": ["1", "0", "0", "0"], "translation": ["0", "0", "0"]},
   {"rotation": ["-1", "0", "0", "0"], "translation": ["0", "0", "0"]}], "rotation_center": ["0", "0", "0"],
   "bounds": {"low": ["0", "0"], "high": ["1", "1"]}}],
-  "vertex": {"joint_set": 0, "weights": ["3/4", "1/4"], "position": ["1", "0", "0"]}}, "expected": "encloses", "note": "n"}]})";
+  "vertex": {"joint_set": 0, "weights": ["3/4", "1/4"], "position": ["1", "0", "0"]}},
+  "expected": "encloses", "note": "n"}]})";
 
 struct Spoiled {
   std::string text, from, to;
