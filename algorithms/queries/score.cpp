@@ -67,6 +67,7 @@ QueryNodes::QueryNodes(const RefitQuery& query) : reference_(lift<double>(query.
     };
     add(Pieces::node, set.corners);
     add(Pieces::joint_sets, set.corners);
+    add(Pieces::mixed, set.corners);  // a query has no vertices to list
     std::vector<WeightBounds<Rational>> boxes;
     halve(set.bounds, halvings, boxes);
     for (const auto& box : boxes) add(Pieces::clusters, *enumerate_corners(box, std::size_t(-1) / 2));

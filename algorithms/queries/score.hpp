@@ -28,7 +28,7 @@ class QueryNodes {
   };
   Ball3<double> reference_;
   SkinningPose<double> pose_;
-  Description descriptions_[3];
+  Description descriptions_[4];
 };
 
 // Of a miss that rounding explains, relative to the size of the coordinates.

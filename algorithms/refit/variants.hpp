@@ -16,9 +16,10 @@ using Refit = Ball3<double> (*)(const RefitNode<double>& node);
 enum class Pieces {
   node,        // the node's ball and weight boxes, as in the paper (SphereTree::refit_node)
   joint_sets,  // a ball and a weight hull for each joint-set (PieceTable)
-  clusters     // up to 64 pieces a node
+  mixed,       // the same, or the vertices one by one where that is about as cheap: few vertices, many control points
+  clusters     // up to 512 pieces a node
 };
-inline constexpr int most_clusters = 64;
+inline constexpr int most_clusters = 512;
 
 struct RefitVariant {
   std::string name;         // as in result files: snake_case, fixed

@@ -88,20 +88,35 @@ std::vector<Cluster> clusters_of(const Model& model, const JointSets& sets, cons
   return done;
 }
 
+using Corners = std::vector<std::vector<double>>;
+
+bool better_as_vertices(const Cluster& c, const Corners& corners, std::size_t cluster_count, double per_control_point) {
+  if (cluster_count == 1 && corners.size() == 1) return false;
+  const auto m = static_cast<double>(corners.size());
+  return static_cast<double>(c.vertices.size()) <= per_control_point * m * (m + 1) * (m + 2) / 6;
+}
+
 }  // namespace
 
 PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, const Model& model, const JointSets& sets,
                        const PieceOptions& options) {
+  const auto add = [&](int joint_set, const Ball3<double>& reference, const Corners& corners) {
+    pieces_.push_back({joint_set, static_cast<int>(corner_weights_.size()), static_cast<int>(corners.size())});
+    references_.push_back(reference);
+    for (const auto& corner : corners) corner_weights_.insert(corner_weights_.end(), corner.begin(), corner.end());
+  };
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     first_.push_back(pieces_.size());
-    for (const Cluster& c :
-         clusters_of(model, sets, tree.nodes[n], vertices[static_cast<int>(n)], options.most_pieces)) {
+    const auto clusters = clusters_of(model, sets, tree.nodes[n], vertices[static_cast<int>(n)], options.most_pieces);
+    for (const Cluster& c : clusters) {
       std::vector<std::span<const double>> weights;
       for (const int v : c.vertices) weights.push_back(sets.weights(v));
       const auto corners = weight_corners(weights);
-      pieces_.push_back({c.joint_set, static_cast<int>(corner_weights_.size()), static_cast<int>(corners.size())});
-      references_.push_back(c.ball);
-      for (const auto& corner : corners) corner_weights_.insert(corner_weights_.end(), corner.begin(), corner.end());
+      if (better_as_vertices(c, corners, clusters.size(), options.vertices_per_control_point))
+        for (std::size_t i = 0; i < c.vertices.size(); ++i)
+          add(c.joint_set, {model.vertices[c.vertices[i]], 0}, {{weights[i].begin(), weights[i].end()}});
+      else
+        add(c.joint_set, c.ball, corners);
     }
   }
   first_.push_back(pieces_.size());

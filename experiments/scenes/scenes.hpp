@@ -5,44 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/model/model.hpp"
-#include "algorithms/refit/variants.hpp"
-#include "algorithms/tree/pieces.hpp"
+#include "algorithms/refit/character.hpp"
 
 namespace refitlab {
-
-// A model with all that is built once from it.
-struct Character {
-  explicit Character(Model m)
-      : model(std::move(m)),
-        sets(model),
-        tree(build_sphere_tree(model, sets)),
-        vertices(tree, model),
-        joint_set_pieces(tree, vertices, model, sets, {.most_pieces = 1}),
-        clusters(tree, vertices, model, sets, {.most_pieces = most_clusters}) {}
-
-  // What a variant looks at to refit a node.
-  RefitNode<double> refit_node(int node, std::span<const JointSetPose<double>> pose, Pieces pieces) const {
-    switch (pieces) {
-      case Pieces::joint_sets: return joint_set_pieces.refit_node(tree, node, pose);
-      case Pieces::clusters: return clusters.refit_node(tree, node, pose);
-      default: return tree.refit_node(node, pose);
-    }
-  }
-  // The balls of all nodes.
-  std::vector<Ball3<double>> refit_all(const RefitVariant& variant, const SkinningPose<double>& pose) const {
-    std::vector<Ball3<double>> balls;
-    for (std::size_t n = 0; n < tree.nodes.size(); ++n)
-      balls.push_back(variant.refit(refit_node(static_cast<int>(n), pose, variant.pieces)));
-    return balls;
-  }
-
-  Model model;
-  JointSets sets;
-  SphereTree tree;
-  NodeVertices vertices;
-  PieceTable joint_set_pieces, clusters;
-};
 
 // One or more postures that are reported together: the sampled times of a clip, or a single one.
 struct PostureSet {

@@ -53,14 +53,16 @@ bool in_ball(const Ball3<double>& ball, const Point3& v) {
 }
 
 // What is wrong with a node's pieces; empty if nothing is. At most `most` of its vertices are looked at.
-std::string fault(const Rig& rig, const PieceTable& table, int n, int most_pieces, std::size_t most) {
+std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOptions& options, std::size_t most) {
+  const int most_pieces = options.most_pieces;
   const auto node = table.refit_node(rig.tree, n, rig.pose);
   const auto of_node = rig.vertices[n];
   std::set<int> expected, seen;
   for (const int v : of_node) expected.insert(rig.sets.of_vertex(v));
   for (const auto& piece : node.joint_sets) seen.insert(piece.joint_set);
   if (seen != expected) return "the pieces' joint-sets are not those of the vertices";
-  if (node.joint_sets.size() > std::max<std::size_t>(expected.size(), static_cast<std::size_t>(most_pieces)))
+  if (options.vertices_per_control_point == 0 &&
+      node.joint_sets.size() > std::max<std::size_t>(expected.size(), static_cast<std::size_t>(most_pieces)))
     return "too many pieces";
   const auto simple = rig.tree.refit_node(n, rig.pose);
   for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
@@ -84,13 +86,52 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, int most_piece
   return "";
 }
 
-Checked check_man(int most_pieces) {
+// Pieces with and without vertices in place of the cheap ones: which of a node's pieces are listed vertex by vertex has to
+// follow from their vertices and corners alone. Counts the pieces of both kinds.
+struct Listed {
+  std::string wrong;
+  long listed = 0, kept = 0;
+};
+void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mixed, double factor, int n, Listed& out) {
+  const auto before = plain.refit_node(rig.tree, n, rig.pose), after = mixed.refit_node(rig.tree, n, rig.pose);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < before.joint_sets.size() && out.wrong.empty(); ++i) {
+    const NodeJointSet& piece = before.joint_sets[i];
+    std::vector<int> own;
+    for (const int v : rig.vertices[n])
+      if (rig.sets.of_vertex(v) == piece.joint_set) own.push_back(v);
+    const int m = piece.corner_count, control_points = m * (m + 1) * (m + 2) / 6;
+    const bool exact_as_it_is = m == 1 && before.joint_sets.size() == 1;
+    if (!exact_as_it_is && static_cast<double>(own.size()) <= factor * control_points) {
+      ++out.listed;
+      for (const int v : own) {
+        if (at == after.joint_sets.size()) return void(out.wrong = "a vertex is not listed");
+        const NodeJointSet& single = after.joint_sets[at];
+        if (single.joint_set != piece.joint_set || single.corner_count != 1 ||
+            exact(after.corner(single, 0)) != exact(rig.sets.weights(v)) || after.piece_reference(at).radius != 0 ||
+            after.piece_reference(at).center != rig.model.vertices[v])
+          out.wrong = "a piece is not the vertex " + std::to_string(v);
+        ++at;
+      }
+    } else {
+      ++out.kept;
+      if (at == after.joint_sets.size()) return void(out.wrong = "a piece is not there");
+      if (corners_of(before, piece) != corners_of(after, after.joint_sets[at]) ||
+          before.piece_reference(i).radius != after.piece_reference(at).radius)
+        out.wrong = "a piece of many vertices was changed";
+      ++at;
+    }
+  }
+  if (out.wrong.empty() && at != after.joint_sets.size()) out.wrong = "there are further pieces";
+}
+
+Checked check_man(const PieceOptions& options) {
   static const Rig rig(make_man());
-  const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {most_pieces});
+  const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
   long nodes = 0;
   const int count = static_cast<int>(rig.tree.nodes.size());
   for (int n = 0; n < count; n += n < 30 ? 1 : 61) {
-    const std::string wrong = fault(rig, table, n, most_pieces, 40);
+    const std::string wrong = fault(rig, table, n, options, 40);
     if (!wrong.empty()) return Checked(false, nodes, "node " + std::to_string(n) + ": " + wrong);
     ++nodes;
   }
@@ -106,10 +147,10 @@ PROPTEST(pieces) {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
-            for (const int most : {1, 2, 5, 64}) {
-              const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {most});
+            for (const PieceOptions& options : {PieceOptions{1}, {2}, {5}, {64}, {1, 2.}, {3, 0.5}}) {
+              const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
               for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); n += n < 12 ? 1 : 5)
-                RC_ASSERT(fault(rig, table, n, most, 12) == "");
+                RC_ASSERT(fault(rig, table, n, options, 12) == "");
             }
           });
   t.holds("more pieces are smaller pieces: the largest of a node never grows, and as many as allowed are made",
@@ -140,9 +181,31 @@ PROPTEST(pieces) {
     return Checked(root.joint_sets.size() == 8 && largest < 0.45 * root.reference.radius, 8,
                    "the largest has " + std::to_string(largest / root.reference.radius) + " of the node's radius");
   });
+  t.holds("pieces of few vertices are these vertices, one by one, and all others stay as they are",
+          {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Rig rig(gen::make_mesh(plan));
+            const double factor = *rc::gen::element(0.25, 1., 2.);
+            const PieceTable plain(rig.tree, rig.vertices, rig.model, rig.sets, {1}),
+                mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, factor});
+            Listed result;
+            for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n)
+              compare_lists(rig, plain, mixed, factor, n, result);
+            RC_ASSERT(result.wrong == "");
+          });
   t.example("on the built-in man, a piece for each joint-set", {.number_type = "rational"},
-            [] { return check_man(1); });
-  t.example("on the built-in man, up to 64 pieces", {.number_type = "rational"}, [] { return check_man(64); });
+            [] { return check_man({}); });
+  t.example("on the built-in man, up to 64 pieces", {.number_type = "rational"}, [] { return check_man({64}); });
+  t.example("on the built-in man, some of its pieces are listed as vertices and some are not", {}, [] {
+    const Rig rig(make_man());
+    const PieceTable plain(rig.tree, rig.vertices, rig.model, rig.sets, {}),
+        mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, 2.});
+    Listed result;
+    for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); n += 7) compare_lists(rig, plain, mixed, 2, n, result);
+    return Checked(result.wrong.empty() && result.listed > 500 && result.kept > 500, result.listed + result.kept,
+                   result.wrong + std::to_string(result.listed) + " listed, " + std::to_string(result.kept) + " kept");
+  });
 }
 
 }  // namespace proptests

@@ -12,9 +12,8 @@
 
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/procedural.hpp"
-#include "algorithms/refit/variants.hpp"
+#include "algorithms/refit/character.hpp"
 #include "algorithms/skinning/blend.hpp"
-#include "algorithms/tree/pieces.hpp"
 #include "lemmas/vocabulary/exact.hpp"
 #include "proptests/harness.hpp"
 
@@ -26,28 +25,6 @@ using RationalPoint = Vec<Rational, 3>;
 
 constexpr double tolerance = 1e-12;  // of a miss relative to the ball's radius
 constexpr int nodes_per_posture = 60, vertices_per_node = 12;
-
-struct Character {
-  explicit Character(Model m)
-      : model(std::move(m)),
-        sets(model),
-        tree(build_sphere_tree(model, sets)),
-        vertices(tree, model),
-        joint_set_pieces(tree, vertices, model, sets, {.most_pieces = 1}),
-        clusters(tree, vertices, model, sets, {.most_pieces = most_clusters}) {}
-
-  RefitNode<double> node(int n, const SkinningPose<double>& pose, Pieces pieces) const {
-    return pieces == Pieces::node         ? tree.refit_node(n, pose)
-           : pieces == Pieces::joint_sets ? joint_set_pieces.refit_node(tree, n, pose)
-                                          : clusters.refit_node(tree, n, pose);
-  }
-
-  Model model;
-  JointSets sets;
-  SphereTree tree;
-  NodeVertices vertices;
-  PieceTable joint_set_pieces, clusters;
-};
 
 // Two times of each of at most three clips, none of them a key time, where postures tend to be too simple.
 std::vector<Posture> postures_of(const Model& model) {

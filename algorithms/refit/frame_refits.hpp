@@ -1,0 +1,59 @@
+// FrameRefits: the balls of one character in one frame, each refitted when it is first asked for, and once.
+//
+// Beyond the paper's on-demand refit (5), two ways in which a node uses what the frame knows already:
+// - Nodes of many joint-sets, from below. Their own refit grows with the joint-sets and none of it is shared with other
+//   nodes. Instead such a node gets the smallest ball around the balls of its front: the descendants, nearest to it,
+//   that have few pieces. They are refitted once a frame, for all of their ancestors, and asking for them later costs
+//   nothing (the paper's future work: sublinear in joints).
+// - Children first. If all children of a node are refitted, their smallest enclosing ball is a bound too: the smaller
+//   one is taken. Queries go top-down, so this is for frames whose balls are made bottom-up, all or many of them.
+#pragma once
+
+#include <cstdint>
+
+#include "algorithms/refit/character.hpp"
+
+namespace refitlab {
+
+struct FrameOptions {
+  // A node with more pieces than this (RefitNode::joint_sets) that is not a leaf is bounded from below; 0: none is.
+  int most_pieces = 0;
+  bool children_first = false;
+};
+
+class FrameRefits {
+ public:
+  // character and variant outlive this.
+  FrameRefits(const Character& character, const RefitVariant& variant, const FrameOptions& options = {});
+
+  // Starts a frame: all balls are forgotten. pose, made for variant.skinning, outlives the frame.
+  void begin(const SkinningPose<double>& pose);
+
+  // Encloses all vertices of the node in this frame's posture, if the variant is sound. The reference holds until begin.
+  const Ball3<double>& operator[](int node);
+
+  // Makes all balls, children before parents.
+  void refit_all();
+
+  bool is_refitted(int node) const { return frame_of_[node] == frame_; }
+  // How many balls were made since begin, by level - 1.
+  const std::vector<long>& refitted_by_level() const { return refitted_; }
+
+ private:
+  void refit(int node);
+  bool are_children_refitted(const TreeNode& node) const;
+  Ball3<double> from_below(int node);
+
+  const Character& character_;
+  const RefitVariant& variant_;
+  const FrameOptions options_;
+  const SkinningPose<double>* pose_ = nullptr;
+  std::uint32_t frame_ = 0;
+  std::vector<std::uint32_t> frame_of_;  // by node: the frame that its ball is of
+  std::vector<Ball3<double>> balls_;
+  std::vector<std::vector<int>> front_;  // by node that is bounded from below
+  std::vector<long> refitted_;
+  std::vector<Ball3<double>> front_balls_;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,160 @@
+#include "algorithms/refit/frame_refits.hpp"
+
+#include <random>
+#include <set>
+
+#include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+Posture random_posture(const Model& model, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Posture posture = reference_posture(model);
+  for (auto& t : posture) {
+    t.rotation = {1 + normal(random), normal(random), normal(random), normal(random)};
+    t.rotation.normalize();
+    t.translation = {normal(random), normal(random), normal(random)};
+  }
+  return posture;
+}
+
+// A drawn character in a random posture.
+struct Drawn {
+  Drawn(Model m, unsigned seed)
+      : character(std::move(m)),
+        pose(make_skinning_pose(character.model, character.sets, random_posture(character.model, seed),
+                                variant.skinning)),
+        deformed(skin(character.model, character.sets, pose, variant.skinning)) {}
+  int count() const { return static_cast<int>(character.tree.nodes.size()); }
+  Ball3<double> own(int n) const { return variant.refit(character.refit_node(n, pose, variant.pieces)); }
+  std::size_t pieces(int n) const { return character.refit_node(n, pose, variant.pieces).joint_sets.size(); }
+  bool encloses(const Ball3<double>& ball, int n) const {
+    for (const int v : character.vertices[n])
+      if (!(norm<double, 3>(deformed[v] - ball.center) <= ball.radius + 1e-12)) return false;
+    return true;
+  }
+
+  const RefitVariant& variant = refit_variant("control_sets_exact");
+  Character character;
+  SkinningPose<double> pose;
+  std::vector<Point3> deformed;
+};
+
+Drawn draw() {
+  const auto plan = *gen::mesh_plan();
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  return {gen::make_mesh(plan), plan.seed};
+}
+
+// The front of a node by its definition: go down until few pieces or a leaf.
+void collect_front(const Drawn& d, int n, int most_pieces, bool first, std::vector<int>& out) {
+  const TreeNode& node = d.character.tree.nodes[n];
+  if (!first && (static_cast<int>(d.pieces(n)) <= most_pieces || node.child_count == 0)) return out.push_back(n);
+  for (int c = 0; c < node.child_count; ++c) collect_front(d, node.first_child + c, most_pieces, false, out);
+}
+
+}  // namespace
+
+PROPTEST(frame_refits) {
+  t.holds("every ball encloses its vertices, in whatever order, with and without the frame's short cuts, frame after frame",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const Drawn d = draw();
+            FrameRefits frame(d.character, d.variant,
+                              {.most_pieces = *rc::gen::element(0, 1, 2, 4), .children_first = *rc::gen::arbitrary<bool>()});
+            for (int round = 0; round < 3; ++round) {
+              const auto pose = make_skinning_pose(d.character.model, d.character.sets,
+                                                   random_posture(d.character.model, 77u + round), d.variant.skinning);
+              const auto deformed = skin(d.character.model, d.character.sets, pose, d.variant.skinning);
+              frame.begin(pose);
+              std::mt19937 random(static_cast<unsigned>(round));
+              for (int i = 0; i < 40; ++i) {
+                const int n = static_cast<int>(random() % static_cast<unsigned>(d.count()));
+                const Ball3<double> ball = frame[n];
+                for (const int v : d.character.vertices[n])
+                  RC_ASSERT((norm<double, 3>(deformed[v] - ball.center)) <= ball.radius + 1e-12);
+              }
+            }
+          });
+  t.holds("without short cuts a ball is the variant's own, made at the first question only",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const Drawn d = draw();
+            FrameRefits frame(d.character, d.variant);
+            frame.begin(d.pose);
+            std::set<int> asked;
+            for (int i = 0; i < 30; ++i) {
+              const int n = *rc::gen::inRange(0, d.count());
+              RC_ASSERT(frame.is_refitted(n) == (asked.count(n) == 1));
+              asked.insert(n);
+              const Ball3<double> own = d.own(n), got = frame[n];
+              RC_ASSERT(got.center == own.center && got.radius == own.radius);
+              long made = 0;
+              for (const long level : frame.refitted_by_level()) made += level;
+              RC_ASSERT(made == static_cast<long>(asked.size()));
+            }
+          });
+  t.holds("children first: the ball is the smaller of the node's own and the smallest around its children's",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const Drawn d = draw();
+            FrameRefits frame(d.character, d.variant, {.children_first = true});
+            frame.begin(d.pose);
+            frame.refit_all();
+            for (int n = 0; n < d.count(); ++n) {
+              const TreeNode& node = d.character.tree.nodes[n];
+              double expected = d.own(n).radius;
+              std::vector<Ball3<double>> children;
+              for (int c = 0; c < node.child_count; ++c) children.push_back(frame[node.first_child + c]);
+              if (!children.empty()) expected = std::min(expected, smallest_ball_of_balls(children).radius);
+              RC_ASSERT(frame[n].radius == expected);
+              RC_ASSERT(d.encloses(frame[n], n));
+            }
+          });
+  t.holds("from below: a node of many pieces gets the smallest ball around its front's, which alone is refitted for it",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const Drawn d = draw();
+            const int most_pieces = *rc::gen::element(1, 2, 3);
+            FrameRefits frame(d.character, d.variant, {.most_pieces = most_pieces});
+            for (int n = 0; n < d.count(); n += n < 6 ? 1 : 4) {
+              frame.begin(d.pose);
+              const Ball3<double> ball = frame[n];
+              long made = 0;
+              for (const long level : frame.refitted_by_level()) made += level;
+              if (static_cast<int>(d.pieces(n)) <= most_pieces || d.character.tree.nodes[n].child_count == 0) {
+                RC_ASSERT(made == 1 && ball.radius == d.own(n).radius);
+                continue;
+              }
+              std::vector<int> front;
+              collect_front(d, n, most_pieces, true, front);
+              std::vector<Ball3<double>> balls;
+              for (const int below : front) balls.push_back(d.own(below));
+              RC_ASSERT(std::abs(ball.radius - smallest_ball_of_balls(balls).radius) <= 1e-12 * ball.radius);
+              RC_ASSERT(made == 1 + static_cast<long>(front.size()));
+              for (const int below : front) RC_ASSERT(frame.is_refitted(below));
+            }
+          });
+  t.example("of the built-in man's inner nodes some are bounded from below, some by their children, some by themselves", {}, [] {
+    static const Drawn man(make_man(), 2006);
+    FrameRefits plain(man.character, man.variant), below(man.character, man.variant, {.most_pieces = 16}),
+        children(man.character, man.variant, {.children_first = true});
+    for (FrameRefits* frame : {&plain, &below, &children}) frame->begin(man.pose), frame->refit_all();
+    long from_below = 0, smaller = 0, same = 0;
+    for (int n = 0; n < man.count(); ++n) {
+      if (man.character.tree.nodes[n].child_count == 0) continue;
+      from_below += man.pieces(n) > 16;
+      (children[n].radius < plain[n].radius ? smaller : same)++;
+      if (children[n].radius > plain[n].radius || !man.encloses(below[n], n)) return Checked(false, n);
+    }
+    return Checked(from_below > 10 && smaller > 10 && same > 10, from_below + smaller + same,
+                   std::to_string(from_below) + " from below; " + std::to_string(smaller) + " smaller by their children, " +
+                       std::to_string(same) + " not");
+  });
+}
+
+}  // namespace proptests
