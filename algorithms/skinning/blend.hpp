@@ -1,4 +1,4 @@
-// Blending one vertex: linear, and spherical by Equation (1), over any number type.
+// Blending one vertex, over any number type: linear, spherical by Equation (1), and by dual quaternions.
 #pragma once
 
 #include "algorithms/skinning/skinning_pose.hpp"
@@ -36,6 +36,36 @@ Vec<S, 3> blend_spherical(const JointSetPose<S>& pose, std::span<const S> w, con
   const Vec<S, 3> turned = rotate_scaled<S>(q, v - pose.rotation_center);
   const S scale = S(1) / squared_norm(q);
   return turned * scale + blend_center(pose, w);
+}
+
+// sum w_i d_i, not normalised.
+template <class S>
+Quaternion<S> blend_dual(const JointSetPose<S>& pose, std::span<const S> w) {
+  return combine<S, 4>(w, pose.duals);
+}
+
+// Dual quaternion linear blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"]: the rigid
+// transform of b = sum w_i (q_i + eps d_i) = q + eps d after its normalisation. Dividing b by its norm, the dual number
+// ||q|| + eps (q, d) / ||q||, takes from d its part along q; 2 d q* loses its real part by that and nothing else. So
+// v' = (Im(q v q*) + 2 Im(d q*)) / ||q||^2, free of square roots. The blended q must not be zero.
+template <class S>
+Vec<S, 3> blend_dual_quaternion(const JointSetPose<S>& pose, std::span<const S> w, const Vec<S, 3>& v) {
+  const Quaternion<S> q = blend_quaternion(pose, w), d = blend_dual(pose, w);
+  const Vec<S, 3> turned = rotate_scaled<S>(q, v);
+  const Vec<S, 3> moved = imaginary<S>(multiply(d, conjugate(q))) * S(2);
+  return (turned + moved) / squared_norm(q);
+}
+
+// The same by the kind of skinning.
+template <class S>
+Vec<S, 3> blend(Skinning skinning, const JointSetPose<S>& pose, std::span<const S> w, const Vec<S, 3>& v) {
+  switch (skinning) {
+    case Skinning::linear: return blend_linear(pose, w, v);
+    case Skinning::dual_quaternion: return blend_dual_quaternion(pose, w, v);
+    case Skinning::spherical:
+    case Skinning::hejl: break;
+  }
+  return blend_spherical(pose, w, v);
 }
 
 }  // namespace refitlab

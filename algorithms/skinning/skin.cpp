@@ -9,10 +9,7 @@ std::vector<Point3> skin(const Model& model, const JointSets& sets, const Skinni
   out.reserve(model.vertices.size());
   for (std::size_t i = 0; i < model.vertices.size(); ++i) {
     const int v = static_cast<int>(i);
-    const auto& set = pose[sets.of_vertex(v)];
-    const auto w = sets.weights(v);
-    out.push_back(skinning == Skinning::linear ? blend_linear<double>(set, w, model.vertices[i])
-                                               : blend_spherical<double>(set, w, model.vertices[i]));
+    out.push_back(blend<double>(skinning, pose[sets.of_vertex(v)], sets.weights(v), model.vertices[i]));
   }
   return out;
 }

@@ -44,6 +44,7 @@ SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& set
     const auto joints = sets.joints(s);
     for (const int j : joints) pose[s].transforms.push_back(posture[j]);
     make_signs_consistent<double>(pose[s].transforms);
+    place_duals(pose[s]);
     place_rotation_center(pose[s], skinning == Skinning::hejl ? shared_joint(model, joints)
                                                               : rotation_center(pose[s].transforms, mean_origin(model, joints)));
   }

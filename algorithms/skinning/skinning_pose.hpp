@@ -10,9 +10,10 @@
 namespace refitlab {
 
 enum class Skinning {
-  linear,     // v' = sum w_i C_i v
-  spherical,  // Equation (1): QLERP about the rotation center of the joint-set [Kavan and Zara 2005b]
-  hejl        // Equation (1) about the joint that neighbouring bones share [Hejl 2004]
+  linear,          // v' = sum w_i C_i v
+  spherical,       // Equation (1): QLERP about the rotation center of the joint-set [Kavan and Zara 2005b]
+  hejl,            // Equation (1) about the joint that neighbouring bones share [Hejl 2004]
+  dual_quaternion  // the rigid transform of the normalised blend of dual quaternions [Kavan et al. 2007]
 };
 
 // One joint-set in one posture. Arrays are by position in the joint-set.
@@ -23,6 +24,7 @@ struct JointSetPose {
   std::vector<RigidTransform<S>> transforms;
   Vec<S, 3> rotation_center = {S(0), S(0), S(0)};  // r_c, reference frame
   std::vector<Vec<S, 3>> center_images;            // C_{j_i} r_c
+  std::vector<Quaternion<S>> duals;                // d_i = t_i q_i / 2 of the dual quaternions q_i + eps d_i of the C_{j_i}
 };
 
 template <class S>
@@ -42,6 +44,16 @@ void place_rotation_center(JointSetPose<S>& pose, const Vec<S, 3>& rotation_cent
   pose.rotation_center = rotation_center;
   pose.center_images.clear();
   for (const auto& t : pose.transforms) pose.center_images.push_back(apply(t, rotation_center));
+}
+
+// Fills duals from transforms, whose signs they share.
+template <class S>
+void place_duals(JointSetPose<S>& pose) {
+  pose.duals.clear();
+  for (const auto& c : pose.transforms) {
+    const Vec<S, 3>& t = c.translation;
+    pose.duals.push_back(multiply<S>({S(0), t[0], t[1], t[2]}, c.rotation) / S(2));
+  }
 }
 
 // The frame's data of every joint-set. posture is by joint; throws ModelError if it has the wrong length, a number that is

@@ -28,6 +28,7 @@ Blend draw() {
     b.pose.transforms[1].rotation = -b.pose.transforms[0].rotation;
   const RationalVec<3> center = *gen::rational_vector<3>();
   place_rotation_center<Rational>(b.pose, center);
+  place_duals(b.pose);
   b.weights = *gen::convex_weights(static_cast<int>(b.pose.transforms.size()));
   b.vertex = *gen::rational_vector<3>();
   return b;
@@ -37,6 +38,7 @@ JointSetPose<double> in_double(const JointSetPose<Rational>& pose) {
   JointSetPose<double> out;
   out.transforms = lift<double>(pose.transforms);
   place_rotation_center<double>(out, lift<double>(pose.rotation_center));
+  place_duals(out);
   return out;
 }
 
@@ -66,22 +68,73 @@ PROPTEST(blend) {
             RC_ASSERT(blend_spherical<Rational>(b.pose, b.weights, b.vertex) ==
                       oracle::spherical(b.pose.transforms, b.weights, b.pose.rotation_center, b.vertex));
           });
-  t.holds("negating all quaternions of a joint-set moves no vertex", {.number_type = "rational"}, [] {
+  t.holds("dual quaternion blending without a square root is the matrix of the normalised blend",
+          {.number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            const Blend b = draw();
+            RC_PRE(!b.vanishes());
+            classify(b);
+            RC_ASSERT(blend_dual_quaternion<Rational>(b.pose, b.weights, b.vertex) ==
+                      oracle::dual_quaternion(b.pose.transforms, b.weights, b.vertex));
+          });
+  t.holds("dual quaternion blending is rigid, and a single joint's is its own transform",
+          {.number_type = "rational", .degenerate_at_least = 0.2}, [] {
+            const Blend b = draw();
+            RC_PRE(!b.vanishes());
+            classify(b);
+            const auto image = [&](const RationalVec<3>& v) {
+              return blend_dual_quaternion<Rational>(b.pose, b.weights, v);
+            };
+            const RationalVec<3> other = *gen::rational_vector<3>(), third = *gen::rational_vector<3>();
+            const RationalVec<3> p = image(b.vertex), q = image(other), r = image(third);
+            RC_ASSERT(squared_distance(p, q) == squared_distance(b.vertex, other));
+            const Rational before = dot<Rational, 3>(b.vertex, cross(other, third));
+            const RationalVec<3> origin = image(RationalVec<3>(0, 0, 0));
+            RC_ASSERT((dot<Rational, 3>(p - origin, cross<Rational>(q - origin, r - origin))) == before);
+            std::vector<Rational> first(b.weights.size(), Rational(0));
+            first[0] = 1;
+            RC_ASSERT(blend_dual_quaternion<Rational>(b.pose, first, b.vertex) ==
+                      apply(b.pose.transforms[0], b.vertex));
+          });
+  t.holds("dual quaternion blending of joints that agree at a point is spherical blending about it",
+          {.number_type = "rational"}, [] {
+            Blend b = draw();
+            RC_PRE(!b.vanishes());
+            const RationalVec<3> joint = *gen::rational_vector<3>(), image = *gen::rational_vector<3>();
+            for (auto& c : b.pose.transforms) c.translation = image - rotate(c.rotation, joint);
+            place_rotation_center<Rational>(b.pose, joint);
+            place_duals(b.pose);
+            RC_ASSERT(blend_dual_quaternion<Rational>(b.pose, b.weights, b.vertex) ==
+                      blend_spherical<Rational>(b.pose, b.weights, b.vertex));
+          });
+  t.holds("dual quaternion blending does not depend on the choice of coordinates, before or after",
+          {.number_type = "rational"}, [] {
+            Blend b = draw();
+            RC_PRE(!b.vanishes());
+            const auto image = blend_dual_quaternion<Rational>(b.pose, b.weights, b.vertex);
+            const auto before = *gen::rigid_transform(), after = *gen::rigid_transform();
+            for (auto& c : b.pose.transforms) c = compose(after, compose(c, inverse(before)));
+            place_duals(b.pose);
+            RC_ASSERT(blend_dual_quaternion<Rational>(b.pose, b.weights, apply(before, b.vertex)) ==
+                      apply(after, image));
+          });
+  const auto moves_no_vertex = [](Skinning skinning, std::size_t negated) {
     Blend b = draw();
     RC_PRE(!b.vanishes());
-    const auto before = blend_spherical<Rational>(b.pose, b.weights, b.vertex);
-    for (auto& c : b.pose.transforms) c.rotation = -c.rotation;
-    RC_ASSERT(blend_spherical<Rational>(b.pose, b.weights, b.vertex) == before);
-  });
-  t.refuted("negating one quaternion of a joint-set moves no vertex", {.number_type = "rational"}, [] {
-    Blend b = draw();
+    const auto before = blend<Rational>(skinning, b.pose, b.weights, b.vertex);
+    for (std::size_t i = 0; i < std::min(negated, b.weights.size()); ++i)
+      b.pose.transforms[i].rotation = -b.pose.transforms[i].rotation;
+    place_duals(b.pose);
     RC_PRE(!b.vanishes());
-    const auto before = blend_spherical<Rational>(b.pose, b.weights, b.vertex);
-    b.pose.transforms[0].rotation = -b.pose.transforms[0].rotation;
-    RC_PRE(!b.vanishes());
-    RC_ASSERT(blend_spherical<Rational>(b.pose, b.weights, b.vertex) == before);
-  });
-  t.holds("both blendings agree with Eigen's quaternions and transforms up to 1e-12 of the coordinates' size",
+    RC_ASSERT(blend<Rational>(skinning, b.pose, b.weights, b.vertex) == before);
+  };
+  for (const auto& [skinning, name] : {std::pair(Skinning::spherical, "spherical"),
+                                       std::pair(Skinning::dual_quaternion, "dual quaternion")}) {
+    t.holds(std::string("negating all quaternions of a joint-set moves no vertex: ") + name,
+            {.number_type = "rational"}, [=, kind = skinning] { moves_no_vertex(kind, 5); });
+    t.refuted(std::string("negating one quaternion of a joint-set moves no vertex: ") + name,
+              {.number_type = "rational"}, [=, kind = skinning] { moves_no_vertex(kind, 1); });
+  }
+  t.holds("all blendings agree with Eigen's quaternions and transforms up to 1e-12 of the coordinates' size",
           {.number_type = "double"}, [] {
             const Blend b = draw();
             // Rounding is magnified by 1 over the length of the blend: keep away from vanishing ones.
@@ -96,6 +149,9 @@ PROPTEST(blend) {
                       1e-12 * size);
             RC_ASSERT((blend_spherical<double>(pose, w, v) -
                        oracle::spherical_by_eigen(pose.transforms, w, pose.rotation_center, v))
+                          .norm() <= 1e-12 * size);
+            RC_ASSERT((blend_dual_quaternion<double>(pose, w, v) -
+                       oracle::dual_quaternion_by_eigen(pose.transforms, w, v))
                           .norm() <= 1e-12 * size);
           });
 }

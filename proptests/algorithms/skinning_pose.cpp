@@ -112,6 +112,8 @@ PROPTEST(skinning_pose) {
             const auto spherical = make_skinning_pose(posed.model, sets, posed.posture, Skinning::spherical);
             const auto by_points = skin(posed.model, sets, spherical, Skinning::linear);
             const auto by_quaternions = skin(posed.model, sets, spherical, Skinning::spherical);
+            const auto dual = make_skinning_pose(posed.model, sets, posed.posture, Skinning::dual_quaternion);
+            const auto by_dual_quaternions = skin(posed.model, sets, dual, Skinning::dual_quaternion);
             RC_CLASSIFY(has_half_turn(spherical) || posed.model.joints.size() == 1, "degenerate");
             for (std::size_t v = 0; v < posed.model.vertices.size(); ++v) {
               const auto& set = spherical[sets.of_vertex(static_cast<int>(v))];
@@ -124,6 +126,9 @@ PROPTEST(skinning_pose) {
               RC_ASSERT((by_quaternions[v] -
                          oracle::spherical_by_eigen(set.transforms, w, set.rotation_center, posed.model.vertices[v]))
                             .norm() <= tolerance);
+              RC_ASSERT((by_dual_quaternions[v] -
+                         oracle::dual_quaternion_by_eigen(set.transforms, w, posed.model.vertices[v]))
+                            .norm() <= tolerance);
             }
           });
   t.holds(
@@ -132,11 +137,13 @@ PROPTEST(skinning_pose) {
         const PosedModel posed = *gen::posed_model();
         const JointSets sets(posed.model);
         const auto pose = make_skinning_pose(posed.model, sets, posed.posture,
-                                             *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl));
+                                             *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl,
+                                                               Skinning::dual_quaternion));
         RC_ASSERT(pose.size() == static_cast<std::size_t>(sets.count()));
         for (int s = 0; s < sets.count(); ++s) {
           RC_ASSERT(pose[s].transforms.size() == sets.joints(s).size());
           RC_ASSERT(pose[s].center_images.size() == sets.joints(s).size());
+          RC_ASSERT(pose[s].duals.size() == sets.joints(s).size());
           for (std::size_t i = 0; i < sets.joints(s).size(); ++i) {
             const auto& given = posed.posture[sets.joints(s)[i]];
             const auto& c = pose[s].transforms[i];
@@ -146,6 +153,9 @@ PROPTEST(skinning_pose) {
                 (pose[s].center_images[i] -
                  oracle::times<double>(oracle::affine_of(given.rotation, given.translation), pose[s].rotation_center))
                     .norm() <= 1e-12 * (size_of(posed) + pose[s].rotation_center.norm()));
+            const auto& t = given.translation;
+            const auto twice_dual = oracle::hamilton<double>({0, t[0], t[1], t[2]}, c.rotation);
+            RC_ASSERT((pose[s].duals[i] * 2 - twice_dual).norm() <= 1e-12 * size_of(posed));
           }
         }
       });
@@ -153,14 +163,15 @@ PROPTEST(skinning_pose) {
           {.number_type = "double", .cases = 500}, [] {
             const PosedModel posed = *gen::posed_model();
             const JointSets sets(posed.model);
-            const auto pose = make_skinning_pose(posed.model, sets, posed.posture, Skinning::spherical);
+            const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
+            const auto pose = make_skinning_pose(posed.model, sets, posed.posture, skinning);
             RC_PRE(!has_half_turn(pose));
             Posture negated = posed.posture;
             for (auto& c : negated)
               if (*rc::gen::arbitrary<bool>()) c.rotation = -c.rotation;
-            const auto other = make_skinning_pose(posed.model, sets, negated, Skinning::spherical);
-            RC_ASSERT(worst_difference(skin(posed.model, sets, pose, Skinning::spherical),
-                                       skin(posed.model, sets, other, Skinning::spherical)) == 0);
+            const auto other = make_skinning_pose(posed.model, sets, negated, skinning);
+            RC_ASSERT(worst_difference(skin(posed.model, sets, pose, skinning),
+                                       skin(posed.model, sets, other, skinning)) == 0);
           });
   t.holds(
       "the joint that two neighbouring bones share is where their transforms agree, and blending about it is blending "

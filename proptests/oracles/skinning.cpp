@@ -25,4 +25,21 @@ Eigen::Vector3d spherical_by_eigen(std::span<const refitlab::RigidTransform<doub
   return q.normalized().toRotationMatrix() * (v - center) + linear_by_eigen(c, w, center);
 }
 
+Eigen::Vector3d dual_quaternion_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
+                                         const Eigen::Vector3d& v) {
+  Eigen::Quaterniond real(0, 0, 0, 0), dual(0, 0, 0, 0);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Eigen::Quaterniond q = eigen_quaternion(c[i].rotation);
+    const auto& t = c[i].translation;
+    real.coeffs() += w[i] * q.coeffs();
+    dual.coeffs() += w[i] * (Eigen::Quaterniond(0, t[0] / 2, t[1] / 2, t[2] / 2) * q).coeffs();
+  }
+  const double n0 = real.norm(), n1 = real.dot(dual) / n0;
+  Eigen::Quaterniond q, d;
+  q.coeffs() = real.coeffs() / n0;
+  d.coeffs() = dual.coeffs() / n0 - real.coeffs() * (n1 / (n0 * n0));
+  const Eigen::Quaterniond turned = q * Eigen::Quaterniond(0, v[0], v[1], v[2]) * q.conjugate();
+  return turned.vec() + (d * q.conjugate()).vec() - (q * d.conjugate()).vec();
+}
+
 }  // namespace proptests::oracle

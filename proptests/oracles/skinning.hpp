@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "lemmas/vocabulary/rigid.hpp"
@@ -57,10 +58,48 @@ refitlab::Vec<S, 3> spherical(const std::vector<refitlab::RigidTransform<S>>& c,
   return turned + linear(c, w, center);
 }
 
+// a b, entry by entry of the multiplication table.
+template <class S>
+refitlab::Quaternion<S> hamilton(const refitlab::Quaternion<S>& a, const refitlab::Quaternion<S>& b) {
+  static constexpr int unit[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+  static constexpr int sign[4][4] = {{1, 1, 1, 1}, {1, -1, 1, -1}, {1, -1, -1, 1}, {1, 1, -1, -1}};
+  refitlab::Quaternion<S> out(S(0), S(0), S(0), S(0));
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 4; ++k) out[unit[i][k]] = out[unit[i][k]] + S(sign[i][k]) * a[i] * b[k];
+  return out;
+}
+
+// The dual quaternion q + eps t q / 2 of each transform, blended; from the dual part what is along q is taken away, so
+// that the blend is a unit dual quaternion but for its length; then its matrix: the rotation of q, the translation
+// 2 d q* / ||q||^2, whose real part must be 0.
+template <class S>
+refitlab::Vec<S, 3> dual_quaternion(const std::vector<refitlab::RigidTransform<S>>& c, const std::vector<S>& w,
+                                    const refitlab::Vec<S, 3>& v) {
+  refitlab::Quaternion<S> q(S(0), S(0), S(0), S(0)), d = q;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const auto& t = c[i].translation;
+    const auto tq = hamilton<S>({S(0), t[0], t[1], t[2]}, c[i].rotation);
+    for (int k = 0; k < 4; ++k) {
+      q[k] = q[k] + w[i] * c[i].rotation[k];
+      d[k] = d[k] + w[i] * tq[k] / S(2);
+    }
+  }
+  S length(0), along(0);
+  for (int k = 0; k < 4; ++k) length = length + q[k] * q[k], along = along + q[k] * d[k];
+  for (int k = 0; k < 4; ++k) d[k] = d[k] - q[k] * along / length;
+  const auto t = hamilton<S>(d, {q[0], -q[1], -q[2], -q[3]});
+  if (!(t[0] == S(0))) throw std::logic_error("the normalised blend is not a unit dual quaternion");
+  const S two(2);
+  return times(affine_of<S>(q, {two * t[1] / length, two * t[2] / length, two * t[3] / length}), v);
+}
+
 // The same by Eigen's own quaternions and transforms, in double.
 Eigen::Vector3d linear_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
                                 const Eigen::Vector3d& v);
 Eigen::Vector3d spherical_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
                                    const Eigen::Vector3d& center, const Eigen::Vector3d& v);
+// With dual numbers: the blend divided by its norm n_0 + eps n_1, then the sandwich b (1 + eps v) b'*.
+Eigen::Vector3d dual_quaternion_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
+                                         const Eigen::Vector3d& v);
 
 }  // namespace proptests::oracle
