@@ -186,7 +186,7 @@ PROPTEST(pieces) {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
-            const double factor = *rc::gen::element(0.25, 1., 2.);
+            const double factor = *rc::gen::element(0.25, 1., 2., 8.);
             const PieceTable plain(rig.tree, rig.vertices, rig.model, rig.sets, {1}),
                 mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, factor});
             Listed result;
