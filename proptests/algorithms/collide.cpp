@@ -1,0 +1,169 @@
+#include "algorithms/collide/collide.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+Quaternion<double> random_rotation(std::mt19937& random, double spread) {
+  std::normal_distribution<double> normal;
+  Quaternion<double> q{1, spread * normal(random), spread * normal(random), spread * normal(random)};
+  q.normalize();
+  return q;
+}
+
+Posture random_posture(const Model& model, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  Posture posture = reference_posture(model);
+  for (auto& t : posture) {
+    t.rotation = random_rotation(random, 0.5);
+    t.translation = Point3(normal(random), normal(random), normal(random)) * 0.2;
+  }
+  return posture;
+}
+
+// Every pair of triangles, of vertices that are all skinned beforehand.
+std::vector<TrianglePair> all_pairs(const Character& a, const Posture& posture_a, const RigidTransform<double>& at_a,
+                                    const Character& b, const Posture& posture_b, const RigidTransform<double>& at_b,
+                                    Skinning skinning) {
+  const auto placed = [&](const Character& c, const Posture& posture, const RigidTransform<double>& at) {
+    auto points = skin(c.model, c.sets, make_skinning_pose(c.model, c.sets, posture, skinning), skinning);
+    for (auto& p : points) p = apply(at, p);
+    return points;
+  };
+  const auto p = placed(a, posture_a, at_a), q = placed(b, posture_b, at_b);
+  std::vector<TrianglePair> pairs;
+  for (std::size_t i = 0; i < a.model.triangles.size(); ++i)
+    for (std::size_t j = 0; j < b.model.triangles.size(); ++j) {
+      const Triangle &s = a.model.triangles[i], &t = b.model.triangles[j];
+      if (triangles_meet({p[s[0]], p[s[1]], p[s[2]]}, {q[t[0]], q[t[1]], q[t[2]]}))
+        pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+    }
+  return pairs;
+}
+
+std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+const RefitVariant& drawn_variant() {
+  std::vector<const RefitVariant*> sound;
+  for (const RefitVariant& v : refit_variants())
+    if (v.sound) sound.push_back(&v);
+  return *sound[*rc::gen::inRange<std::size_t>(0, sound.size())];
+}
+
+// What collide says of two men, and what it looked at.
+struct Men {
+  std::size_t pairs;
+  long ball_tests, vertices, balls;
+};
+Men two_men(const char* variant, double distance, Query query) {
+  static const Character man(make_man());
+  const RefitVariant& v = refit_variant(variant);
+  Body a(man, v), b(man, v);
+  const Clip& walk = man.model.clips[0];
+  a.begin(walk.sample(0.2 * walk.duration));
+  b.begin(walk.sample(0.7 * walk.duration));
+  QueryCounts counts;
+  const auto pairs = collide({a}, {b, {identity_quaternion<double>(), {distance, 0, 0}}}, query, counts);
+  long balls = 0;
+  for (const Body* body : {&a, &b})
+    for (const long level : body->refits().refitted_by_level()) balls += level;
+  return {pairs.size(), counts.ball_tests, a.vertices_skinned() + b.vertices_skinned(), balls};
+}
+
+}  // namespace
+
+PROPTEST(collide) {
+  t.holds("every sound variant, with and without the frame's short cuts, finds the pairs that testing all pairs finds",
+          {.number_type = "double", .cases = 150, .degenerate_at_least = 0.3}, [] {
+            const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
+            const Character a(gen::make_mesh(plan_a)), b(gen::make_mesh(plan_b));
+            const RefitVariant& variant = drawn_variant();
+            const FrameOptions options{.most_pieces = *rc::gen::element(0, 2), .children_first = *rc::gen::arbitrary<bool>()};
+            Body first(a, variant, options), second(b, variant, options);
+            std::mt19937 random(plan_a.seed);
+            std::normal_distribution<double> normal;
+            for (int frame = 0; frame < 3; ++frame) {
+              const Posture posture_a = random_posture(a.model, random), posture_b = random_posture(b.model, random);
+              const double apart = frame == 2 ? 3 : 0.5;
+              const RigidTransform<double> at_a{random_rotation(random, 1), {normal(random), 0, 0}},
+                  at_b{random_rotation(random, 1), at_a.translation + Point3(normal(random), normal(random), 0) * apart};
+              first.begin(posture_a), second.begin(posture_b);
+              const auto expected = all_pairs(a, posture_a, at_a, b, posture_b, at_b, variant.skinning);
+              QueryCounts counts;
+              const auto found = collide({first, at_a}, {second, at_b}, Query::full, counts);
+              RC_ASSERT(sorted(found) == expected);
+              const auto one = collide({first, at_a}, {second, at_b}, Query::yes_no, counts);
+              RC_ASSERT(one.size() == (expected.empty() ? 0u : 1u));
+              if (!one.empty()) RC_ASSERT(std::find(expected.begin(), expected.end(), one[0]) != expected.end());
+              RC_TAG(expected.empty() ? "apart" : "in contact");
+            }
+          });
+  t.holds("one body in two placements", {.number_type = "double", .cases = 50, .degenerate_at_least = 0.3}, [] {
+    const auto plan = *gen::mesh_plan();
+    RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+    const Character c(gen::make_mesh(plan));
+    const RefitVariant& variant = drawn_variant();
+    Body body(c, variant);
+    std::mt19937 random(plan.seed);
+    const Posture posture = random_posture(c.model, random);
+    const RigidTransform<double> at{random_rotation(random, 1), {0.3, 0, 0.1}};
+    body.begin(posture);
+    QueryCounts counts;
+    RC_ASSERT(sorted(collide({body}, {body, at}, Query::full, counts)) ==
+              all_pairs(c, posture, {}, c, posture, at, variant.skinning));
+    RC_ASSERT(body.vertices_skinned() <= static_cast<long>(c.model.vertices.size()));
+  });
+  t.example("two walking men far apart cost one test and no vertex; close by they are refitted in part only", {}, [] {
+    const Men far = two_men("spherical_repaired", 5, Query::full), near = two_men("spherical_repaired", 0.6, Query::full),
+              deep = two_men("spherical_repaired", 0.1, Query::full), first = two_men("spherical_repaired", 0.1, Query::yes_no);
+    return Checked(far.pairs == 0 && far.ball_tests == 1 && far.vertices == 0 && far.balls == 2 && deep.pairs > 100 &&
+                       deep.vertices < 5000 && near.balls < deep.balls && first.pairs == 1 && first.balls < deep.balls,
+                   4, std::to_string(near.balls) + " balls refitted near by, " + std::to_string(deep.balls) + " for " +
+                          std::to_string(deep.pairs) + " pairs, " + std::to_string(first.balls) + " for the first one");
+  });
+  t.example("a placement that is not rigid, or not finite, and a posture with a NaN are refused by name", {}, [] {
+    const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    Body body(c, refit_variant("spherical_repaired"));
+    body.begin(reference_posture(c.model));
+    const auto message = [&](const RigidTransform<double>& at) -> std::string {
+      try {
+        QueryCounts counts;
+        collide({body}, {body, at}, Query::full, counts);
+        return "";
+      } catch (const std::invalid_argument& e) {
+        return e.what();
+      }
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::string stretched = message({{2, 0, 0, 0}, {0, 0, 0}}), lost = message({{1, 0, 0, 0}, {nan, 0, 0}});
+    Posture posture = reference_posture(c.model);
+    posture[1].translation[2] = nan;
+    std::string refused;
+    try {
+      body.begin(posture);
+    } catch (const ModelError& e) {
+      refused = e.what();
+    }
+    return Checked(stretched.find("second body is not rigid") != std::string::npos &&
+                       lost.find("second body is not finite") != std::string::npos &&
+                       refused.find("joint 1") != std::string::npos,
+                   3, stretched + "; " + lost + "; " + refused);
+  });
+}
+
+}  // namespace proptests
