@@ -1,0 +1,91 @@
+#include "algorithms/volumes/box_orientation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "lemmas/vocabulary/lift.hpp"
+#include "proptests/gen/ball_lists.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using Point3 = Vec<double, 3>;
+
+std::vector<Ball3<double>> as_balls(const std::vector<Point3>& points) {
+  std::vector<Ball3<double>> out;
+  for (const Point3& p : points) out.push_back({p, 0.0});
+  return out;
+}
+
+// The extents of the balls' centers along the three axes of the orientation.
+Point3 extents(const std::vector<Ball3<double>>& balls, const Quaternion<double>& q) {
+  Point3 out;
+  for (int i = 0; i < 3; ++i) {
+    const Point3 axis = rotate<double>(q, Point3::Unit(i));
+    double low = 1e300, high = -1e300;
+    for (const auto& b : balls) low = std::min(low, axis.dot(b.center)), high = std::max(high, axis.dot(b.center));
+    out[i] = high - low;
+  }
+  return out;
+}
+
+}  // namespace
+
+PROPTEST(box_orientation) {
+  t.holds("all are unit quaternions, and no rotation comes first",
+          {.number_type = "double", .cases = 1000, .degenerate_at_least = 0.4}, [] {
+            const auto list = *gen::ball_list(12);
+            RC_CLASSIFY(list.is_degenerate, "degenerate");
+            const auto orientations = box_orientations(lift<double>(list.balls));
+            RC_ASSERT(orientations[0] == identity_quaternion<double>());
+            for (const auto& q : orientations) RC_ASSERT(std::abs(q.norm() - 1) < 1e-14);
+          });
+  t.example("the principal axes of a long cloud lie along its three extents", {.number_type = "double"}, [] {
+    std::mt19937_64 random(2006);
+    std::normal_distribution<double> normal;
+    bool good = true;
+    for (int round = 0; round < 50; ++round) {
+      const Quaternion<double> q =
+          Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
+      std::vector<Point3> points;  // pairs, so that the mean is the middle exactly and the covariance is diagonal
+      for (const double s : {-1.0, 1.0})
+        for (int i = 0; i < 3; ++i)
+          points.push_back(Point3(7, 0, 0) + rotate<double>(q, Point3::Unit(i) * s * (1 << i)));
+      Point3 e = extents(as_balls(points), box_orientations(as_balls(points))[1]);
+      std::sort(e.data(), e.data() + 3);
+      good = good && (e - Point3(2, 4, 8)).norm() < 1e-9;
+    }
+    return good;
+  });
+  t.example("a flat triangle lies in a face of each of its side's boxes, with the side along an edge", {}, [] {
+    std::mt19937_64 random(2006);
+    std::normal_distribution<double> normal;
+    bool good = true;
+    for (int round = 0; round < 200; ++round) {
+      std::vector<Point3> p;
+      for (int i = 0; i < 3; ++i) p.push_back({normal(random), normal(random), normal(random)});
+      const auto balls = as_balls(p);
+      const auto all = box_orientations(balls);
+      double sides[] = {(p[0] - p[1]).norm(), (p[1] - p[2]).norm(), (p[2] - p[0]).norm()}, found[3];
+      for (int i = 0; i < 3; ++i) {
+        const Point3 along = rotate<double>(all[2 + i], Point3::UnitX());
+        good = good && extents(balls, all[2 + i])[1] < 1e-12;
+        found[i] = 0;
+        for (const double s : sides)
+          for (int j = 0; j < 3; ++j) {
+            const Point3 side = p[(j + 1) % 3] - p[j];
+            if (side.cross(along).norm() < 1e-9 * side.norm() && std::abs(side.norm() - s) < 1e-12) found[i] = s;
+          }
+      }
+      std::sort(sides, sides + 3);
+      std::sort(found, found + 3);
+      for (int i = 0; i < 3; ++i) good = good && sides[i] == found[i];
+    }
+    return good;
+  });
+}
+
+}  // namespace proptests

@@ -1,0 +1,21 @@
+// Square roots in Rational, for code that takes one on some of its paths only: the root if it is rational, else a
+// refusal.
+#pragma once
+
+#include <gmp.h>
+
+#include "lemmas/vocabulary/exact.hpp"
+
+struct NoRationalRoot {};
+
+namespace refitlab {
+template <>
+inline Rational NumberTraits<Rational>::sqrt(const Rational& x) {
+  CGAL::Gmpz n, d, rest;
+  mpz_sqrtrem(n.mpz(), rest.mpz(), x.numerator().mpz());
+  if (rest != 0) throw NoRationalRoot{};
+  mpz_sqrtrem(d.mpz(), rest.mpz(), x.denominator().mpz());
+  if (rest != 0) throw NoRationalRoot{};
+  return {n, d};
+}
+}  // namespace refitlab
