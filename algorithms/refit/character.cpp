@@ -2,10 +2,10 @@
 
 namespace refitlab {
 
-Character::Character(Model m)
+Character::Character(Model m, const TreeOptions& options)
     : model(std::move(m)),
       sets(model),
-      tree(build_sphere_tree(model, sets)),
+      tree(build_sphere_tree(model, sets, options)),
       vertices(tree, model),
       joint_set_pieces(tree, vertices, model, sets, {}),
       mixed_pieces(tree, vertices, model, sets, {.vertices_per_control_point = 2}),

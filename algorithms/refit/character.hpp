@@ -8,7 +8,7 @@ namespace refitlab {
 
 struct Character {
   // m is valid (see Model). Takes some ten microseconds a triangle.
-  explicit Character(Model m);
+  explicit Character(Model m, const TreeOptions& options = {});
 
   // What a variant looks at to refit a node. pose is of make_skinning_pose for this model.
   RefitNode<double> refit_node(int node, std::span<const JointSetPose<double>> pose, Pieces pieces) const;

@@ -64,6 +64,28 @@ const RefitVariant& drawn_variant() {
   return *sound[*rc::gen::inRange<std::size_t>(0, sound.size())];
 }
 
+// Refits that are wrong on purpose.
+Ball3<double> undefined(const RefitNode<double>&) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  return {{nan, nan, nan}, nan};
+}
+Ball3<double> rounded_down(const RefitNode<double>& node) {
+  Ball3<double> ball = refit_variant("control_sets_exact").refit(node);
+  ball.radius *= 1 - 1e-13;
+  return ball;
+}
+
+// A triangle whose smallest ball has the edge from (0, 0, 0) to (2, 0, 0) as a diameter.
+Model lone_triangle() {
+  Model m;
+  m.name = "triangle";
+  m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}};
+  m.triangles = {{0, 1, 2}};
+  m.joints = {{"root", -1, {0, 0, 0}}};
+  m.influences.assign(3, {{0, 1.0}});
+  return m;
+}
+
 // What collide says of two men, and what it looked at.
 struct Men {
   std::size_t pairs;
@@ -91,7 +113,8 @@ PROPTEST(collide) {
           {.number_type = "double", .cases = 150, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
-            const Character a(gen::make_mesh(plan_a)), b(gen::make_mesh(plan_b));
+            const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 3)}),
+                b(gen::make_mesh(plan_b), {.triangles_per_leaf = *rc::gen::element(1, 3)});
             const RefitVariant& variant = drawn_variant();
             const FrameOptions options{.most_pieces = *rc::gen::element(0, 2), .children_first = *rc::gen::arbitrary<bool>()};
             Body first(a, variant, options), second(b, variant, options);
@@ -127,6 +150,19 @@ PROPTEST(collide) {
     RC_ASSERT(sorted(collide({body}, {body, at}, Query::full, counts)) ==
               all_pairs(c, posture, {}, c, posture, at, variant.skinning));
     RC_ASSERT(body.vertices_skinned() <= static_cast<long>(c.model.vertices.size()));
+  });
+  t.example("a ball that is undefined, or too small by rounding, hides no pair", {}, [] {
+    const Character c(lone_triangle());
+    const RigidTransform<double> touching{identity_quaternion<double>(), {2, 0, 0}};
+    long found = 0;
+    for (const Refit refit : {&undefined, &rounded_down}) {
+      const RefitVariant variant{"wrong", "", Skinning::spherical, false, Pieces::joint_sets, refit};
+      Body body(c, variant);
+      body.begin(reference_posture(c.model));
+      QueryCounts counts;
+      found += static_cast<long>(collide({body}, {body, touching}, Query::full, counts).size());
+    }
+    return Checked(found == 2, found);
   });
   t.example("two walking men far apart cost one test and no vertex; close by they are refitted in part only", {}, [] {
     const Men far = two_men("spherical_repaired", 5, Query::full), near = two_men("spherical_repaired", 0.6, Query::full),

@@ -118,6 +118,13 @@ PROPTEST(s43_distance_range) {
                 s43_range::past_half);
   fails_without("c is not 0", "a ball about 0 has no distance", s43_range::about_zero);
   const Options unit{.form = "repaired", .hypothesis = "the point is a unit vector"};
+  t.example("a ball of exactly half of the sphere meets every hypothesis, and its distance is 0", {.form = "repaired"}, [] {
+    const Vec<Rational, 2> center{Rational(3, 4), Rational(0)}, x{Rational(0), Rational(1)};
+    const Rational radius(5, 4);  // r^2 = 1 + ||c||^2
+    return distance_range_hypotheses_repaired(center, radius) == Verdict::holds &&
+           distance_range_hypotheses_by_point(center, sq(radius), x) == Verdict::holds &&
+           distance_range(center, radius).verdict == Verdict::holds && scaled_distance(center, sq(radius)) == 0;
+  });
   t.example("a ball that holds a vector which is no unit vector may miss the sphere", unit, [] {
     const auto& x = s43_range::not_unit;
     return less_equal(squared_distance(x, x), Rational(0)) == Verdict::holds &&
