@@ -12,77 +12,82 @@
 // few times; what is still so wide then falls back on the cap bound of Algorithm 1 repaired, which is no larger there.
 // So the W_kl divided by are never small against the corners. The lemmas: b1_rational_bezier_simplex to
 // b5_rotation_axis.
+//
+// The halving is common to all blends of quaternions: ControlHull is a template over the blend of a piece.
 #pragma once
 
-#include <vector>
-
 #include "algorithms/refit/algorithm1_repaired.hpp"
+#include "algorithms/refit/control_lists.hpp"
 
 namespace refitlab {
 
-// One corner of a weight simplex, with what is linear in the weights there.
-template <class S>
-struct ControlCorner {
-  Quaternion<S> rotation;  // q'_k, not of unit length
-  Vec<S, 3> center_image;  // r'_k
-};
-
-// Reused between calls, so that a refit does not allocate.
-template <class S>
-struct ControlLists {
-  RefitLists<S> cap;                      // balls (the result) and the quaternions of the fallback
-  std::vector<ControlCorner<S>> corners;  // of the simplices in work, one after the other
-  std::vector<S> dots;                    // W_kl, m x m
-  std::vector<Vec<S, 3>> products;        // P_kl, m x m
-};
-
 inline constexpr int most_halvings = 4;  // in a row: 16 sub-simplices at most
 
+// W_kl and N_kl of two corners in a blend of degree 2.
 template <class S>
-class ControlHull {
- public:
-  // Balls of this radius are appended to lists.cap.balls. x is p - r_c.
-  ControlHull(const Vec<S, 3>& x, const S& radius, ControlLists<S>& lists) : x_(x), radius_(radius), lists_(lists) {}
+struct MixedCorners {
+  S weight;
+  Vec<S, 3> numerator;
+};
 
-  // The simplex whose m corners are the last of lists.corners, which are gone afterwards.
+// W_kl and P_kl. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
+template <class S>
+MixedCorners<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
+  const Vec<S, 3> va = imaginary(a), vb = imaginary(b);
+  const S real = a[0] * b[0], imag = dot(va, vb);
+  const Vec<S, 3> turn = cross<S>(vb * a[0] + va * b[0], x);
+  return {real + imag, x * (real - imag) + vb * dot(va, x) + va * dot(vb, x) + turn};
+}
+
+// Blend is of one piece, with Number and Corner, whose rotation is a quaternion; mix(a, b), as above for two corners;
+// middle(a, b), the corner half-way; near, so that corners are near if (q'_k, q'_l) > 0 and its square times near is
+// above ||q'_k||^2 ||q'_l||^2; and, given a simplex, emit for near corners and fall_back for others, which append balls
+// to lists.cap.balls.
+template <class Blend>
+class ControlHull {
+  using S = typename Blend::Number;
+  using Corner = typename Blend::Corner;
+
+ public:
+  // corners: a list of lists.
+  ControlHull(Blend& blend, std::vector<Corner>& corners, ControlLists<S>& lists)
+      : blend_(blend), corners_(corners), lists_(lists) {}
+
+  // The simplex whose m corners are the last of the corners, which are gone afterwards.
   void cover(std::size_t m, int halvings_left) {
-    const std::size_t first = lists_.corners.size() - m;
-    multiply_all(first, m);
+    const std::size_t first = corners_.size() - m;
+    mix_all(first, m);
     const auto [k, l] = widest_edge(m);
     if (is_near(m, k, l)) {
-      emit(first, m);
+      blend_.emit(simplex(first, m), lists_);
     } else if (halvings_left > 0) {
       halve(first, m, k, l, halvings_left);
     } else {
-      cap(first, m);
+      blend_.fall_back(simplex(first, m), lists_);
     }
-    lists_.corners.resize(first);
+    corners_.resize(first);
   }
 
  private:
+  std::span<const Corner> simplex(std::size_t first, std::size_t m) const { return {corners_.data() + first, m}; }
   S& dots(std::size_t m, std::size_t k, std::size_t l) { return lists_.dots[k * m + l]; }
-  Vec<S, 3>& products(std::size_t m, std::size_t k, std::size_t l) { return lists_.products[k * m + l]; }
 
-  // W and P of every pair. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l
-  // v_k) x x.
-  void multiply_all(std::size_t first, std::size_t m) {
+  // W and N of every pair.
+  void mix_all(std::size_t first, std::size_t m) {
     lists_.dots.resize(m * m);
     lists_.products.resize(m * m);
     for (std::size_t k = 0; k < m; ++k)
       for (std::size_t l = 0; l <= k; ++l) {
-        const Quaternion<S>&a = lists_.corners[first + k].rotation, &b = lists_.corners[first + l].rotation;
-        const Vec<S, 3> va = imaginary(a), vb = imaginary(b);
-        const S real = a[0] * b[0], imag = dot(va, vb);
-        const Vec<S, 3> turn = cross<S>(vb * a[0] + va * b[0], x_);
-        dots(m, k, l) = dots(m, l, k) = real + imag;
-        products(m, k, l) = products(m, l, k) = x_ * (real - imag) + vb * dot(va, x_) + va * dot(vb, x_) + turn;
+        const MixedCorners<S> mixed = blend_.mix(corners_[first + k], corners_[first + l]);
+        dots(m, k, l) = dots(m, l, k) = mixed.weight;
+        lists_.products[k * m + l] = lists_.products[l * m + k] = mixed.numerator;
       }
   }
 
-  // Less than 120 degrees of rotation apart, 60 degrees between the quaternions, which are certainly not 0.
+  // As near as the blend asks for, and certainly not 0.
   bool is_near(std::size_t m, std::size_t k, std::size_t l) {
     const S& w = dots(m, k, l);
-    return certainly_less(S(0), w) && certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(4) * sq(w)));
+    return certainly_less(S(0), w) && certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(Blend::near) * sq(w)));
   }
 
   // The pair of corners with the smallest normalised dot product, compared without roots or quotients. A corner that
@@ -104,55 +109,75 @@ class ControlHull {
     return widest;
   }
 
-  void emit(std::size_t first, std::size_t m) {
-    const ControlCorner<S>* corner = lists_.corners.data() + first;
-    for (std::size_t j = 0; j < m; ++j)
-      for (std::size_t k = j; k < m; ++k)
-        for (std::size_t l = k; l < m; ++l) {
-          const S &w_jk = dots(m, j, k), &w_kl = dots(m, k, l), &w_jl = dots(m, j, l);
-          const Vec<S, 3> turned = products(m, j, k) + products(m, k, l) + products(m, j, l);
-          const Vec<S, 3> moved =
-              corner[j].center_image * w_kl + corner[k].center_image * w_jl + corner[l].center_image * w_jk;
-          const S scale = S(1) / (w_jk + w_kl + w_jl);
-          lists_.cap.balls.push_back({(turned + moved) * scale, radius_});
-        }
-  }
-
   // The two simplices that share the middle of the edge (k, l).
   void halve(std::size_t first, std::size_t m, std::size_t k, std::size_t l, int halvings_left) {
-    const ControlCorner<S> a = lists_.corners[first + k], b = lists_.corners[first + l];
-    const ControlCorner<S> middle{(a.rotation + b.rotation) / S(2), (a.center_image + b.center_image) / S(2)};
+    const Corner middle = blend_.middle(corners_[first + k], corners_[first + l]);
     for (const std::size_t replaced : {k, l}) {
-      const std::size_t own = lists_.corners.size();
-      for (std::size_t i = 0; i < m; ++i) lists_.corners.push_back(ControlCorner<S>(lists_.corners[first + i]));
-      lists_.corners[own + replaced] = middle;
+      const std::size_t own = corners_.size();
+      for (std::size_t i = 0; i < m; ++i) corners_.push_back(Corner(corners_[first + i]));
+      corners_[own + replaced] = middle;
       cover(m, halvings_left - 1);
     }
   }
 
-  // The fallback: the rotations' cap, and the linear part's corners.
-  void cap(std::size_t first, std::size_t m) {
-    auto& unit = lists_.cap.quaternions;
+  Blend& blend_;
+  std::vector<Corner>& corners_;
+  ControlLists<S>& lists_;
+};
+
+// Spherical blending of a piece, of degree 3: Equation (1).
+template <class S>
+class SphericalPiece {
+ public:
+  using Number = S;
+  using Corner = ControlCorner<S>;
+  static constexpr double near = 4;  // less than 120 degrees of rotation apart, 60 degrees between the quaternions
+
+  // x is p - r_c, radius that of the reference ball.
+  SphericalPiece(const Vec<S, 3>& x, const S& radius) : x_(x), radius_(radius) {}
+
+  MixedCorners<S> mix(const Corner& a, const Corner& b) const { return mix_rotations(a.rotation, b.rotation, x_); }
+  static Corner middle(const Corner& a, const Corner& b) {
+    return {(a.rotation + b.rotation) / S(2), (a.center_image + b.center_image) / S(2)};
+  }
+
+  void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
+    const std::size_t m = corner.size();
+    const S* dots = lists.dots.data();
+    const Vec<S, 3>* products = lists.products.data();
+    for (std::size_t j = 0; j < m; ++j)
+      for (std::size_t k = j; k < m; ++k)
+        for (std::size_t l = k; l < m; ++l) {
+          const S &w_jk = dots[j * m + k], &w_kl = dots[k * m + l], &w_jl = dots[j * m + l];
+          const Vec<S, 3> turned = products[j * m + k] + products[k * m + l] + products[j * m + l];
+          const Vec<S, 3> moved =
+              corner[j].center_image * w_kl + corner[k].center_image * w_jl + corner[l].center_image * w_jk;
+          const S scale = S(1) / (w_jk + w_kl + w_jl);
+          lists.cap.balls.push_back({(turned + moved) * scale, radius_});
+        }
+  }
+
+  // The rotations' cap, and the linear part's corners.
+  void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) const {
+    auto& unit = lists.cap.quaternions;
     unit.clear();
     RotationBound<S> bound = all_rotations<S>();
-    for (std::size_t k = 0; k < m; ++k) {
-      const Quaternion<S>& q = lists_.corners[first + k].rotation;
-      const S squared_length = squared_norm(q);
-      if (certainly_less(S(0), squared_length)) unit.push_back(q / root(squared_length));
+    for (const Corner& c : corner) {
+      const S squared_length = squared_norm(c.rotation);
+      if (certainly_less(S(0), squared_length)) unit.push_back(c.rotation / root(squared_length));
     }
-    if (unit.size() == m) {
+    if (unit.size() == corner.size()) {
       const std::span<const Quaternion<S>> points(unit);
       bound = bound_rotations(points, mean_center(points));
     }
     const Vec<S, 3> offset = rotate(bound.apex, x_) * bound.center_ratio;
     const S radius = radius_ + bound.radius_ratio * norm(x_);
-    for (std::size_t k = 0; k < m; ++k)
-      lists_.cap.balls.push_back({lists_.corners[first + k].center_image + offset, radius});
+    for (const Corner& c : corner) lists.cap.balls.push_back({c.center_image + offset, radius});
   }
 
+ private:
   const Vec<S, 3> x_;
   const S radius_;
-  ControlLists<S>& lists_;
 };
 
 // A single corner with a blend that is certainly not zero: the whole piece moves rigidly.
@@ -177,7 +202,8 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
     lists.corners.clear();
     for (int k = 0; k < set.corner_count; ++k)
       lists.corners.push_back({blend_quaternion(pose, node.corner(set, k)), blend_center(pose, node.corner(set, k))});
-    ControlHull<S>(reference.center - pose.rotation_center, reference.radius, lists)
+    SphericalPiece<S> piece(reference.center - pose.rotation_center, reference.radius);
+    ControlHull(piece, lists.corners, lists)
         .cover(lists.corners.size(), set.corner_count == 1 ? 0 : most_halvings);
   }
   return lists.cap.balls;

@@ -5,6 +5,7 @@
 #include "algorithms/refit/algorithm1_printed.hpp"
 #include "algorithms/refit/algorithm1_repaired.hpp"
 #include "algorithms/refit/control_hull.hpp"
+#include "algorithms/refit/dual_quaternion.hpp"
 #include "algorithms/refit/linear.hpp"
 
 namespace refitlab {
@@ -15,18 +16,26 @@ RefitLists<double>& lists() {
   return reused;
 }
 
-template <class Policy>
-Ball3<double> linear(const RefitNode<double>& node) {
-  return refit_linear<Policy>(node, lists());
+ControlLists<double>& control_lists() {
+  thread_local ControlLists<double> reused;
+  return reused;
 }
+
 template <class Policy, Signs signs>
 Ball3<double> printed(const RefitNode<double>& node) {
   return refit_algorithm1_printed<Policy>(node, signs, lists());
 }
 template <class Policy>
+Ball3<double> linear(const RefitNode<double>& node) {
+  return refit_linear<Policy>(node, control_lists());
+}
+template <class Policy>
 Ball3<double> control(const RefitNode<double>& node) {
-  thread_local ControlLists<double> reused;
-  return refit_control_hull<Policy>(node, reused);
+  return refit_control_hull<Policy>(node, control_lists());
+}
+template <class Policy>
+Ball3<double> dual_quaternion(const RefitNode<double>& node) {
+  return refit_dual_quaternion<Policy>(node, control_lists());
 }
 template <class Policy>
 Ball3<double> repaired(const RefitNode<double>& node) {

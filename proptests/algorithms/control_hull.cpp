@@ -10,20 +10,8 @@
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
-
-// The control points need no root, only the fallback does: in rationals it says so, unless the root is rational.
-struct NoRationalRoot {};
-namespace refitlab {
-template <>
-inline Rational NumberTraits<Rational>::sqrt(const Rational& x) {
-  CGAL::Gmpz n, d, rest;
-  mpz_sqrtrem(n.mpz(), rest.mpz(), x.numerator().mpz());
-  if (rest != 0) throw NoRationalRoot{};
-  mpz_sqrtrem(d.mpz(), rest.mpz(), x.denominator().mpz());
-  if (rest != 0) throw NoRationalRoot{};
-  return {n, d};
-}
-}  // namespace refitlab
+#include "proptests/oracles/hull_of_balls.hpp"
+#include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 
 namespace proptests {
 namespace {
@@ -31,6 +19,8 @@ namespace {
 using namespace refitlab;
 using gen::RationalVec;
 using gen::RefitCase;
+using oracle::direction_away;
+using oracle::reaches;
 
 template <class S>
 std::vector<Ball3<S>> balls_of(const RefitCase& c) {
@@ -38,33 +28,6 @@ std::vector<Ball3<S>> balls_of(const RefitCase& c) {
   ControlLists<S> lists;
   const auto balls = control_balls(node.node(), lists);
   return {balls.begin(), balls.end()};
-}
-
-// From the hull's point nearest to v towards v, in double [Gilbert 1966]: if v is outside, this direction shows it.
-Point3 direction_away(const std::vector<Ball3<double>>& balls, const Point3& v) {
-  Point3 nearest = balls[0].center;
-  for (int step = 0; step < 60; ++step) {
-    const Point3 d = v - nearest;
-    const Ball3<double>* best = &balls[0];
-    for (const auto& b : balls)
-      if (b.center.dot(d) + b.radius * d.norm() > best->center.dot(d) + best->radius * d.norm()) best = &b;
-    const Point3 edge = best->center - nearest;
-    if (edge.squaredNorm() < 1e-28) break;
-    nearest += edge * std::clamp(edge.dot(d) / edge.squaredNorm(), 0.0, 1.0);
-  }
-  return v - nearest;
-}
-
-// (v, d) <= max over the balls of (center, d) + radius ||d||.
-template <class S>
-Verdict reaches(const std::vector<Ball3<S>>& balls, const Vec<S, 3>& v, const Vec<S, 3>& d) {
-  Verdict any = Verdict::fails;
-  const S length = squared_norm(d);
-  for (const auto& b : balls) {
-    const S beyond = dot<S, 3>(v - b.center, d);
-    any |= less_equal(beyond, S(0)) | less_equal(sq(beyond), S(sq(b.radius) * length));
-  }
-  return any;
 }
 
 template <class S>
@@ -283,7 +246,8 @@ PROPTEST(control_hull) {
             ControlLists<S> lists;
             for (std::size_t k = 0; k < c.blend.corner_count(); ++k)
               lists.corners.push_back({lift<S>(c.blend.rotations[k]), lift<S>(c.blend.center_images[k])});
-            ControlHull<S>(lift<S>(c.blend.x), S(0), lists).cover(c.blend.corner_count(), 0);
+            SphericalPiece<S> piece(lift<S>(c.blend.x), S(0));
+            ControlHull(piece, lists.corners, lists).cover(c.blend.corner_count(), 0);
             RC_ASSERT(lists.corners.empty() && !lists.cap.balls.empty());
             std::vector<Ball3<double>> rounded;
             for (const auto& b : lists.cap.balls) {

@@ -15,7 +15,7 @@ using gen::Sample;
 struct Linear {
   template <class S>
   Ball3<S> operator()(const RefitNode<S>& node) const {
-    RefitLists<S> lists;
+    ControlLists<S> lists;
     return refit_linear<MeanBalls>(node, lists);
   }
 };

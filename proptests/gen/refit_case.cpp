@@ -71,6 +71,7 @@ SetCase set_case(Turns turns, const RationalVec<3>& p) {
   if (place == 2)  // a common joint: all transforms agree there
     for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
   place_rotation_center<Rational>(set.pose, center);
+  place_duals(set.pose);
   set.weights = *bounds_of_vertices(static_cast<int>(c.size()));
   return set;
 }
@@ -132,13 +133,15 @@ RefitCase rounded_to_double(const RefitCase& c) {
   out.reference = {round(c.reference.center), as_rational(CGAL::to_double(c.reference.radius))};
   for (const SetCase& set : c.sets) {
     SetCase s;
-    JointSetPose<double> pose{lift<double>(set.pose.transforms), {}, {}};
+    JointSetPose<double> pose{lift<double>(set.pose.transforms), {}, {}, {}};
     place_rotation_center<double>(pose, lift<double>(set.pose.rotation_center));
+    place_duals(pose);
     s.pose.rotation_center = round(set.pose.rotation_center);
     for (const auto& joint : set.pose.transforms)
       s.pose.transforms.push_back({round(joint.rotation), round(joint.translation)});
     for (const auto& image : pose.center_images)
       s.pose.center_images.push_back({as_rational(image[0]), as_rational(image[1]), as_rational(image[2])});
+    for (const auto& dual : pose.duals) s.pose.duals.push_back(convert<Rational>(dual));
     for (std::size_t i = 0; i < set.weights.bounds.low.size(); ++i) {
       s.weights.bounds.low.push_back(to_grid(set.weights.bounds.low[i], false));
       s.weights.bounds.high.push_back(to_grid(set.weights.bounds.high[i], true));

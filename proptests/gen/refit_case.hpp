@@ -31,8 +31,8 @@ rc::Gen<RefitCase> refit_case(Turns turns);
 std::vector<std::string> degeneracies(const RefitCase& c);
 
 // The same case in doubles, and those taken as exact numbers: what a program in double is given. The rotations are of
-// unit length only nearly, the images of the rotation centers are those that double computes, the weights are multiples
-// of 2^-24 with all their corners.
+// unit length only nearly, the images of the rotation centers and the dual parts are those that double computes, the
+// weights are multiples of 2^-24 with all their corners.
 RefitCase rounded_to_double(const RefitCase& c);
 
 void showValue(const RefitCase& c, std::ostream& out);
@@ -48,7 +48,7 @@ class NodeOf {
         for (const Rational& w : corner) weights_.push_back(refitlab::lift<T>(w));
       sets_.push_back({static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.corners.size())});
       pose_.push_back({refitlab::lift<T>(set.pose.transforms), refitlab::lift<T>(set.pose.rotation_center),
-                       refitlab::lift<T>(set.pose.center_images)});
+                       refitlab::lift<T>(set.pose.center_images), refitlab::lift<T>(set.pose.duals)});
     }
   }
   refitlab::RefitNode<T> node() const { return {reference_, sets_, weights_.data(), pose_}; }

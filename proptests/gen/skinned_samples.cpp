@@ -31,6 +31,11 @@ RationalWeights blend_of_corners(const SetCase& set, const std::vector<Rational>
   return w;
 }
 
+JointSetPose<double> in_double(const JointSetPose<Rational>& pose) {
+  return {lift<double>(pose.transforms), lift<double>(pose.rotation_center), lift<double>(pose.center_images),
+          lift<double>(pose.duals)};
+}
+
 // The ascent, in double: shares of the corners are moved towards one corner as long as p is carried farther.
 class Ascent {
  public:
@@ -38,8 +43,7 @@ class Ascent {
       : p_(lift<double>(c.reference.center)),
         blending_(blending),
         far_from_(far_from),
-        pose_{lift<double>(set.pose.transforms), lift<double>(set.pose.rotation_center),
-              lift<double>(set.pose.center_images)},
+        pose_(in_double(set.pose)),
         corners_(lift<double>(set.weights.corners)),
         shares_(corners_.size(), 1.0 / double(corners_.size())) {}
 
@@ -65,8 +69,7 @@ class Ascent {
     std::vector<double> w(pose_.transforms.size(), 0.0);
     for (std::size_t k = 0; k < shares.size(); ++k)
       for (std::size_t i = 0; i < w.size(); ++i) w[i] += corners_[k][i] * shares[k];
-    if (blending_ == Blending::linear) return (blend_linear<double>(pose_, w, p_) - far_from_).norm();
-    return (blend_spherical<double>(pose_, w, p_) - far_from_).norm();
+    return (blend<double>(blending_, pose_, w, p_) - far_from_).norm();
   }
 
   Point3 p_;
@@ -80,14 +83,10 @@ class Ascent {
 // The point of the surface of S that these weights carry farthest from a point: outward, turned back.
 RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const RationalWeights& w, Blending blending,
                                const Point3& far_from) {
-  const JointSetPose<double> pose{lift<double>(set.pose.transforms), lift<double>(set.pose.rotation_center),
-                                  lift<double>(set.pose.center_images)};
+  const JointSetPose<double> pose = in_double(set.pose);
   const auto weights = lift<double>(w);
   const Point3 p = lift<double>(c.reference.center);
-  const auto image = [&](const Point3& v) {
-    return blending == Blending::linear ? blend_linear<double>(pose, weights, v)
-                                        : blend_spherical<double>(pose, weights, v);
-  };
+  const auto image = [&](const Point3& v) { return blend<double>(blending, pose, weights, v); };
   const Point3 outward = image(p) - far_from, origin = image(Point3::Zero());
   Point3 back;
   for (int i = 0; i < 3; ++i) back[i] = (image(Point3::Unit(i)) - origin).dot(outward);
@@ -98,9 +97,9 @@ RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const Rat
 
 std::optional<RationalVec<3>> skinned(const RefitCase& c, const Sample& sample, Blending blending) {
   const auto& pose = c.sets[sample.joint_set].pose;
-  if (blending == Blending::linear) return blend_linear<Rational>(pose, sample.weights, sample.vertex);
-  if (squared_norm(blend_quaternion<Rational>(pose, sample.weights)) == 0) return std::nullopt;
-  return blend_spherical<Rational>(pose, sample.weights, sample.vertex);
+  const bool may_vanish = blending != Blending::linear;
+  if (may_vanish && squared_norm(blend_quaternion<Rational>(pose, sample.weights)) == 0) return std::nullopt;
+  return blend<Rational>(blending, pose, sample.weights, sample.vertex);
 }
 
 std::vector<Sample> samples(const RefitCase& c, Blending blending, const Point3& far_from) {

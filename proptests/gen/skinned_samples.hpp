@@ -13,7 +13,7 @@ struct Sample {
   RationalVec<3> vertex;    // in the reference ball
 };
 
-enum class Blending { linear, spherical };
+using Blending = refitlab::Skinning;
 
 // Where the sample goes, exactly; nothing if its blend of quaternions vanishes, so that it has no rotation.
 std::optional<RationalVec<3>> skinned(const RefitCase& c, const Sample& sample, Blending blending);

@@ -1,0 +1,157 @@
+// Refitting for dual quaternion skinning: its control balls, of degree 2, and one ball around them.
+//
+// Let q'_k + eps d'_k be a piece's corner dual quaternions and p the center of its reference ball. With W_kl and P_kl
+// of p itself as in control_hull.hpp, and
+//   N_kl = P_kl + T_kl,   T_kl = Im(d'_k q'_l* + d'_l q'_k*),
+// the image of p under the blend with weights u is sum u_k u_l N_kl / sum u_k u_l W_kl: if all W_kl are positive, a
+// convex combination of the control points N_kl / W_kl (b1_rational_bezier_simplex, b2_control_hull_encloses). The
+// blend is rigid, so the reference ball stays within its radius of their hull. Simplices are halved as for spherical
+// blending, but from a right angle on: with degree 2 there are fewer control points, which stray sooner
+// (b4_cap_fallback). What is still so wide after that falls back on the ball of b6_dual_quaternion_ball, larger the
+// nearer a blend is to 0. If one may be 0, no ball holds what its neighbours do: they carry a vertex as far as wanted.
+#pragma once
+
+#include <limits>
+
+#include "algorithms/refit/control_hull.hpp"
+
+namespace refitlab {
+
+// All of space, as a ball: of infinite radius about a point.
+template <class S>
+Ball3<S> all_of_space(const Vec<S, 3>& center) {
+  return {center, S(std::numeric_limits<double>::infinity())};
+}
+
+// Dual quaternion blending of a piece.
+template <class S>
+class DualQuaternionPiece {
+ public:
+  using Number = S;
+  using Corner = DualCorner<S>;
+  static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
+
+  // point is p, radius that of the reference ball.
+  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius) : point_(point), radius_(radius) {}
+
+  MixedCorners<S> mix(const Corner& a, const Corner& b) const {
+    const MixedCorners<S> turned = mix_rotations(a.rotation, b.rotation, point_);
+    return {turned.weight, turned.numerator + scaled_translation(a, b) + scaled_translation(b, a)};
+  }
+  static Corner middle(const Corner& a, const Corner& b) {
+    return {(a.rotation + b.rotation) / S(2), (a.dual + b.dual) / S(2)};
+  }
+
+  void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
+    const std::size_t m = corner.size();
+    for (std::size_t k = 0; k < m; ++k)
+      for (std::size_t l = k; l < m; ++l)
+        lists.cap.balls.push_back({lists.products[k * m + l] / lists.dots[k * m + l], radius_});
+  }
+
+  // The ball about the mean f of the corners' images, of radius max ||2 d'_k + q'_k p - f q'_k|| ||a|| / (q'_k, a), for
+  // an axis a with all (q'_k, a) > 0. If none is found, there is no bound.
+  void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) {
+    const Quaternion<S> axis = axis_of(corner);
+    if (!is_ahead(corner, axis)) {
+      is_bounded_ = false;
+      return;
+    }
+    const std::size_t m = corner.size();
+    Vec<S, 3> middle = Vec<S, 3>::Constant(S(0));
+    for (std::size_t k = 0; k < m; ++k) middle = middle + lists.products[k * m + k] / lists.dots[k * m + k];
+    middle = middle / S(static_cast<double>(m));
+    S squared_reach(0);
+    for (const Corner& c : corner) {
+      const Quaternion<S> moved =
+          c.dual * S(2) + multiply(c.rotation, pure(point_)) - multiply(pure(middle), c.rotation);
+      squared_reach = max_of(squared_reach, S(squared_norm(moved) / sq(dot(c.rotation, axis))));
+    }
+    lists.cap.balls.push_back({middle, radius_ + root(S(squared_reach * squared_norm(axis)))});
+  }
+
+  bool is_bounded() const { return is_bounded_; }
+
+ private:
+  static constexpr int axis_steps = 6;
+  static constexpr double least_squared_cosine = 1e-20;  // of an angle to the axis: less may be made by rounding
+
+  static Quaternion<S> pure(const Vec<S, 3>& x) { return {S(0), x[0], x[1], x[2]}; }
+
+  // Im(d q*).
+  static Vec<S, 3> scaled_translation(const Corner& dual, const Corner& rotation) {
+    const Quaternion<S>&d = dual.dual, &q = rotation.rotation;
+    const Vec<S, 3> dv = imaginary(d), qv = imaginary(q);
+    return dv * q[0] - qv * d[0] - cross(dv, qv);
+  }
+
+  static bool is_ahead(std::span<const Corner> corner, const Quaternion<S>& axis) {
+    for (const Corner& c : corner) {
+      const S along = dot(c.rotation, axis), lengths = squared_norm(c.rotation) * squared_norm(axis);
+      const S least = S(least_squared_cosine) * lengths;
+      if (!certainly_less(S(0), along) || !certainly_less(least, sq(along))) return false;
+    }
+    return true;
+  }
+
+  // The corners' mean, and while a corner is behind it a few steps towards the point of their hull that is nearest to 0
+  // [Gilbert 1966], which all corners are ahead of unless it is 0.
+  static Quaternion<S> axis_of(std::span<const Corner> corner) {
+    Quaternion<S> axis = Quaternion<S>::Constant(S(0));
+    for (const Corner& c : corner) axis = axis + c.rotation;
+    axis = axis / S(static_cast<double>(corner.size()));
+    for (int step = 0; step < axis_steps && !is_ahead(corner, axis); ++step) {
+      const Corner* last = &corner[0];
+      for (const Corner& c : corner)
+        if (prefer_less(S(dot(c.rotation, axis)), S(dot(last->rotation, axis)))) last = &c;
+      const Quaternion<S> edge = last->rotation - axis;
+      const S squared_length = squared_norm(edge);
+      if (!certainly_less(S(0), squared_length)) break;
+      axis = axis + edge * min_of(S(-dot(edge, axis) / squared_length), S(1));
+    }
+    return axis;
+  }
+
+  const Vec<S, 3> point_;
+  const S radius_;
+  bool is_bounded_ = true;
+};
+
+// Balls whose convex hull contains the node's vertices under dual quaternion blending, in lists.cap.balls. If some
+// admissible blend may be 0: one ball, all of space.
+template <class S>
+std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node, ControlLists<S>& lists) {
+  auto& balls = lists.cap.balls;
+  balls.clear();
+  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+    const NodeJointSet& set = node.joint_sets[i];
+    const JointSetPose<S>& pose = node.pose[set.joint_set];
+    const Ball3<S>& reference = node.piece_reference(i);
+    if (is_one_rotation(pose, node, set)) {
+      balls.push_back({blend_dual_quaternion(pose, node.corner(set, 0), reference.center), reference.radius});
+      continue;
+    }
+    lists.dual_corners.clear();
+    for (int k = 0; k < set.corner_count; ++k) {
+      const auto w = node.corner(set, k);
+      lists.dual_corners.push_back({blend_quaternion(pose, w), blend_dual(pose, w)});
+    }
+    DualQuaternionPiece<S> piece(reference.center, reference.radius);
+    ControlHull(piece, lists.dual_corners, lists)
+        .cover(lists.dual_corners.size(), set.corner_count == 1 ? 0 : most_halvings);
+    if (!piece.is_bounded()) {
+      balls.assign(1, all_of_space(reference.center));
+      break;
+    }
+  }
+  return balls;
+}
+
+// One ball around them; a single one is its own.
+template <class Policy, class S>
+Ball3<S> refit_dual_quaternion(const RefitNode<S>& node, ControlLists<S>& lists) {
+  const std::span<const Ball3<S>> balls = control_balls_dual_quaternion(node, lists);
+  return balls.size() == 1 ? balls[0] : Policy::of_balls(balls);
+}
+
+}  // namespace refitlab
