@@ -1,0 +1,172 @@
+#include "algorithms/balls/few_balls_ball.hpp"
+
+#include "proptests/gen/point_cloud.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/smallest_ball.hpp"
+#include "proptests/session.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::Shape;
+using Balls = std::vector<Ball3<double>>;
+
+// Radii that are zero, equal, few, any, almost equal, or such that the first ball nearly holds all.
+constexpr int radius_kinds = 7;
+Balls draw(std::mt19937_64& random, Shape shape, int radii, int n, double offset) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double measure = std::pow(10.0, -static_cast<double>(random() % 12));
+  Balls balls;
+  for (const auto& center : gen::rounded_cloud<3>(random, shape, n, offset)) {
+    const double u = uniform(random);
+    const double table[radius_kinds] = {
+        0, 0.5, 0.1 * static_cast<double>(random() % 3), u, 3 * u, 1 - measure * u, balls.empty() ? 10 : measure * u};
+    balls.push_back({center, table[radii]});
+  }
+  return balls;
+}
+
+std::vector<Ball<Rational, 3>> exact(const Balls& balls) {
+  std::vector<Ball<Rational, 3>> out;
+  for (const auto& b : balls) out.push_back({convert<Rational>(b.center), Rational(b.radius)});
+  return out;
+}
+
+double size_of(const Balls& balls) {
+  double size = 0;
+  for (const auto& b : balls) size = std::max({size, b.center.cwiseAbs().maxCoeff(), b.radius});
+  return size;
+}
+
+// What needs no exact numbers: the coefficients' form, the center as their combination, the support touching the ball,
+// and the radius as others would compute it.
+bool is_certified(const Balls& balls, const SmallestBallOfBalls& found) {
+  const double slack = 1e-12 * found.ball.radius + 16 * size_of(balls) * 0x1p-52;
+  double sum = 0, far = 0;
+  Vec<double, 3> mean = Vec<double, 3>::Zero();
+  for (int k = 0; k < found.support_size; ++k) {
+    const auto& b = balls.at(found.support[k]);
+    if (!(found.coefficients[k] >= 0) ||
+        norm<double, 3>(b.center - found.ball.center) + b.radius < found.ball.radius - slack)
+      return false;
+    sum += found.coefficients[k];
+    mean = mean + (b.center - balls[0].center) * found.coefficients[k];
+  }
+  for (const auto& b : balls) far = std::max(far, norm<double, 3>(b.center - found.ball.center) + b.radius);
+  return std::abs(sum - 1) < 1e-14 && norm<double, 3>(balls[0].center + mean - found.ball.center) <= slack &&
+         far == found.ball.radius;
+}
+
+// No ball that encloses the support alone is smaller by more than 1e-7, by vectors that add up to nothing.
+bool is_within(const Balls& balls, const SmallestBallOfBalls& found) {
+  Balls support;
+  for (int k = 0; k < found.support_size; ++k) support.push_back(balls[found.support[k]]);
+  const Rational low = oracle::radius_at_least(support, found.ball.center), radius(found.ball.radius);
+  return low >= radius * Rational(1 - 1e-7) - Rational(size_of(balls) * 0x1p-40) && low <= radius * Rational(1 + 1e-14);
+}
+
+bool is_smallest(const Balls& balls, double radius) {
+  const auto optimum = oracle::smallest_ball_by_cgal<3>(exact(balls)).radius;
+  const double slack = 1e-12 * radius + size_of(balls) * 0x1p-50;
+  return !(optimum < Rational(radius) - Rational(slack)) && optimum < Rational(radius) + Rational(slack + 1e-300);
+}
+
+}  // namespace
+
+PROPTEST(few_balls_ball) {
+  t.example("the radius is within 1e-12 of what CGAL's exact solver finds: all shapes and radii, 1 to 12 balls",
+            {.number_type = "rational"}, [] {
+              std::mt19937_64 random(Session::get().seed());
+              const long cases = Session::get().cases_for(2000);
+              for (long c = 0; c < cases; ++c) {
+                const auto balls =
+                    draw(random, static_cast<Shape>(random() % gen::shape_count), static_cast<int>(c % radius_kinds),
+                         1 + static_cast<int>(random() % 12), c % 3 == 0 ? 1e3 : 0);
+                if (!is_smallest(balls, few_balls_ball(balls).ball.radius))
+                  return Checked(false, c, "case " + std::to_string(c));
+              }
+              return Checked(true, cases);
+            });
+  t.example("the certificate proves the ball, and CGAL hardly ever takes over: all shapes and radii, 1 to 70 balls",
+            {.number_type = "double"}, [] {
+              std::mt19937_64 random(Session::get().seed() + 1);
+              const long cases = Session::get().cases_for(60000);
+              long fallbacks = 0, pivots = 0;
+              for (long c = 0; c < cases; ++c) {
+                const auto balls =
+                    draw(random, static_cast<Shape>(random() % gen::shape_count), static_cast<int>(c % radius_kinds),
+                         1 + static_cast<int>(random() % (c % 50 == 0 ? 70 : 20)),
+                         c % 3 == 0   ? 0
+                         : c % 3 == 1 ? 1e3
+                                      : 1e7);
+                const auto found = few_balls_ball(balls);
+                pivots += found.pivots;
+                if (found.support_size == 0)
+                  ++fallbacks;
+                else if (!is_certified(balls, found) || (c % 60 == 0 && !is_within(balls, found)))
+                  return Checked(false, c, "case " + std::to_string(c));
+              }
+              return Checked(1000 * fallbacks <= cases, cases,
+                             std::to_string(fallbacks) + " fallbacks, " +
+                                 std::to_string(static_cast<double>(pivots) / static_cast<double>(cases)) +
+                                 " pivots on average");
+            });
+  t.example("balls of equal radii have the ball of their centers, and that much more", {.number_type = "double"}, [] {
+    std::mt19937_64 random(Session::get().seed());
+    for (int c = 0; c < 2000; ++c) {
+      const auto points = gen::rounded_cloud<3>(random, static_cast<Shape>(c % gen::shape_count), 1 + c % 20, 0);
+      Balls balls;
+      for (const auto& p : points) balls.push_back({p, 0.75});
+      const auto found = few_balls_ball(balls);
+      const auto center = as_ball(few_points_ball<double, 3>(points));
+      if (found.support_size == 0 || std::abs(found.ball.radius - center.radius - 0.75) > 1e-14 * found.ball.radius)
+        return false;
+    }
+    return true;
+  });
+  t.example(
+      "one ball, a ball in a ball, two that touch, two points, and one that only two others push out",
+      {.number_type = "double"}, [] {
+        const Ball3<double> a{{1, 2, 3}, 4}, inside{{1, 2, 4}, 1}, left{{-1, 0, 0}, 1}, right{{1, 0, 0}, 0.5};
+        const Ball3<double> p{{-3, 0, 0}, 0}, q{{3, 0, 0}, 0}, above{{0, 3.5, 0}, 0.5}, below{{0, -3.5, 0}, 0.25};
+        const auto is = [](Balls balls, const Ball3<double>& expected) {
+          const auto ball = few_balls_ball(balls).ball;
+          return (ball.center - expected.center).norm() < 1e-14 && std::abs(ball.radius - expected.radius) < 1e-14;
+        };
+        return is({a}, a) && is({a, inside}, a) && is({inside, a, a}, a) && is({left, right}, {{-0.25, 0, 0}, 1.75}) &&
+               is({p, q}, {{0, 0, 0}, 3}) && is({above, p, q, below}, {{0, 0.125, 0}, 3.875});
+      });
+  t.example("beyond 512 balls the ball is CGAL's", {.number_type = "double"}, [] {
+    std::mt19937_64 random(Session::get().seed());
+    for (const int n : {512, 513}) {
+      const auto balls = draw(random, Shape::general, 3, n, 0);
+      const auto found = few_balls_ball(balls);
+      const auto other = smallest_ball_of_balls(balls);
+      if ((found.support_size == 0) != (n > 512) || std::abs(found.ball.radius - other.radius) > 1e-12) return false;
+    }
+    return true;
+  });
+  t.example(
+      "balls of which one is undefined have an undefined ball, whatever the number of them", {.number_type = "double"},
+      [] {
+        std::mt19937_64 random(Session::get().seed());
+        for (int n = 1; n < 40; ++n)
+          for (int kind = 0; kind < 5; ++kind)
+            for (const int radii : {1, 3}) {
+              auto balls = draw(random, Shape::general, radii, n, 0);
+              Ball3<double>& bad = balls[random() % n];
+              if (kind == 0) bad.center[n % 3] = std::nan("");
+              if (kind == 1) bad.center[n % 3] = INFINITY;
+              if (kind == 2) bad.radius = std::nan("");
+              if (kind == 3) bad.radius = INFINITY;
+              if (kind == 4) bad.radius = -1;
+              const auto found = few_balls_ball(balls);
+              if (!std::isnan(found.ball.radius) || !found.ball.center.array().isNaN().all() || found.support_size != 0)
+                return false;
+            }
+        return true;
+      });
+}
+
+}  // namespace proptests
