@@ -7,16 +7,18 @@
 #include "experiments/report/report.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
+#include "experiments/tightness/volumes.hpp"
 
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "queries"};
+const char* const experiments[] = {"tightness", "speed", "volumes", "queries"};
 
 struct Options {
   std::vector<std::string> only, files;
   std::string models = "out/models", out = "out";
   refitlab::TightnessSettings tightness;
   refitlab::SpeedSettings speed;
+  refitlab::VolumeSettings volumes;
   refitlab::QuerySettings queries;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
@@ -41,6 +43,8 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
   if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3}, o.queries.count = 2000;
   if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
+  if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
+  if (map.count("full")) o.volumes = {.times_per_clip = 50, .nodes_per_level = 256, .speed = o.speed};
   for (const auto& name : o.only)
     if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
       throw po::error("--only " + name + ": no such experiment; there are: " + names);
@@ -55,12 +59,13 @@ int main(int argc, char** argv) try {
   if (!parse(argc, argv, options)) return 0;
 
   DefaultModels models;
-  if (options.files.empty() && (options.wants("tightness") || options.wants("speed")))
+  if (options.files.empty() && (options.wants("tightness") || options.wants("speed") || options.wants("volumes")))
     models = default_models(options.models);
   else
     for (const auto& file : options.files) models.models.push_back(load_named(file));
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
+  VolumeResults volumes;
   Report report;
   report.absent_models = models.absent;
   for (Model& model : models.models) {
@@ -79,6 +84,10 @@ int main(int argc, char** argv) try {
       const auto results = run_speed(character, twist, options.speed);
       report.speed.insert(report.speed.end(), results.begin(), results.end());
       write_speed(report.speed, options.out + "/results/speed.csv");
+    }
+    if (options.wants("volumes")) {
+      run_volumes(character, twist, options.volumes, volumes);
+      write_volumes(volumes, options.out + "/results/volumes.csv");
     }
   }
   // Queries have nothing to do with a model: on one's own models they run only if they are asked for.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/scenes/scenes.hpp"
+#include "experiments/speed/timing.hpp"
 
 namespace refitlab {
 
@@ -12,11 +13,6 @@ struct SpeedResult {
   std::string model, posture, variant;
   double ns_per_sphere;         // median over the repetitions
   double ratio_to_repaired;     // median over the repetitions of the ratio to spherical_repaired in the same repetition
-};
-
-struct SpeedSettings {
-  double seconds_per_run = 0.1;  // at least, of each repetition
-  int repetitions = 5;           // of all variants in random order, so that a drifting machine hits all of them alike
 };
 
 // Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the posture, the frame's

@@ -1,0 +1,65 @@
+#include "experiments/speed/timing.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+
+namespace refitlab {
+namespace {
+
+using Times = std::map<std::string, std::vector<double>>;
+
+// Collects nanoseconds per node by name, one entry a repetition.
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Iteration)
+        times[run.run_name.function_name].push_back(run.GetAdjustedRealTime() / run.counters.at("nodes"));
+  }
+  Times times;
+};
+
+void initialise_once() {
+  static const bool initialised = [] {
+    char name[] = "experiments", interleave[] = "--benchmark_enable_random_interleaving=true";
+    char* arguments[] = {name, interleave, nullptr};
+    int count = 2;
+    benchmark::Initialize(&count, arguments);
+    return true;
+  }();
+  (void)initialised;
+}
+
+}  // namespace
+
+Times ns_per_node(const std::vector<TimedRefit>& refits, const SpeedSettings& settings) {
+  initialise_once();
+  for (const TimedRefit& refit : refits) {
+    auto* run = benchmark::RegisterBenchmark(refit.name.c_str(), [&refit](benchmark::State& state) {
+      for (auto _ : state) refit.call();
+      state.counters["nodes"] = refit.nodes;
+    });
+    run->MinTime(settings.seconds_per_run)->Repetitions(settings.repetitions);
+    run->Unit(benchmark::kNanosecond)->UseRealTime();
+  }
+  Collector collector;
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  benchmark::ClearRegisteredBenchmarks();
+  return collector.times;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double median_ratio(const std::vector<double>& times, const std::vector<double>& base) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < times.size(); ++i) ratios.push_back(times[i] / base[i]);
+  return median(ratios);
+}
+
+}  // namespace refitlab

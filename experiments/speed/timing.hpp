@@ -1,0 +1,32 @@
+// Timing refits by Google Benchmark: nanoseconds per node, repeated.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace refitlab {
+
+struct SpeedSettings {
+  double seconds_per_run = 0.1;  // at least, of each repetition
+  int repetitions = 5;           // of all variants in random order, so that a drifting machine hits all of them alike
+};
+
+struct TimedRefit {
+  std::string name;            // different for each
+  int nodes;                   // that one call refits
+  std::function<void()> call;  // keeps its results from being optimised away
+};
+
+// By name, one entry a repetition. On this thread.
+std::map<std::string, std::vector<double>> ns_per_node(const std::vector<TimedRefit>& refits,
+                                                       const SpeedSettings& settings);
+
+// values is not empty.
+double median(std::vector<double> values);
+
+// The median over the repetitions of the ratio in the same repetition.
+double median_ratio(const std::vector<double>& times, const std::vector<double>& base);
+
+}  // namespace refitlab

@@ -1,0 +1,189 @@
+#include "experiments/tightness/volumes.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <iostream>
+#include <numbers>
+
+#include "algorithms/refit/volume_variants.hpp"
+#include "algorithms/results/result_file.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "experiments/parallel.hpp"
+#include "experiments/tightness/measure.hpp"
+
+namespace refitlab {
+namespace {
+
+const char* const ball_variant = "control_sets_near";
+
+double size_of(const Volume& volume) {
+  const double area = std::visit([](const auto& v) { return v.surface_area(); }, volume);
+  return std::sqrt(area / (4 * std::numbers::pi));
+}
+
+double volume_of(const Ball3<double>& ball) { return 4 * std::numbers::pi / 3 * std::pow(ball.radius, 3); }
+
+// All points are inside, up to the tolerance.
+bool holds_all(const Volume& volume, std::span<const Ball3<double>> points, double tolerance) {
+  return std::visit(
+      [&](auto v) {
+        for (int i = 0; i < static_cast<int>(v.low.size()); ++i) v.low[i] -= tolerance, v.high[i] += tolerance;
+        for (const auto& p : points)
+          if (v.contains(p.center) != Verdict::holds) return false;
+        return true;
+      },
+      volume);
+}
+
+// The nodes that are measured: of each level at most this many, evenly spread. Nodes are in the order of their levels.
+std::vector<int> some_nodes(const SphereTree& tree, int per_level) {
+  std::vector<int> out;
+  for (std::size_t first = 0, next; first < tree.nodes.size(); first = next) {
+    for (next = first; next < tree.nodes.size() && tree.nodes[next].level == tree.nodes[first].level;) ++next;
+    const std::size_t count = next - first, taken = std::min<std::size_t>(count, static_cast<std::size_t>(per_level));
+    for (std::size_t i = 0; i < taken; ++i) out.push_back(static_cast<int>(first + i * count / taken));
+  }
+  return out;
+}
+
+using Volumes = std::map<std::string, std::vector<LevelVolumes>>;
+
+Volumes measure(const Character& c, const std::vector<int>& nodes, const Posture& posture) {
+  const auto pose = make_skinning_pose(c.model, c.sets, posture, Skinning::spherical);
+  const auto deformed = skin(c.model, c.sets, pose, Skinning::spherical);
+  const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
+  const RefitVariant& balls = refit_variant(ball_variant);
+  Volumes out;
+  for (const VolumeVariant& variant : volume_variants()) out[variant.name].resize(c.tree.level_count());
+  std::vector<Ball3<double>> points;
+  for (const int n : nodes) {
+    points.clear();
+    for (const int v : c.vertices[n]) points.push_back({deformed[v], 0.0});
+    const Ball3<double> ball = balls.refit(c.refit_node(n, pose, balls.pieces));
+    for (const VolumeVariant& variant : volume_variants()) {
+      LevelVolumes& level = out[variant.name][c.tree.nodes[n].level - 1];
+      const Volume volume = variant.refit(c.refit_node(n, pose, variant.pieces));
+      ++level.nodes;
+      level.misses += !holds_all(volume, points, tolerance);
+      level.size_sum += size_of(volume);
+      level.optimal_sum += size_of(variant.around(points));
+      level.ball_sum += ball.radius;
+      if (ball.radius <= tolerance) continue;  // the vertices are one point, up to rounding
+      ++level.solid_nodes;
+      level.volume_ratio_sum += std::visit([](const auto& v) { return v.volume(); }, volume) / volume_of(ball);
+    }
+  }
+  return out;
+}
+
+Volumes measure(const Character& c, const std::vector<int>& nodes, const PostureSet& set) {
+  std::vector<Volumes> parts(set.postures.size());
+  parallel_for(parts.size(), [&](std::size_t i) { parts[i] = measure(c, nodes, set.postures[i]); });
+  Volumes total = std::move(parts[0]);
+  for (std::size_t i = 1; i < parts.size(); ++i)  // in order, so that sums do not depend on the threads
+    for (auto& [variant, levels] : total)
+      for (std::size_t l = 0; l < levels.size(); ++l) levels[l].merge(parts[i][variant][l]);
+  return total;
+}
+
+void print_table(const VolumeResult& r) {
+  std::printf("\n%s, %s (%d posture%s): size / the same volume of the deformed vertices; volume / the ball's\n",
+              r.model.c_str(), r.posture.c_str(), r.postures, r.postures == 1 ? "" : "s");
+  std::printf("%5s %7s", "level", "nodes");
+  for (const VolumeVariant& variant : volume_variants()) std::printf(" | %-13s", variant.name.c_str());
+  std::printf("\n");
+  const std::size_t levels = r.volumes.begin()->second.size();
+  for (std::size_t l = 0; l < levels; ++l) {
+    std::printf("%5zu %7ld", l + 1, r.volumes.begin()->second[l].nodes / r.postures);
+    for (const VolumeVariant& variant : volume_variants()) {
+      const LevelVolumes& level = r.volumes.at(variant.name)[l];
+      std::printf(" | %6.3f %6.3f", level.ratio_to_optimal(), level.volume_to_ball());
+    }
+    std::printf("\n");
+  }
+  long misses = 0, nodes = 0;
+  for (const auto& [variant, by_level] : r.volumes)
+    for (const LevelVolumes& level : by_level) misses += level.misses, nodes += level.nodes;
+  std::printf("  volumes that miss a vertex: %ld of %ld\n", misses, nodes);
+}
+
+std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
+  const auto pose = make_skinning_pose(c.model, c.sets, posture.posture, Skinning::spherical);
+  const int count = static_cast<int>(c.tree.nodes.size());
+  std::vector<TimedRefit> timed;
+  const auto add = [&](const auto& variant) {
+    timed.push_back({variant.name, count, [&c, &pose, &variant, count] {
+                       for (int n = 0; n < count; ++n)
+                         benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));
+                     }});
+  };
+  add(refit_variant(ball_variant));
+  for (const VolumeVariant& variant : volume_variants()) add(variant);
+  const auto times = ns_per_node(timed, settings);
+  std::vector<VolumeCost> out;
+  for (const TimedRefit& refit : timed) {
+    const auto& own = times.at(refit.name);
+    out.push_back({c.model.name, posture.name, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
+    std::printf("  %-26s %8.1f ns per node, %6.2f times %s\n", refit.name.c_str(), out.back().ns_per_node,
+                out.back().ratio_to_ball, ball_variant);
+  }
+  return out;
+}
+
+}  // namespace
+
+void LevelVolumes::merge(const LevelVolumes& o) {
+  nodes += o.nodes;
+  misses += o.misses;
+  size_sum += o.size_sum;
+  optimal_sum += o.optimal_sum;
+  ball_sum += o.ball_sum;
+  solid_nodes += o.solid_nodes;
+  volume_ratio_sum += o.volume_ratio_sum;
+}
+
+void run_volumes(const Character& c, const NamedPosture& posture, const VolumeSettings& settings,
+                 VolumeResults& results) {
+  auto sets = posture_sets(c.model, settings.times_per_clip);
+  sets.push_back({posture.name, {posture.posture}});
+  const std::vector<int> nodes = some_nodes(c.tree, settings.nodes_per_level);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const int postures = static_cast<int>(sets[i].postures.size());
+    std::cout << "[volumes] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
+              << postures << " postures" << std::endl;
+    results.tightness.push_back({c.model.name, sets[i].name, postures, measure(c, nodes, sets[i])});
+    print_table(results.tightness.back());
+  }
+  const auto costs = measure_costs(c, posture, settings.speed);
+  results.costs.insert(results.costs.end(), costs.begin(), costs.end());
+}
+
+void write_volumes(const VolumeResults& results, const std::string& path) {
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  for (const VolumeResult& r : results.tightness)
+    for (const auto& column : r.volumes)
+      for (std::size_t l = 0; l < column.second.size(); ++l) {
+        const LevelVolumes& level = column.second[l];
+        const auto add = [&](const char* quantity, double value, const char* unit) {
+          file.add({"volumes", r.model, r.posture, column.first, std::to_string(l + 1), quantity, format_number(value),
+                    unit});
+        };
+        add("size_avg", level.size_avg(), "model unit");
+        add("ratio_to_optimal", level.ratio_to_optimal(), "1");
+        add("size_to_ball", level.size_to_ball(), "1");
+        add("volume_to_ball", level.volume_to_ball(), "1");
+        add("nodes", static_cast<double>(level.nodes), "1");
+        add("misses", static_cast<double>(level.misses), "1");
+      }
+  for (const VolumeCost& cost : results.costs) {
+    const auto add = [&](const char* quantity, double value, const char* unit) {
+      file.add({"volumes", cost.model, cost.posture, cost.variant, "all", quantity, format_number(value), unit});
+    };
+    add("ns_per_node", cost.ns_per_node, "ns");
+    add("ratio_to_ball", cost.ratio_to_ball, "1");
+  }
+  file.write(path);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,64 @@
+// The volumes experiment: how tight refitted boxes, k-DOPs and oriented boxes are, how large beside the refitted balls,
+// and what they cost.
+//
+// The size of a volume is the radius of the ball of the same surface area, sqrt(area / 4 pi): by Cauchy's theorem that
+// of the ball whose shadows are as large on average. It is a length, for a ball its radius, and not 0 for what is flat.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/scenes/scenes.hpp"
+#include "experiments/speed/timing.hpp"
+
+namespace refitlab {
+
+// Of one variant's volumes on one level, over the postures of a set.
+struct LevelVolumes {
+  long nodes = 0;   // volumes seen
+  long misses = 0;  // of them with a deformed vertex outside, by more than rounding
+  double size_sum = 0;
+  double optimal_sum = 0;       // of the sizes of the same kind of volume around the deformed vertices themselves
+  double ball_sum = 0;          // of the radii of the same nodes' balls of control_sets_near
+  long solid_nodes = 0;         // those with a ball that has a volume
+  double volume_ratio_sum = 0;  // of these nodes, volume / volume of that ball
+  double size_avg() const { return size_sum / static_cast<double>(nodes); }
+  double ratio_to_optimal() const { return size_sum / optimal_sum; }
+  double size_to_ball() const { return size_sum / ball_sum; }
+  double volume_to_ball() const { return volume_ratio_sum / static_cast<double>(solid_nodes); }
+  void merge(const LevelVolumes& other);
+};
+
+struct VolumeResult {
+  std::string model, posture;
+  int postures;                                              // how many were sampled
+  std::map<std::string, std::vector<LevelVolumes>> volumes;  // by variant, by level - 1
+};
+
+// What refitting a node to a variant's volume costs, on average over all nodes of the tree.
+struct VolumeCost {
+  std::string model, posture, variant;
+  double ns_per_node;    // median over the repetitions
+  double ratio_to_ball;  // the same of the ratio to control_sets_near, which is in the list too
+};
+
+struct VolumeSettings {
+  int times_per_clip = 12;
+  int nodes_per_level = 64;  // at most, evenly spread
+  SpeedSettings speed = {.seconds_per_run = 0.05, .repetitions = 5};
+};
+
+struct VolumeResults {
+  std::vector<VolumeResult> tightness;
+  std::vector<VolumeCost> costs;
+};
+
+// All clips and the posture of one model, with progress and tables on stdout, appended to results.
+void run_volumes(const Character& character, const NamedPosture& posture, const VolumeSettings& settings,
+                 VolumeResults& results);
+
+// All results as out/results/volumes.csv.
+void write_volumes(const VolumeResults& results, const std::string& path);
+
+}  // namespace refitlab
