@@ -1,0 +1,142 @@
+#include "lemmas/b6_dual_quaternion_ball.hpp"
+
+#include "proptests/counterexamples/b6_dual_quaternion_ball.hpp"
+#include "proptests/gen/blend_simplex.hpp"
+#include "proptests/gen/rigid.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/nearest_point.hpp"
+#include "proptests/oracles/number_types.hpp"
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::RationalQuaternion;
+using gen::RationalVec;
+using Span = std::span<const Rational>;
+using Blend = DualQuaternionBlend<Rational>;
+
+// Corners of any length; duals of any kind, the axis the corners' sum, one of them, their nearest point to 0, or any.
+struct BallCase {
+  Blend blend;
+  std::vector<Rational> weights;
+  bool is_degenerate;
+  RationalQuaternion axis = RationalQuaternion::Zero();
+  RationalVec<3> center;
+  explicit BallCase(int most) {
+    const auto c = *gen::blend_case(*rc::gen::element(gen::Spread::any, gen::Spread::positive), most);
+    is_degenerate = c.is_degenerate();
+    weights = c.weights;
+    blend = {c.blend.rotations, {}, c.blend.x};
+    for (std::size_t k = 0; k < blend.corner_count(); ++k) blend.duals.push_back(*gen::rational_vector<4>());
+    const int kind = *rc::gen::inRange(0, 4);
+    if (kind == 0)
+      for (const auto& q : blend.rotations) axis += q;
+    if (kind == 1) axis = blend.rotations[0];
+    if (kind == 2) axis = combine<Rational, 4>(nearest_point_coefficients<4>(blend.rotations), blend.rotations);
+    if (kind == 3) axis = *gen::nonzero_quaternion();
+    center = *gen::rational_vector<3>();
+  }
+  Span u() const { return weights; }
+  bool applies() const { return dual_quaternion_ball_hypotheses(blend, axis, u()) == Verdict::holds; }
+};
+
+PROPTEST(b6_dual_quaternion_ball) {
+  t.holds("the ball holds every image, and no blend is 0",
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
+            const BallCase c(4);
+            RC_PRE(c.applies());
+            RC_CLASSIFY(c.is_degenerate, "degenerate");
+            const auto ball = dual_quaternion_ball(c.blend, c.axis, c.center);
+            const auto reached = dual_quaternion_ball_encloses(c.blend, c.axis, c.center, c.u());
+            RC_ASSERT(reached.verdict == Verdict::holds);
+            RC_ASSERT(is_reached_image(c.blend, c.axis, ball, c.u(), reached) == Verdict::holds);
+          });
+  t.holds("what is measured at a corner is the distance of its image, and the part of its dual along it",
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
+            const BallCase c(4);
+            RC_CLASSIFY(c.is_degenerate, "degenerate");
+            for (std::size_t k = 0; k < c.blend.corner_count(); ++k)
+              if (squared_norm(c.blend.rotations[k]) > 0)
+                RC_ASSERT(reach_is_distance(c.blend, k, c.center) == Verdict::holds);
+          });
+  t.holds("of rigid transforms it is the distance alone",
+          {.form = "beyond", .number_type = "rational", .cases = 400}, [] {
+            const auto joint = *gen::rigid_transform();
+            const auto& x = joint.translation;
+            const RationalVec<3> p = *gen::rational_vector<3>(), f = *gen::rational_vector<3>();
+            const auto twice_dual = oracle::hamilton<Rational>({0, x[0], x[1], x[2]}, joint.rotation);
+            const Blend blend{{joint.rotation}, {twice_dual / Rational(2)}, p};
+            RC_ASSERT(squared_norm(reach_at(blend, 0, f)) == (squared_distance<Rational, 3>(apply(joint, p), f)));
+          });
+  t.holds("there is an axis if and only if no blend is 0",
+          {.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2}, [] {
+            const BallCase c(5);
+            RC_CLASSIFY(c.is_degenerate, "degenerate");
+            const auto& q = c.blend.rotations;
+            const auto nearest = combine<Rational, 4>(nearest_point_coefficients<4>(q), q);
+            const bool vanishes = squared_norm(nearest) == 0;
+            RC_CLASSIFY(vanishes, "a blend is 0");
+            RC_ASSERT((are_strictly_ahead(q, nearest) == Verdict::holds) == !vanishes);
+            if (are_strictly_ahead(q, c.axis) == Verdict::holds) RC_ASSERT(!vanishes);
+          });
+  t.example("near a blend that is 0 a vertex is carried as far as wanted", {.form = "beyond"}, [] {
+    for (const b6::Q far : {1, 1000, 1000000}) {
+      // Just before half-way: q = e, d = (0, -(1 - e) / 2, 0, 0), so the image of the origin is (1 - 1/e, 0, 0).
+      const b6::Q e = Rational(1) / (Rational(3) * far);
+      const std::vector<b6::Q> u{(Rational(1) + e) / Rational(2), (Rational(1) - e) / Rational(2)};
+      const auto at = b6::opposite.at(u);
+      if (!(squared_norm<b6::Q, 3>(at.numerator / at.denominator) > far * far)) return false;
+    }
+    return true;
+  });
+
+  t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
+    const BallCase c(3);
+    RC_PRE(squared_norm(combine<Rational, 4>(c.u(), c.blend.rotations)) > 0);
+    for (const auto& q : c.blend.rotations) RC_PRE(dot(q, c.axis) != 0);
+    decide_by_all(
+        []<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Quaternion<S>>& d, const Vec<S, 3>& p,
+                    const Quaternion<S>& axis, const Vec<S, 3>& center, const std::vector<S>& u) {
+          return dual_quaternion_ball_encloses<S>({q, d, p}, axis, center, u).verdict;
+        },
+        c.blend.rotations, c.blend.duals, c.blend.point, c.axis, c.center, c.weights);
+  });
+
+  t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 400}, [] {
+    const BallCase c(4);
+    RC_PRE(c.applies());
+    const auto ball = dual_quaternion_ball(c.blend, c.axis, c.center);
+    const auto good = dual_quaternion_ball_encloses(c.blend, c.axis, c.center, c.u());
+    const auto rejected = [&](const ReachedImage<Rational>& witness) {
+      return is_reached_image(c.blend, c.axis, ball, c.u(), witness) == Verdict::fails;
+    };
+    auto image = good, reach = good, longer = good;
+    image.image += *gen::nonzero_vector<3>();
+    reach.reach += *gen::nonzero_quaternion();
+    // Along the blend nothing shows in the image: only the length tells.
+    const RationalQuaternion q = combine<Rational, 4>(c.u(), c.blend.rotations);
+    const Rational size = ball.squared_radius + Rational(1);
+    longer.reach += q * (Rational(2) * size + squared_norm(good.reach) / squared_norm(q));
+    RC_ASSERT(rejected(image) && rejected(longer));
+    const auto led = [&](const ReachedImage<Rational>& r) { return imaginary(multiply(r.reach, conjugate(q))); };
+    RC_ASSERT(rejected(reach) || led(reach) == led(good));
+  });
+
+  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const b6::Blend& blend,
+                                  const b6::Point& center, const std::vector<b6::Q>& u) {
+    t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
+      const Span weights(u);
+      return dual_quaternion_ball_hypotheses(blend, b6::identity, weights) == Verdict::fails &&
+             dual_quaternion_ball_encloses(blend, b6::identity, center, weights).verdict == Verdict::fails;
+    });
+  };
+  fails_without("all corners are ahead of the axis", "with a corner behind the axis a vertex leaves the ball",
+                b6::opposite, b6::between, b6::third);
+  fails_without("the weights are convex", "beyond the corners a vertex leaves the ball", b6::turning,
+                b6::turning.point, b6::beyond_the_first);
+}
+
+}  // namespace
+}  // namespace proptests
