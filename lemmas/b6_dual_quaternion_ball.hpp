@@ -79,7 +79,8 @@ Verdict is_reached_image(const DualQuaternionBlend<S>& blend, const Quaternion<S
   const Quaternion<S> q = combine<S, 4>(u, blend.rotations);
   const Vec<S, 3> led = imaginary(multiply(witness.reach, conjugate(q)));
   Verdict v = less(S(0), at.denominator) & is_blended_image(blend, u, witness.image) &
-              less_equal(S(squared_norm(witness.reach) * squared_norm(axis)), S(ball.squared_radius * sq(dot(q, axis))));
+              less_equal(S(squared_norm(witness.reach) * squared_norm(axis)),
+                         S(ball.squared_radius * sq(dot(q, axis))));
   for (int i = 0; i < 3; ++i) v &= equal(led[i], S(at.denominator * (witness.image[i] - ball.center[i])));
   return v;
 }
