@@ -137,6 +137,12 @@ PROPTEST(few_balls_ball) {
         return is({a}, a) && is({a, inside}, a) && is({inside, a, a}, a) && is({left, right}, {{-0.25, 0, 0}, 1.75}) &&
                is({p, q}, {{0, 0, 0}, 3}) && is({above, p, q, below}, {{0, 0.125, 0}, 3.875});
       });
+  t.example("a ball that holds all others is found from two that are farther apart than it is from them",
+            {.number_type = "double"}, [] {
+              const Balls balls{{{0, 0, 0}, 0}, {{14, 0, 0}, 0}, {{7, 5, 0}, 10}};
+              const auto found = few_balls_ball(balls);
+              return found.support_size == 1 && found.support[0] == 2 && found.ball.radius == 10;
+            });
   t.example("beyond 512 balls the ball is CGAL's", {.number_type = "double"}, [] {
     std::mt19937_64 random(Session::get().seed());
     for (const int n : {512, 513}) {
