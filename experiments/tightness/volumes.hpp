@@ -44,7 +44,7 @@ struct VolumeCost {
 };
 
 struct VolumeSettings {
-  int times_per_clip = 12;
+  int times_per_clip = 8;
   int nodes_per_level = 64;  // at most, evenly spread
   SpeedSettings speed = {.seconds_per_run = 0.05, .repetitions = 5};
 };
