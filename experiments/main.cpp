@@ -5,6 +5,7 @@
 
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
+#include "experiments/speed/balls.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
@@ -90,7 +91,9 @@ int main(int argc, char** argv) try {
       write_volumes(volumes, options.out + "/results/volumes.csv");
     }
   }
-  // Queries have nothing to do with a model: on one's own models they run only if they are asked for.
+  // Balls and queries have nothing to do with a model: on one's own models they run only if they are asked for.
+  if (options.wants("speed") && (options.files.empty() || !options.only.empty()))
+    write_ball_speed(run_ball_speed(options.speed), options.out + "/results/ball_speed.csv");
   if (options.wants("queries") && (options.files.empty() || !options.only.empty())) {
     report.queries = run_queries(options.queries);
     write_queries(report.queries, options.queries, options.out + "/results");
