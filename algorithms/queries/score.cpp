@@ -12,7 +12,9 @@ namespace {
 
 template <class S>
 JointSetPose<S> lift_pose(const JointSetPose<Rational>& pose) {
-  return {lift<S>(pose.transforms), lift<S>(pose.rotation_center), lift<S>(pose.center_images)};
+  JointSetPose<S> out{lift<S>(pose.transforms), lift<S>(pose.rotation_center), lift<S>(pose.center_images), {}};
+  place_duals(out);
+  return out;
 }
 
 // The parts of W' below and above the middle of its widest weight, those of them that are not empty; again `times` - 1
@@ -86,7 +88,7 @@ SkinnedQuery::SkinnedQuery(const RefitQuery& query, Skinning skinning) : skinnin
         targets_.push_back({&set, &w, vertex, radius, {}, {}, {}});
         targets_.back().image = skinned<Interval>(targets_.back());
       };
-      if (skinning == Skinning::spherical || r == 0) {
+      if (skinning != Skinning::linear || r == 0) {
         add(p, r);
         continue;
       }
@@ -104,13 +106,15 @@ Ball3<S> SkinnedQuery::skinned(const Target& target) const {
   const JointSetPose<S> pose = lift_pose<S>(target.set->pose);
   const std::vector<S> w = lift<S>(*target.weights);
   const Vec<S, 3> v = lift<S>(target.vertex);
-  return {skinning_ == Skinning::linear ? blend_linear<S>(pose, w, v) : blend_spherical<S>(pose, w, v),
-          lift<S>(target.radius)};
+  return {blend<S>(skinning_, pose, w, v), lift<S>(target.radius)};
 }
 
 QueryScore SkinnedQuery::score(const Ball3<double>& ball) {
   QueryScore out;
-  if (!(ball.center.allFinite() && std::isfinite(ball.radius) && ball.radius >= 0)) return {true, true, 1};
+  if (skinning_ == Skinning::dual_quaternion && ball.center.allFinite() && ball.radius == HUGE_VAL)
+    return {.unbounded = true};
+  if (!(ball.center.allFinite() && std::isfinite(ball.radius) && ball.radius >= 0))
+    return {.undefined = true, .misses = true, .worst_miss = 1};
   const double size = size_ + norm(ball.center) + ball.radius;
   for (Target& target : targets_) {
     Containment held = is_held(ball, target.image);

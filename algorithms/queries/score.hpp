@@ -36,6 +36,7 @@ inline constexpr double query_tolerance = 1e-12;
 
 struct QueryScore {
   bool undefined = false;  // not a number, or of negative radius: misses everything
+  bool unbounded = false;  // all of space: what dual quaternions need where a blend may vanish
   bool misses = false;     // some vertex is outside, decided exactly
   double worst_miss = 0;   // how far, relative to the size of the coordinates; 1 if undefined
   bool misses_beyond_tolerance() const { return worst_miss > query_tolerance; }
@@ -43,11 +44,12 @@ struct QueryScore {
 
 // What one kind of skinning makes of a query at its sampled weights.
 //
-// Spherical: the image of S_z is a ball, [image of its center, its radius], so holding it is holding all vertices of
-// S_z with these weights. Linear: the images of the center of S_z and of the six ends of its axes stand for it.
+// Spherical and by dual quaternions: the image of S_z is a ball, [image of its center, its radius], so holding it is
+// holding all vertices of S_z with these weights. Linear: the images of the center of S_z and of the six ends of its
+// axes stand for it.
 class SkinnedQuery {
  public:
-  // skinning: linear or spherical. The query must outlive this.
+  // skinning: not Hejl's, which needs a skeleton. The query must outlive this.
   SkinnedQuery(const RefitQuery& query, Skinning skinning);
 
   // The ball's numbers are taken as they are. Each comparison is made in intervals of doubles, then of 60 digits, then

@@ -51,6 +51,10 @@ const std::vector<RefitVariant>& refit_variants() {
       {"linear", "linear blending, mean balls [Kavan and Zara 2005a]", linear, true, P::node, refitlab::linear<MeanBalls>},
       {"linear_pieces", "linear blending, a ball and a weight hull per joint-set, smallest balls", linear, true, P::joint_sets,
        refitlab::linear<SmallestBalls>},
+      {"linear_pieces_mean", "linear blending, a ball and a weight hull per joint-set, mean balls", linear, true,
+       P::joint_sets, refitlab::linear<MeanBalls>},
+      {"linear_pieces_near", "linear blending, a ball and a weight hull per joint-set, near-smallest balls", linear, true,
+       P::joint_sets, refitlab::linear<NearSmallestBalls>},
       {"spherical_printed", "Algorithm 1 as printed", spherical, false, P::node, printed<MeanBalls, Signs::of_matrices>},
       {"spherical_printed_signed", "Algorithm 1 as printed, but with the skinning's quaternion signs", spherical, false, P::node,
        printed<MeanBalls, Signs::of_skinning>},
@@ -67,6 +71,14 @@ const std::vector<RefitVariant>& refit_variants() {
        P::joint_sets, control<SmallestBalls>},
       {"control_clusters", "control hull, up to 64 pieces a node, smallest ball", spherical, true, P::clusters,
        control<SmallestBalls>},
+      {"dual_quaternion_control_mean", "control hull of dual quaternions, mean ball", dual_quaternion, true, P::node,
+       refitlab::dual_quaternion<MeanBalls>},
+      {"dual_quaternion_control_near",
+       "control hull of dual quaternions, a ball and a weight hull per joint-set, near-smallest ball", dual_quaternion,
+       true, P::joint_sets, refitlab::dual_quaternion<NearSmallestBalls>},
+      {"dual_quaternion_control_exact",
+       "control hull of dual quaternions, a ball and a weight hull per joint-set, smallest ball", dual_quaternion, true,
+       P::joint_sets, refitlab::dual_quaternion<SmallestBalls>},
   };
   return variants;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iostream>
 #include <limits>
+#include <map>
 
 #include "algorithms/queries/score.hpp"
 #include "algorithms/results/result_file.hpp"
@@ -20,7 +21,7 @@ constexpr int timed_queries = 500, passes = 3;
 struct Measured {
   QueryScore score;
   double looseness =
-      std::numeric_limits<double>::quiet_NaN();  // not a number: an undefined ball, or nothing to enclose
+      std::numeric_limits<double>::quiet_NaN();  // not a number: no ball, or nothing to enclose
 };
 
 struct MeasuredQuery {
@@ -31,16 +32,19 @@ struct MeasuredQuery {
 MeasuredQuery measure(const QuerySettings& settings, std::size_t number) {
   const RefitQuery query = make_refit_query(settings.seed, number);
   const QueryNodes nodes(query);
-  SkinnedQuery linear(query, Skinning::linear), spherical(query, Skinning::spherical);
-  const double smallest_linear = linear.smallest_radius(), smallest_spherical = spherical.smallest_radius();
+  std::map<Skinning, std::pair<SkinnedQuery, double>> skinned;  // with the radius of the smallest ball
+  for (const Skinning s : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+    SkinnedQuery images(query, s);
+    const double smallest = images.smallest_radius();
+    skinned.emplace(s, std::pair(std::move(images), smallest));
+  }
   MeasuredQuery out{!query.degeneracy.empty(), {}};
   for (const RefitVariant& variant : refit_variants()) {
-    const bool is_linear = variant.skinning == Skinning::linear;
+    auto& [images, smallest] = skinned.at(variant.skinning);
     const Ball3<double> ball = variant.refit(nodes.node(variant.pieces));
-    Measured m{(is_linear ? linear : spherical).score(ball)};
+    Measured m{images.score(ball)};
     // What hardly moves has a smallest ball of rounding errors: a ratio to it would say nothing.
-    const double smallest = is_linear ? smallest_linear : smallest_spherical;
-    if (!m.score.undefined && smallest > 1e-9) m.looseness = ball.radius / smallest;
+    if (!m.score.undefined && !m.score.unbounded && smallest > 1e-9) m.looseness = ball.radius / smallest;
     out.variants.push_back(m);
   }
   return out;
@@ -54,6 +58,7 @@ QueryResult summary(const std::vector<MeasuredQuery>& queries, std::size_t varia
     const Measured& m = q.variants[variant];
     ++out.queries;
     out.undefined += m.score.undefined;
+    out.unbounded += m.score.unbounded;
     out.misses += m.score.misses;
     out.misses_beyond_tolerance += m.score.misses_beyond_tolerance();
     if (!m.score.undefined) out.worst_miss = std::max(out.worst_miss, m.score.worst_miss);
@@ -89,11 +94,11 @@ std::vector<double> nanoseconds(const QuerySettings& settings) {
 }
 
 void print_table(const std::vector<QueryResult>& results) {
-  std::printf("  %-26s %9s %9s %12s %9s | %8s %8s %8s | %9s\n", "all queries", "undefined", "missed", "> tolerance",
+  std::printf("  %-30s %9s %9s %12s %9s | %8s %8s %8s | %9s\n", "all queries", "undefined", "missed", "> tolerance",
               "worst", "mean", "median", "max", "ns, rough");
   for (const QueryResult& r : results)
     if (r.share == "all")
-      std::printf("  %-26s %9ld %9ld %12ld %9.1e | %8.3f %8.3f %8.3g | %9.0f\n", r.variant.c_str(), r.undefined,
+      std::printf("  %-30s %9ld %9ld %12ld %9.1e | %8.3f %8.3f %8.3g | %9.0f\n", r.variant.c_str(), r.undefined,
                   r.misses, r.misses_beyond_tolerance, r.worst_miss, r.looseness_mean, r.looseness_median,
                   r.looseness_max, r.ns_per_refit);
   std::printf(
@@ -135,6 +140,7 @@ void write_queries(const std::vector<QueryResult>& results, const QuerySettings&
     };
     add("queries", static_cast<double>(r.queries), "1");
     add("undefined", static_cast<double>(r.undefined), "1");
+    add("unbounded", static_cast<double>(r.unbounded), "1");
     add("misses", static_cast<double>(r.misses), "1");
     add("misses_beyond_tolerance", static_cast<double>(r.misses_beyond_tolerance), "1");
     add("worst_miss", r.worst_miss, "size of the coordinates");

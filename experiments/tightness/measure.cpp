@@ -10,6 +10,10 @@ namespace {
 
 bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
 
+// "optimal" is of spherical blending.
+constexpr std::pair<Skinning, const char*> other_optimal_columns[] = {
+    {Skinning::linear, "optimal_linear"}, {Skinning::dual_quaternion, "optimal_dual_quaternion"}};
+
 // How far the farthest vertex of a node is outside its ball; at most 0 if none is.
 double excess(const Ball3<double>& ball, std::span<const int> vertices, std::span<const Point3> deformed) {
   double far = 0;
@@ -21,33 +25,29 @@ double excess(const Ball3<double>& ball, std::span<const int> vertices, std::spa
 class PostureMeasurement {
  public:
   PostureMeasurement(const Character& c, const Posture& posture)
-      : c_(c), tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {
-    for (const Skinning s : {Skinning::linear, Skinning::spherical}) {
-      Frame& frame = frames_[s];
-      frame.pose = make_skinning_pose(c.model, c.sets, posture, s);
-      frame.deformed = skin(c.model, c.sets, frame.pose, s);
-      frame.optimal = optimal_balls(c.tree, c.vertices, frame.deformed);
-    }
-  }
+      : c_(c), posture_(posture), tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {}
 
   Tightness all() {
-    const Frame& spherical = frames_[Skinning::spherical];
+    const Frame& spherical = frame(Skinning::spherical);
     std::vector<Ball3<double>> reference;
     for (const TreeNode& n : c_.tree.nodes) reference.push_back(n.reference);
     add("reference", reference, spherical, false);
     for (const RefitVariant& variant : refit_variants()) {
-      const auto balls = c_.refit_all(variant, frames_[variant.skinning].pose);
-      add(variant.name, balls, frames_[variant.skinning], true);
+      const Frame& own = frame(variant.skinning);
+      const auto balls = c_.refit_all(variant, own.pose);
+      add(variant.name, balls, own, true);
       if (variant.name == "linear") add("linear_under_spherical", balls, spherical, true);
     }
     add("bottom_up", refit_bottom_up(c_.tree, spherical.deformed), spherical, true);
     add("optimal", spherical.optimal, spherical, true);
-    add("optimal_linear", frames_[Skinning::linear].optimal, frames_[Skinning::linear], true);
+    for (const auto& [skinning, column] : other_optimal_columns)
+      add(column, frame(skinning).optimal, frame(skinning), true);
     return std::move(out_);
   }
 
   long misses(const RefitVariant& variant) {
-    add(variant.name, c_.refit_all(variant, frames_[variant.skinning].pose), frames_[variant.skinning], true);
+    const Frame& own = frame(variant.skinning);
+    add(variant.name, c_.refit_all(variant, own.pose), own, true);
     long sum = 0;
     for (const LevelTightness& level : out_[variant.name]) sum += level.misses - level.undefined;
     return sum;
@@ -59,6 +59,16 @@ class PostureMeasurement {
     std::vector<Point3> deformed;
     std::vector<Ball3<double>> optimal;
   };
+
+  // Made when first asked for.
+  const Frame& frame(Skinning s) {
+    if (const auto known = frames_.find(s); known != frames_.end()) return known->second;
+    Frame& f = frames_[s];
+    f.pose = make_skinning_pose(c_.model, c_.sets, posture_, s);
+    f.deformed = skin(c_.model, c_.sets, f.pose, s);
+    f.optimal = optimal_balls(c_.tree, c_.vertices, f.deformed);
+    return f;
+  }
 
   void add(const std::string& column, const std::vector<Ball3<double>>& balls, const Frame& frame, bool must_enclose) {
     auto& levels = out_[column];
@@ -85,6 +95,7 @@ class PostureMeasurement {
   }
 
   const Character& c_;
+  const Posture& posture_;
   const double tolerance_;
   std::map<Skinning, Frame> frames_;
   Tightness out_;
@@ -109,7 +120,8 @@ std::vector<std::string> tightness_columns() {
     columns.push_back(v.name);
     if (v.name == "linear") columns.push_back("linear_under_spherical");
   }
-  columns.insert(columns.end(), {"bottom_up", "optimal", "optimal_linear"});
+  columns.insert(columns.end(), {"bottom_up", "optimal"});
+  for (const auto& [skinning, column] : other_optimal_columns) columns.push_back(column);
   return columns;
 }
 

@@ -1,10 +1,10 @@
 // Every sound refit variant on nodes of whole models, against vertices that are skinned exactly.
 //
-// What is compared: the double data of a posture's joint-sets (quaternions, rotation centers, images of the centers)
-// are taken as exact rationals, and Equation (1) is evaluated in rationals. It divides by the squared norm, so its
-// rotations are exact although quaternions in double are not quite of unit length; for linear blending the slightly
-// scaled rotations are part of what is compared. The ball is the one that double computes, its numbers taken as they
-// are.
+// What is compared: the double data of a posture's joint-sets (quaternions, rotation centers, images of the centers,
+// dual parts) are taken as exact rationals, and Equation (1) or the dual quaternions' is evaluated in rationals. They
+// divide by the squared norm, so their rotations are exact although quaternions in double are not quite of unit length;
+// for linear blending the slightly scaled rotations are part of what is compared. The ball is the one that double
+// computes, its numbers taken as they are.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -41,6 +41,7 @@ JointSetPose<Rational> as_exact(const JointSetPose<double>& pose) {
     out.transforms.push_back({convert<Rational>(c.rotation), convert<Rational>(c.translation)});
   out.rotation_center = convert<Rational>(pose.rotation_center);
   for (const auto& image : pose.center_images) out.center_images.push_back(convert<Rational>(image));
+  for (const auto& dual : pose.duals) out.duals.push_back(convert<Rational>(dual));
   return out;
 }
 
@@ -56,8 +57,7 @@ class ExactSkin {
     std::vector<Rational> w;
     for (const double x : character_.sets.weights(vertex)) w.push_back(Rational(x));
     const RationalPoint v = convert<Rational>(character_.model.vertices[vertex]);
-    return done_[vertex] = skinning_ == Skinning::linear ? blend_linear<Rational>(pose, w, v)
-                                                         : blend_spherical<Rational>(pose, w, v);
+    return done_[vertex] = blend<Rational>(skinning_, pose, w, v);
   }
 
  private:
@@ -100,7 +100,10 @@ Checked check_model(Model model) {
   std::mt19937 random(2006);
   std::map<std::string, Tally> tallies;
   for (const Posture& posture : postures_of(c.model))
-    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::hejl}) {
+    for (const Skinning skinning :
+         {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion}) {
+      // Hejl's rotation center changes the pose, not the bound: spherical variants must hold for it too.
+      const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
       const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
       ExactSkin skin(c, pose, skinning);
       for (const int n : some_nodes(c, random)) {
@@ -108,9 +111,8 @@ Checked check_model(Model model) {
         std::vector<int> vertices;
         std::sample(all.begin(), all.end(), std::back_inserter(vertices), vertices_per_node, random);
         for (const RefitVariant& variant : refit_variants()) {
-          // Hejl's rotation center changes the pose, not the bound: spherical variants must hold for it too.
-          if (!variant.sound || (variant.skinning == Skinning::linear) != (skinning == Skinning::linear)) continue;
-          const Ball3<double> ball = variant.refit(c.node(n, pose, variant.pieces));
+          if (!variant.sound || variant.skinning != bounded) continue;
+          const Ball3<double> ball = variant.refit(c.refit_node(n, pose, variant.pieces));
           for (const int v : vertices) tallies[variant.name].add(ball, skin[v]);
         }
       }
