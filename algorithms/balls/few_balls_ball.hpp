@@ -200,17 +200,24 @@ class FewBalls {
   std::array<Pair<double>, most / 2> radii_;
 };
 
+// The smallest ball of balls of one radius from that of their centers.
+inline SmallestBallOfBalls as_ball_of_balls(const SmallestBall<double, 3>& centers, double radius) {
+  SmallestBallOfBalls out{{centers.center, root(centers.squared_radius) + radius}, centers.support, centers.coefficients};
+  out.support_size = centers.support_size, out.pivots = centers.steps;
+  return out;
+}
+
 template <int most>
 SmallestBallOfBalls pivot_balls(std::span<const Ball3<double>> balls) {
   const RadiusRange range(balls);
   if (range.is_defined() && range.least == range.greatest) {
-    FewPoints<double, 3, most, Ball3<double>> points(balls);
-    if (points.solve()) {
-      const auto ball = points.ball();
-      SmallestBallOfBalls out{{ball.center, root(ball.squared_radius) + range.least}, ball.support, ball.coefficients};
-      out.support_size = ball.support_size, out.pivots = ball.steps;
-      return out;
+    if (balls.size() == 1 && balls[0].center.allFinite()) return {balls[0], {0}, {1}, 1};
+    if (balls.size() == 3) {
+      const auto ball = three_points_ball(balls[0].center, balls[1].center, balls[2].center);
+      if (ball.converged) return as_ball_of_balls(ball, range.least);
     }
+    FewPoints<double, 3, most, Ball3<double>> points(balls);
+    if (points.solve()) return as_ball_of_balls(points.ball(), range.least);
   } else if (range.is_defined()) {
     FewBalls<most> few(balls, range);
     if (few.solve()) return few.ball();

@@ -12,6 +12,7 @@
 #include "algorithms/balls/farthest.hpp"
 #include "algorithms/balls/growing_support.hpp"
 #include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/balls/three_points_ball.hpp"
 
 namespace refitlab {
 
@@ -124,15 +125,6 @@ class FewPoints {
   std::array<TwoPoints<S, D>, most / 2> table_;
 };
 
-template <class S, int D>
-SmallestBall<S, D> undefined_smallest_ball() {
-  constexpr S undefined = std::numeric_limits<S>::quiet_NaN();
-  SmallestBall<S, D> ball;
-  ball.center = Vec<S, D>::Constant(undefined);
-  ball.squared_radius = undefined;
-  return ball;
-}
-
 // The ball whose diameter is two points.
 template <class S, int D>
 SmallestBall<S, D> ball_between(const Vec<S, D>& a, const Vec<S, D>& b) {
@@ -161,6 +153,7 @@ SmallestBall<S, D> pivot_or_walk(std::span<const Vec<S, D>> points) {
 template <class S, int D>
 SmallestBall<S, D> few_points_ball(std::span<const Vec<S, D>> points) {
   if (points.size() == 2) return ball_between(points[0], points[1]);
+  if (points.size() == 3) return three_points_ball(points[0], points[1], points[2]);
   if (points.size() <= 32) return pivot_or_walk<32>(points);
   if (points.size() <= 512) return pivot_or_walk<512>(points);
   return smallest_ball(points);

@@ -28,6 +28,16 @@ struct SmallestBall {
   bool converged = false;                    // false only where rounding kept the walk from ending (never in exact numbers)
 };
 
+// Of points that are not finite: no center, no radius and no support.
+template <class S, int D>
+SmallestBall<S, D> undefined_smallest_ball() {
+  constexpr S undefined = std::numeric_limits<S>::quiet_NaN();
+  SmallestBall<S, D> ball;
+  ball.center = Vec<S, D>::Constant(undefined);
+  ball.squared_radius = undefined;
+  return ball;
+}
+
 // What rounding may do to one sum of products, relative to the radius.
 template <class S>
 S rounding_noise() {

@@ -3,10 +3,9 @@
 
 #include <vector>
 
+#include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/balls/mean_ball.hpp"
 #include "algorithms/balls/near_smallest_ball.hpp"
-#include "algorithms/balls/smallest_ball.hpp"
-#include "algorithms/balls/smallest_ball_of_balls.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 
 namespace refitlab {
@@ -25,9 +24,12 @@ struct MeanBalls {
 struct SmallestBalls {
   template <class S, int D>
   static Vec<S, D> center_of_points(std::span<const Vec<S, D>> points) {
-    return smallest_ball(points).center;
+    if constexpr (std::is_floating_point_v<S>)
+      return few_points_ball<S, D>(points).center;
+    else
+      return smallest_ball(points).center;
   }
-  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return smallest_ball_of_balls(balls); }
+  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return few_balls_ball(balls).ball; }
 };
 
 // A few steps from the middle of the balls' box towards the smallest ball: each moves the center towards the ball that

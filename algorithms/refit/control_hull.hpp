@@ -195,9 +195,13 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
     const NodeJointSet& set = node.joint_sets[i];
     const JointSetPose<S>& pose = node.pose[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
-    if (is_one_rotation(pose, node, set)) {
-      lists.cap.balls.push_back({blend_spherical(pose, node.corner(set, 0), reference.center), reference.radius});
-      continue;
+    if (set.corner_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
+      const auto w = node.corner(set, 0);
+      const Quaternion<S> q = blend_quaternion(pose, w);
+      if (const S squared_length = squared_norm(q); certainly_less(S(0), squared_length)) {
+        lists.cap.balls.push_back({turn_and_place(pose, w, q, squared_length, reference.center), reference.radius});
+        continue;
+      }
     }
     lists.corners.clear();
     for (int k = 0; k < set.corner_count; ++k)

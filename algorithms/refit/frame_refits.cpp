@@ -7,23 +7,42 @@
 namespace refitlab {
 namespace {
 
-bool is_from_below(const Character& c, const RefitVariant& variant, const FrameOptions& options, int node) {
-  if (options.most_pieces == 0 || c.tree.nodes[node].child_count == 0) return false;
-  return static_cast<int>(c.refit_node(node, {}, variant.pieces).joint_sets.size()) > options.most_pieces;
+int piece_count(const Character& c, const RefitVariant& variant, int node) {
+  return static_cast<int>(c.refit_node(node, {}, variant.pieces).joint_sets.size());
 }
 
-// By node: empty for one that is refitted by itself.
+// The front of a node that has children.
+std::vector<int> front_of(const SphereTree& tree, const std::vector<int>& pieces, const FrameOptions& options, int node) {
+  const auto fewer_to_gain = [&](int a, int b) {
+    const auto gain = [&](int n) { return tree.nodes[n].child_count ? pieces[n] : 0; };
+    return std::pair(gain(a), -a) < std::pair(gain(b), -b);
+  };
+  std::vector<int> front;  // a heap
+  const auto open = [&](int n) {
+    for (int child = tree.nodes[n].first_child; child < tree.nodes[n].first_child + tree.nodes[n].child_count; ++child) {
+      front.push_back(child);
+      std::push_heap(front.begin(), front.end(), fewer_to_gain);
+    }
+  };
+  for (open(node);;) {
+    const TreeNode& most = tree.nodes[front.front()];
+    const auto opened = static_cast<int>(front.size()) - 1 + most.child_count;
+    if (pieces[front.front()] <= options.most_pieces || most.child_count == 0 || opened > options.most_front) return front;
+    const int n = front.front();
+    std::pop_heap(front.begin(), front.end(), fewer_to_gain);
+    front.pop_back();
+    open(n);
+  }
+}
+
 std::vector<std::vector<int>> fronts(const Character& c, const RefitVariant& variant, const FrameOptions& options) {
   std::vector<std::vector<int>> front(c.tree.nodes.size());
-  for (std::size_t n = c.tree.nodes.size(); n-- > 0;) {  // children come after their parent
-    if (!is_from_below(c, variant, options, static_cast<int>(n))) continue;
-    const TreeNode& node = c.tree.nodes[n];
-    for (int child = node.first_child; child < node.first_child + node.child_count; ++child)
-      if (front[child].empty())
-        front[n].push_back(child);
-      else
-        front[n].insert(front[n].end(), front[child].begin(), front[child].end());
-  }
+  if (options.most_pieces == 0) return front;
+  std::vector<int> pieces;
+  for (std::size_t n = 0; n < front.size(); ++n) pieces.push_back(piece_count(c, variant, static_cast<int>(n)));
+  for (std::size_t n = 0; n < front.size(); ++n)
+    if (pieces[n] > options.most_pieces && c.tree.nodes[n].child_count > 0)
+      front[n] = front_of(c.tree, pieces, options, static_cast<int>(n));
   return front;
 }
 
@@ -78,7 +97,7 @@ bool FrameRefits::are_children_refitted(const TreeNode& node) const {
 }
 
 Ball3<double> FrameRefits::from_below(int node) {
-  for (const int below : front_[node]) (*this)[below];  // none of these is bounded from below itself
+  for (const int below : front_[node]) (*this)[below];  // may come here again, and uses the list
   front_balls_.clear();
   for (const int below : front_[node]) front_balls_.push_back(balls_[below]);
   return smallest_ball_of_balls(front_balls_);

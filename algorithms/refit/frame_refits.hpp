@@ -2,9 +2,10 @@
 //
 // Beyond the paper's on-demand refit (5), two ways in which a node uses what the frame knows already:
 // - Nodes of many joint-sets, from below. Their own refit grows with the joint-sets and none of it is shared with other
-//   nodes. Instead such a node gets the smallest ball around the balls of its front: the descendants, nearest to it,
-//   that have few pieces. They are refitted once a frame, for all of their ancestors, and asking for them later costs
-//   nothing (the paper's future work: sublinear in joints).
+//   nodes. Instead such a node gets the smallest ball around the balls of its front: descendants that have few pieces,
+//   or are bounded from below in their turn. They are refitted once a frame, for all of their ancestors, and asking for
+//   them later costs nothing. As a front has at most so many members, a ball costs no more however many joints the
+//   character has (the paper's future work: sublinear in joints).
 // - Children first. If all children of a node are refitted, their smallest enclosing ball is a bound too: the smaller
 //   one is taken. Queries go top-down, so this is for frames whose balls are made bottom-up, all or many of them.
 #pragma once
@@ -18,6 +19,9 @@ namespace refitlab {
 struct FrameOptions {
   // A node with more pieces than this (RefitNode::joint_sets) that is not a leaf is bounded from below; 0: none is.
   int most_pieces = 0;
+  // Of a front: its member of most pieces is replaced by its children as long as they are no more than this. A node of
+  // more children has all of them as its front.
+  int most_front = 64;
   bool children_first = false;
 };
 
@@ -51,7 +55,7 @@ class FrameRefits {
   std::uint32_t frame_ = 0;
   std::vector<std::uint32_t> frame_of_;  // by node: the frame that its ball is of
   std::vector<Ball3<double>> balls_;
-  std::vector<std::vector<int>> front_;  // by node that is bounded from below
+  std::vector<std::vector<int>> front_;  // by node; empty where a node is refitted by itself
   std::vector<long> refitted_;
   std::vector<Ball3<double>> front_balls_;
 };

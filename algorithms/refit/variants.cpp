@@ -55,6 +55,8 @@ const std::vector<RefitVariant>& refit_variants() {
        P::joint_sets, refitlab::linear<MeanBalls>},
       {"linear_pieces_near", "linear blending, a ball and a weight hull per joint-set, near-smallest balls", linear, true,
        P::joint_sets, refitlab::linear<NearSmallestBalls>},
+      {"linear_mixed", "linear blending, joint-sets or their vertices as control_mixed has them, smallest balls", linear, true,
+       P::mixed, refitlab::linear<SmallestBalls>},
       {"spherical_printed", "Algorithm 1 as printed", spherical, false, P::node, printed<MeanBalls, Signs::of_matrices>},
       {"spherical_printed_signed", "Algorithm 1 as printed, but with the skinning's quaternion signs", spherical, false, P::node,
        printed<MeanBalls, Signs::of_skinning>},
@@ -69,7 +71,9 @@ const std::vector<RefitVariant>& refit_variants() {
        P::joint_sets, control<NearSmallestBalls>},
       {"control_sets_exact", "control hull, a ball and a weight hull per joint-set, smallest ball", spherical, true,
        P::joint_sets, control<SmallestBalls>},
-      {"control_clusters", "control hull, up to 64 pieces a node, smallest ball", spherical, true, P::clusters,
+      {"control_mixed", "control hull, or the vertices one by one where that is about as cheap, smallest ball", spherical,
+       true, P::mixed, control<SmallestBalls>},
+      {"control_clusters", "control hull, up to 512 pieces a node, smallest ball", spherical, true, P::clusters,
        control<SmallestBalls>},
       {"dual_quaternion_control_mean", "control hull of dual quaternions, mean ball", dual_quaternion, true, P::node,
        refitlab::dual_quaternion<MeanBalls>},
@@ -79,8 +83,19 @@ const std::vector<RefitVariant>& refit_variants() {
       {"dual_quaternion_control_exact",
        "control hull of dual quaternions, a ball and a weight hull per joint-set, smallest ball", dual_quaternion, true,
        P::joint_sets, refitlab::dual_quaternion<SmallestBalls>},
+      {"dual_quaternion_mixed",
+       "control hull of dual quaternions, or the vertices one by one as control_mixed has them, smallest ball",
+       dual_quaternion, true, P::mixed, refitlab::dual_quaternion<SmallestBalls>},
   };
   return variants;
+}
+
+const RefitVariant& default_variant(Skinning skinning) {
+  switch (skinning) {
+    case Skinning::linear: return refit_variant("linear_mixed");
+    case Skinning::dual_quaternion: return refit_variant("dual_quaternion_mixed");
+    default: return refit_variant("control_mixed");
+  }
 }
 
 const RefitVariant& refit_variant(const std::string& name) {

@@ -28,14 +28,21 @@ Vec<S, 3> blend_center(const JointSetPose<S>& pose, std::span<const S> w) {
   return combine<S, 3>(w, pose.center_images);
 }
 
-// Equation (1). Division by the squared norm in place of a normalisation keeps it free of square roots, so that exact
-// rationals can evaluate it. The blended quaternion must not be zero (signs made consistent and w_1 > 0 ensure it).
+// Equation (1) for q = sum w_i q_i of this squared length, which is not zero. Division by the squared length in place of
+// a normalisation keeps it free of square roots, so that exact rationals can evaluate it.
+template <class S>
+Vec<S, 3> turn_and_place(const JointSetPose<S>& pose, std::span<const S> w, const Quaternion<S>& q, const S& squared_length,
+                         const Vec<S, 3>& v) {
+  const Vec<S, 3> turned = rotate_scaled<S>(q, v - pose.rotation_center);
+  const S scale = S(1) / squared_length;
+  return turned * scale + blend_center(pose, w);
+}
+
+// Equation (1). The blended quaternion must not be zero (signs made consistent and w_1 > 0 ensure it).
 template <class S>
 Vec<S, 3> blend_spherical(const JointSetPose<S>& pose, std::span<const S> w, const Vec<S, 3>& v) {
   const Quaternion<S> q = blend_quaternion(pose, w);
-  const Vec<S, 3> turned = rotate_scaled<S>(q, v - pose.rotation_center);
-  const S scale = S(1) / squared_norm(q);
-  return turned * scale + blend_center(pose, w);
+  return turn_and_place(pose, w, q, squared_norm(q), v);
 }
 
 // sum w_i d_i, not normalised.
