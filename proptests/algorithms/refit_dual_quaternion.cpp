@@ -308,6 +308,18 @@ PROPTEST(refit_dual_quaternion) {
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<SmallestBalls>(); });
 
+  t.example("the fallback finds an axis where the corners' mean is behind one, and its ball has all of r", {}, [] {
+    const Quaternion<double> ahead(1, 0, 0, 0), behind(-1, 0.5, 0, 0), still(0, 0, 0, 0);
+    const auto ball = [&](double radius) {
+      ControlLists<double> lists;
+      lists.dual_corners = {{ahead, still}, {ahead, still}, {behind, still}};
+      DualQuaternionPiece<double> piece(Point3(0, 1, 0), radius);
+      ControlHull(piece, lists.dual_corners, lists).cover(3, 0);
+      return piece.is_bounded() && lists.cap.balls.size() == 1 ? lists.cap.balls[0].radius : -1;
+    };
+    return ball(0) > 0 && std::abs(ball(5) - ball(0) - 5) < 1e-12;
+  });
+
   const RationalVec<3> none(0, 0, 0), aside(1, 0, 0);
   const gen::RationalQuaternion one(1, 0, 0, 0), i(0, 1, 0, 0);
   t.example("opposite quaternions: no ball holds the vertices near a blend of 0", {}, [=] {
