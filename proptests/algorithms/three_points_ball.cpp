@@ -49,6 +49,7 @@ PROPTEST(three_points_ball) {
             }
             const auto ball = three_points_ball<double, 3>(p[0], p[1], p[2]);
             RC_ASSERT(is_as_exact(p, std::sqrt(ball.squared_radius)));
+            RC_ASSERT(ball.squared_radius == farthest_squared_distance(ball.center, std::span<const Vec<double, 3>>(p)));
             for (int k = 0; k < ball.support_size; ++k) RC_ASSERT(ball.coefficients[k] >= 0);
             const Ball3<double> points[] = {{p[0], 0}, {p[1], 0}, {p[2], 0}};
             RC_ASSERT(is_as_exact(p, few_balls_ball(points).ball.radius));
