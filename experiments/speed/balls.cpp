@@ -121,7 +121,7 @@ template <int D>
 void measure(const std::string& kind, int n, const SpeedSettings& settings, std::vector<BallSpeed>& results) {
   const Clouds<D> clouds = draw_clouds<D>(kind, n);
   require_equal_radii(clouds);
-  std::vector<TimedRefit> timed;
+  std::vector<Timed> timed;
   const auto add = [&](const std::string& name, const auto& lists, auto&& solve) {
     timed.push_back({name, cloud_count, [&lists, solve] {
                        for (const auto& list : lists) benchmark::DoNotOptimize(solve(list));
@@ -136,11 +136,11 @@ void measure(const std::string& kind, int n, const SpeedSettings& settings, std:
   add("pivots_in_packs_of_" + std::to_string(Pack::size()), clouds.packs,
       [](std::span<const PackPoint<Pack, D>> p) { return few_points_balls<Pack, D>(p); });
   add("cgal", clouds.points, [](Points p) { return ball_by_cgal(p); });
-  const auto times = ns_per_node(timed, settings);
+  const auto times = ns_per_item(timed, settings);
   const auto least = [&times](const std::string& name) {
     return *std::min_element(times.at(name).begin(), times.at(name).end());
   };
-  for (const TimedRefit& t : timed) {
+  for (const Timed& t : timed) {
     results.push_back({kind, "R^" + std::to_string(D), t.name, n, least(t.name), least(t.name) / least("cgal")});
     const BallSpeed& r = results.back();
     std::printf("  %-14s %s %2d points %-22s %7.1f ns, %5.3f times cgal\n", kind.c_str(), r.space.c_str(), n,

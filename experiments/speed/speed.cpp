@@ -11,7 +11,7 @@ namespace refitlab {
 
 std::vector<SpeedResult> run_speed(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
   std::cout << "[speed] " << c.model.name << ", " << posture.name << ": " << settings.repetitions << " repetitions" << std::endl;
-  std::vector<TimedRefit> timed;
+  std::vector<Timed> timed;
   for (const RefitVariant& variant : refit_variants()) {
     if (!variant.sound) continue;
     const auto pose = make_skinning_pose(c.model, c.sets, posture.posture, variant.skinning);
@@ -21,7 +21,7 @@ std::vector<SpeedResult> run_speed(const Character& c, const NamedPosture& postu
                          benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));
                      }});
   }
-  const auto times = ns_per_node(timed, settings);
+  const auto times = ns_per_item(timed, settings);
 
   std::vector<SpeedResult> results;
   const auto& repaired = times.at("spherical_repaired");

@@ -9,14 +9,14 @@ namespace {
 
 using Times = std::map<std::string, std::vector<double>>;
 
-// Collects nanoseconds per node by name, one entry a repetition.
+// Collects nanoseconds per item by name, one entry a repetition.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
       if (run.run_type == Run::RT_Iteration)
-        times[run.run_name.function_name].push_back(run.GetAdjustedRealTime() / run.counters.at("nodes"));
+        times[run.run_name.function_name].push_back(run.GetAdjustedRealTime() / run.counters.at("items"));
   }
   Times times;
 };
@@ -34,12 +34,12 @@ void initialise_once() {
 
 }  // namespace
 
-Times ns_per_node(const std::vector<TimedRefit>& refits, const SpeedSettings& settings) {
+Times ns_per_item(const std::vector<Timed>& calls, const SpeedSettings& settings) {
   initialise_once();
-  for (const TimedRefit& refit : refits) {
-    auto* run = benchmark::RegisterBenchmark(refit.name.c_str(), [&refit](benchmark::State& state) {
-      for (auto _ : state) refit.call();
-      state.counters["nodes"] = refit.nodes;
+  for (const Timed& timed : calls) {
+    auto* run = benchmark::RegisterBenchmark(timed.name.c_str(), [&timed](benchmark::State& state) {
+      for (auto _ : state) timed.call();
+      state.counters["items"] = timed.items;
     });
     run->MinTime(settings.seconds_per_run)->Repetitions(settings.repetitions);
     run->Unit(benchmark::kNanosecond)->UseRealTime();

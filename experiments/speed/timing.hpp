@@ -1,4 +1,4 @@
-// Timing refits by Google Benchmark: nanoseconds per node, repeated.
+// Timing by Google Benchmark: nanoseconds per item, repeated.
 #pragma once
 
 #include <functional>
@@ -13,14 +13,14 @@ struct SpeedSettings {
   int repetitions = 5;           // of all variants in random order, so that a drifting machine hits all of them alike
 };
 
-struct TimedRefit {
+struct Timed {
   std::string name;            // different for each
-  int nodes;                   // that one call refits
+  int items;                   // that one call handles: nodes, clouds, frames
   std::function<void()> call;  // keeps its results from being optimised away
 };
 
 // By name, one entry a repetition. On this thread.
-std::map<std::string, std::vector<double>> ns_per_node(const std::vector<TimedRefit>& refits,
+std::map<std::string, std::vector<double>> ns_per_item(const std::vector<Timed>& calls,
                                                        const SpeedSettings& settings);
 
 // values is not empty.

@@ -111,7 +111,7 @@ void print_table(const VolumeResult& r) {
 std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
   const auto pose = make_skinning_pose(c.model, c.sets, posture.posture, Skinning::spherical);
   const int count = static_cast<int>(c.tree.nodes.size());
-  std::vector<TimedRefit> timed;
+  std::vector<Timed> timed;
   const auto add = [&](const auto& variant) {
     timed.push_back({variant.name, count, [&c, &pose, &variant, count] {
                        for (int n = 0; n < count; ++n)
@@ -120,9 +120,9 @@ std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& po
   };
   add(refit_variant(ball_variant));
   for (const VolumeVariant& variant : volume_variants()) add(variant);
-  const auto times = ns_per_node(timed, settings);
+  const auto times = ns_per_item(timed, settings);
   std::vector<VolumeCost> out;
-  for (const TimedRefit& refit : timed) {
+  for (const Timed& refit : timed) {
     const auto& own = times.at(refit.name);
     out.push_back({c.model.name, posture.name, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
     std::printf("  %-26s %8.1f ns per node, %6.2f times %s\n", refit.name.c_str(), out.back().ns_per_node,

@@ -77,7 +77,7 @@ PROPTEST(box_orientation) {
         for (const double s : sides)
           for (int j = 0; j < 3; ++j) {
             const Point3 side = p[(j + 1) % 3] - p[j];
-            if (side.cross(along).norm() < 1e-9 * side.norm() && std::abs(side.norm() - s) < 1e-12) found[i] = s;
+            if (cross<double>(side, along).norm() < 1e-9 * side.norm() && std::abs(side.norm() - s) < 1e-12) found[i] = s;
           }
       }
       std::sort(sides, sides + 3);
