@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "experiments/collisions/collisions.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/speed/balls.hpp"
@@ -12,7 +13,7 @@
 
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "volumes", "queries"};
+const char* const experiments[] = {"tightness", "speed", "volumes", "collisions", "queries"};
 
 struct Options {
   std::vector<std::string> only, files;
@@ -20,6 +21,7 @@ struct Options {
   refitlab::TightnessSettings tightness;
   refitlab::SpeedSettings speed;
   refitlab::VolumeSettings volumes;
+  refitlab::CollisionSettings collisions{.frames = 30, .speed = {.seconds_per_run = 0.02, .repetitions = 3}};
   refitlab::QuerySettings queries;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
@@ -46,6 +48,8 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
   if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
   if (map.count("full")) o.volumes = {.times_per_clip = 50, .nodes_per_level = 256, .speed = o.speed};
+  if (map.count("quick")) o.collisions = {.frames = 4, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};
+  if (map.count("full")) o.collisions = {.frames = 100, .speed = {.seconds_per_run = 0.2, .repetitions = 5}};
   for (const auto& name : o.only)
     if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
       throw po::error("--only " + name + ": no such experiment; there are: " + names);
@@ -60,7 +64,8 @@ int main(int argc, char** argv) try {
   if (!parse(argc, argv, options)) return 0;
 
   DefaultModels models;
-  if (options.files.empty() && (options.wants("tightness") || options.wants("speed") || options.wants("volumes")))
+  const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") || options.wants("collisions");
+  if (options.files.empty() && wants_models)
     models = default_models(options.models);
   else
     for (const auto& file : options.files) models.models.push_back(load_named(file));
@@ -89,6 +94,11 @@ int main(int argc, char** argv) try {
     if (options.wants("volumes")) {
       run_volumes(character, twist, options.volumes, volumes);
       write_volumes(volumes, options.out + "/results/volumes.csv");
+    }
+    if (options.wants("collisions")) {
+      const auto results = run_collisions(character, options.collisions);
+      report.collisions.insert(report.collisions.end(), results.begin(), results.end());
+      write_collisions(report.collisions, options.out + "/results/collisions.csv");
     }
   }
   // Balls and queries have nothing to do with a model: on one's own models they run only if they are asked for.

@@ -7,14 +7,10 @@
 namespace refitlab {
 namespace {
 
-int piece_count(const Character& c, const RefitVariant& variant, int node) {
-  return static_cast<int>(c.refit_node(node, {}, variant.pieces).joint_sets.size());
-}
-
 // The front of a node that has children.
-std::vector<int> front_of(const SphereTree& tree, const std::vector<int>& pieces, const FrameOptions& options, int node) {
+std::vector<int> front_of(const SphereTree& tree, const FrameOptions& options, int node) {
   const auto fewer_to_gain = [&](int a, int b) {
-    const auto gain = [&](int n) { return tree.nodes[n].child_count ? pieces[n] : 0; };
+    const auto gain = [&](int n) { return tree.nodes[n].child_count ? tree.nodes[n].joint_set_count : 0; };
     return std::pair(gain(a), -a) < std::pair(gain(b), -b);
   };
   std::vector<int> front;  // a heap
@@ -27,7 +23,7 @@ std::vector<int> front_of(const SphereTree& tree, const std::vector<int>& pieces
   for (open(node);;) {
     const TreeNode& most = tree.nodes[front.front()];
     const auto opened = static_cast<int>(front.size()) - 1 + most.child_count;
-    if (pieces[front.front()] <= options.most_pieces || most.child_count == 0 || opened > options.most_front) return front;
+    if (most.joint_set_count <= options.most_joint_sets || most.child_count == 0 || opened > options.most_front) return front;
     const int n = front.front();
     std::pop_heap(front.begin(), front.end(), fewer_to_gain);
     front.pop_back();
@@ -35,14 +31,12 @@ std::vector<int> front_of(const SphereTree& tree, const std::vector<int>& pieces
   }
 }
 
-std::vector<std::vector<int>> fronts(const Character& c, const RefitVariant& variant, const FrameOptions& options) {
-  std::vector<std::vector<int>> front(c.tree.nodes.size());
-  if (options.most_pieces == 0) return front;
-  std::vector<int> pieces;
-  for (std::size_t n = 0; n < front.size(); ++n) pieces.push_back(piece_count(c, variant, static_cast<int>(n)));
+std::vector<std::vector<int>> fronts(const SphereTree& tree, const FrameOptions& options) {
+  std::vector<std::vector<int>> front(tree.nodes.size());
+  if (options.most_joint_sets == 0) return front;
   for (std::size_t n = 0; n < front.size(); ++n)
-    if (pieces[n] > options.most_pieces && c.tree.nodes[n].child_count > 0)
-      front[n] = front_of(c.tree, pieces, options, static_cast<int>(n));
+    if (tree.nodes[n].joint_set_count > options.most_joint_sets && tree.nodes[n].child_count > 0)
+      front[n] = front_of(tree, options, static_cast<int>(n));
   return front;
 }
 
@@ -54,7 +48,7 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
       options_(options),
       frame_of_(character.tree.nodes.size()),
       balls_(character.tree.nodes.size()),
-      front_(fronts(character, variant, options)),
+      front_(fronts(character.tree, options)),
       refitted_(character.tree.level_count()) {}
 
 void FrameRefits::begin(const SkinningPose<double>& pose) {

@@ -2,8 +2,8 @@
 //
 // Beyond the paper's on-demand refit (5), two ways in which a node uses what the frame knows already:
 // - Nodes of many joint-sets, from below. Their own refit grows with the joint-sets and none of it is shared with other
-//   nodes. Instead such a node gets the smallest ball around the balls of its front: descendants that have few pieces,
-//   or are bounded from below in their turn. They are refitted once a frame, for all of their ancestors, and asking for
+//   nodes. Instead such a node gets the smallest ball around the balls of its front: descendants of few joint-sets,
+//   or bounded from below in their turn. They are refitted once a frame, for all of their ancestors, and asking for
 //   them later costs nothing. As a front has at most so many members, a ball costs no more however many joints the
 //   character has (the paper's future work: sublinear in joints).
 // - Children first. If all children of a node are refitted, their smallest enclosing ball is a bound too: the smaller
@@ -17,9 +17,9 @@
 namespace refitlab {
 
 struct FrameOptions {
-  // A node with more pieces than this (RefitNode::joint_sets) that is not a leaf is bounded from below; 0: none is.
-  int most_pieces = 0;
-  // Of a front: its member of most pieces is replaced by its children as long as they are no more than this. A node of
+  // A node with more joint-sets than this that is not a leaf is bounded from below; 0: none is.
+  int most_joint_sets = 0;
+  // Of a front: its member of most joint-sets is replaced by its children as long as they are no more than this. A node of
   // more children has all of them as its front.
   int most_front = 64;
   bool children_first = false;

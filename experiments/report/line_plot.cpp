@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "experiments/report/html.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -47,18 +49,6 @@ std::vector<double> ticks(const Axis& axis) {
 std::string plot_color(std::size_t index) {
   static const char* const colors[] = {"#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a", "#7f5fbf"};
   return colors[index % std::size(colors)];
-}
-
-std::string escape_html(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else out += c;
-  }
-  return out;
 }
 
 std::string LinePlot::svg() const {

@@ -25,7 +25,4 @@ struct LinePlot {
 // vanish on a dark or a light page.
 std::string plot_color(std::size_t index);
 
-// Text as HTML: & < > and quotes escaped.
-std::string escape_html(const std::string& text);
-
 }  // namespace refitlab

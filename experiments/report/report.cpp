@@ -6,7 +6,9 @@
 #include "algorithms/queries/score.hpp"
 #include "algorithms/refit/variants.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
+#include "experiments/report/pareto.hpp"
 
 namespace refitlab {
 namespace {
@@ -26,12 +28,6 @@ figure{margin:0}figcaption{font-size:.85rem;color:var(--soft)}
 .plot{width:100%;max-width:46rem;height:auto;font-size:12px}.plot text{fill:var(--ink)}.plot .title{font-size:14px;font-weight:600}
 .plot .grid{stroke:var(--rule)}details{margin:.5rem 0}summary{cursor:pointer}
 </style>)";
-
-std::string format(const char* pattern, double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 LevelTightness all_levels(const std::vector<LevelTightness>& levels) {
   LevelTightness sum;
@@ -136,22 +132,12 @@ void write_speed_section(std::ostringstream& out, const std::vector<SpeedResult>
          "proved to enclose.</p><div class=\"scroll\"><table><thead><tr><th>model, posture</th><th>variant</th><th>ns per sphere</th>"
          "<th>ratio</th></tr></thead><tbody>\n";
   for (const SpeedResult& r : results)
-    out << "<tr><td>" << escape_html(r.model + ", " + r.posture) << "</td><td>" << r.variant << "</td><td>" << format("%.0f", r.ns_per_sphere)
+    if (r.level == 0)
+      out << "<tr><td>" << escape_html(r.model + ", " + r.posture) << "</td><td>" << r.variant << "</td><td>" << format("%.0f", r.ns_per_sphere)
         << "</td><td>" << format("%.2f", r.ratio_to_repaired) << "</td></tr>\n";
   out << "</tbody></table></div>\n";
 }
 
-// The mean over all postures and levels of a variant's average radius / Optimal; 0 where it was not measured.
-double mean_ratio(const std::vector<TightnessResult>& results, const std::string& model, const std::string& variant) {
-  double sum = 0;
-  int count = 0;
-  for (const TightnessResult& r : results)
-    if (r.model == model)
-      for (const LevelTightness& level : r.tightness.at(variant)) sum += level.ratio_to_optimal(), ++count;
-  return count ? sum / count : 0;
-}
-
-// Tightness against cost: what is worth its price lies at the lower left.
 void write_queries_section(std::ostringstream& out, const std::vector<QueryResult>& results) {
   if (results.empty()) return;
   out << "<h2>Generated queries</h2><p>" << results[0].queries << " refit cases in exact rationals: 1 to 3 joint-sets of 1 to 5 joints, "
@@ -170,21 +156,28 @@ void write_queries_section(std::ostringstream& out, const std::vector<QueryResul
   out << "</tbody></table></div>\n";
 }
 
-void write_pareto_section(std::ostringstream& out, const Report& report) {
-  if (report.speed.empty() || report.tightness.empty()) return;
-  out << "<h2>Tightness against cost</h2><p>Each variant by what a sphere costs and how large it is: the mean of average radius / "
-         "Optimal over all levels and postures of the model. Down and left is better.</p>\n";
-  std::string model;
-  for (const SpeedResult& first : report.speed) {
-    if (first.model == model) continue;
-    model = first.model;
-    LinePlot plot{.title = model, .x_label = "ns per sphere", .y_label = "mean radius / Optimal", .lines = {}, .log_x = true};
-    for (const SpeedResult& r : report.speed)
-      if (r.model == model)
-        plot.lines.push_back({r.variant, {{r.ns_per_sphere, mean_ratio(report.tightness, model, r.variant)}},
-                              plot_color(plot.lines.size()), plot.lines.size() >= 8});
-    out << plot.svg();
+void write_collisions_section(std::ostringstream& out, const std::vector<CollisionResult>& results) {
+  if (results.empty()) return;
+  out << "<h2>Collision queries</h2><p>Two copies of a model pass each other, face to face: far (the roots are disjoint), near (nothing "
+         "touches), light (about 50 touching pairs of triangles in the median frame) and heavy (about 850, or walking through each other). "
+         "Means of a frame: all pairs (full), or until the first (yes/no). The time includes the frame's joint-set data, refits, skinning "
+         "and tests. From below: nodes of more than 16 joint-sets are bounded by the balls of their front.</p>\n";
+  std::string scene;
+  for (const CollisionResult& r : results) {
+    const std::string own = r.model + ", " + r.scene + ", " + (r.query == Query::full ? "full" : "yes/no");
+    if (own != scene) {
+      if (!scene.empty()) out << "</tbody></table></div></details>\n";
+      out << "<details" << (scene.empty() ? " open" : "") << "><summary>" << escape_html(scene = own) << format(", %.0f pairs", r.pairs)
+          << "</summary><div class=\"scroll\"><table><thead><tr><th>variant</th><th>balls refitted</th><th>ball tests</th><th>vertices "
+             "skinned</th><th>triangle tests</th><th>us</th><th>times repaired</th><th>share of balls refitted, by level</th></tr></thead><tbody>\n";
+    }
+    out << "<tr><td>" << r.variant << "</td><td>" << format("%.1f", r.balls_refitted) << "</td><td>" << format("%.1f", r.ball_tests)
+        << "</td><td>" << format("%.1f", r.vertices_skinned) << "</td><td>" << format("%.1f", r.triangle_tests) << "</td><td>"
+        << format("%.1f", r.us_per_frame) << "</td><td>" << format("%.2f", r.ratio_to_repaired) << "</td><td>";
+    for (const double share : r.share_refitted) out << format("%.0f %% ", 100 * share);
+    out << "</td></tr>\n";
   }
+  out << "</tbody></table></div></details>\n";
 }
 
 }  // namespace
@@ -200,7 +193,8 @@ void write_report(const Report& report, const std::string& path) {
   write_pictures(out, report.pictures);
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
-  write_pareto_section(out, report);
+  out << pareto_section(report.speed, report.tightness);
+  write_collisions_section(out, report.collisions);
   write_queries_section(out, report.queries);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
       << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";

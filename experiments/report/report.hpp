@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/collisions/collisions.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
 #include "experiments/speed/speed.hpp"
@@ -16,6 +17,7 @@ struct Report {
   std::vector<Picture> pictures;
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
+  std::vector<CollisionResult> collisions;
   std::vector<QueryResult> queries;
 };
 

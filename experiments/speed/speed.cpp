@@ -9,29 +9,41 @@
 
 namespace refitlab {
 
-std::vector<SpeedResult> run_speed(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
-  std::cout << "[speed] " << c.model.name << ", " << posture.name << ": " << settings.repetitions << " repetitions" << std::endl;
-  std::vector<Timed> timed;
+namespace {
+
+// Refits these nodes of the character by each sound variant.
+std::vector<Timed> refits_of(const Character& c, const Posture& posture, const std::vector<int>& nodes) {
+  std::vector<Timed> out;
   for (const RefitVariant& variant : refit_variants()) {
     if (!variant.sound) continue;
-    const auto pose = make_skinning_pose(c.model, c.sets, posture.posture, variant.skinning);
-    const int count = static_cast<int>(c.tree.nodes.size());
-    timed.push_back({variant.name, count, [&c, &variant, count, pose] {
-                       for (int n = 0; n < count; ++n)
-                         benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));
-                     }});
+    const auto pose = make_skinning_pose(c.model, c.sets, posture, variant.skinning);
+    out.push_back({variant.name, static_cast<int>(nodes.size()), [&c, &variant, &nodes, pose] {
+                     for (const int n : nodes)
+                       benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));
+                   }});
   }
-  const auto times = ns_per_item(timed, settings);
+  return out;
+}
 
+}  // namespace
+
+std::vector<SpeedResult> run_speed(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
+  std::cout << "[speed] " << c.model.name << ", " << posture.name << ": " << settings.repetitions << " repetitions" << std::endl;
   std::vector<SpeedResult> results;
-  const auto& repaired = times.at("spherical_repaired");
-  for (const RefitVariant& variant : refit_variants()) {
-    const auto entry = times.find(variant.name);
-    if (entry == times.end()) continue;
-    results.push_back({c.model.name, posture.name, variant.name, median(entry->second),
-                       median_ratio(entry->second, repaired)});
-    std::printf("  %-26s %8.1f ns per sphere, %6.2f times spherical_repaired\n", variant.name.c_str(), results.back().ns_per_sphere,
-                results.back().ratio_to_repaired);
+  for (int level = 0; level <= c.tree.level_count(); ++level) {
+    std::vector<int> nodes;
+    for (std::size_t n = 0; n < c.tree.nodes.size(); ++n)
+      if (level == 0 || c.tree.nodes[n].level == level) nodes.push_back(static_cast<int>(n));
+    const double share = level == 0 ? 1 : 0.1;
+    const auto times = ns_per_item(refits_of(c, posture.posture, nodes),
+                                   {settings.seconds_per_run * share, settings.repetitions});
+    for (const auto& [variant, entries] : times)
+      results.push_back({c.model.name, posture.name, variant, level, median(entries),
+                         median_ratio(entries, times.at("spherical_repaired"))});
+    if (level > 0) continue;
+    for (const SpeedResult& r : results)
+      std::printf("  %-32s %8.1f ns per sphere, %6.2f times spherical_repaired\n", r.variant.c_str(), r.ns_per_sphere,
+                  r.ratio_to_repaired);
   }
   return results;
 }
@@ -39,8 +51,9 @@ std::vector<SpeedResult> run_speed(const Character& c, const NamedPosture& postu
 void write_speed(const std::vector<SpeedResult>& results, const std::string& path) {
   ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
   for (const SpeedResult& r : results) {
-    file.add({"speed", r.model, r.posture, r.variant, "all", "ns_per_sphere", format_number(r.ns_per_sphere), "ns"});
-    file.add({"speed", r.model, r.posture, r.variant, "all", "ratio_to_repaired", format_number(r.ratio_to_repaired), "1"});
+    const std::string level = r.level == 0 ? "all" : std::to_string(r.level);
+    file.add({"speed", r.model, r.posture, r.variant, level, "ns_per_sphere", format_number(r.ns_per_sphere), "ns"});
+    file.add({"speed", r.model, r.posture, r.variant, level, "ratio_to_repaired", format_number(r.ratio_to_repaired), "1"});
   }
   file.write(path);
 }

@@ -11,12 +11,13 @@ namespace refitlab {
 
 struct SpeedResult {
   std::string model, posture, variant;
+  int level;                    // 0: all of them
   double ns_per_sphere;         // median over the repetitions
   double ratio_to_repaired;     // median over the repetitions of the ratio to spherical_repaired in the same repetition
 };
 
-// Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the posture, the frame's
-// joint-set data given. Unsound balls are refused by construction: the variants are those whose enclosure is tested.
+// Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the posture, and, a
+// tenth as long, those of each level; the frame's joint-set data given. Unsound balls are refused by construction: the variants are those whose enclosure is tested.
 std::vector<SpeedResult> run_speed(const Character& character, const NamedPosture& posture, const SpeedSettings& settings);
 
 // All results as out/results/speed.csv.

@@ -116,7 +116,7 @@ PROPTEST(collide) {
             const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 3)}),
                 b(gen::make_mesh(plan_b), {.triangles_per_leaf = *rc::gen::element(1, 3)});
             const RefitVariant& variant = drawn_variant();
-            const FrameOptions options{.most_pieces = *rc::gen::element(0, 2), .children_first = *rc::gen::arbitrary<bool>()};
+            const FrameOptions options{.most_joint_sets = *rc::gen::element(0, 2), .children_first = *rc::gen::arbitrary<bool>()};
             Body first(a, variant, options), second(b, variant, options);
             std::mt19937 random(plan_a.seed);
             std::normal_distribution<double> normal;

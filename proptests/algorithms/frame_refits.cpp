@@ -36,7 +36,7 @@ struct Drawn {
         deformed(skin(character.model, character.sets, pose, variant.skinning)) {}
   int count() const { return static_cast<int>(character.tree.nodes.size()); }
   Ball3<double> own(int n) const { return variant.refit(character.refit_node(n, pose, variant.pieces)); }
-  std::size_t pieces(int n) const { return character.refit_node(n, pose, variant.pieces).joint_sets.size(); }
+  int joint_sets(int n) const { return static_cast<int>(character.tree.refit_node(n, pose).joint_sets.size()); }
   bool encloses(const Ball3<double>& ball, int n) const {
     for (const int v : character.vertices[n])
       if (!(norm<double, 3>(deformed[v] - ball.center) <= ball.radius + 1e-12)) return false;
@@ -55,7 +55,7 @@ Drawn draw() {
   return {gen::make_mesh(plan), plan.seed};
 }
 
-// The front of a node by its definition: the member of most pieces, of several the first, gives way to its children.
+// The front of a node by its definition: the member of most joint-sets, of several the first, gives way to its children.
 std::vector<int> front_by_definition(const Drawn& d, int n, const FrameOptions& options) {
   const auto children = [&](int m) {
     std::vector<int> out;
@@ -66,8 +66,8 @@ std::vector<int> front_by_definition(const Drawn& d, int n, const FrameOptions& 
   for (;;) {
     int widest = -1;
     for (const int m : front)
-      if (!children(m).empty() && static_cast<int>(d.pieces(m)) > options.most_pieces &&
-          (widest < 0 || d.pieces(m) > d.pieces(widest) || (d.pieces(m) == d.pieces(widest) && m < widest)))
+      if (!children(m).empty() && d.joint_sets(m) > options.most_joint_sets &&
+          (widest < 0 || d.joint_sets(m) > d.joint_sets(widest) || (d.joint_sets(m) == d.joint_sets(widest) && m < widest)))
         widest = m;
     if (widest < 0) return front;
     const auto below = children(widest);
@@ -80,7 +80,7 @@ std::vector<int> front_by_definition(const Drawn& d, int n, const FrameOptions& 
 // The ball that a frame must have of a node, from the definition alone, and the nodes that are refitted for it.
 Ball3<double> ball_by_definition(const Drawn& d, int n, const FrameOptions& options, std::set<int>& refitted) {
   refitted.insert(n);
-  if (static_cast<int>(d.pieces(n)) <= options.most_pieces || d.character.tree.nodes[n].child_count == 0) return d.own(n);
+  if (d.joint_sets(n) <= options.most_joint_sets || d.character.tree.nodes[n].child_count == 0) return d.own(n);
   std::vector<Ball3<double>> balls;
   for (const int below : front_by_definition(d, n, options)) balls.push_back(ball_by_definition(d, below, options, refitted));
   return smallest_ball_of_balls(balls);
@@ -93,7 +93,7 @@ PROPTEST(frame_refits) {
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
             FrameRefits frame(d.character, d.variant,
-                              {.most_pieces = *rc::gen::element(0, 1, 2, 4), .most_front = *rc::gen::element(2, 64), .children_first = *rc::gen::arbitrary<bool>()});
+                              {.most_joint_sets = *rc::gen::element(0, 1, 2, 4), .most_front = *rc::gen::element(2, 64), .children_first = *rc::gen::arbitrary<bool>()});
             for (int round = 0; round < 3; ++round) {
               const auto pose = make_skinning_pose(d.character.model, d.character.sets,
                                                    random_posture(d.character.model, 77u + round), d.variant.skinning);
@@ -141,10 +141,10 @@ PROPTEST(frame_refits) {
               RC_ASSERT(d.encloses(frame[n], n));
             }
           });
-  t.holds("from below: a node of many pieces gets the smallest ball around its front's, which alone is refitted for it",
+  t.holds("from below: a node of many joint-sets gets the smallest ball around its front's, which alone is refitted for it",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
-            const FrameOptions options{.most_pieces = *rc::gen::element(1, 2, 3), .most_front = *rc::gen::element(1, 3, 6, 64)};
+            const FrameOptions options{.most_joint_sets = *rc::gen::element(1, 2, 3), .most_front = *rc::gen::element(1, 3, 6, 64)};
             FrameRefits frame(d.character, d.variant, options);
             for (int n = 0; n < d.count(); n += n < 6 ? 1 : 4) {
               frame.begin(d.pose);
@@ -158,13 +158,13 @@ PROPTEST(frame_refits) {
           });
   t.example("of the built-in man's inner nodes some are bounded from below, some by their children, some by themselves", {}, [] {
     static const Drawn man(make_man(), 2006);
-    FrameRefits plain(man.character, man.variant), below(man.character, man.variant, {.most_pieces = 16}),
+    FrameRefits plain(man.character, man.variant), below(man.character, man.variant, {.most_joint_sets = 16}),
         children(man.character, man.variant, {.children_first = true});
     for (FrameRefits* frame : {&plain, &below, &children}) frame->begin(man.pose), frame->refit_all();
     long from_below = 0, smaller = 0, same = 0;
     for (int n = 0; n < man.count(); ++n) {
       if (man.character.tree.nodes[n].child_count == 0) continue;
-      from_below += man.pieces(n) > 16;
+      from_below += man.joint_sets(n) > 16;
       (children[n].radius < plain[n].radius ? smaller : same)++;
       if (children[n].radius > plain[n].radius || !man.encloses(below[n], n)) return Checked(false, n);
     }

@@ -1,0 +1,100 @@
+#include "experiments/collisions/encounters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/skinning/skin.hpp"
+
+namespace refitlab {
+namespace {
+
+Posture posture_at(const Model& model, double share) {
+  if (!model.clips.empty()) return model.clips[0].sample(share * model.clips[0].duration);
+  return twist_posture(model, twist_joint(model), share * 170 * std::numbers::pi / 180);
+}
+
+// Puts a center at this place, turned about y.
+RigidTransform<double> stand(const Point3& center, double turn, const Point3& at) {
+  RigidTransform<double> out{{std::cos(turn / 2), 0, std::sin(turn / 2), 0}, Point3::Zero()};
+  out.translation = at - rotate(out.rotation, center);
+  return out;
+}
+
+Point3 deformed_center(const Character& c, const Posture& posture) {
+  const auto pose = make_skinning_pose(c.model, c.sets, posture, Skinning::spherical);
+  return smallest_ball<double, 3>(skin(c.model, c.sets, pose, Skinning::spherical)).center;
+}
+
+class PairCounter {
+ public:
+  PairCounter(const Character& c, const RefitVariant& variant) : first_(c, variant), second_(c, variant) {}
+
+  // By frame, in increasing order.
+  std::vector<long> pairs(const std::vector<EncounterFrame>& frames) {
+    std::vector<long> counts;
+    for (const auto& f : frames) {
+      first_.begin(f.first), second_.begin(f.second);
+      QueryCounts unused;
+      counts.push_back(static_cast<long>(collide({first_, f.first_at}, {second_, f.second_at}, Query::full, unused).size()));
+    }
+    std::sort(counts.begin(), counts.end());
+    return counts;
+  }
+
+ private:
+  Body first_, second_;
+};
+
+constexpr int searched_frames = 12, bisections = 12;
+
+// The largest lateral distance up to high, within a share of 2^-bisections of it, at which holds(pairs); 0 if none is.
+template <class Predicate>
+double largest_lateral(PairCounter& counter, const WalkPast& walk, double high, const Predicate& holds) {
+  double low = 0;
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = (low + high) / 2;
+    (holds(counter.pairs(walk.at(middle))) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+WalkPast::WalkPast(const Character& c, int frames) {
+  for (int i = 0; i < frames; ++i) {
+    const double share = frames > 1 ? i / (frames - 1.0) : 0.5;
+    Step step{posture_at(c.model, share), posture_at(c.model, std::fmod(share + 0.5, 1.0)), {}, {}, 0};
+    step.first_center = deformed_center(c, step.first);
+    step.second_center = deformed_center(c, step.second);
+    step.forward = (1 - 2 * share) * c.tree.nodes[0].reference.radius / 10;
+    steps_.push_back(std::move(step));
+  }
+}
+
+std::vector<EncounterFrame> WalkPast::at(double lateral) const {
+  std::vector<EncounterFrame> out;
+  for (const Step& s : steps_)
+    out.push_back({s.first, s.second, stand(s.first_center, 0, {-lateral / 2, 0, -s.forward}),
+                   stand(s.second_center, std::numbers::pi, {lateral / 2, 0, s.forward})});
+  return out;
+}
+
+std::vector<Encounter> encounters(const Character& c, const RefitVariant& variant, int frames) {
+  PairCounter counter(c, variant);
+  const WalkPast walk(c, frames), searched(c, searched_frames);
+  const auto median = [](const std::vector<long>& sorted) { return sorted[sorted.size() / 2]; };
+  const double reach = 2 * c.tree.nodes[0].reference.radius;
+  const double touch = largest_lateral(counter, searched, reach, [](const auto& pairs) { return pairs.back() > 0; });
+  const double light = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
+  const double heavy = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
+  std::vector<Encounter> out{{"far", 2 * reach, 0, {}}, {"near", touch + 0.01 * reach, 0, {}}, {"light", light, 0, {}}, {"heavy", heavy, 0, {}}};
+  for (Encounter& e : out) {
+    e.frames = walk.at(e.lateral);
+    e.median_pairs = static_cast<double>(median(counter.pairs(e.frames)));
+  }
+  return out;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,44 @@
+// Encounters: scenes of two copies of a model that walk past each other, for collision queries (paper 5, Table 2).
+#pragma once
+
+#include "algorithms/collide/collide.hpp"
+#include "experiments/scenes/scenes.hpp"
+
+namespace refitlab {
+
+struct EncounterFrame {
+  Posture first, second;
+  RigidTransform<double> first_at, second_at;
+};
+
+struct Encounter {
+  std::string name;  // far, near, light, heavy
+  double lateral;    // the distance at which the walkers pass each other, in model units
+  double median_pairs;  // of touching triangles, over the frames
+  std::vector<EncounterFrame> frames;
+};
+
+// How two walkers pass: both move along z, the second one turned about y to face the first, lateral apart along x. Over
+// the frames the centers of their deformed vertices' smallest balls go from a fifth of a root radius before each other to
+// as much behind. The first clip plays once for the first walker, and half a clip later for the second; without clips
+// both twist (figure_twist) up to the full angle.
+class WalkPast {
+ public:
+  WalkPast(const Character& character, int frames);
+  std::vector<EncounterFrame> at(double lateral) const;
+
+ private:
+  struct Step {
+    Posture first, second;
+    Point3 first_center, second_center;
+    double forward;
+  };
+  std::vector<Step> steps_;
+};
+
+// far: the roots are disjoint. near: they overlap in the middle, but no triangles touch. light: a median of about 50
+// touching pairs. heavy: about 850, or at lateral 0 if that has fewer. The distances are found by bisection on 12 of
+// the frames, with the given variant.
+std::vector<Encounter> encounters(const Character& character, const RefitVariant& variant, int frames);
+
+}  // namespace refitlab
