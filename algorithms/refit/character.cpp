@@ -8,7 +8,7 @@ Character::Character(Model m, const TreeOptions& options)
       tree(build_sphere_tree(model, sets, options)),
       vertices(tree, model),
       joint_set_pieces(tree, vertices, model, sets, {}),
-      mixed_pieces(tree, vertices, model, sets, {.vertices_per_control_point = 2}),
+      mixed_pieces(tree, vertices, model, sets, {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
       clusters(tree, vertices, model, sets, {.most_pieces = most_clusters}) {}
 
 RefitNode<double> Character::refit_node(int node, std::span<const JointSetPose<double>> pose, Pieces pieces) const {

@@ -107,7 +107,8 @@ PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, con
   };
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     first_.push_back(pieces_.size());
-    const auto clusters = clusters_of(model, sets, tree.nodes[n], vertices[static_cast<int>(n)], options.most_pieces);
+    const auto share = static_cast<int>(options.pieces_per_joint_set * tree.nodes[n].joint_set_count);
+    const auto clusters = clusters_of(model, sets, tree.nodes[n], vertices[static_cast<int>(n)], std::max(options.most_pieces, share));
     for (const Cluster& c : clusters) {
       std::vector<std::span<const double>> weights;
       for (const int v : c.vertices) weights.push_back(sets.weights(v));

@@ -7,34 +7,25 @@
 #include <stdexcept>
 
 #include "algorithms/results/result_file.hpp"
+#include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
 namespace {
 
-constexpr int joint_sets_from_below = 16;  // nodes of more are bounded by their front's balls, where a column says so
-
-struct Column {
-  std::string name;
-  const RefitVariant& variant;
-  FrameOptions options;
-};
-
-std::vector<Column> columns() {
-  std::vector<Column> out;
-  for (const RefitVariant& v : refit_variants()) {
-    if (!v.sound || v.skinning != Skinning::spherical) continue;
-    out.push_back({v.name, v, {}});
-    if (v.pieces != Pieces::node) out.push_back({v.name + " from below", v, {.most_joint_sets = joint_sets_from_below}});
-  }
+// Queries go top-down: what takes the children first has nothing to take.
+std::vector<const Contender*> columns() {
+  std::vector<const Contender*> out;
+  for (const Contender& c : contenders())
+    if (c.variant->sound && c.variant->skinning == Skinning::spherical && !c.options.children_first) out.push_back(&c);
   return out;
 }
 
 // Two bodies that go through an encounter.
 class Walkers {
  public:
-  Walkers(const Character& c, const Column& column, const Encounter& encounter, Query query)
-      : encounter_(encounter), query_(query), first_(c, column.variant, column.options),
-        second_(c, column.variant, column.options), refitted_(c.tree.level_count()) {}
+  Walkers(const Character& c, const Contender& column, const Encounter& encounter, Query query)
+      : encounter_(encounter), query_(query), first_(c, *column.variant, column.options),
+        second_(c, *column.variant, column.options), refitted_(c.tree.level_count()) {}
 
   std::vector<TrianglePair> frame(std::size_t i) {
     const EncounterFrame& f = encounter_.frames[i];
@@ -82,17 +73,17 @@ std::vector<CollisionResult> run_encounter(const Character& c, const Encounter& 
   std::vector<CollisionResult> results;
   std::vector<Timed> timed;
   std::vector<std::vector<TrianglePair>> expected;
-  for (const Column& column : all) {
-    CollisionResult r{c.model.name, e.name, column.name, query};
+  for (const Contender* column : all) {
+    CollisionResult r{c.model.name, e.name, column->name, query};
     std::vector<std::vector<TrianglePair>> pairs;
-    Walkers(c, column, e, query).count(r, pairs);
+    Walkers(c, *column, e, query).count(r, pairs);
     if (expected.empty()) expected = pairs;
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (query == Query::full ? pairs[i] != expected[i] : pairs[i].empty() != expected[i].empty())
-        throw std::logic_error("collisions: " + column.name + " finds other pairs than " + all[0].name + " in " +
+        throw std::logic_error("collisions: " + column->name + " finds other pairs than " + all[0]->name + " in " +
                                c.model.name + ", " + e.name + ", frame " + std::to_string(i));
-    const auto walkers = std::make_shared<Walkers>(c, column, e, query);
-    timed.push_back({column.name, static_cast<int>(e.frames.size()), [walkers] { walkers->all_frames(); }});
+    const auto walkers = std::make_shared<Walkers>(c, *column, e, query);
+    timed.push_back({column->name, static_cast<int>(e.frames.size()), [walkers] { walkers->all_frames(); }});
     results.push_back(std::move(r));
   }
   const auto times = ns_per_item(timed, speed);

@@ -13,7 +13,7 @@ struct CollisionSettings {
 
 // Means over the frames of an encounter.
 struct CollisionResult {
-  std::string model, scene, variant;  // "... from below" where the nodes of many joint-sets are bounded so
+  std::string model, scene, variant;  // that is, contender
   Query query;
   double pairs = 0, ball_tests = 0, triangle_tests = 0, balls_refitted = 0, vertices_skinned = 0;
   std::vector<double> share_refitted;  // by level - 1, of both trees' balls
@@ -21,7 +21,7 @@ struct CollisionResult {
   double ratio_to_repaired = 0;        // of the time
 };
 
-// All spherical variants that are sound, in all encounters of the character, full and yes/no. Throws std::logic_error if
+// All spherical contenders that are sound, in all encounters of the character, full and yes/no. Throws std::logic_error if
 // two variants find different pairs.
 std::vector<CollisionResult> run_collisions(const Character& character, const CollisionSettings& settings);
 

@@ -4,11 +4,11 @@
 #include <sstream>
 
 #include "algorithms/queries/score.hpp"
-#include "algorithms/refit/variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
 #include "experiments/report/pareto.hpp"
+#include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
 namespace {
@@ -109,8 +109,8 @@ void write_tightness_section(std::ostringstream& out, const std::vector<Tightnes
   if (results.empty()) return;
   out << "<h2>Tightness</h2><p>Radii of the refitted balls by level of the sphere tree, beside the smallest balls of the deformed "
          "vertices (Optimal). Where several postures were sampled, averages run over all of them.</p><ul>";
-  for (const RefitVariant& v : refit_variants())
-    out << "<li><b>" << v.name << "</b>: " << escape_html(v.description) << (v.sound ? "" : " (unsound)") << "</li>";
+  for (const Contender& c : contenders())
+    out << "<li><b>" << c.name << "</b>: " << escape_html(c.description) << (c.variant->sound ? "" : " (unsound)") << "</li>";
   out << "<li><b>linear_under_spherical</b>: the linear refit's balls against spherically blended vertices</li>"
          "<li><b>bottom_up</b>: smallest balls of the deformed leaf vertices, then of the children [Brown et al. 2001]</li></ul>\n"
          "<h3>Balls that miss a deformed vertex</h3><p>Outside by more than "
@@ -161,7 +161,7 @@ void write_collisions_section(std::ostringstream& out, const std::vector<Collisi
   out << "<h2>Collision queries</h2><p>Two copies of a model pass each other, face to face: far (the roots are disjoint), near (nothing "
          "touches), light (about 50 touching pairs of triangles in the median frame) and heavy (about 850, or walking through each other). "
          "Means of a frame: all pairs (full), or until the first (yes/no). The time includes the frame's joint-set data, refits, skinning "
-         "and tests. From below: nodes of more than 16 joint-sets are bounded by the balls of their front.</p>\n";
+         "and tests.</p>\n";
   std::string scene;
   for (const CollisionResult& r : results) {
     const std::string own = r.model + ", " + r.scene + ", " + (r.query == Query::full ? "full" : "yes/no");

@@ -4,23 +4,37 @@
 
 #include <cstdio>
 #include <iostream>
+#include <memory>
 
 #include "algorithms/results/result_file.hpp"
+#include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
 
 namespace {
 
-// Refits these nodes of the character by each sound variant.
+// Refits these nodes of the character by each sound variant that stands alone, and all of them by the others too: they
+// make some nodes from others.
 std::vector<Timed> refits_of(const Character& c, const Posture& posture, const std::vector<int>& nodes) {
   std::vector<Timed> out;
-  for (const RefitVariant& variant : refit_variants()) {
+  for (const Contender& contender : contenders()) {
+    const RefitVariant& variant = *contender.variant;
     if (!variant.sound) continue;
-    const auto pose = make_skinning_pose(c.model, c.sets, posture, variant.skinning);
-    out.push_back({variant.name, static_cast<int>(nodes.size()), [&c, &variant, &nodes, pose] {
-                     for (const int n : nodes)
-                       benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));
-                   }});
+    const auto pose = std::make_shared<SkinningPose<double>>(make_skinning_pose(c.model, c.sets, posture, variant.skinning));
+    const int count = static_cast<int>(nodes.size());
+    if (contender.stands_alone()) {
+      out.push_back({contender.name, count, [&c, &variant, &nodes, pose] {
+                       for (const int n : nodes)
+                         benchmark::DoNotOptimize(variant.refit(c.refit_node(n, *pose, variant.pieces)));
+                     }});
+    } else if (nodes.size() == c.tree.nodes.size()) {
+      const auto frame = std::make_shared<FrameRefits>(c, variant, contender.options);
+      out.push_back({contender.name, count, [frame, pose] {
+                       frame->begin(*pose);
+                       frame->refit_all();
+                       benchmark::DoNotOptimize((*frame)[0]);
+                     }});
+    }
   }
   return out;
 }

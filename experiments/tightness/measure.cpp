@@ -1,9 +1,9 @@
 #include "experiments/tightness/measure.hpp"
 
 #include "algorithms/refit/deformed.hpp"
-#include "algorithms/refit/variants.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "experiments/parallel.hpp"
+#include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
 namespace {
@@ -32,11 +32,11 @@ class PostureMeasurement {
     std::vector<Ball3<double>> reference;
     for (const TreeNode& n : c_.tree.nodes) reference.push_back(n.reference);
     add("reference", reference, spherical, false);
-    for (const RefitVariant& variant : refit_variants()) {
-      const Frame& own = frame(variant.skinning);
-      const auto balls = c_.refit_all(variant, own.pose);
-      add(variant.name, balls, own, true);
-      if (variant.name == "linear") add("linear_under_spherical", balls, spherical, true);
+    for (const Contender& contender : contenders()) {
+      const Frame& own = frame(contender.variant->skinning);
+      const auto balls = refit_all(c_, contender, own.pose);
+      add(contender.name, balls, own, true);
+      if (contender.name == "linear") add("linear_under_spherical", balls, spherical, true);
     }
     add("bottom_up", refit_bottom_up(c_.tree, spherical.deformed), spherical, true);
     add("optimal", spherical.optimal, spherical, true);
@@ -116,9 +116,9 @@ void LevelTightness::merge(const LevelTightness& o) {
 
 std::vector<std::string> tightness_columns() {
   std::vector<std::string> columns{"reference"};
-  for (const RefitVariant& v : refit_variants()) {
-    columns.push_back(v.name);
-    if (v.name == "linear") columns.push_back("linear_under_spherical");
+  for (const Contender& c : contenders()) {
+    columns.push_back(c.name);
+    if (c.name == "linear") columns.push_back("linear_under_spherical");
   }
   columns.insert(columns.end(), {"bottom_up", "optimal"});
   for (const auto& [skinning, column] : other_optimal_columns) columns.push_back(column);

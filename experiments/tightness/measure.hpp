@@ -28,7 +28,7 @@ struct LevelTightness {
 
 using Tightness = std::map<std::string, std::vector<LevelTightness>>;  // by variant, by level - 1
 
-// The columns of the experiment in the order of the report: "reference", every refit variant, "linear_under_spherical"
+// The columns of the experiment in the order of the report: "reference", every contender, "linear_under_spherical"
 // (the linear refit against spherically skinned vertices), "bottom_up", "optimal", "optimal_linear" and
 // "optimal_dual_quaternion".
 std::vector<std::string> tightness_columns();

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <numbers>
 
-#include "algorithms/refit/variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/parallel.hpp"
+#include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
 namespace {
@@ -53,9 +53,9 @@ void print_table(const TightnessResult& r) {
     std::printf("\n");
   }
   std::printf("  avg / Optimal of every variant, level by level:\n");
-  for (const RefitVariant& variant : refit_variants()) {
-    std::printf("  %-26s", variant.name.c_str());
-    for (const LevelTightness& t : r.tightness.at(variant.name)) std::printf(" %5.3f", t.ratio_to_optimal());
+  for (const Contender& contender : contenders()) {
+    std::printf("  %-31s", contender.name.c_str());
+    for (const LevelTightness& t : r.tightness.at(contender.name)) std::printf(" %5.3f", t.ratio_to_optimal());
     std::printf("\n");
   }
   std::printf("  balls that miss a vertex (undefined; worst miss):");

@@ -54,7 +54,8 @@ bool in_ball(const Ball3<double>& ball, const Point3& v) {
 
 // What is wrong with a node's pieces; empty if nothing is. At most `most` of its vertices are looked at.
 std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOptions& options, std::size_t most) {
-  const int most_pieces = options.most_pieces;
+  const auto share = static_cast<int>(options.pieces_per_joint_set * rig.tree.nodes[n].joint_set_count);
+  const int most_pieces = std::max(options.most_pieces, share);
   const auto node = table.refit_node(rig.tree, n, rig.pose);
   const auto of_node = rig.vertices[n];
   std::set<int> expected, seen;
@@ -147,7 +148,7 @@ PROPTEST(pieces) {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
-            for (const PieceOptions& options : {PieceOptions{1}, {2}, {5}, {64}, {1, 2.}, {3, 0.5}}) {
+            for (const PieceOptions& options : {PieceOptions{1}, {2}, {5}, {64}, {1, 1.5, 2.}, {3, 1, 0.5}, {1, 1.7}}) {
               const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
               for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); n += n < 12 ? 1 : 5)
                 RC_ASSERT(fault(rig, table, n, options, 12) == "");
@@ -159,7 +160,9 @@ PROPTEST(pieces) {
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
             const PieceTable few(rig.tree, rig.vertices, rig.model, rig.sets, {1});
-            const PieceTable many(rig.tree, rig.vertices, rig.model, rig.sets, {8});
+            const bool per_set = *rc::gen::arbitrary<bool>();
+            const PieceOptions options = per_set ? PieceOptions{1, 2.6} : PieceOptions{8};
+            const PieceTable many(rig.tree, rig.vertices, rig.model, rig.sets, options);
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) {
               const auto a = few.refit_node(rig.tree, n, rig.pose), b = many.refit_node(rig.tree, n, rig.pose);
               const auto largest = [](const RefitNode<double>& node) {
@@ -168,8 +171,8 @@ PROPTEST(pieces) {
                 return r;
               };
               RC_ASSERT(largest(b) <= largest(a) * (1 + 1e-12));
-              RC_ASSERT(b.joint_sets.size() ==
-                        std::max<std::size_t>(a.joint_sets.size(), std::min<std::size_t>(8, rig.vertices[n].size())));
+              const std::size_t allowed = per_set ? 13 * a.joint_sets.size() / 5 : 8;
+              RC_ASSERT(b.joint_sets.size() == std::max(a.joint_sets.size(), std::min(allowed, rig.vertices[n].size())));
             }
           });
   t.example("the widest piece is split first: eight pieces of a tube of one joint are a fraction of it", {}, [] {
@@ -188,7 +191,7 @@ PROPTEST(pieces) {
             const Rig rig(gen::make_mesh(plan));
             const double factor = *rc::gen::element(0.25, 1., 2., 8.);
             const PieceTable plain(rig.tree, rig.vertices, rig.model, rig.sets, {1}),
-                mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, factor});
+                mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, 1, factor});
             Listed result;
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n)
               compare_lists(rig, plain, mixed, factor, n, result);
@@ -200,7 +203,7 @@ PROPTEST(pieces) {
   t.example("on the built-in man, some of its pieces are listed as vertices and some are not", {}, [] {
     const Rig rig(make_man());
     const PieceTable plain(rig.tree, rig.vertices, rig.model, rig.sets, {}),
-        mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, 2.});
+        mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, 1, 2.});
     Listed result;
     for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); n += 7) compare_lists(rig, plain, mixed, 2, n, result);
     return Checked(result.wrong.empty() && result.listed > 500 && result.kept > 500, result.listed + result.kept,

@@ -1,0 +1,26 @@
+// Contenders: what the experiments compare, one name each in result files and in the report.
+#pragma once
+
+#include "algorithms/refit/frame_refits.hpp"
+
+namespace refitlab {
+
+// A refit variant, with what a frame's balls know of each other or without.
+struct Contender {
+  std::string name, description;
+  const RefitVariant* variant;
+  FrameOptions options;
+
+  bool stands_alone() const { return options.most_joint_sets == 0 && !options.children_first; }
+};
+
+// Every refit variant by itself, and after each default one (default_variant) the same from below and children first.
+const std::vector<Contender>& contenders();
+
+// Throws std::invalid_argument for a name that is not one of them.
+const Contender& contender(const std::string& name);
+
+// The balls of all nodes in this posture, children before parents.
+std::vector<Ball3<double>> refit_all(const Character& character, const Contender& contender, const SkinningPose<double>& pose);
+
+}  // namespace refitlab
