@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/growth/joints.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/speed/balls.hpp"
@@ -13,7 +14,7 @@
 
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "volumes", "collisions", "queries"};
+const char* const experiments[] = {"tightness", "speed", "volumes", "collisions", "growth", "queries"};
 
 struct Options {
   std::vector<std::string> only, files;
@@ -101,7 +102,11 @@ int main(int argc, char** argv) try {
       write_collisions(report.collisions, options.out + "/results/collisions.csv");
     }
   }
-  // Balls and queries have nothing to do with a model: on one's own models they run only if they are asked for.
+  // These have nothing to do with a model given: on one's own models they run only if they are asked for.
+  if (options.wants("growth") && (options.files.empty() || !options.only.empty())) {
+    report.joint_growth = run_joint_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
+    write_joint_growth(report.joint_growth, options.out + "/results/joint_growth.csv");
+  }
   if (options.wants("speed") && (options.files.empty() || !options.only.empty()))
     write_ball_speed(run_ball_speed(options.speed), options.out + "/results/ball_speed.csv");
   if (options.wants("queries") && (options.files.empty() || !options.only.empty())) {

@@ -18,4 +18,9 @@ Model make_man();
 // left_upper_arm and right_wing_arm.
 Model make_creature();
 
+// A tube of 10 m along z with this many joints in a row, for what depends on their number: 20,000 triangles, whatever
+// the joints; two joints at most to a vertex, and so about as many joint-sets. Its clip is "wave" alone. Throws ModelError
+// for joints < 1.
+Model make_snake(int joints);
+
 }  // namespace refitlab

@@ -40,6 +40,8 @@ class FrameRefits {
   void refit_all();
 
   bool is_refitted(int node) const { return frame_of_[node] == frame_; }
+  // The nodes that a node is bounded from below by; empty for one that is refitted by itself.
+  const std::vector<int>& front(int node) const { return front_[node]; }
   // How many balls were made since begin, by level - 1.
   const std::vector<long>& refitted_by_level() const { return refitted_; }
 

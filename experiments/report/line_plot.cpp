@@ -10,7 +10,7 @@
 namespace refitlab {
 namespace {
 
-constexpr double width = 620, height = 360, left = 56, right = 190, top = 34, bottom = 44;
+constexpr double width = 680, height = 360, left = 68, right = 238, top = 34, bottom = 44;
 
 struct Axis {
   double low, high;

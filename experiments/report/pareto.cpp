@@ -33,7 +33,7 @@ LinePlot price_plot(const std::string& model, const std::vector<Price>& all) {
 
 LinePlot level_plot(const std::string& model, const std::vector<SpeedResult>& speed) {
   LinePlot plot{.title = model + ": cost by level", .x_label = "level of the tree", .y_label = "ns per sphere", .lines = {}, .log_y = true};
-  for (const char* variant : {"spherical_repaired", "control_exact", "control_sets_exact", "control_mixed", "control_mixed_from_below", "control_clusters"}) {
+  for (const char* variant : {"spherical_repaired", "control_exact", "control_sets_exact", "control_mixed", "control_clusters"}) {
     PlotLine line{variant, {}, plot_color(plot.lines.size())};
     for (const SpeedResult& r : speed)
       if (r.model == model && r.variant == variant && r.level > 0) line.points.emplace_back(r.level, r.ns_per_sphere);
@@ -44,7 +44,7 @@ LinePlot level_plot(const std::string& model, const std::vector<SpeedResult>& sp
 }
 
 void write_table(std::ostringstream& out, const std::vector<Price>& all) {
-  out << "<div class=\"scroll\"><table><thead><tr><th>variant</th><th>skinning</th><th>ns per sphere</th><th>times Algorithm 1 "
+  out << "<div class=\"scroll\"><table><thead><tr><th>variant</th><th>skinning</th><th>ns per sphere</th><th>times "
          "repaired</th><th>radius / Optimal, mean</th><th>worst level</th><th>balls that miss</th><th>best at its price</th></tr>"
          "</thead><tbody>\n";
   for (const Price& p : all)
@@ -64,7 +64,8 @@ struct Summary {
     worst = std::max(worst, p.worst_ratio);
   }
   std::string text() const {
-    return format("costs %.2f", cheapest) + format(" to %.2f times Algorithm 1 repaired, and on its worst level", dearest) +
+    const std::string low = format("%.2f", cheapest), high = format("%.2f", dearest);
+    return "costs " + low + (low == high ? "" : " to " + high) + " times Algorithm 1 repaired, and on its worst level" +
            format(" the average radius is %.3f times the optimal one", worst);
   }
 };

@@ -180,6 +180,34 @@ void write_collisions_section(std::ostringstream& out, const std::vector<Collisi
   out << "</tbody></table></div></details>\n";
 }
 
+void write_growth_section(std::ostringstream& out, const std::vector<JointGrowth>& rows) {
+  if (rows.empty()) return;
+  out << "<h2>Growth with joints</h2><p>A tube of 20,000 triangles with ever more joints in a row, refitted by the default variant: nodes of "
+         "more than 16 joint-sets by themselves, and from below. The cost of a ball whose front the frame knows does not depend on the number of "
+         "joints: the root's grows by an exponent of " << format("%.2f", exponent(rows, &JointGrowth::root_from_known))
+      << " from 100 to 1000 joints while the front fills up to its 64 balls, and no further.</p>\n";
+  LinePlot plot{.title = "the root's ball", .x_label = "joints", .y_label = "us", .lines = {}, .log_x = true, .log_y = true};
+  const std::pair<const char*, double JointGrowth::*> lines[] = {{"by itself", &JointGrowth::own_root},
+                                                                 {"from below, asked first", &JointGrowth::root_from_below},
+                                                                 {"from a known front", &JointGrowth::root_from_known}};
+  for (const auto& [label, cost] : lines) {
+    PlotLine line{label, {}, plot_color(plot.lines.size())};
+    for (const JointGrowth& r : rows)
+      if (r.*cost > 0) line.points.emplace_back(r.joints, r.*cost / 1000);
+    plot.lines.push_back(std::move(line));
+  }
+  out << plot.svg()
+      << "<div class=\"scroll\"><table><thead><tr><th>joints</th><th>joint-sets</th><th>nodes of many</th><th>all their balls, by themselves, us"
+         "</th><th>from below, us</th><th>root by itself, us</th><th>from below, us</th><th>from a known front, us</th><th>root / Optimal, by "
+         "itself</th><th>from below</th></tr></thead><tbody>\n";
+  for (const JointGrowth& r : rows) {
+    out << "<tr><td>" << r.joints << "</td><td>" << r.joint_sets << "</td><td>" << r.many << "</td>";
+    for (const double ns : {r.own, r.from_below, r.own_root, r.root_from_below, r.root_from_known}) out << "<td>" << format("%.1f", ns / 1000) << "</td>";
+    out << "<td>" << format("%.3f", r.root_ratio) << "</td><td>" << format("%.3f", r.root_ratio_from_below) << "</td></tr>\n";
+  }
+  out << "</tbody></table></div>\n";
+}
+
 }  // namespace
 
 void write_report(const Report& report, const std::string& path) {
@@ -195,6 +223,7 @@ void write_report(const Report& report, const std::string& path) {
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);
   write_collisions_section(out, report.collisions);
+  write_growth_section(out, report.joint_growth);
   write_queries_section(out, report.queries);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
       << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";

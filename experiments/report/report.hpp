@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/growth/joints.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
 #include "experiments/speed/speed.hpp"
@@ -18,6 +19,7 @@ struct Report {
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
   std::vector<CollisionResult> collisions;
+  std::vector<JointGrowth> joint_growth;
   std::vector<QueryResult> queries;
 };
 

@@ -4,7 +4,7 @@
 #include <random>
 #include <set>
 
-#include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -83,7 +83,7 @@ Ball3<double> ball_by_definition(const Drawn& d, int n, const FrameOptions& opti
   if (d.joint_sets(n) <= options.most_joint_sets || d.character.tree.nodes[n].child_count == 0) return d.own(n);
   std::vector<Ball3<double>> balls;
   for (const int below : front_by_definition(d, n, options)) balls.push_back(ball_by_definition(d, below, options, refitted));
-  return smallest_ball_of_balls(balls);
+  return few_balls_ball(balls).ball;
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ PROPTEST(frame_refits) {
               double expected = d.own(n).radius;
               std::vector<Ball3<double>> children;
               for (int c = 0; c < node.child_count; ++c) children.push_back(frame[node.first_child + c]);
-              if (!children.empty()) expected = std::min(expected, smallest_ball_of_balls(children).radius);
+              if (!children.empty()) expected = std::min(expected, few_balls_ball(children).ball.radius);
               RC_ASSERT(frame[n].radius == expected);
               RC_ASSERT(d.encloses(frame[n], n));
             }

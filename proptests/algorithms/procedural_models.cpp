@@ -10,6 +10,7 @@
 #include <set>
 
 #include "algorithms/model/procedural.hpp"
+#include "algorithms/skinning/skinning_pose.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {
@@ -193,6 +194,28 @@ PROPTEST(procedural_models) {
                          !names.contains(""),
                      1, std::to_string(m.triangles.size()) + " triangles, " + std::to_string(names.size()) + " joints");
     });
+  });
+
+  t.example("a snake of any number of joints is one closed surface of 20,000 triangles with about as many joint-sets", {}, [] {
+    long snakes = 0;
+    for (const int joints : {1, 2, 7, 100, 1000}) {
+      const Model m = make_snake(joints);
+      const int sets = JointSets(m).count();
+      const Posture posture = m.clips[0].sample(0.3);
+      validate(m);
+      if (m.triangles.size() != 20000 || static_cast<int>(m.joints.size()) != joints || !is_closed_and_oriented(m) ||
+          component_count(m) != 1 || !(volume(m) > 0) || sets < joints || sets > 2 * joints || posture.size() != m.joints.size())
+        return Checked(false, snakes, m.name);
+      const JointSets in(m);
+      make_skinning_pose(m, in, posture, Skinning::spherical);  // throws for a posture that is not rigid
+      ++snakes;
+    }
+    try {
+      make_snake(0);
+    } catch (const ModelError& e) {
+      return Checked(std::string(e.what()).find("joints") != std::string::npos, snakes, e.what());
+    }
+    return Checked(false, snakes, "a snake without joints was made");
   });
 
   t.example("the models pass validation", {}, [] {

@@ -1,0 +1,102 @@
+#include "experiments/growth/joints.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/results/result_file.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "experiments/scenes/contenders.hpp"
+
+namespace refitlab {
+namespace {
+
+JointGrowth measure(int joints, const SpeedSettings& speed) {
+  const Character snake(make_snake(joints));
+  const Contender& below = contender(default_variant(Skinning::spherical).name + "_from_below");
+  const RefitVariant& variant = *below.variant;
+  const auto pose = make_skinning_pose(snake.model, snake.sets, snake.model.clips[0].sample(0.5), variant.skinning);
+  std::vector<int> many;
+  for (std::size_t n = 0; n < snake.tree.nodes.size(); ++n)
+    if (snake.tree.nodes[n].joint_set_count > below.options.most_joint_sets && snake.tree.nodes[n].child_count > 0)
+      many.push_back(static_cast<int>(n));
+
+  FrameRefits own(snake, variant), from_below(snake, variant, below.options);
+  std::vector<Timed> timed;
+  for (auto& [name, frame] : {std::pair("own", &own), std::pair("from_below", &from_below)}) {
+    timed.push_back({std::string(name) + "_root", 1, [&pose, frame = frame] {
+                       frame->begin(pose);
+                       benchmark::DoNotOptimize((*frame)[0]);
+                     }});
+    if (!many.empty())
+      timed.push_back({name, 1, [&pose, &many, frame = frame] {
+                         frame->begin(pose);
+                         for (const int n : many) benchmark::DoNotOptimize((*frame)[n]);
+                       }});
+  }
+  from_below.begin(pose);
+  from_below.refit_all();
+  std::vector<Ball3<double>> front;
+  for (const int n : from_below.front(0)) front.push_back(from_below[n]);
+  if (!front.empty()) timed.push_back({"known", 1, [&front] { benchmark::DoNotOptimize(few_balls_ball(front)); }});
+  const auto times = ns_per_item(timed, speed);
+  const auto time = [&](const char* name) { return times.count(name) ? median(times.at(name)) : 0.0; };
+  JointGrowth out{joints, snake.sets.count(), static_cast<int>(many.size()), time("own"), time("from_below"), time("own_root"),
+                  time("from_below_root"), time("known"), 0, 0};
+  const auto deformed = skin(snake.model, snake.sets, pose, variant.skinning);
+  const double optimal = as_ball(smallest_ball<double, 3>(deformed)).radius;
+  out.root_ratio = own[0].radius / optimal;
+  out.root_ratio_from_below = from_below[0].radius / optimal;
+  return out;
+}
+
+}  // namespace
+
+std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings) {
+  std::vector<JointGrowth> rows;
+  for (const int joints : {10, 30, 100, 300, 1000}) {
+    std::cout << "[growth] a snake of " << joints << " joints" << std::endl;
+    rows.push_back(measure(joints, settings));
+    const JointGrowth& r = rows.back();
+    std::printf("  %4d joint-sets, %3d nodes of many: %7.1f us in all, %7.1f from below; the root %7.1f us, %7.1f from below, %5.1f if the frame "
+                "knows its front; %.3f and %.3f times optimal\n", r.joint_sets, r.many, r.own / 1000, r.from_below / 1000, r.own_root / 1000,
+                r.root_from_below / 1000, r.root_from_known / 1000, r.root_ratio, r.root_ratio_from_below);
+  }
+  std::printf("  exponents of the root's cost from 100 to 1000 joints: %.2f by itself, %.2f from its front\n",
+              exponent(rows, &JointGrowth::own_root), exponent(rows, &JointGrowth::root_from_known));
+  return rows;
+}
+
+double exponent(const std::vector<JointGrowth>& rows, double JointGrowth::*cost) {
+  const auto of = [&](int joints) { return *std::find_if(rows.begin(), rows.end(), [&](const JointGrowth& r) { return r.joints == joints; }); };
+  const JointGrowth a = of(100), b = of(1000);
+  return std::log(b.*cost / (a.*cost)) / std::log(static_cast<double>(b.joints) / a.joints);
+}
+
+void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string& path) {
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  for (const JointGrowth& r : rows) {
+    const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
+      file.add({"joint_growth", "snake of " + std::to_string(r.joints) + " joints", "wave", variant, "all", quantity, format_number(value), unit});
+    };
+    add("own", "joint_sets", r.joint_sets, "1");
+    add("own", "nodes_of_many_joint_sets", r.many, "1");
+    if (r.many > 0) {
+      add("own", "ns_of_nodes_of_many", r.own, "ns");
+      add("from_below", "ns_of_nodes_of_many", r.from_below, "ns");
+      add("from_below", "ns_of_root_from_known", r.root_from_known, "ns");
+    }
+    add("own", "ns_of_root", r.own_root, "ns");
+    add("from_below", "ns_of_root", r.root_from_below, "ns");
+    add("own", "root_ratio_to_optimal", r.root_ratio, "1");
+    add("from_below", "root_ratio_to_optimal", r.root_ratio_from_below, "1");
+  }
+  file.write(path);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,31 @@
+// Growth with the number of joints: what the balls of nodes with many joint-sets cost, each by itself and from below.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/speed/timing.hpp"
+
+namespace refitlab {
+
+// On the snake of this many joints, by the default variant for spherical blending. Times are of one frame, in ns.
+struct JointGrowth {
+  int joints = 0;
+  int joint_sets = 0;
+  int many = 0;                     // nodes of more than 16 joint-sets
+  double own = 0, from_below = 0;   // all their balls in a frame; from below with all that is refitted for them
+  double own_root = 0;              // the root's ball by itself
+  double root_from_below = 0;       // the same from below, as the first question to a frame
+  double root_from_known = 0;       // and where the frame knows the root's front already
+  double root_ratio = 0, root_ratio_from_below = 0;  // the root's radius / the optimal one, at half of the clip
+};
+
+// For 10 to 1000 joints.
+std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings);
+
+// The exponent of the growth of cost from 100 to 1000 joints.
+double exponent(const std::vector<JointGrowth>& rows, double JointGrowth::*cost);
+
+void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string& path);
+
+}  // namespace refitlab
