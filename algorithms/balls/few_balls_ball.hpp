@@ -234,4 +234,20 @@ inline SmallestBallOfBalls few_balls_ball(std::span<const Ball3<double>> balls) 
   return {smallest_ball_of_balls(balls)};
 }
 
+// The same without the certificate, which costs as much as the ball does for the balls that most nodes of a tree have:
+// one, or three points.
+inline Ball3<double> few_balls_enclosing(std::span<const Ball3<double>> balls) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (balls.size() == 1) {
+    const Ball3<double>& b = balls[0];
+    const double size = std::abs(b.center[0]) + std::abs(b.center[1]) + std::abs(b.center[2]) + b.radius;
+    if (b.radius >= 0 && size < infinity) return b;
+  } else if (balls.size() == 3 && balls[0].radius == balls[1].radius && balls[1].radius == balls[2].radius) {
+    const auto points = three_points_ball(balls[0].center, balls[1].center, balls[2].center);
+    const double radius = root(points.squared_radius) + balls[0].radius;
+    if (balls[0].radius >= 0 && radius < infinity) return {points.center, radius};
+  }
+  return few_balls_ball(balls).ball;
+}
+
 }  // namespace refitlab

@@ -62,7 +62,8 @@ QueryNodes::QueryNodes(const RefitQuery& query) : reference_(lift<double>(query.
     const auto add = [&](Pieces pieces, const std::vector<RationalWeights>& corners) {
       if (corners.empty()) return;
       Description& d = descriptions_[static_cast<int>(pieces)];
-      d.pieces.push_back({number, static_cast<int>(d.corner_weights.size()), static_cast<int>(corners.size())});
+      d.pieces.push_back({number, static_cast<int>(d.corner_weights.size()), static_cast<int>(corners.size()),
+                          static_cast<int>(d.pieces.size())});
       if (pieces != Pieces::node) d.references.push_back(lift<double>(set.reference));
       for (const auto& corner : corners)
         for (const Rational& w : corner) d.corner_weights.push_back(lift<double>(w));

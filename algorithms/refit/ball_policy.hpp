@@ -29,7 +29,7 @@ struct SmallestBalls {
     else
       return smallest_ball(points).center;
   }
-  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return few_balls_ball(balls).ball; }
+  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return few_balls_enclosing(balls); }
 };
 
 // A few steps from the middle of the balls' box towards the smallest ball: each moves the center towards the ball that

@@ -77,7 +77,7 @@ void FrameRefits::refit(int n) {
     balls_[n] = from_below(n);
   if (options_.children_first && are_children_refitted(node)) {
     const Ball3<double> merged =
-        few_balls_ball({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)}).ball;
+        few_balls_enclosing({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
     if (merged.radius < balls_[n].radius) balls_[n] = merged;
   }
   frame_of_[n] = frame_;
@@ -94,7 +94,7 @@ Ball3<double> FrameRefits::from_below(int node) {
   for (const int below : front_[node]) (*this)[below];  // may come here again, and uses the list
   front_balls_.clear();
   for (const int below : front_[node]) front_balls_.push_back(balls_[below]);
-  return few_balls_ball(front_balls_).ball;
+  return few_balls_enclosing(front_balls_);
 }
 
 }  // namespace refitlab

@@ -14,6 +14,7 @@ struct NodeJointSet {
   int joint_set;
   int first_weight;  // of the corners, rows of one weight a joint, in a shared pool
   int corner_count;  // m
+  int reference = 0;  // in RefitNode::piece_references, if it has any
 };
 
 template <class S>
@@ -22,7 +23,8 @@ struct RefitNode {
   std::span<const NodeJointSet> joint_sets;  // J: the pieces that together are the node's vertices
   const S* corner_weights;                   // the pool
   std::span<const JointSetPose<S>> pose;     // of the frame, by joint-set
-  std::span<const Ball3<S>> piece_references = {};  // by piece, enclosing its vertices alone; empty: S for all of them
+  // A shared pool of balls; that of a piece (NodeJointSet::reference) encloses its vertices alone. Empty: S for all of them.
+  std::span<const Ball3<S>> piece_references = {};
 
   // c_k of one of its pieces, by position in the joint-set.
   std::span<const S> corner(const NodeJointSet& set, int k) const {
@@ -30,7 +32,7 @@ struct RefitNode {
     return {corner_weights + set.first_weight + k * n, n};
   }
   const Ball3<S>& piece_reference(std::size_t piece) const {
-    return piece_references.empty() ? reference : piece_references[piece];
+    return piece_references.empty() ? reference : piece_references[joint_sets[piece].reference];
   }
 };
 

@@ -63,61 +63,81 @@ class Clustering {
   double extent_;  // the length that a full change of weight counts as: the node's radius
 };
 
-std::vector<Cluster> clusters_of(const Model& model, const JointSets& sets, const TreeNode& node,
-                                 std::span<const int> vertices, int most) {
-  const Clustering clustering(model, sets, node.reference.radius);
-  std::map<int, std::vector<int>> by_set;
-  for (const int v : vertices) by_set[sets.of_vertex(v)].push_back(v);
-  const auto less = [](const Cluster& a, const Cluster& b) { return a.spread < b.spread; };
-  std::priority_queue<Cluster, std::vector<Cluster>, decltype(less)> queue(less);
-  std::vector<Cluster> done;
-  for (auto& [set, own] : by_set) queue.push(clustering.make(set, std::move(own)));
-  while (!queue.empty() && static_cast<int>(queue.size() + done.size()) < most) {
-    const Cluster widest = queue.top();
-    queue.pop();
-    if (widest.vertices.size() == 1) {
-      done.push_back(widest);
-      continue;
-    }
-    auto [a, b] = clustering.split(widest);
-    queue.push(std::move(a));
-    queue.push(std::move(b));
-  }
-  for (; !queue.empty(); queue.pop()) done.push_back(queue.top());
-  std::stable_sort(done.begin(), done.end(), [](const Cluster& a, const Cluster& b) { return a.joint_set < b.joint_set; });
-  return done;
-}
-
 using Corners = std::vector<std::vector<double>>;
 
-bool better_as_vertices(const Cluster& c, const Corners& corners, std::size_t cluster_count, double per_control_point) {
-  if (cluster_count == 1 && corners.size() == 1) return false;
-  const auto m = static_cast<double>(corners.size());
-  return static_cast<double>(c.vertices.size()) <= per_control_point * m * (m + 1) * (m + 2) / 6;
-}
+class NodeClusters {
+ public:
+  NodeClusters(const Model& model, const JointSets& sets, const PieceOptions& options)
+      : model_(model), sets_(sets), options_(options) {}
+
+  std::vector<Cluster> of(const TreeNode& node, std::span<const int> vertices) const {
+    const Clustering clustering(model_, sets_, node.reference.radius);
+    const int most = std::max(options_.most_pieces, static_cast<int>(options_.pieces_per_joint_set * node.joint_set_count));
+    std::map<int, std::vector<int>> by_set;
+    for (const int v : vertices) by_set[sets_.of_vertex(v)].push_back(v);
+    const auto less = [](const Cluster& a, const Cluster& b) { return a.spread < b.spread; };
+    std::priority_queue<Cluster, std::vector<Cluster>, decltype(less)> queue(less);
+    std::vector<Cluster> done;
+    for (auto& [set, own] : by_set) queue.push(clustering.make(set, std::move(own)));
+    while (!queue.empty() && static_cast<int>(queue.size() + done.size()) < most) {
+      const Cluster widest = queue.top();
+      queue.pop();
+      if (widest.vertices.size() == 1 || is_better_as_vertices(widest, corners_of(widest))) {
+        done.push_back(widest);
+        continue;
+      }
+      auto [a, b] = clustering.split(widest);
+      queue.push(std::move(a));
+      queue.push(std::move(b));
+    }
+    for (; !queue.empty(); queue.pop()) done.push_back(queue.top());
+    std::stable_sort(done.begin(), done.end(), [](const Cluster& a, const Cluster& b) { return a.joint_set < b.joint_set; });
+    return done;
+  }
+
+  Corners corners_of(const Cluster& c) const {
+    std::vector<std::span<const double>> weights;
+    for (const int v : c.vertices) weights.push_back(sets_.weights(v));
+    return weight_corners(weights);
+  }
+
+  bool is_better_as_vertices(const Cluster& c, const Corners& corners) const {
+    const auto m = static_cast<double>(corners.size());
+    return static_cast<double>(c.vertices.size()) <= options_.vertices_per_control_point * m * (m + 1) * (m + 2) / 6;
+  }
+
+ private:
+  const Model& model_;
+  const JointSets& sets_;
+  const PieceOptions& options_;
+};
 
 }  // namespace
 
 PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, const Model& model, const JointSets& sets,
                        const PieceOptions& options) {
-  const auto add = [&](int joint_set, const Ball3<double>& reference, const Corners& corners) {
-    pieces_.push_back({joint_set, static_cast<int>(corner_weights_.size()), static_cast<int>(corners.size())});
-    references_.push_back(reference);
-    for (const auto& corner : corners) corner_weights_.insert(corner_weights_.end(), corner.begin(), corner.end());
-  };
+  std::vector<int> row;  // by vertex, of its weights
+  for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+    const auto weights = sets.weights(static_cast<int>(v));
+    row.push_back(static_cast<int>(corner_weights_.size()));
+    corner_weights_.insert(corner_weights_.end(), weights.begin(), weights.end());
+    references_.push_back({model.vertices[v], 0});
+  }
+  const NodeClusters clusters(model, sets, options);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     first_.push_back(pieces_.size());
-    const auto share = static_cast<int>(options.pieces_per_joint_set * tree.nodes[n].joint_set_count);
-    const auto clusters = clusters_of(model, sets, tree.nodes[n], vertices[static_cast<int>(n)], std::max(options.most_pieces, share));
-    for (const Cluster& c : clusters) {
-      std::vector<std::span<const double>> weights;
-      for (const int v : c.vertices) weights.push_back(sets.weights(v));
-      const auto corners = weight_corners(weights);
-      if (better_as_vertices(c, corners, clusters.size(), options.vertices_per_control_point))
-        for (std::size_t i = 0; i < c.vertices.size(); ++i)
-          add(c.joint_set, {model.vertices[c.vertices[i]], 0}, {{weights[i].begin(), weights[i].end()}});
-      else
-        add(c.joint_set, c.ball, corners);
+    const auto of_node = clusters.of(tree.nodes[n], vertices[static_cast<int>(n)]);
+    for (const Cluster& c : of_node) {
+      const auto corners = clusters.corners_of(c);
+      const bool is_exact = of_node.size() == 1 && corners.size() == 1;
+      if (c.vertices.size() == 1 || (!is_exact && clusters.is_better_as_vertices(c, corners))) {
+        for (const int v : c.vertices) pieces_.push_back({c.joint_set, row[v], 1, v});
+        continue;
+      }
+      pieces_.push_back({c.joint_set, static_cast<int>(corner_weights_.size()), static_cast<int>(corners.size()),
+                         static_cast<int>(references_.size())});
+      references_.push_back(c.ball);
+      for (const auto& corner : corners) corner_weights_.insert(corner_weights_.end(), corner.begin(), corner.end());
     }
   }
   first_.push_back(pieces_.size());

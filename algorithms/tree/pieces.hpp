@@ -30,13 +30,14 @@ class PieceTable {
   RefitNode<double> refit_node(const SphereTree& tree, int node, std::span<const JointSetPose<double>> pose) const {
     const std::size_t first = first_[node], count = first_[node + 1] - first;
     return {tree.nodes[node].reference, {pieces_.data() + first, count}, corner_weights_.data(), pose,
-            {references_.data() + first, count}};
+            references_};
   }
   std::size_t piece_count() const { return pieces_.size(); }
 
  private:
   std::vector<std::size_t> first_;  // by node, and one past the last
   std::vector<NodeJointSet> pieces_;
+  // Of the pieces of one vertex there is one for each vertex, whatever the nodes it is in: they come first.
   std::vector<Ball3<double>> references_;
   std::vector<double> corner_weights_;
 };

@@ -1,5 +1,8 @@
 #include "algorithms/balls/few_balls_ball.hpp"
 
+#include <cmath>
+#include <random>
+
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
@@ -75,6 +78,24 @@ bool is_smallest(const Balls& balls, double radius) {
 }  // namespace
 
 PROPTEST(few_balls_ball) {
+  t.example("without its certificate the ball is the same, to the last digit, and undefined where it is", {.number_type = "double"}, [] {
+    std::mt19937_64 random(2006);
+    std::normal_distribution<double> normal;
+    long seen = 0;
+    for (int round = 0; round < 20000; ++round) {
+      std::vector<Ball3<double>> balls(1 + random() % 5);
+      const double radius = round % 3 == 0 ? 0 : std::abs(normal(random));
+      for (auto& b : balls) b = {{normal(random), normal(random), normal(random)}, round % 2 ? radius : std::abs(normal(random))};
+      if (round % 7 == 0) balls[random() % balls.size()].center[random() % 3] = round % 14 ? NAN : INFINITY;
+      if (round % 11 == 0) balls[random() % balls.size()].radius = round % 22 ? -1 : INFINITY;
+      const Ball3<double> a = few_balls_ball(balls).ball, b = few_balls_enclosing(balls);
+      const bool undefined = std::isnan(a.radius) && a.center.array().isNaN().all();
+      if (undefined ? !(std::isnan(b.radius) && b.center.array().isNaN().all()) : !(a.center == b.center && a.radius == b.radius))
+        return Checked(false, seen, "round " + std::to_string(round));
+      ++seen;
+    }
+    return Checked(true, seen);
+  });
   t.example("the radius is within 1e-12 of what CGAL's exact solver finds: all shapes and radii, 1 to 12 balls",
             {.number_type = "rational"}, [] {
               std::mt19937_64 random(Session::get().seed());
