@@ -72,7 +72,6 @@ int main(int argc, char** argv) try {
     for (const auto& file : options.files) models.models.push_back(load_named(file));
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
-  VolumeResults volumes;
   Report report;
   report.absent_models = models.absent;
   for (Model& model : models.models) {
@@ -93,8 +92,8 @@ int main(int argc, char** argv) try {
       write_speed(report.speed, options.out + "/results/speed.csv");
     }
     if (options.wants("volumes")) {
-      run_volumes(character, twist, options.volumes, volumes);
-      write_volumes(volumes, options.out + "/results/volumes.csv");
+      run_volumes(character, twist, options.volumes, report.volumes);
+      write_volumes(report.volumes, options.out + "/results/volumes.csv");
     }
     if (options.wants("collisions")) {
       const auto results = run_collisions(character, options.collisions);

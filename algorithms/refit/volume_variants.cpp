@@ -17,20 +17,19 @@ Volume around(std::span<const Ball3<double>> balls) {
 }
 
 template <class V>
-VolumeVariant of_sets(std::string name, const std::string& kind) {
-  return {std::move(name), "control hull, a ball and a weight hull per joint-set, " + kind, Pieces::joint_sets,
-          refit<V>, around<V>};
+VolumeVariant variant(std::string name, const std::string& kind) {
+  return {std::move(name), kind + " around the control points of control_mixed", Pieces::mixed, refit<V>, around<V>};
 }
 
 }  // namespace
 
 const std::vector<VolumeVariant>& volume_variants() {
   static const std::vector<VolumeVariant> variants{
-      of_sets<Aabb<double>>("aabb_sets", "axis-aligned box"),
-      of_sets<KDop<double, 14>>("dop14_sets", "14-DOP"),
-      of_sets<KDop<double, 18>>("dop18_sets", "18-DOP"),
-      of_sets<KDop<double, 26>>("dop26_sets", "26-DOP"),
-      of_sets<Obb<double>>("obb_sets", "oriented box"),
+      variant<Aabb<double>>("aabb", "axis-aligned box"),
+      variant<KDop<double, 14>>("dop14", "14-DOP"),
+      variant<KDop<double, 18>>("dop18", "18-DOP"),
+      variant<KDop<double, 26>>("dop26", "26-DOP"),
+      variant<Obb<double>>("obb", "oriented box"),
   };
   return variants;
 }

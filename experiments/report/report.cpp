@@ -180,6 +180,37 @@ void write_collisions_section(std::ostringstream& out, const std::vector<Collisi
   out << "</tbody></table></div></details>\n";
 }
 
+// A row a model and kind of volume: all levels and posture sets of the model together, and the worst of them.
+void write_volumes_section(std::ostringstream& out, const VolumeResults& results) {
+  if (results.tightness.empty()) return;
+  out << "<h2>Boxes, k-DOPs and oriented boxes</h2><p>Around the control points of the default variant. Size: the radius of the ball of equal "
+         "surface area, so that a ball's size is its radius and flat volumes have one. Optimal: the same kind of volume around the deformed "
+         "vertices. On a sample of each level's nodes, averaged by level and posture set.</p><div class=\"scroll\"><table><thead><tr>"
+         "<th>model</th><th>volume</th><th>size / Optimal, mean</th><th>worst level</th><th>size / radius of the ball</th><th>volume / volume of "
+         "the ball</th><th>misses</th><th>ns per node</th><th>times the ball</th></tr></thead><tbody>\n";
+  for (const VolumeCost& cost : results.costs) {
+    double ratio = 0, worst = 0, size = 0, volume = 0;
+    long misses = 0;
+    int count = 0;
+    for (const VolumeResult& r : results.tightness) {
+      const auto levels = r.volumes.find(cost.variant);
+      if (r.model != cost.model || levels == r.volumes.end()) continue;
+      for (const LevelVolumes& level : levels->second) {
+        ratio += level.ratio_to_optimal(), size += level.size_to_ball(), volume += level.volume_to_ball();
+        worst = std::max(worst, level.ratio_to_optimal());
+        misses += level.misses;
+        ++count;
+      }
+    }
+    if (count == 0) continue;
+    out << "<tr><td>" << escape_html(cost.model) << "</td><td>" << cost.variant << "</td><td>" << format("%.3f", ratio / count) << "</td><td>"
+        << format("%.3f", worst) << "</td><td>" << format("%.2f", size / count) << "</td><td>" << format("%.2f", volume / count) << "</td><td"
+        << (misses ? " class=\"bad\"" : "") << ">" << misses << "</td><td>" << format("%.0f", cost.ns_per_node) << "</td><td>"
+        << format("%.2f", cost.ratio_to_ball) << "</td></tr>\n";
+  }
+  out << "</tbody></table></div>\n";
+}
+
 void write_growth_section(std::ostringstream& out, const std::vector<JointGrowth>& rows) {
   if (rows.empty()) return;
   out << "<h2>Growth with joints</h2><p>A tube of 20,000 triangles with ever more joints in a row, refitted by the default variant: nodes of "
@@ -222,6 +253,7 @@ void write_report(const Report& report, const std::string& path) {
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);
+  write_volumes_section(out, report.volumes);
   write_collisions_section(out, report.collisions);
   write_growth_section(out, report.joint_growth);
   write_queries_section(out, report.queries);

@@ -10,6 +10,7 @@
 #include "experiments/report/pictures.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
+#include "experiments/tightness/volumes.hpp"
 
 namespace refitlab {
 
@@ -18,6 +19,7 @@ struct Report {
   std::vector<Picture> pictures;
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
+  VolumeResults volumes;
   std::vector<CollisionResult> collisions;
   std::vector<JointGrowth> joint_growth;
   std::vector<QueryResult> queries;

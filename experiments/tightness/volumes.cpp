@@ -15,7 +15,7 @@
 namespace refitlab {
 namespace {
 
-const char* const ball_variant = "control_sets_near";
+const char* const ball_variant = "control_mixed";
 
 double size_of(const Volume& volume) {
   const double area = std::visit([](const auto& v) { return v.surface_area(); }, volume);

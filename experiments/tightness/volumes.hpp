@@ -20,7 +20,7 @@ struct LevelVolumes {
   long misses = 0;  // of them with a deformed vertex outside, by more than rounding
   double size_sum = 0;
   double optimal_sum = 0;       // of the sizes of the same kind of volume around the deformed vertices themselves
-  double ball_sum = 0;          // of the radii of the same nodes' balls of control_sets_near
+  double ball_sum = 0;          // of the radii of the same nodes' balls of control_mixed
   long solid_nodes = 0;         // those with a ball that has a volume
   double volume_ratio_sum = 0;  // of these nodes, volume / volume of that ball
   double size_avg() const { return size_sum / static_cast<double>(nodes); }
@@ -40,7 +40,7 @@ struct VolumeResult {
 struct VolumeCost {
   std::string model, posture, variant;
   double ns_per_node;    // median over the repetitions
-  double ratio_to_ball;  // the same of the ratio to control_sets_near, which is in the list too
+  double ratio_to_ball;  // the same of the ratio to control_mixed, which is in the list too
 };
 
 struct VolumeSettings {

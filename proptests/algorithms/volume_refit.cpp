@@ -159,7 +159,7 @@ PROPTEST(volume_refit) {
   t.holds("every variant's volume holds every exactly skinned vertex up to 1e-12 of the coordinates' size",
           {.number_type = "double", .cases = 700, .degenerate_at_least = 0.2}, check_double);
   t.example("the variants are of five kinds, in the order of Volume's", {}, [] {
-    const char* const names[] = {"aabb_sets", "dop14_sets", "dop18_sets", "dop26_sets", "obb_sets"};
+    const char* const names[] = {"aabb", "dop14", "dop18", "dop26", "obb"};
     const std::vector<Ball3<double>> ball{{{1, 2, 3}, 0.5}};
     bool good = volume_variants().size() == 5;
     for (std::size_t i = 0; good && i < 5; ++i)
