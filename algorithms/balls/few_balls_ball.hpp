@@ -211,7 +211,6 @@ template <int most>
 SmallestBallOfBalls pivot_balls(std::span<const Ball3<double>> balls) {
   const RadiusRange range(balls);
   if (range.is_defined() && range.least == range.greatest) {
-    if (balls.size() == 1 && balls[0].center.allFinite()) return {balls[0], {0}, {1}, 1};
     if (balls.size() == 3) {
       const auto ball = three_points_ball(balls[0].center, balls[1].center, balls[2].center);
       if (ball.converged) return as_ball_of_balls(ball, range.least);

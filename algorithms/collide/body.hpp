@@ -11,7 +11,7 @@ class Body {
   // character and variant outlive this.
   Body(const Character& character, const RefitVariant& variant, const FrameOptions& options = {})
       : character_(character), skinning_(variant.skinning), balls_(character, variant, options),
-        frame_of_(character.model.vertices.size()), skinned_(character.model.vertices.size()) {}
+        made_(character.model.vertices.size()), skinned_(character.model.vertices.size()) {}
 
   // Starts a frame. Throws ModelError for a posture that make_skinning_pose refuses.
   void begin(const Posture& posture);
@@ -33,8 +33,7 @@ class Body {
   const Skinning skinning_;
   FrameRefits balls_;
   SkinningPose<double> pose_;
-  std::uint32_t frame_ = 0;
-  std::vector<std::uint32_t> frame_of_;  // by vertex: the frame that it was skinned in
+  FrameStamps made_;  // by vertex
   std::vector<Point3> skinned_;
   long vertices_skinned_ = 0;
 };

@@ -46,7 +46,7 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
     : character_(character),
       variant_(variant),
       options_(options),
-      frame_of_(character.tree.nodes.size()),
+      made_(character.tree.nodes.size()),
       balls_(character.tree.nodes.size()),
       front_(fronts(character.tree, options)),
       refitted_(character.tree.level_count()) {}
@@ -54,10 +54,7 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
 void FrameRefits::begin(const SkinningPose<double>& pose) {
   pose_ = &pose;
   std::fill(refitted_.begin(), refitted_.end(), 0);
-  if (++frame_ == 0) {  // the counter went round: no ball may pass for one of this frame
-    std::fill(frame_of_.begin(), frame_of_.end(), 0);
-    frame_ = 1;
-  }
+  made_.begin();
 }
 
 const Ball3<double>& FrameRefits::operator[](int node) {
@@ -80,7 +77,7 @@ void FrameRefits::refit(int n) {
         few_balls_enclosing({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
     if (merged.radius < balls_[n].radius) balls_[n] = merged;
   }
-  frame_of_[n] = frame_;
+  made_.mark(n);
   ++refitted_[node.level - 1];
 }
 

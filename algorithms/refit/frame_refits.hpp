@@ -10,9 +10,8 @@
 //   one is taken. Queries go top-down, so this is for frames whose balls are made bottom-up, all or many of them.
 #pragma once
 
-#include <cstdint>
-
 #include "algorithms/refit/character.hpp"
+#include "algorithms/refit/frame_stamps.hpp"
 
 namespace refitlab {
 
@@ -39,7 +38,7 @@ class FrameRefits {
   // Makes all balls, children before parents.
   void refit_all();
 
-  bool is_refitted(int node) const { return frame_of_[node] == frame_; }
+  bool is_refitted(int node) const { return made_.is_made(node); }
   // The nodes that a node is bounded from below by; empty for one that is refitted by itself.
   const std::vector<int>& front(int node) const { return front_[node]; }
   // How many balls were made since begin, by level - 1.
@@ -54,8 +53,7 @@ class FrameRefits {
   const RefitVariant& variant_;
   const FrameOptions options_;
   const SkinningPose<double>* pose_ = nullptr;
-  std::uint32_t frame_ = 0;
-  std::vector<std::uint32_t> frame_of_;  // by node: the frame that its ball is of
+  FrameStamps made_;  // by node
   std::vector<Ball3<double>> balls_;
   std::vector<std::vector<int>> front_;  // by node; empty where a node is refitted by itself
   std::vector<long> refitted_;

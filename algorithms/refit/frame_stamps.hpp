@@ -1,0 +1,28 @@
+// FrameStamps: which of some things were made in the current frame; a new frame forgets all of them at once.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace refitlab {
+
+class FrameStamps {
+ public:
+  explicit FrameStamps(std::size_t count) : frame_of_(count) {}
+
+  void begin() {
+    if (++frame_ == 0) {  // the counter went round: nothing may pass for this frame's
+      std::fill(frame_of_.begin(), frame_of_.end(), 0);
+      frame_ = 1;
+    }
+  }
+  bool is_made(int i) const { return frame_of_[i] == frame_; }
+  void mark(int i) { frame_of_[i] = frame_; }
+
+ private:
+  std::uint32_t frame_ = 0;
+  std::vector<std::uint32_t> frame_of_;
+};
+
+}  // namespace refitlab
