@@ -45,7 +45,9 @@ bool boxes_meet(const TrianglePoints& a, const TrianglePoints& b) {
 }  // namespace
 
 bool triangles_meet(const TrianglePoints& a, const TrianglePoints& b) {
-  return boxes_meet(a, b) && std::visit(Meet{}, shape_of(a), shape_of(b));
+  if (!boxes_meet(a, b)) return false;
+  const Filtered quick = filter_triangles(a, b);
+  return quick == Filtered::unknown ? std::visit(Meet{}, shape_of(a), shape_of(b)) : quick == Filtered::meet;
 }
 
 }  // namespace refitlab

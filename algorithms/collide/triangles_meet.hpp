@@ -1,17 +1,14 @@
 // Whether two triangles have a point in common, decided exactly.
 #pragma once
 
-#include <array>
-
-#include "lemmas/vocabulary/vector.hpp"
+#include "algorithms/collide/triangles_filter.hpp"
 
 namespace refitlab {
 
-using TrianglePoints = std::array<Vec<double, 3>, 3>;
-
 // Both triangles are closed: with their edges and corners. The doubles are taken as they are and the answer is right for
 // them, also for triangles that touch, lie in one plane, or are no more than a segment or a point. All are finite.
-// By CGAL's do_intersect over filtered exact predicates [Devillers and Guigue 2002].
+// By filter_triangles, and where that does not know by CGAL's do_intersect over filtered exact predicates [Devillers and
+// Guigue 2002].
 bool triangles_meet(const TrianglePoints& a, const TrianglePoints& b);
 
 }  // namespace refitlab

@@ -6,51 +6,17 @@
 #include <stdexcept>
 
 #include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/oracles/all_pairs.hpp"
 
 namespace proptests {
 namespace {
 
 using namespace refitlab;
-
-Quaternion<double> random_rotation(std::mt19937& random, double spread) {
-  std::normal_distribution<double> normal;
-  Quaternion<double> q{1, spread * normal(random), spread * normal(random), spread * normal(random)};
-  q.normalize();
-  return q;
-}
-
-Posture random_posture(const Model& model, std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  Posture posture = reference_posture(model);
-  for (auto& t : posture) {
-    t.rotation = random_rotation(random, 0.5);
-    t.translation = Point3(normal(random), normal(random), normal(random)) * 0.2;
-  }
-  return posture;
-}
-
-// Every pair of triangles, of vertices that are all skinned beforehand.
-std::vector<TrianglePair> all_pairs(const Character& a, const Posture& posture_a, const RigidTransform<double>& at_a,
-                                    const Character& b, const Posture& posture_b, const RigidTransform<double>& at_b,
-                                    Skinning skinning) {
-  const auto placed = [&](const Character& c, const Posture& posture, const RigidTransform<double>& at) {
-    auto points = skin(c.model, c.sets, make_skinning_pose(c.model, c.sets, posture, skinning), skinning);
-    for (auto& p : points) p = apply(at, p);
-    return points;
-  };
-  const auto p = placed(a, posture_a, at_a), q = placed(b, posture_b, at_b);
-  std::vector<TrianglePair> pairs;
-  for (std::size_t i = 0; i < a.model.triangles.size(); ++i)
-    for (std::size_t j = 0; j < b.model.triangles.size(); ++j) {
-      const Triangle &s = a.model.triangles[i], &t = b.model.triangles[j];
-      if (triangles_meet({p[s[0]], p[s[1]], p[s[2]]}, {q[t[0]], q[t[1]], q[t[2]]}))
-        pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
-    }
-  return pairs;
-}
+using gen::random_posture;
+using gen::random_rotation;
 
 std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
   std::sort(pairs.begin(), pairs.end());
@@ -126,7 +92,7 @@ PROPTEST(collide) {
               const RigidTransform<double> at_a{random_rotation(random, 1), {normal(random), 0, 0}},
                   at_b{random_rotation(random, 1), at_a.translation + Point3(normal(random), normal(random), 0) * apart};
               first.begin(posture_a), second.begin(posture_b);
-              const auto expected = all_pairs(a, posture_a, at_a, b, posture_b, at_b, variant.skinning);
+              const auto expected = oracle::all_pairs({a, posture_a, at_a}, {b, posture_b, at_b}, variant.skinning);
               QueryCounts counts;
               const auto found = collide({first, at_a}, {second, at_b}, Query::full, counts);
               RC_ASSERT(sorted(found) == expected);
@@ -148,7 +114,7 @@ PROPTEST(collide) {
     body.begin(posture);
     QueryCounts counts;
     RC_ASSERT(sorted(collide({body}, {body, at}, Query::full, counts)) ==
-              all_pairs(c, posture, {}, c, posture, at, variant.skinning));
+              oracle::all_pairs({c, posture, {}}, {c, posture, at}, variant.skinning));
     RC_ASSERT(body.vertices_skinned() <= static_cast<long>(c.model.vertices.size()));
   });
   t.example("a ball that is undefined, or too small by rounding, hides no pair", {}, [] {

@@ -1,0 +1,252 @@
+#include "algorithms/collide/box_kernel.hpp"
+
+#include <limits>
+
+#include "algorithms/packs/pack.hpp"
+#include "algorithms/refit/control_hull.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+// A box that grows by points, turned by a rotation first.
+template <class Pack>
+class GrowingBox {
+ public:
+  explicit GrowingBox(const float* rotation) : rotation_(rotation) {}
+  void add(const Vec<Pack, 3>& p) {
+    for (int i = 0; i < 3; ++i) {
+      const Pack turned = p[0] * rotation_[3 * i] + p[1] * rotation_[3 * i + 1] + p[2] * rotation_[3 * i + 2];
+      low[i] = min(low[i], turned);
+      high[i] = max(high[i], turned);
+    }
+  }
+  void blow_up(const Pack& by) {
+    for (int i = 0; i < 3; ++i) low[i] -= by, high[i] += by;
+  }
+  template <class Mask>
+  void replace_where(const Mask& mask, const GrowingBox& other) {
+    for (int i = 0; i < 3; ++i) where(mask, low[i]) = other.low[i], where(mask, high[i]) = other.high[i];
+  }
+
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  Pack low[3] = {Pack(infinity), Pack(infinity), Pack(infinity)};
+  Pack high[3] = {Pack(-infinity), Pack(-infinity), Pack(-infinity)};
+
+ private:
+  const float* rotation_;
+};
+
+template <class Pack>
+class BoxKernel {
+  using Mask = typename Pack::mask_type;
+  using Point = Vec<Pack, 3>;
+  static constexpr int width = static_cast<int>(Pack::size());
+  static_assert(box_lanes % width == 0);
+
+ public:
+  // rotation: 3 x 3, row by row.
+  static void run(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
+                  const float* centers, const float* rotation, FlippedBox* boxes) {
+    switch (joints) {
+      case 1: return run_joints<1>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 2: return run_joints<2>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 3: return run_joints<3>(packs, count, skinning, slots, centers, rotation, boxes);
+      default: return run_joints<4>(packs, count, skinning, slots, centers, rotation, boxes);
+    }
+  }
+
+ private:
+  // What float may lose, as a share of the sizes that a box is made from; see box_packs.cpp.
+  static constexpr float slack = 1024 * 0x1p-24f;
+
+
+  template <int N>
+  static void run_joints(const BoxPack* packs, std::size_t count, Skinning skinning, const float* slots, const float* centers,
+                         const float* rotation, FlippedBox* boxes) {
+    for (const BoxPack* pack = packs; pack != packs + count; ++pack)
+      for (int first = 0; first < box_lanes; first += width) {
+        const BoxKernel lanes{*pack, first, slots, centers, rotation};
+        switch (skinning) {
+          case Skinning::linear: merge(lanes.template linear<N>(), *pack, first, boxes); break;
+          case Skinning::dual_quaternion: merge(lanes.template dual_quaternion<N>(), *pack, first, boxes); break;
+          default: merge(lanes.template spherical<N>(), *pack, first, boxes);
+        }
+      }
+  }
+
+  static void merge(const GrowingBox<Pack>& box, const BoxPack& pack, int first, FlippedBox* boxes) {
+    alignas(64) float sides[6][width];
+    for (int i = 0; i < 3; ++i) {
+      box.low[i].copy_to(sides[i], std::experimental::vector_aligned);
+      const Pack flipped = -box.high[i];
+      flipped.copy_to(sides[3 + i], std::experimental::vector_aligned);
+    }
+    for (int lane = 0; lane < width; ++lane) {
+      float* of = boxes[pack.target[first + lane]].of;
+      for (int i = 0; i < 3; ++i) {
+        of[i] = of[i] < sides[i][lane] ? of[i] : sides[i][lane];
+        of[4 + i] = of[4 + i] < sides[3 + i][lane] ? of[4 + i] : sides[3 + i][lane];
+      }
+    }
+  }
+
+  Pack load(const float* lanes) const { return Pack(lanes + first, std::experimental::element_aligned); }
+  Pack gather(const float* from, const std::int32_t* index, int stride, int component) const {
+    return Pack([&](auto lane) { return from[index[first + lane] * stride + component]; });
+  }
+  Quaternion<Pack> slot_quaternion(int joint, int offset) const {
+    const std::int32_t* at = pack.slot[joint];
+    return {gather(slots, at, 8, offset), gather(slots, at, 8, offset + 1), gather(slots, at, 8, offset + 2),
+            gather(slots, at, 8, offset + 3)};
+  }
+  Point slot_point(int joint) const {
+    const std::int32_t* at = pack.slot[joint];
+    return {gather(slots, at, 8, 4), gather(slots, at, 8, 5), gather(slots, at, 8, 6)};
+  }
+  Point reference_center() const { return {load(pack.center[0]), load(pack.center[1]), load(pack.center[2])}; }
+  static Pack size(const Point& p) { return abs(p[0]) + abs(p[1]) + abs(p[2]); }
+
+  // sum low_i x_i + rest x_k for each corner k, in place.
+  template <int N, class Value>
+  void blend_corners(Value (&x)[N]) const {
+    Value low = x[0] * load(pack.low[0]);
+    for (int i = 1; i < N; ++i) low = low + x[i] * load(pack.low[i]);
+    const Pack rest = load(pack.rest);
+    for (int k = 0; k < N; ++k) x[k] = low + x[k] * rest;
+  }
+
+  template <int N>
+  GrowingBox<Pack> spherical() const {
+    Quaternion<Pack> q[N];
+    Point r[N];
+    for (int i = 0; i < N; ++i) q[i] = slot_quaternion(i, 0), r[i] = slot_point(i);
+    blend_corners<N>(q), blend_corners<N>(r);
+    const Point rotation_center{gather(centers, pack.set, 4, 0), gather(centers, pack.set, 4, 1), gather(centers, pack.set, 4, 2)};
+    const Point x = reference_center() - rotation_center;
+    Pack w[N][N];
+    Point p[N][N];
+    const Mask near = mix_all<N>(q, x, 4, w, p);
+    GrowingBox<Pack> box(rotation), anyhow(rotation);
+    Pack sizes(0.f);
+    for (int j = 0; j < N; ++j) {
+      anyhow.add(r[j]);
+      sizes = max(sizes, size(r[j]));
+      for (int k = j; k < N; ++k)
+        for (int l = k; l < N; ++l) {
+          const Point turned = p[k][j] + p[l][k] + p[l][j];
+          const Point moved = r[j] * w[l][k] + r[k] * w[l][j] + r[l] * w[k][j];
+          const Pack scale = Pack(1.f) / (w[k][j] + w[l][k] + w[l][j]);
+          box.add((turned + moved) * scale);
+        }
+    }
+    const Pack radius = load(pack.radius);
+    const Pack lost = (sizes + size(x) + radius) * slack;
+    box.blow_up(radius + lost);
+    anyhow.blow_up(size(x) + radius + lost);
+    box.replace_where(!near, anyhow);
+    return box;
+  }
+
+  template <int N>
+  GrowingBox<Pack> linear() const {
+    const Point p = reference_center();
+    Point r[N];
+    Pack sizes = size(p);
+    for (int i = 0; i < N; ++i) {
+      const Point at = slot_point(i);
+      r[i] = rotate(slot_quaternion(i, 0), p) + at;
+      sizes = max(sizes, size(p) + size(at));
+    }
+    blend_corners<N>(r);
+    GrowingBox<Pack> box(rotation);
+    for (int k = 0; k < N; ++k) box.add(r[k]);
+    const Pack radius = load(pack.radius);
+    box.blow_up(radius + (sizes + radius) * slack);
+    return box;
+  }
+
+  template <int N>
+  GrowingBox<Pack> dual_quaternion() const {
+    const Point point = reference_center();
+    Quaternion<Pack> q[N], d[N];
+    Pack sizes = size(point);
+    for (int i = 0; i < N; ++i) {
+      q[i] = slot_quaternion(i, 0), d[i] = slot_quaternion(i, 4);
+      sizes = max(sizes, size(point) + (abs(d[i][0]) + abs(d[i][1]) + abs(d[i][2]) + abs(d[i][3])) * 2);
+    }
+    blend_corners<N>(q), blend_corners<N>(d);
+    Pack w[N][N];
+    Point p[N][N];
+    const Mask near = mix_all<N>(q, point, 2, w, p);
+    GrowingBox<Pack> box(rotation), all(rotation);
+    for (int k = 0; k < N; ++k)
+      for (int l = 0; l <= k; ++l) {
+        const Point moved = translation(d[k], q[l]) + translation(d[l], q[k]);
+        box.add((p[k][l] + moved) * (Pack(1.f) / w[k][l]));
+      }
+    const Pack radius = load(pack.radius);
+    box.blow_up(radius + (sizes + radius) * slack);
+    for (int i = 0; i < 3; ++i) all.low[i] = -GrowingBox<Pack>::infinity, all.high[i] = GrowingBox<Pack>::infinity;
+    box.replace_where(!near, all);
+    return box;
+  }
+
+  // Im(d q*).
+  static Point translation(const Quaternion<Pack>& d, const Quaternion<Pack>& q) {
+    const Point dv = imaginary(d), qv = imaginary(q);
+    return dv * q[0] - qv * d[0] - cross(dv, qv);
+  }
+
+  // W_kl and P_kl for l <= k; true in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is short.
+  template <int N>
+  static Mask mix_all(const Quaternion<Pack> (&q)[N], const Point& x, float near, Pack (&w)[N][N], Point (&p)[N][N]) {
+    Mask all(true);
+    for (int k = 0; k < N; ++k)
+      for (int l = 0; l <= k; ++l) {
+        const MixedCorners<Pack> mixed = mix_rotations(q[k], q[l], x);
+        w[k][l] = mixed.weight, p[k][l] = mixed.numerator;
+      }
+    for (int k = 0; k < N; ++k) {
+      all = all && w[k][k] > 0.25f;
+      for (int l = 0; l < k; ++l) all = all && w[k][l] > 0.f && w[k][l] * w[k][l] * near > w[k][k] * w[l][l];
+    }
+    return all;
+  }
+
+  BoxKernel(const BoxPack& p, int f, const float* s, const float* c, const float* r)
+      : pack(p), first(f), slots(s), centers(c), rotation(r) {}
+
+  const BoxPack& pack;
+  const int first;
+  const float *slots, *centers, *rotation;
+};
+
+REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
+                           const float* centers, const float* rotation, FlippedBox* boxes) {
+  BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
+}
+
+REFITLAB_KERNEL int overlaps(const BoxBlock* blocks, int count, const double* box, int* out) {
+  using S = refitlab::Pack<double>;
+  constexpr int width = static_cast<int>(S::size());
+  int found = 0;
+  for (int first = 0; first < count; first += width) {
+    const BoxBlock& block = blocks[first / 8];
+    auto apart = S(0.0) > S(0.0);
+    for (int i = 0; i < 3; ++i) {
+      const S low(block.side[i] + first % 8, std::experimental::element_aligned);
+      const S high(block.side[3 + i] + first % 8, std::experimental::element_aligned);
+      apart = apart || high < box[i] || S(box[3 + i]) < low;
+    }
+    if (all_of(apart)) continue;
+    for (int lane = 0; lane < width && first + lane < count; ++lane)
+      if (!apart[lane]) out[found++] = first + lane;
+  }
+  return found;
+}
+
+}  // namespace
+
+const BoxKernels box_kernels{bound, overlaps};
+
+}  // namespace refitlab::REFITLAB_TARGET

@@ -1,0 +1,68 @@
+// Boxes around many nodes at once, from the control points of their pieces, sixteen pieces side by side.
+//
+// A piece is what a node holds of one joint-set: a ball around its vertices in the reference posture, and the simplex
+// {w >= low, sum w = 1} around their weights, which has as many corners as joints. The image of the piece lies in the hull
+// of its control points (b2_control_hull_encloses: degree 1, 2 or 3 by the skinning) blown up by the ball's radius.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algorithms/packs/targets.hpp"
+#include "algorithms/refit/character.hpp"
+
+namespace refitlab {
+
+inline constexpr int box_lanes = 16;
+inline constexpr int most_box_joints = 4;  // of a piece in a pack
+
+// Plain arrays by lane. Lanes beyond the last piece repeat it.
+struct BoxPack {
+  alignas(64) std::int32_t slot[most_box_joints][box_lanes];  // of the joint's data in the frame: JointFloats
+  alignas(64) std::int32_t set[box_lanes];                    // the joint-set
+  alignas(64) float low[most_box_joints][box_lanes];          // the least weights of its joints
+  alignas(64) float rest[box_lanes];                          // 1 - sum low
+  alignas(64) float center[3][box_lanes], radius[box_lanes];  // the reference ball, not rounded inwards
+  std::int32_t target[box_lanes];                             // the box it belongs to
+};
+
+// A piece of more joints than a pack takes: a hull of whole images, looser.
+struct ManyJointPiece {
+  int joint_set;
+  Ball3<double> reference;
+  int target;
+};
+
+struct BoxPieces {
+  std::vector<BoxPack> packs[most_box_joints];  // by number of joints - 1
+  std::vector<ManyJointPiece> others;
+};
+
+// The pieces of these nodes; a box for each of them.
+BoxPieces make_box_pieces(const Character& character, std::span<const int> nodes);
+
+// low and -high, each with an unused fourth, so that merging two boxes is one minimum.
+struct alignas(32) FlippedBox {
+  float of[8];
+};
+
+// The frame's data of the joint-sets in float.
+struct JointFloats {
+  // Eight floats a slot, a slot for each joint of each joint-set, in that order: the signed quaternion, then C_j r_c
+  // (spherical), the translation (linear) or the dual part.
+  std::vector<float> slots;
+  std::vector<float> centers;     // r_c of each joint-set, four floats each
+  std::vector<int> first_slot;    // by joint-set
+
+  explicit JointFloats(const JointSets& sets);
+  void fill(const SkinningPose<double>& pose, Skinning skinning);
+};
+
+// Encloses all vertices of each node after skinning and then turning by rotation (unit): boxes[target] for every target.
+// Everything is rounded outwards by more than float can have lost. A piece that blends rotations far apart gets a box that
+// holds it however it turns; where not even that is known (dual quaternions), an infinite one.
+void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints, const SkinningPose<double>& pose,
+                 const Quaternion<double>& rotation, std::span<FlippedBox> boxes, Target target = best_target());
+
+}  // namespace refitlab

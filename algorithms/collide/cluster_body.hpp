@@ -1,0 +1,68 @@
+// ClusterBody: a placed character in one frame, as the fast queries see it: fans bounded and clusters skinned only where a
+// query gets to.
+#pragma once
+
+#include "algorithms/collide/box_kernel.hpp"
+#include "algorithms/collide/cluster_tree.hpp"
+#include "algorithms/collide/triangles_filter.hpp"
+#include "algorithms/refit/frame_stamps.hpp"
+
+namespace refitlab {
+
+// low x, y, z, high x, y, z.
+using Box6 = std::array<double, 6>;
+
+class ClusterBody {
+ public:
+  // tree outlives this.
+  ClusterBody(const ClusterTree& tree, Skinning skinning);
+
+  // Starts a frame. placement takes model space to the world. Throws ModelError for a posture that make_skinning_pose refuses,
+  // std::invalid_argument for a placement that is not rigid.
+  void begin(const Posture& posture, const RigidTransform<double>& placement);
+
+  const ClusterTree& tree() const { return tree_; }
+
+  // Boxes in the world around all vertices below: of a fan's children, in blocks, and of one of them.
+  const BoxBlock* fan_boxes(int fan);
+  Box6 child_box(int fan, int child);
+
+  // Boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of all of it.
+  const BoxBlock* group_boxes(int cluster);
+  const Box6& cluster_box(int cluster);
+  // Around the triangles of a group.
+  const BoxBlock& triangle_boxes(int cluster, int group);
+
+  // The corners in the world: the very doubles that apply(placement, skin()) yields. The cluster's boxes were asked for.
+  TrianglePoints triangle(int cluster, int group, int triangle) const;
+
+  // Since begin.
+  long fans_bounded() const { return fans_bounded_; }
+  long clusters_skinned() const { return clusters_skinned_; }
+
+ private:
+  struct alignas(32) Corner {
+    double of[4];
+  };
+
+  void bound_fan(int fan);
+  void skin_cluster(int cluster);
+  const Corner& corner(const Cluster& c, std::uint16_t position) const { return corners_[c.first_vertex + position]; }
+
+  const ClusterTree& tree_;
+  const Skinning skinning_;
+  const BoxKernels& kernels_;
+  RigidTransform<double> placement_;
+  SkinningPose<double> pose_;
+  JointFloats joints_;
+  bool are_floats_filled_ = false;
+  FrameStamps fans_made_, clusters_made_, groups_made_;
+  std::vector<int> first_block_of_fan_, first_block_of_cluster_;
+  std::vector<BoxBlock> fan_blocks_, cluster_blocks_, group_blocks_;
+  std::vector<Box6> cluster_boxes_;
+  std::vector<Corner> corners_;  // by position in ClusterTree::vertices
+  std::vector<FlippedBox> flipped_;
+  long fans_bounded_ = 0, clusters_skinned_ = 0;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,13 @@
+// Which triangles of two skinned characters touch: the fast query, over fans of boxes and clusters (cluster_tree.hpp).
+#pragma once
+
+#include "algorithms/collide/cluster_body.hpp"
+#include "algorithms/collide/collide.hpp"
+
+namespace refitlab {
+
+// As collide() of sphere trees: the same pairs, also in no particular order. first and second are different bodies, which may
+// share a tree; they keep what was made for further queries in the frame.
+std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts);
+
+}  // namespace refitlab

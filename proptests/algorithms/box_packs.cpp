@@ -1,0 +1,103 @@
+#include "algorithms/collide/box_packs.hpp"
+
+#include <random>
+
+#include "algorithms/collide/box_kernel.hpp"
+#include "algorithms/collide/cluster_tree.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
+
+std::vector<FlippedBox> bound(const Character& c, std::span<const int> nodes, Skinning skinning, const SkinningPose<double>& pose,
+                              const Quaternion<double>& rotation, Target target) {
+  JointFloats joints(c.sets);
+  joints.fill(pose, skinning);
+  std::vector<FlippedBox> boxes(nodes.size());
+  bound_boxes(make_box_pieces(c, nodes), skinning, joints, pose, rotation, boxes, target);
+  return boxes;
+}
+
+// How far the vertices of a node, skinned and turned, are outside of the box; infinite if the box is undefined.
+double excess(const Character& c, int node, const std::vector<Point3>& turned, const FlippedBox& box) {
+  double worst = -std::numeric_limits<double>::infinity();
+  for (const int v : c.vertices[node])
+    for (int i = 0; i < 3; ++i) {
+      const double below = box.of[i] - turned[v][i], above = turned[v][i] + box.of[4 + i];
+      if (std::isnan(below) || std::isnan(above)) return std::numeric_limits<double>::infinity();
+      worst = std::max({worst, below, above});
+    }
+  return worst;
+}
+
+double width(const FlippedBox& b, int i) { return -double(b.of[4 + i]) - b.of[i]; }
+
+}  // namespace
+
+PROPTEST(box_packs) {
+  t.holds("the boxes of all nodes hold their vertices, however joints are turned, in every skinning and for every target",
+          {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Character c(gen::make_mesh(plan));
+            std::mt19937 random(plan.seed);
+            const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
+            const Posture posture = gen::random_posture(c.model, random, spread);
+            const Quaternion<double> rotation = gen::random_rotation(random, 1);
+            std::vector<int> nodes;
+            for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
+            const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
+            const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
+            auto turned = skin(c.model, c.sets, pose, skinning);
+            for (auto& p : turned) p = rotate(rotation, p);
+            for (const Target target : available_targets()) {
+              const auto boxes = bound(c, nodes, skinning, pose, rotation, target);
+              for (const int n : nodes) RC_ASSERT(excess(c, n, turned, boxes[n]) <= 0);
+            }
+            RC_TAG(name_of(best_target()));
+          });
+  t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
+    const Character c(make_man());
+    const auto posture = c.model.clips[0].sample(0.3 * c.model.clips[0].duration);
+    const std::vector<int> nodes = [&] {
+      std::vector<int> out;
+      for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n)
+        if (c.tree.nodes[n].level <= 8) out.push_back(n);
+      return out;
+    }();
+    std::string text;
+    long looked_at = 0;
+    bool ok = true;
+    for (const Skinning skinning : all_skinnings) {
+      const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
+      const auto skinned = skin(c.model, c.sets, pose, skinning);
+      double bounded = 0, exact = 0;
+      const auto first = bound(c, nodes, skinning, pose, identity_quaternion<double>(), available_targets()[0]);
+      for (const Target target : available_targets()) {
+        const auto boxes = bound(c, nodes, skinning, pose, identity_quaternion<double>(), target);
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+          for (int i = 0; i < 8; ++i) ok = ok && boxes[n].of[i] == first[n].of[i];
+      }
+      for (std::size_t n = 0; n < nodes.size(); ++n)
+        for (int i = 0; i < 3; ++i) {
+          double low = 1e300, high = -1e300;
+          for (const int v : c.vertices[nodes[n]]) low = std::min(low, skinned[v][i]), high = std::max(high, skinned[v][i]);
+          bounded += width(first[n], i), exact += high - low;
+          ++looked_at;
+        }
+      ok = ok && bounded >= exact && bounded < 1.35 * exact;
+      text += (text.empty() ? "sum of widths over that of the vertices' own boxes: " : ", ") + std::to_string(bounded / exact);
+    }
+    return Checked(ok, looked_at, text);
+  });
+}
+
+}  // namespace proptests

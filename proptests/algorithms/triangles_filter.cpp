@@ -1,0 +1,93 @@
+#include "algorithms/collide/triangles_filter.hpp"
+
+#include <rapidcheck.h>
+
+#include <random>
+
+#include "lemmas/vocabulary/exact.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/convex_combination.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+// Two triangles meet if and only if 0 is a convex combination of the nine differences of their corners.
+bool meet_by_oracle(const TrianglePoints& a, const TrianglePoints& b) {
+  std::vector<oracle::Row> rows;
+  for (const auto& p : a)
+    for (const auto& q : b) {
+      oracle::Row row;
+      Rational last(1);
+      for (int i = 0; i < 3; ++i) row.push_back(Rational(p[i]) - Rational(q[i])), last -= row.back();
+      row.push_back(last);
+      rows.push_back(row);
+    }
+  return oracle::as_convex_combination(rows, {Rational(0), Rational(0), Rational(0), Rational(1)}).has_value();
+}
+
+bool never_wrong(const TrianglePoints& a, const TrianglePoints& b, bool meets) {
+  const Filtered quick = filter_triangles(a, b);
+  return quick == Filtered::unknown || (quick == Filtered::meet) == meets;
+}
+
+// The six orders of the corners of each and both orders of the two.
+bool never_wrong_in_any_order(const TrianglePoints& a, const TrianglePoints& b) {
+  const bool meets = meet_by_oracle(a, b);
+  static constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (const auto& i : orders)
+    for (const auto& j : orders) {
+      const TrianglePoints p{a[i[0]], a[i[1]], a[i[2]]}, q{b[j[0]], b[j[1]], b[j[2]]};
+      if (!never_wrong(p, q, meets) || !never_wrong(q, p, meets)) return false;
+    }
+  return true;
+}
+
+TrianglePoints random_triangle(std::mt19937& random, double size) {
+  std::uniform_real_distribution<double> u(-size, size);
+  TrianglePoints t;
+  for (auto& p : t) p = {u(random), u(random), u(random)};
+  return t;
+}
+
+}  // namespace
+
+PROPTEST(triangles_filter) {
+  t.holds("what it says of random triangles is what exact arithmetic says, whatever the order of their corners",
+          {.number_type = "rational", .cases = 400}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const TrianglePoints a = random_triangle(random, 1), b = random_triangle(random, *rc::gen::element(1.0, 0.1));
+            RC_ASSERT(never_wrong_in_any_order(a, b));
+            RC_TAG(filter_triangles(a, b) == Filtered::meet ? "meet" : "apart");
+            RC_ASSERT(filter_triangles(a, b) != Filtered::unknown);
+          });
+  t.holds("nor is it wrong where rounding decides: a corner of one nearly in the other's plane, edge or corner",
+          {.number_type = "rational", .cases = 400, .degenerate_at_least = 1}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const TrianglePoints a = random_triangle(random, 1);
+            TrianglePoints b = random_triangle(random, 1);
+            std::uniform_real_distribution<double> u(0, 1), v(-1, 1);
+            const double s = *rc::gen::element(0.0, 1.0, u(random)), w = *rc::gen::element(0.0, 1.0, u(random));
+            b[0] = a[0] * (1 - s) + (a[1] * (1 - w) + a[2] * w) * s;
+            if (*rc::gen::arbitrary<bool>()) b[1] = a[1] * 0.5 + a[2] * 0.5;
+            const double off = *rc::gen::element(0.0, 1e-16, 1e-15, 1e-14, 1e-13);
+            b[0] += Vec<double, 3>(v(random), v(random), v(random)) * off;
+            RC_CLASSIFY(true, "degenerate");
+            RC_TAG(filter_triangles(a, b) == Filtered::unknown ? "unknown" : "decided");
+            RC_ASSERT(never_wrong_in_any_order(a, b));
+          });
+  t.example("flat triangles, those in one plane, those that touch, and tiny or non-finite ones are left open", {}, [] {
+    const TrianglePoints a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, flat{{{0, 0, 0}, {0.25, 0.25, 0}, {0.5, 0.5, 0}}},
+        beside{{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}}, standing{{{0.2, 0.2, 0}, {0.2, 0.2, 1}, {0.3, 0.2, 1}}};
+    TrianglePoints tiny_a = a, tiny_b = standing, undefined = standing;
+    for (int i = 0; i < 3; ++i) tiny_a[i] *= 1e-150, tiny_b[i] *= 1e-150;
+    undefined[1][2] = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& [p, q] : {std::pair(a, flat), std::pair(a, beside), std::pair(a, standing), std::pair(tiny_a, tiny_b),
+                               std::pair(a, undefined), std::pair(a, a)})
+      if (filter_triangles(p, q) != Filtered::unknown || filter_triangles(q, p) != Filtered::unknown) return Checked(false, 12);
+    return Checked(true, 12);
+  });
+}
+
+}  // namespace proptests

@@ -1,0 +1,28 @@
+#include "proptests/oracles/all_pairs.hpp"
+
+#include "algorithms/collide/triangles_meet.hpp"
+#include "algorithms/skinning/skin.hpp"
+
+namespace proptests::oracle {
+
+using namespace refitlab;
+
+std::vector<Point3> Posed::vertices(Skinning skinning) const {
+  auto points = skin(character.model, character.sets,
+                     make_skinning_pose(character.model, character.sets, posture, skinning), skinning);
+  for (auto& p : points) p = apply(at, p);
+  return points;
+}
+
+std::vector<TrianglePair> all_pairs(const Posed& a, const Posed& b, Skinning skinning) {
+  const auto p = a.vertices(skinning), q = b.vertices(skinning);
+  const auto &s = a.character.model.triangles, &t = b.character.model.triangles;
+  std::vector<TrianglePair> pairs;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    for (std::size_t j = 0; j < t.size(); ++j)
+      if (triangles_meet({p[s[i][0]], p[s[i][1]], p[s[i][2]]}, {q[t[j][0]], q[t[j][1]], q[t[j][2]]}))
+        pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+  return pairs;
+}
+
+}  // namespace proptests::oracle

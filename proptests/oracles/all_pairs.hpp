@@ -1,0 +1,21 @@
+// Which triangles touch, by testing all pairs of triangles whose vertices are all skinned beforehand.
+#pragma once
+
+#include "algorithms/collide/collide.hpp"
+
+namespace proptests::oracle {
+
+// A character in a posture and a place.
+struct Posed {
+  const refitlab::Character& character;
+  const refitlab::Posture& posture;
+  const refitlab::RigidTransform<double>& at;
+
+  // All of its vertices in the world.
+  std::vector<refitlab::Point3> vertices(refitlab::Skinning skinning) const;
+};
+
+// In increasing order.
+std::vector<refitlab::TrianglePair> all_pairs(const Posed& a, const Posed& b, refitlab::Skinning skinning);
+
+}  // namespace proptests::oracle
