@@ -1,5 +1,6 @@
 #include "algorithms/collide/box_kernel.hpp"
 
+#include <bit>
 #include <limits>
 
 #include "algorithms/packs/pack.hpp"
@@ -226,27 +227,133 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
   BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
 }
 
-REFITLAB_KERNEL int overlaps(const BoxBlock* blocks, int count, const double* box, int* out) {
+// Which lanes of a block's boxes are not apart from a box: a byte a lane, the first lowest.
+std::uint64_t meeting(const BoxBlock& block, const double* box) {
   using S = refitlab::Pack<double>;
   constexpr int width = static_cast<int>(S::size());
-  int found = 0;
-  for (int first = 0; first < count; first += width) {
-    const BoxBlock& block = blocks[first / 8];
+  alignas(64) bool meets[8];
+  for (int first = 0; first < 8; first += width) {
     auto apart = S(0.0) > S(0.0);
     for (int i = 0; i < 3; ++i) {
-      const S low(block.side[i] + first % 8, std::experimental::element_aligned);
-      const S high(block.side[3 + i] + first % 8, std::experimental::element_aligned);
+      const S low(block.side[i] + first, std::experimental::vector_aligned);
+      const S high(block.side[3 + i] + first, std::experimental::vector_aligned);
       apart = apart || high < box[i] || S(box[3 + i]) < low;
     }
-    if (all_of(apart)) continue;
-    for (int lane = 0; lane < width && first + lane < count; ++lane)
-      if (!apart[lane]) out[found++] = first + lane;
+    (!apart).copy_to(meets + first, std::experimental::element_aligned);
   }
+  return std::bit_cast<std::uint64_t>(meets);
+}
+// The bytes of the first count lanes, of at most 8.
+std::uint64_t first_lanes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
+
+REFITLAB_KERNEL int overlaps(const BoxBlock* blocks, int count, const double* box, int* out) {
+  int found = 0;
+  for (int first = 0; first < count; first += 8)
+    for (std::uint64_t lanes = first_lanes(meeting(blocks[first / 8], box), count - first); lanes; lanes &= lanes - 1)
+      out[found++] = first + std::countr_zero(lanes) / 8;
   return found;
+}
+
+REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock& a, int count_a, const BoxBlock& b, int count_b) {
+  std::uint64_t pairs = 0;
+  for (int i = 0; i < count_a; ++i) {
+    const double box[6] = {a.side[0][i], a.side[1][i], a.side[2][i], a.side[3][i], a.side[4][i], a.side[5][i]};
+    const std::uint64_t lanes = first_lanes(meeting(b, box), count_b);
+    pairs |= (lanes * 0x0102040810204080 >> 56) << 8 * i;  // gathers the bytes' lowest bits
+  }
+  return pairs;
+}
+
+// Lanes in which all three points are certainly on one side of the plane; see triangles_filter.cpp.
+template <class S>
+typename S::mask_type on_one_side(const Vec<S, 3> (&plane)[3], const Vec<S, 3> (&points)[3]) {
+  const Vec<S, 3> p = plane[1] - plane[0], q = plane[2] - plane[0];
+  const Vec<S, 3> r[] = {points[0] - plane[0], points[1] - plane[0], points[2] - plane[0]};
+  S error(1e-14);
+  for (int i = 0; i < 3; ++i)
+    error *= max(max(abs(p[i]), abs(q[i])), max(abs(r[0][i]), max(abs(r[1][i]), abs(r[2][i]))));
+  const Vec<S, 3> normal = cross(p, q);
+  const S d0 = dot(normal, r[0]), d1 = dot(normal, r[1]), d2 = dot(normal, r[2]);
+  return error > 1e-280 && ((d0 > error && d1 > error && d2 > error) || (d0 < -error && d1 < -error && d2 < -error));
+}
+
+REFITLAB_KERNEL int keep_crossing(const Corner* corners_a, const Corner* corners_b, CornerPair* pairs, int count) {
+  using S = refitlab::Pack<double>;
+  constexpr int width = static_cast<int>(S::size());
+  int kept = 0;
+  for (int first = 0; first < count; first += width) {
+    const auto load = [&](const Corner* corners, auto place_of, Vec<S, 3>(&out)[3]) {
+      for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < 3; ++i)
+          out[c][i] = S([&](auto lane) {
+            const int at = first + static_cast<int>(lane) < count ? first + static_cast<int>(lane) : count - 1;
+            return corners[place_of(pairs[at])[c]].of[i];
+          });
+    };
+    Vec<S, 3> a[3], b[3];
+    load(corners_a, [](const CornerPair& p) { return p.a; }, a);
+    load(corners_b, [](const CornerPair& p) { return p.b; }, b);
+    bool apart[width];
+    (on_one_side(a, b) || on_one_side(b, a)).copy_to(apart, std::experimental::element_aligned);
+    for (int lane = 0; lane < width && first + lane < count; ++lane)
+      if (!apart[lane]) pairs[kept++] = pairs[first + lane];
+  }
+  return kept;
+}
+
+REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out) {
+  using S = refitlab::Pack<double>;
+  constexpr int width = static_cast<int>(S::size());
+  RigidTransform<S> at;
+  for (int i = 0; i < 4; ++i) at.rotation[i] = S(placement[i]);
+  for (int i = 0; i < 3; ++i) at.translation[i] = S(placement[4 + i]);
+  for (int block = 0; block < block_count; ++block, skinned += 3)
+    for (int first = 0; first < Lanes<double>::count; first += width, out += width) {
+      const auto load = [&](int i) { return S(skinned[i].lane.data() + first, std::experimental::element_aligned); };
+      const Vec<S, 3> p = apply(at, Vec<S, 3>(load(0), load(1), load(2)));
+      for (int lane = 0; lane < width; ++lane) out[lane] = {p[0][lane], p[1][lane], p[2][lane], 0};
+    }
+}
+
+// Four doubles, of which three are used.
+using Four = double __attribute__((vector_size(32)));
+
+Four load(const Corner& c) { return *reinterpret_cast<const Four*>(c.of); }
+Four least(const Four& a, const Four& b) { return a < b ? a : b; }
+Four most(const Four& a, const Four& b) { return a > b ? a : b; }
+
+struct FourBox {
+  Four low, high;
+  explicit FourBox(const Four& p) : low(p), high(p) {}
+  void add(const Four& p) { low = least(low, p), high = most(high, p); }
+  void put(BoxBlock& block, int lane) const {
+    for (int i = 0; i < 3; ++i) block.side[i][lane] = low[i], block.side[3 + i][lane] = high[i];
+  }
+};
+
+REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock* out, double* all) {
+  FourBox whole(load(corners[groups[0].corners[0][0]]));
+  for (int g = 0; g < count; ++g) {
+    FourBox box(load(corners[groups[g].corners[0][0]]));
+    for (int t = 0; t < groups[g].count; ++t)
+      for (const std::uint16_t place : groups[g].corners[t]) box.add(load(corners[place]));
+    whole.low = least(whole.low, box.low), whole.high = most(whole.high, box.high);
+    box.put(out[g / 8], g % 8);
+  }
+  for (int i = 0; i < 3; ++i) all[i] = whole.low[i], all[3 + i] = whole.high[i];
+}
+
+REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const Corner* corners, BoxBlock& out) {
+  for (int t = 0; t < group.count; ++t) {
+    FourBox box(load(corners[group.corners[t][0]]));
+    box.add(load(corners[group.corners[t][1]]));
+    box.add(load(corners[group.corners[t][2]]));
+    box.put(out, t);
+  }
 }
 
 }  // namespace
 
-const BoxKernels box_kernels{bound, overlaps};
+const BoxKernels box_kernels{bound, overlaps, overlapping_pairs, keep_crossing, place, box_groups, box_triangles};
 
 }  // namespace refitlab::REFITLAB_TARGET

@@ -1,16 +1,10 @@
 #include "algorithms/collide/cluster_body.hpp"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
-
-#include "algorithms/skinning/blend.hpp"
 
 namespace refitlab {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box6 no_box{infinity, infinity, infinity, -infinity, -infinity, -infinity};
 
 void check(const RigidTransform<double>& placement) {
   if (!placement.rotation.allFinite() || !placement.translation.allFinite())
@@ -21,21 +15,12 @@ void check(const RigidTransform<double>& placement) {
 
 int blocks_of(int boxes) { return (boxes + 7) / 8; }
 
-void put(BoxBlock* blocks, int i, const Box6& box) {
-  for (int k = 0; k < 6; ++k) blocks[i / 8].side[k][i % 8] = box[k];
-}
-Box6 get(const BoxBlock* blocks, int i) {
-  Box6 box;
-  for (int k = 0; k < 6; ++k) box[k] = blocks[i / 8].side[k][i % 8];
-  return box;
-}
-
 }  // namespace
 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
     : tree_(tree), skinning_(skinning), kernels_(box_kernels(best_target())), joints_(tree.character().sets),
-      fans_made_(tree.fans().size()), clusters_made_(tree.clusters().size()), groups_made_(tree.groups().size()),
-      group_blocks_(tree.groups().size()), cluster_boxes_(tree.clusters().size()), corners_(tree.vertices().size()) {
+      fans_made_(tree.fans().size()), clusters_made_(tree.clusters().size()), groups_made_(tree.group_count()),
+      group_blocks_(tree.group_count()), fan_boxes_(tree.fans().size()), cluster_boxes_(tree.clusters().size()), corners_(tree.corner_count()) {
   int blocks = 0, most = 0;
   for (const Fan& f : tree.fans()) first_block_of_fan_.push_back(blocks), blocks += blocks_of(f.child_count), most = std::max(most, f.child_count);
   fan_blocks_.resize(blocks);
@@ -60,7 +45,10 @@ const BoxBlock* ClusterBody::fan_boxes(int fan) {
   return &fan_blocks_[first_block_of_fan_[fan]];
 }
 
-Box6 ClusterBody::child_box(int fan, int child) { return get(fan_boxes(fan), child); }
+const Box6& ClusterBody::fan_box(int fan) {
+  if (!fans_made_.is_made(fan)) bound_fan(fan);
+  return fan_boxes_[fan];
+}
 
 void ClusterBody::bound_fan(int f) {
   if (!are_floats_filled_) joints_.fill(pose_, skinning_), are_floats_filled_ = true;
@@ -68,14 +56,16 @@ void ClusterBody::bound_fan(int f) {
   const std::span<FlippedBox> boxes(flipped_.data(), fan.child_count);
   bound_boxes(fan.pieces, skinning_, joints_, pose_, placement_.rotation, boxes);
   BoxBlock* blocks = &fan_blocks_[first_block_of_fan_[f]];
+  Box6& whole = fan_boxes_[f] = no_box;
   for (int i = 0; i < fan.child_count; ++i) {
     Box6 box;
     for (int k = 0; k < 3; ++k) {
       const double low = boxes[i].of[k], high = -boxes[i].of[4 + k], at = placement_.translation[k];
       const double lost = 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
       box[k] = low + at - lost, box[3 + k] = high + at + lost;
+      whole[k] = std::min(whole[k], box[k]), whole[3 + k] = std::max(whole[3 + k], box[3 + k]);
     }
-    put(blocks, i, box);
+    put_box(blocks, i, box);
   }
   fans_made_.mark(f);
   ++fans_bounded_;
@@ -93,57 +83,29 @@ const Box6& ClusterBody::cluster_box(int cluster) {
 
 void ClusterBody::skin_cluster(int n) {
   const Cluster& cluster = tree_.clusters()[n];
-  const Character& c = tree_.character();
-  for (int i = cluster.first_vertex; i < cluster.first_vertex + cluster.vertex_count; ++i) {
-    const int v = tree_.vertices()[i];
-    const Point3 p = apply(placement_, blend<double>(skinning_, pose_[c.sets.of_vertex(v)], c.sets.weights(v), c.model.vertices[v]));
-    corners_[i] = {p[0], p[1], p[2], 0};
-  }
-  BoxBlock* blocks = &cluster_blocks_[first_block_of_cluster_[n]];
-  Box6 all = no_box;
-  for (int g = 0; g < cluster.group_count; ++g) {
-    const TriangleGroup& group = tree_.groups()[cluster.first_group + g];
-    Box6 box = no_box;
-    for (int t = 0; t < group.count; ++t)
-      for (const std::uint16_t position : group.corners[t]) {
-        const Corner& p = corner(cluster, position);
-        for (int k = 0; k < 3; ++k) box[k] = std::min(box[k], p.of[k]), box[3 + k] = std::max(box[3 + k], p.of[k]);
-      }
-    for (int k = 0; k < 3; ++k) all[k] = std::min(all[k], box[k]), all[3 + k] = std::max(all[3 + k], box[3 + k]);
-    put(blocks, g, box);
-  }
-  cluster_boxes_[n] = all;
+  tree_.vertices().skin_group(n, pose_, skinning_, skinned_);
+  const double placement[] = {placement_.rotation[0], placement_.rotation[1], placement_.rotation[2], placement_.rotation[3],
+                              placement_.translation[0], placement_.translation[1], placement_.translation[2]};
+  Corner* corners = &corners_[cluster.first_corner];
+  kernels_.place(skinned_.blocks.data(), cluster.corner_count / Lanes<double>::count, placement, corners);
+  kernels_.box_groups(&tree_.group(n, 0), cluster.group_count, corners,
+                      &cluster_blocks_[first_block_of_cluster_[n]], cluster_boxes_[n].data());
   clusters_made_.mark(n);
   ++clusters_skinned_;
 }
 
-const BoxBlock& ClusterBody::triangle_boxes(int n, int g) {
-  const Cluster& cluster = tree_.clusters()[n];
-  const int at = cluster.first_group + g;
-  BoxBlock& block = group_blocks_[at];
-  if (groups_made_.is_made(at)) return block;
-  const TriangleGroup& group = tree_.groups()[at];
-  for (int t = 0; t < group.count; ++t) {
-    const auto& [a, b, c] = group.corners[t];
-    const Corner &p = corner(cluster, a), &q = corner(cluster, b), &r = corner(cluster, c);
-    for (int k = 0; k < 3; ++k) {
-      block.side[k][t] = std::min(std::min(p.of[k], q.of[k]), r.of[k]);
-      block.side[3 + k][t] = std::max(std::max(p.of[k], q.of[k]), r.of[k]);
-    }
-  }
-  groups_made_.mark(at);
-  return block;
+const Corner* ClusterBody::corners(int cluster) {
+  if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
+  return &corners_[tree_.clusters()[cluster].first_corner];
 }
 
-TrianglePoints ClusterBody::triangle(int n, int g, int t) const {
-  const Cluster& cluster = tree_.clusters()[n];
-  const auto& corners = tree_.groups()[cluster.first_group + g].corners[t];
-  TrianglePoints out;
-  for (int i = 0; i < 3; ++i) {
-    const Corner& p = corner(cluster, corners[i]);
-    out[i] = {p.of[0], p.of[1], p.of[2]};
+const BoxBlock& ClusterBody::triangle_boxes(int cluster, int g) {
+  const int at = tree_.clusters()[cluster].first_group + g;
+  if (!groups_made_.is_made(at)) {
+    kernels_.box_triangles(tree_.group(cluster, g), corners(cluster), group_blocks_[at]);
+    groups_made_.mark(at);
   }
-  return out;
+  return group_blocks_[at];
 }
 
 }  // namespace refitlab

@@ -9,9 +9,6 @@
 
 namespace refitlab {
 
-// low x, y, z, high x, y, z.
-using Box6 = std::array<double, 6>;
-
 class ClusterBody {
  public:
   // tree outlives this.
@@ -25,7 +22,9 @@ class ClusterBody {
 
   // Boxes in the world around all vertices below: of a fan's children, in blocks, and of one of them.
   const BoxBlock* fan_boxes(int fan);
-  Box6 child_box(int fan, int child);
+  Box6 child_box(int fan, int child) { return get_box(fan_boxes(fan), child); }
+  // Around all of a fan.
+  const Box6& fan_box(int fan);
 
   // Boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of all of it.
   const BoxBlock* group_boxes(int cluster);
@@ -33,21 +32,16 @@ class ClusterBody {
   // Around the triangles of a group.
   const BoxBlock& triangle_boxes(int cluster, int group);
 
-  // The corners in the world: the very doubles that apply(placement, skin()) yields. The cluster's boxes were asked for.
-  TrianglePoints triangle(int cluster, int group, int triangle) const;
+  // By place in the cluster, in the world: the very doubles that apply(placement, skin()) yields.
+  const Corner* corners(int cluster);
 
   // Since begin.
   long fans_bounded() const { return fans_bounded_; }
   long clusters_skinned() const { return clusters_skinned_; }
 
  private:
-  struct alignas(32) Corner {
-    double of[4];
-  };
-
   void bound_fan(int fan);
   void skin_cluster(int cluster);
-  const Corner& corner(const Cluster& c, std::uint16_t position) const { return corners_[c.first_vertex + position]; }
 
   const ClusterTree& tree_;
   const Skinning skinning_;
@@ -59,8 +53,9 @@ class ClusterBody {
   FrameStamps fans_made_, clusters_made_, groups_made_;
   std::vector<int> first_block_of_fan_, first_block_of_cluster_;
   std::vector<BoxBlock> fan_blocks_, cluster_blocks_, group_blocks_;
-  std::vector<Box6> cluster_boxes_;
-  std::vector<Corner> corners_;  // by position in ClusterTree::vertices
+  std::vector<Box6> fan_boxes_, cluster_boxes_;
+  SkinnedVertices skinned_;      // of the cluster in work, in model space
+  std::vector<Corner> corners_;  // cluster by cluster
   std::vector<FlippedBox> flipped_;
   long fans_bounded_ = 0, clusters_skinned_ = 0;
 };

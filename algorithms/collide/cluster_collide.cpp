@@ -1,5 +1,7 @@
 #include "algorithms/collide/cluster_collide.hpp"
 
+#include <bit>
+
 #include "algorithms/collide/triangles_meet.hpp"
 
 namespace refitlab {
@@ -17,42 +19,48 @@ class ClusterTraversal {
       : first_(first), second_(second), query_(query), counts_(counts) {}
 
   std::vector<TrianglePair> run() {
-    const Fan& top = first_.tree().fans()[0];
-    first_.fan_boxes(0);
-    for (int i = 0; i < top.child_count && !is_done(); ++i) below_second(child(first_, 0, i), first_.child_box(0, i), 0);
+    const Hits tops(*this, first_.fan_boxes(0), first_.tree().fans()[0].child_count, second_.fan_box(0));
+    for (std::size_t i = 0; i < tops.count() && !is_done(); ++i) {
+      const int child = tops[i];
+      below_second(first_.tree().child(0, child), first_.child_box(0, child), 0);
+    }
     return std::move(found_);
   }
 
  private:
-  static FanChild child(const ClusterBody& body, int fan, int i) {
-    return body.tree().children()[body.tree().fans()[fan].first_child + i];
-  }
-  bool is_done() const { return query_ == Query::yes_no && !found_.empty(); }
+  // Which boxes of some blocks are not apart from a box. The list is on top of a common stack as long as this lives.
+  class Hits {
+   public:
+    Hits(ClusterTraversal& traversal, const BoxBlock* blocks, int count, const Box6& box)
+        : stack_(traversal.hits_), first_(stack_.size()) {
+      traversal.counts_.ball_tests += count;
+      stack_.resize(first_ + count);
+      count_ = traversal.kernels_.overlaps(blocks, count, box.data(), stack_.data() + first_);
+      stack_.resize(first_ + count_);
+    }
+    ~Hits() { stack_.resize(first_); }
+    Hits(const Hits&) = delete;
+    std::size_t count() const { return count_; }
+    int operator[](std::size_t i) const { return stack_[first_ + i]; }
 
-  int overlaps(const BoxBlock* blocks, int count, const Box6& box, std::vector<int>& out) {
-    counts_.ball_tests += count;
-    out.resize(count);
-    const int found = kernels_.overlaps(blocks, count, box.data(), out.data());
-    out.resize(found);
-    return found;
-  }
+   private:
+    std::vector<int>& stack_;
+    const std::size_t first_;
+    std::size_t count_;
+  };
+
+  bool is_done() const { return query_ == Query::yes_no && !found_.empty(); }
 
   // One node of the first body against those in a fan of the second.
   void below_second(const FanChild& a, const Box6& box, int fan) {
-    std::vector<int> hits;
-    overlaps(second_.fan_boxes(fan), second_.tree().fans()[fan].child_count, box, hits);
-    for (const int i : hits) {
-      if (is_done()) return;
-      nodes(a, box, child(second_, fan, i), second_.child_box(fan, i));
-    }
+    const Hits hits(*this, second_.fan_boxes(fan), second_.tree().fans()[fan].child_count, box);
+    for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
+      nodes(a, box, second_.tree().child(fan, hits[i]), second_.child_box(fan, hits[i]));
   }
   void below_first(int fan, const FanChild& b, const Box6& box) {
-    std::vector<int> hits;
-    overlaps(first_.fan_boxes(fan), first_.tree().fans()[fan].child_count, box, hits);
-    for (const int i : hits) {
-      if (is_done()) return;
-      nodes(child(first_, fan, i), first_.child_box(fan, i), b, box);
-    }
+    const Hits hits(*this, first_.fan_boxes(fan), first_.tree().fans()[fan].child_count, box);
+    for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
+      nodes(first_.tree().child(fan, hits[i]), first_.child_box(fan, hits[i]), b, box);
   }
 
   static double extent(const Box6& b) { return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]); }
@@ -69,36 +77,40 @@ class ClusterTraversal {
   void clusters(int a, int b) {
     const Box6 &box_a = first_.cluster_box(a), &box_b = second_.cluster_box(b);
     if (are_apart(box_a, box_b)) return;
-    const int count_a = first_.tree().clusters()[a].group_count, count_b = second_.tree().clusters()[b].group_count;
-    if (overlaps(first_.group_boxes(a), count_a, box_b, groups_a_) == 0) return;
-    for (const int g : groups_a_) {
-      Box6 box;
-      const BoxBlock& block = first_.group_boxes(a)[g / 8];
-      for (int k = 0; k < 6; ++k) box[k] = block.side[k][g % 8];
-      overlaps(second_.group_boxes(b), count_b, box, groups_b_);
-      for (const int h : groups_b_) {
-        groups(a, g, b, h);
-        if (is_done()) return;
-      }
+    pairs_.clear();
+    const Hits groups_a(*this, first_.group_boxes(a), first_.tree().clusters()[a].group_count, box_b);
+    for (std::size_t i = 0; i < groups_a.count(); ++i) {
+      const int g = groups_a[i];
+      const Hits groups_b(*this, second_.group_boxes(b), second_.tree().clusters()[b].group_count,
+                          get_box(first_.group_boxes(a), g));
+      for (std::size_t k = 0; k < groups_b.count(); ++k) groups(a, g, b, groups_b[k]);
+    }
+    triangles(a, b);
+  }
+
+  // Lists the pairs of triangles whose boxes meet.
+  void groups(int a, int g, int b, int h) {
+    const TriangleGroup &group_a = first_.tree().group(a, g), &group_b = second_.tree().group(b, h);
+    for (std::uint64_t pairs = kernels_.overlapping_pairs(first_.triangle_boxes(a, g), group_a.count,
+                                                          second_.triangle_boxes(b, h), group_b.count);
+         pairs; pairs &= pairs - 1) {
+      const int bit = std::countr_zero(pairs), i = bit / 8, k = bit % 8;
+      pairs_.push_back({group_a.corners[i], group_b.corners[k], group_a.triangles[i], group_b.triangles[k]});
     }
   }
 
-  void groups(int a, int g, int b, int h) {
-    const TriangleGroup &group_a = first_.tree().groups()[first_.tree().clusters()[a].first_group + g],
-                        &group_b = second_.tree().groups()[second_.tree().clusters()[b].first_group + h];
-    const BoxBlock &boxes_a = first_.triangle_boxes(a, g), &boxes_b = second_.triangle_boxes(b, h);
-    for (int i = 0; i < group_a.count; ++i) {
-      Box6 box;
-      for (int k = 0; k < 6; ++k) box[k] = boxes_a.side[k][i];
-      int hits[group_size];
-      const int found = kernels_.overlaps(&boxes_b, group_b.count, box.data(), hits);
-      for (int k = 0; k < found; ++k) {
-        ++counts_.triangle_tests;
-        if (!triangles_meet(first_.triangle(a, g, i), second_.triangle(b, h, hits[k]))) continue;
-        found_.push_back({group_a.triangles[i], group_b.triangles[hits[k]]});
-        if (query_ == Query::yes_no) return;
-      }
-    }
+  void triangles(int a, int b) {
+    counts_.triangle_tests += static_cast<long>(pairs_.size());
+    const Corner *corners_a = first_.corners(a), *corners_b = second_.corners(b);
+    const int crossing = kernels_.keep_crossing(corners_a, corners_b, pairs_.data(), static_cast<int>(pairs_.size()));
+    for (int p = 0; p < crossing && !is_done(); ++p)
+      if (boxed_triangles_meet(corners_of(corners_a, pairs_[p].a), corners_of(corners_b, pairs_[p].b)))
+        found_.push_back({pairs_[p].first, pairs_[p].second});
+  }
+
+  static TrianglePoints corners_of(const Corner* corners, const std::array<std::uint16_t, 3>& places) {
+    const auto point = [&](int i) { return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]); };
+    return {point(0), point(1), point(2)};
   }
 
   ClusterBody &first_, &second_;
@@ -106,7 +118,8 @@ class ClusterTraversal {
   QueryCounts& counts_;
   const BoxKernels& kernels_ = box_kernels(best_target());
   std::vector<TrianglePair> found_;
-  std::vector<int> groups_a_, groups_b_;
+  std::vector<int> hits_;
+  std::vector<CornerPair> pairs_;
 };
 
 }  // namespace

@@ -7,9 +7,9 @@ namespace refitlab {
 namespace {
 
 void check(const ClusterOptions& o) {
-  // Corners are stored in 16 bits, three a triangle at most.
-  if (o.most_triangles < 1 || o.most_triangles > 65536 / 3)
-    throw std::invalid_argument("cluster options: most_triangles is " + std::to_string(o.most_triangles) + ", not in 1 to 21845");
+  if (o.most_triangles < 1 || o.most_triangles > most_cluster_triangles)
+    throw std::invalid_argument("cluster options: most_triangles is " + std::to_string(o.most_triangles) + ", not in 1 to " +
+                                std::to_string(most_cluster_triangles));
   if (o.most_children < 2)
     throw std::invalid_argument("cluster options: most_children is " + std::to_string(o.most_children) + ", less than 2");
 }
@@ -17,9 +17,10 @@ void check(const ClusterOptions& o) {
 }  // namespace
 
 ClusterTree::ClusterTree(const Character& character, const ClusterOptions& options)
-    : character_(&character), options_(options) {
+    : character_(&character), options_(options), vertices_(character.model, character.sets, {}) {
   check(options);
   add_fan(0);
+  pack_clusters();
 }
 
 // The node of most triangles that is no cluster is opened as long as there is room for its children. A root that is a cluster
@@ -55,29 +56,36 @@ int ClusterTree::add_fan(int node) {
 }
 
 int ClusterTree::add_cluster(int node) {
-  const Model& model = character_->model;
-  const JointSets& sets = character_->sets;
   const TreeNode& n = character_->tree.nodes[node];
-  std::vector<int> vertices(character_->vertices[node].begin(), character_->vertices[node].end());
-  std::stable_sort(vertices.begin(), vertices.end(), [&](int a, int b) { return sets.of_vertex(a) < sets.of_vertex(b); });
-  const auto position = [&](int vertex) {
-    const auto at = std::find(vertices.begin(), vertices.end(), vertex);
-    return static_cast<std::uint16_t>(at - vertices.begin());
-  };
-
-  Cluster cluster{static_cast<int>(vertices_.size()), static_cast<int>(vertices.size()), static_cast<int>(groups_.size()), 0};
-  for (int first = 0; first < n.triangle_count; first += group_size) {
-    TriangleGroup group{std::min(group_size, n.triangle_count - first), {}, {}};
-    for (int i = 0; i < group.count; ++i) {
-      group.triangles[i] = character_->tree.triangle_order[n.first_triangle + first + i];
-      for (int c = 0; c < 3; ++c) group.corners[i][c] = position(model.triangles[group.triangles[i]][c]);
-    }
-    groups_.push_back(group);
-    ++cluster.group_count;
-  }
-  vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
-  clusters_.push_back(cluster);
+  clusters_.push_back({0, 0, static_cast<int>(groups_.size()), (n.triangle_count + group_size - 1) / group_size});
+  groups_.resize(groups_.size() + clusters_.back().group_count);
+  cluster_nodes_.push_back(node);
   return static_cast<int>(clusters_.size()) - 1;
+}
+
+void ClusterTree::pack_clusters() {
+  const Model& model = character_->model;
+  std::vector<std::vector<int>> vertices;
+  for (const int node : cluster_nodes_) vertices.emplace_back(character_->vertices[node].begin(), character_->vertices[node].end());
+  vertices_ = PackedVertices(model, character_->sets, vertices);
+  std::vector<std::uint16_t> place_of(model.vertices.size());
+  for (std::size_t c = 0; c < clusters_.size(); ++c) {
+    Cluster& cluster = clusters_[c];
+    const auto places = vertices_.vertices(static_cast<int>(c));
+    cluster.first_corner = corner_count_;
+    cluster.corner_count = static_cast<int>(places.size());
+    corner_count_ += cluster.corner_count;
+    for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
+
+    const TreeNode& node = character_->tree.nodes[cluster_nodes_[c]];
+    for (int t = 0; t < node.triangle_count; ++t) {
+      TriangleGroup& group = groups_[cluster.first_group + t / group_size];
+      const int triangle = character_->tree.triangle_order[node.first_triangle + t];
+      group.count = t % group_size + 1;
+      group.triangles[t % group_size] = triangle;
+      for (int i = 0; i < 3; ++i) group.corners[t % group_size][i] = place_of[model.triangles[triangle][i]];
+    }
+  }
 }
 
 }  // namespace refitlab

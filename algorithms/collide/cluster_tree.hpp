@@ -5,30 +5,22 @@
 // at a time: a fan is the set of descendants that one node is opened into, all refitted together.
 #pragma once
 
-#include <array>
-
+#include "algorithms/batch/packed_vertices.hpp"
 #include "algorithms/collide/box_packs.hpp"
-#include "algorithms/refit/character.hpp"
+#include "algorithms/collide/triangle_group.hpp"
 
 namespace refitlab {
+
+inline constexpr int most_cluster_triangles = 4096;  // so that places fit 16 bits, padding included
 
 struct ClusterOptions {
   int most_triangles = 256;  // of a cluster; at least 1
   int most_children = 32;    // of a fan; at least 2
 };
 
-inline constexpr int group_size = 8;  // triangles that are boxed together inside a cluster
-
 struct Cluster {
-  int first_vertex, vertex_count;  // in ClusterTree::vertices
+  int first_corner, corner_count;  // its places in the bodies' arrays of corners; the places of its group of vertices()
   int first_group, group_count;
-};
-
-// Up to group_size triangles of a cluster.
-struct TriangleGroup {
-  int count;
-  std::array<int, group_size> triangles;                          // of the model
-  std::array<std::array<std::uint16_t, 3>, group_size> corners;  // by position among the cluster's vertices
 };
 
 // A node in a fan: a cluster, or opened into a fan of its own.
@@ -37,7 +29,7 @@ struct FanChild {
 };
 
 struct Fan {
-  int first_child, child_count;  // in ClusterTree::children
+  int first_child, child_count;  // all children in one list
   BoxPieces pieces;              // what bounds the children, by position in the fan
 };
 
@@ -48,15 +40,18 @@ class ClusterTree {
 
   const Character& character() const { return *character_; }
   const std::vector<Fan>& fans() const { return fans_; }  // the root's first; its children are fans with larger indices
-  const std::vector<FanChild>& children() const { return children_; }
+  const FanChild& child(int fan, int i) const { return children_[fans_[fan].first_child + i]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
-  const std::vector<TriangleGroup>& groups() const { return groups_; }
-  // Of the model, cluster by cluster, in each sorted by joint-set; a vertex of several clusters is in each of them.
-  const std::vector<int>& vertices() const { return vertices_; }
+  int group_count() const { return static_cast<int>(groups_.size()); }
+  // By position in the cluster; those behind it follow.
+  const TriangleGroup& group(int cluster, int i) const { return groups_[clusters_[cluster].first_group + i]; }
+  const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
+  int corner_count() const { return corner_count_; }
 
  private:
   int add_fan(int node);
   int add_cluster(int node);
+  void pack_clusters();
 
   const Character* character_;
   ClusterOptions options_;
@@ -64,7 +59,9 @@ class ClusterTree {
   std::vector<FanChild> children_;
   std::vector<Cluster> clusters_;
   std::vector<TriangleGroup> groups_;
-  std::vector<int> vertices_;
+  std::vector<int> cluster_nodes_;  // in the sphere tree
+  PackedVertices vertices_;
+  int corner_count_ = 0;
 };
 
 }  // namespace refitlab

@@ -8,23 +8,32 @@ namespace {
 
 using Point = Vec<double, 3>;
 
-// The sign of (b - a, c - a, d - a), the determinant of the differences; 0 if it is not certain.
+// The largest |differences| seen, by coordinate.
+struct Extent {
+  double of[3] = {0, 0, 0};
+  void add(const Point& difference) {
+    for (int i = 0; i < 3; ++i) of[i] = std::max(of[i], std::abs(difference[i]));
+  }
+};
+
+// Of a determinant of three differences; 0 if the sign is not certain.
 //
-// With u = 2^-53 and X, Y, Z the largest computed |differences| by coordinate: each of the six products of three
-// differences is at most XYZ (1 + u)^3 in exact differences and carries at most 3 + 2 + 3 roundings (differences, products, sums), each a
-// factor within 1 +- u. So the computed determinant is off by at most 6 XYZ ((1 + u)^11 - 1) < 67 u XYZ < 7.5e-15 XYZ; the
-// bound below leaves a third for its own roundings. Where XYZ is so small that products may have underflowed, nothing is certain.
-int sign_of_determinant(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
-  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
-  const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
-  const double determinant = (by * cz - bz * cy) * dx + (bz * cx - bx * cz) * dy + (bx * cy - by * cx) * dz;
-  const double largest_x = std::max({std::abs(bx), std::abs(cx), std::abs(dx)});
-  const double largest_y = std::max({std::abs(by), std::abs(cy), std::abs(dy)});
-  const double largest_z = std::max({std::abs(bz), std::abs(cz), std::abs(dz)});
-  const double error = 1e-14 * largest_x * largest_y * largest_z;
+// With u = 2^-53 and X, Y, Z the extent of the computed differences: each of the six products of three exact differences is at
+// most XYZ (1 + u)^3 and carries at most 3 + 2 + 3 roundings (of differences, products and sums), each a factor within 1 +- u. So
+// the computed determinant is off by at most 6 XYZ ((1 + u)^11 - 1) < 67 u XYZ < 7.5e-15 XYZ; the bound below leaves a
+// third for its own roundings. Where XYZ is so small that products may have underflowed, nothing is certain.
+int sign_of(double determinant, const Extent& differences) {
+  const double error = 1e-14 * differences.of[0] * differences.of[1] * differences.of[2];
   if (!(error > 1e-280)) return 0;
   return determinant > error ? 1 : determinant < -error ? -1 : 0;
+}
+
+// The sign of (b - a, c - a, d - a).
+int sign_of_determinant(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Point p = b - a, q = c - a, r = d - a;
+  Extent extent;
+  extent.add(p), extent.add(q), extent.add(r);
+  return sign_of(dot<double, 3>(cross<double>(p, q), r), extent);
 }
 
 // The sides of a plane that three points are on.
@@ -37,7 +46,13 @@ struct Sides {
 };
 
 Sides sides(const TrianglePoints& plane, const TrianglePoints& points) {
-  const auto side = [&](int i) { return sign_of_determinant(plane[0], plane[1], plane[2], points[i]); };
+  const Point p = plane[1] - plane[0], q = plane[2] - plane[0];
+  const Point r[] = {points[0] - plane[0], points[1] - plane[0], points[2] - plane[0]};
+  Extent extent;  // of all, for all three
+  extent.add(p), extent.add(q);
+  for (const Point& x : r) extent.add(x);
+  const Point normal = cross<double>(p, q);
+  const auto side = [&](int i) { return sign_of(dot<double, 3>(normal, r[i]), extent); };
   return {{side(0), side(1), side(2)}};
 }
 

@@ -44,10 +44,11 @@ bool boxes_meet(const TrianglePoints& a, const TrianglePoints& b) {
 
 }  // namespace
 
-bool triangles_meet(const TrianglePoints& a, const TrianglePoints& b) {
-  if (!boxes_meet(a, b)) return false;
+bool boxed_triangles_meet(const TrianglePoints& a, const TrianglePoints& b) {
   const Filtered quick = filter_triangles(a, b);
   return quick == Filtered::unknown ? std::visit(Meet{}, shape_of(a), shape_of(b)) : quick == Filtered::meet;
 }
+
+bool triangles_meet(const TrianglePoints& a, const TrianglePoints& b) { return boxes_meet(a, b) && boxed_triangles_meet(a, b); }
 
 }  // namespace refitlab

@@ -11,4 +11,7 @@ namespace refitlab {
 // Guigue 2002].
 bool triangles_meet(const TrianglePoints& a, const TrianglePoints& b);
 
+// The same for triangles whose boxes are known to meet: most pairs that are not are told apart by these already.
+bool boxed_triangles_meet(const TrianglePoints& a, const TrianglePoints& b);
+
 }  // namespace refitlab

@@ -1,0 +1,17 @@
+// TriangleGroup: some triangles of a cluster that lie side by side and are boxed together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace refitlab {
+
+inline constexpr int group_size = 8;  // at most
+
+struct TriangleGroup {
+  int count;
+  std::array<int, group_size> triangles;                         // of the model
+  std::array<std::array<std::uint16_t, 3>, group_size> corners;  // by place in the cluster
+};
+
+}  // namespace refitlab
