@@ -1,0 +1,90 @@
+#include "algorithms/batch/packed_vertices.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <set>
+
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/posed_model.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+constexpr Skinning kinds[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
+
+// A blend of quaternions that vanishes has no image: then both must say so.
+bool are_identical(const Point3& a, const Point3& b) {
+  for (int i = 0; i < 3; ++i)
+    if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i]) && !(std::isnan(a[i]) && std::isnan(b[i])))
+      return false;
+  return true;
+}
+
+// Every group and the whole model, by every target, against skin().
+bool is_as_skin(const PackedVertices& packed, const Model& model, const JointSets& sets, const SkinningPose<double>& pose,
+                Skinning skinning) {
+  const auto expected = skin(model, sets, pose, skinning);
+  const Point3 untouched(7, 7, 7);
+  for (const Target target : available_targets()) {
+    std::vector<Point3> all(expected.size(), untouched);
+    packed.skin_all(pose, skinning, all, target);
+    std::set<int> grouped;
+    SkinnedVertices skinned;
+    for (int g = 0; g < packed.group_count(); ++g) {
+      packed.skin_group(g, pose, skinning, skinned, target);
+      const auto vertices = packed.vertices(g);
+      for (std::size_t place = 0; place < vertices.size(); ++place) {
+        if (!are_identical(skinned[static_cast<int>(place)], expected[vertices[place]])) return false;
+        grouped.insert(vertices[place]);
+      }
+    }
+    for (std::size_t v = 0; v < all.size(); ++v)
+      if (!are_identical(all[v], grouped.count(static_cast<int>(v)) ? expected[v] : untouched)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+PROPTEST(packed_vertices) {
+  t.holds("by every target, groups of vertices are skinned bit by bit as skin() does",
+          {.number_type = "double pack", .cases = 1000, .degenerate_at_least = 0.05}, [] {
+            const auto posed = *gen::posed_model();
+            const JointSets sets(posed.model);
+            const int vertex_count = static_cast<int>(posed.model.vertices.size());
+            std::vector<std::vector<int>> groups(*rc::gen::inRange(1, 4));
+            for (int v = 0; v < vertex_count; ++v)
+              for (auto& group : groups)
+                if (*rc::gen::inRange(0, 2)) group.push_back(v);
+            RC_CLASSIFY(std::any_of(groups.begin(), groups.end(), [](const auto& g) { return g.empty(); }), "degenerate");
+            const PackedVertices packed(posed.model, sets, groups);
+            RC_ASSERT(packed.group_count() == static_cast<int>(groups.size()));
+            for (int g = 0; g < packed.group_count(); ++g) {
+              const auto vertices = packed.vertices(g);
+              RC_ASSERT(std::set<int>(vertices.begin(), vertices.end()) == std::set<int>(groups[g].begin(), groups[g].end()));
+            }
+            const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(kinds), std::end(kinds)));
+            const auto pose = make_skinning_pose(posed.model, sets, posed.posture, skinning);
+            RC_ASSERT(is_as_skin(packed, posed.model, sets, pose, skinning));
+          });
+  t.example("the built-in man and creature are, as a whole, in mid-clip", {.number_type = "double pack"}, [] {
+    long checked = 0;
+    for (const Model& model : {make_man(), make_creature()}) {
+      const JointSets sets(model);
+      const PackedVertices packed(model, sets);
+      for (const Skinning skinning : kinds) {
+        const auto& clip = model.clips[0];
+        const auto pose = make_skinning_pose(model, sets, clip.sample(0.4 * clip.duration), skinning);
+        if (!is_as_skin(packed, model, sets, pose, skinning)) return Checked(false, checked, model.name);
+        checked += static_cast<long>(model.vertices.size());
+      }
+    }
+    return Checked(true, checked, std::to_string(available_targets().size()) + " targets");
+  });
+}
+
+}  // namespace proptests
