@@ -20,7 +20,7 @@ using RationalWeights = std::vector<Rational>;
 
 struct QuerySet {
   Ball3<Rational> reference;             // S_z: the joint-set's vertices, in the reference posture
-  JointSetPose<Rational> pose;           // rotations of exactly unit length, with the skinning's signs
+  OwnedJointSetPose<Rational> pose;      // rotations of exactly unit length, with the skinning's signs
   WeightBounds<Rational> bounds;         // multiples of 2^-24
   std::vector<RationalWeights> corners;  // of W': all of them
 };

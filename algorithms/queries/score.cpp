@@ -11,8 +11,8 @@ namespace refitlab {
 namespace {
 
 template <class S>
-JointSetPose<S> lift_pose(const JointSetPose<Rational>& pose) {
-  JointSetPose<S> out{lift<S>(pose.transforms), lift<S>(pose.rotation_center), lift<S>(pose.center_images), {}};
+OwnedJointSetPose<S> lift_pose(const OwnedJointSetPose<Rational>& pose) {
+  OwnedJointSetPose<S> out{lift<S>(pose.transforms), lift<S>(pose.rotation_center), lift<S>(pose.center_images), {}};
   place_duals(out);
   return out;
 }
@@ -104,7 +104,7 @@ SkinnedQuery::SkinnedQuery(const RefitQuery& query, Skinning skinning) : skinnin
 
 template <class S>
 Ball3<S> SkinnedQuery::skinned(const Target& target) const {
-  const JointSetPose<S> pose = lift_pose<S>(target.set->pose);
+  const OwnedJointSetPose<S> pose = lift_pose<S>(target.set->pose);
   const std::vector<S> w = lift<S>(*target.weights);
   const Vec<S, 3> v = lift<S>(target.vertex);
   return {blend<S>(skinning_, pose, w, v), lift<S>(target.radius)};

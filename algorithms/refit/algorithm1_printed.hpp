@@ -35,7 +35,7 @@ template <class Policy, class S>
 Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLists<S>& lists) {
   lists.balls.clear();                                                                      // line 1
   for (const NodeJointSet& set : node.joint_sets) {                                         // line 4
-    const JointSetPose<S>& pose = node.pose[set.joint_set];
+    const JointSetPose<S> pose = node.pose[set.joint_set];
     lists.quaternions.clear();                                                              // line 5
     for (int k = 0; k < set.corner_count; ++k) {                                            // line 6
       const auto corner = node.corner(set, k);

@@ -33,7 +33,7 @@ template <class Policy, class S>
 Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& lists) {
   lists.balls.clear();
   for (const NodeJointSet& set : node.joint_sets) {
-    const JointSetPose<S>& pose = node.pose[set.joint_set];
+    const JointSetPose<S> pose = node.pose[set.joint_set];
     const RotationBound<S> bound = bound_joint_set_rotations<Policy>(node, set, lists.quaternions);
     const Vec<S, 3> u = node.reference.center - pose.rotation_center;
     const Vec<S, 3> offset = rotate(bound.apex, u) * bound.center_ratio;

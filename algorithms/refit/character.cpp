@@ -11,7 +11,7 @@ Character::Character(Model m, const TreeOptions& options)
       mixed_pieces(tree, vertices, model, sets, {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
       clusters(tree, vertices, model, sets, {.most_pieces = most_clusters}) {}
 
-RefitNode<double> Character::refit_node(int node, std::span<const JointSetPose<double>> pose, Pieces pieces) const {
+RefitNode<double> Character::refit_node(int node, const SkinningPose<double>& pose, Pieces pieces) const {
   switch (pieces) {
     case Pieces::joint_sets: return joint_set_pieces.refit_node(tree, node, pose);
     case Pieces::mixed: return mixed_pieces.refit_node(tree, node, pose);

@@ -11,7 +11,7 @@ struct Character {
   explicit Character(Model m, const TreeOptions& options = {});
 
   // What a variant looks at to refit a node. pose is of make_skinning_pose for this model.
-  RefitNode<double> refit_node(int node, std::span<const JointSetPose<double>> pose, Pieces pieces) const;
+  RefitNode<double> refit_node(int node, const SkinningPose<double>& pose, Pieces pieces) const;
 
   // The balls of all nodes.
   std::vector<Ball3<double>> refit_all(const RefitVariant& variant, const SkinningPose<double>& pose) const;

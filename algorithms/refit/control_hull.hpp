@@ -193,7 +193,7 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
   lists.cap.balls.clear();
   for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
     const NodeJointSet& set = node.joint_sets[i];
-    const JointSetPose<S>& pose = node.pose[set.joint_set];
+    const JointSetPose<S> pose = node.pose[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
     if (set.corner_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
       const auto w = node.corner(set, 0);

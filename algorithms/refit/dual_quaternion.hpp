@@ -125,7 +125,7 @@ std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node
   balls.clear();
   for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
     const NodeJointSet& set = node.joint_sets[i];
-    const JointSetPose<S>& pose = node.pose[set.joint_set];
+    const JointSetPose<S> pose = node.pose[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
     if (is_one_rotation(pose, node, set)) {
       balls.push_back({blend_dual_quaternion(pose, node.corner(set, 0), reference.center), reference.radius});

@@ -15,7 +15,7 @@ std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, Control
   lists.cap.balls.clear();
   for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
     const NodeJointSet& set = node.joint_sets[i];
-    const JointSetPose<S>& pose = node.pose[set.joint_set];
+    const JointSetPose<S> pose = node.pose[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
     for (int k = 0; k < set.corner_count; ++k)
       lists.cap.balls.push_back({blend_linear(pose, node.corner(set, k), reference.center), reference.radius});

@@ -22,7 +22,7 @@ struct RefitNode {
   Ball3<S> reference;                        // S = [p, r]: encloses the node's vertices in the reference posture
   std::span<const NodeJointSet> joint_sets;  // J: the pieces that together are the node's vertices
   const S* corner_weights;                   // the pool
-  std::span<const JointSetPose<S>> pose;     // of the frame, by joint-set
+  const SkinningPose<S>& pose;               // of the frame
   // A shared pool of balls; that of a piece (NodeJointSet::reference) encloses its vertices alone. Empty: S for all of them.
   std::span<const Ball3<S>> piece_references = {};
 

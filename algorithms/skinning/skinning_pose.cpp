@@ -38,17 +38,23 @@ void check(const Model& model, const Posture& posture) {
 }  // namespace
 
 SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning) {
+  SkinningPose<double> pose;
+  make_skinning_pose(model, sets, posture, skinning, pose);
+  return pose;
+}
+
+void make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning,
+                        SkinningPose<double>& pose) {
   check(model, posture);
-  SkinningPose<double> pose(sets.count());
+  pose.clear();
   for (int s = 0; s < sets.count(); ++s) {
     const auto joints = sets.joints(s);
-    for (const int j : joints) pose[s].transforms.push_back(posture[j]);
-    make_signs_consistent<double>(pose[s].transforms);
-    place_duals(pose[s]);
-    place_rotation_center(pose[s], skinning == Skinning::hejl ? shared_joint(model, joints)
-                                                              : rotation_center(pose[s].transforms, mean_origin(model, joints)));
+    const auto transforms = pose.append(joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) transforms[i] = posture[joints[i]];
+    make_signs_consistent(transforms);
+    pose.complete(skinning == Skinning::hejl ? shared_joint(model, joints)
+                                             : rotation_center(transforms, mean_origin(model, joints)));
   }
-  return pose;
 }
 
 }  // namespace refitlab

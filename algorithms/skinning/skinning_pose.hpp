@@ -16,19 +16,16 @@ enum class Skinning {
   dual_quaternion  // the rigid transform of the normalised blend of dual quaternions [Kavan et al. 2007]
 };
 
-// One joint-set in one posture. Arrays are by position in the joint-set.
+// One joint-set in one posture, as it is read. Arrays are by position in the joint-set.
 template <class S>
 struct JointSetPose {
   // C_{j_i}. The signs of the rotations are the skinning's: consistent within the joint-set, so that QLERP takes the short
   // way from the first joint to each other one. Bounds must use these signs (q and -q blend differently).
-  std::vector<RigidTransform<S>> transforms;
-  Vec<S, 3> rotation_center = {S(0), S(0), S(0)};  // r_c, reference frame
-  std::vector<Vec<S, 3>> center_images;            // C_{j_i} r_c
-  std::vector<Quaternion<S>> duals;                // d_i = t_i q_i / 2 of the dual quaternions q_i + eps d_i of the C_{j_i}
+  std::span<const RigidTransform<S>> transforms;
+  Vec<S, 3> rotation_center;                  // r_c, reference frame
+  std::span<const Vec<S, 3>> center_images;   // C_{j_i} r_c
+  std::span<const Quaternion<S>> duals;       // d_i = t_i q_i / 2 of the dual quaternions q_i + eps d_i of the C_{j_i}
 };
-
-template <class S>
-using SkinningPose = std::vector<JointSetPose<S>>;  // by joint-set
 
 // Negates quaternions so that each has a non-negative dot product with the first. Then no blend with a positive first
 // weight vanishes.
@@ -38,26 +35,94 @@ void make_signs_consistent(std::span<RigidTransform<S>> transforms) {
     if (dot(transforms[0].rotation, t.rotation) < S(0)) t.rotation = -t.rotation;
 }
 
+// d of the dual quaternion q + eps d of a transform, whose sign it shares.
+template <class S>
+Quaternion<S> dual_part(const RigidTransform<S>& c) {
+  const Vec<S, 3>& t = c.translation;
+  return multiply<S>({S(0), t[0], t[1], t[2]}, c.rotation) / S(2);
+}
+
+// A joint-set by itself, with its storage.
+template <class S>
+struct OwnedJointSetPose {
+  std::vector<RigidTransform<S>> transforms;
+  Vec<S, 3> rotation_center = {S(0), S(0), S(0)};
+  std::vector<Vec<S, 3>> center_images;
+  std::vector<Quaternion<S>> duals;
+
+  operator JointSetPose<S>() const { return {transforms, rotation_center, center_images, duals}; }
+};
+
 // Fills center_images from transforms and rotation_center.
 template <class S>
-void place_rotation_center(JointSetPose<S>& pose, const Vec<S, 3>& rotation_center) {
+void place_rotation_center(OwnedJointSetPose<S>& pose, const Vec<S, 3>& rotation_center) {
   pose.rotation_center = rotation_center;
   pose.center_images.clear();
   for (const auto& t : pose.transforms) pose.center_images.push_back(apply(t, rotation_center));
 }
 
-// Fills duals from transforms, whose signs they share.
+// Fills duals from transforms.
 template <class S>
-void place_duals(JointSetPose<S>& pose) {
+void place_duals(OwnedJointSetPose<S>& pose) {
   pose.duals.clear();
-  for (const auto& c : pose.transforms) {
-    const Vec<S, 3>& t = c.translation;
-    pose.duals.push_back(multiply<S>({S(0), t[0], t[1], t[2]}, c.rotation) / S(2));
-  }
+  for (const auto& t : pose.transforms) pose.duals.push_back(dual_part(t));
 }
+
+// All joint-sets in one posture, in flat arrays: a refit reads a few of them for each node.
+template <class S>
+class SkinningPose {
+ public:
+  std::size_t size() const { return rotation_centers_.size(); }
+  JointSetPose<S> operator[](std::size_t joint_set) const {
+    const std::size_t first = first_[joint_set], count = first_[joint_set + 1] - first;
+    return {{transforms_.data() + first, count}, rotation_centers_[joint_set], {center_images_.data() + first, count},
+            {duals_.data() + first, count}};
+  }
+
+  // Keeps the storage.
+  void clear() {
+    first_.resize(1);
+    transforms_.clear(), rotation_centers_.clear(), center_images_.clear(), duals_.clear();
+  }
+
+  // Appends a joint-set of so many joints, whose transforms the caller sets; then complete() must follow.
+  std::span<RigidTransform<S>> append(std::size_t joint_count) {
+    transforms_.resize(first_.back() + joint_count);
+    return {transforms_.data() + first_.back(), joint_count};
+  }
+  // Gives the appended joint-set its rotation center, the images of that, and the dual parts.
+  void complete(const Vec<S, 3>& rotation_center) {
+    rotation_centers_.push_back(rotation_center);
+    for (std::size_t i = first_.back(); i < transforms_.size(); ++i) {
+      center_images_.push_back(apply(transforms_[i], rotation_center));
+      duals_.push_back(dual_part(transforms_[i]));
+    }
+    first_.push_back(transforms_.size());
+  }
+
+  // Appends a complete joint-set.
+  void push_back(const JointSetPose<S>& pose) {
+    transforms_.insert(transforms_.end(), pose.transforms.begin(), pose.transforms.end());
+    rotation_centers_.push_back(pose.rotation_center);
+    center_images_.insert(center_images_.end(), pose.center_images.begin(), pose.center_images.end());
+    duals_.insert(duals_.end(), pose.duals.begin(), pose.duals.end());
+    first_.push_back(transforms_.size());
+  }
+
+ private:
+  std::vector<std::size_t> first_ = {0};  // by joint-set, and one past the last; of the arrays by joint
+  std::vector<Vec<S, 3>> rotation_centers_;
+  std::vector<RigidTransform<S>> transforms_;
+  std::vector<Vec<S, 3>> center_images_;
+  std::vector<Quaternion<S>> duals_;
+};
 
 // The frame's data of every joint-set. posture is by joint; throws ModelError if it has the wrong length, a number that is
 // not finite, or a rotation whose squared length differs from 1 by more than 1e-6.
 SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning);
+
+// The same in place of what was in pose, whose storage is used again. If it throws, pose is as it was.
+void make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning,
+                        SkinningPose<double>& pose);
 
 }  // namespace refitlab

@@ -27,7 +27,7 @@ class PieceTable {
   PieceTable(const SphereTree& tree, const NodeVertices& vertices, const Model& model, const JointSets& sets,
              const PieceOptions& options);
 
-  RefitNode<double> refit_node(const SphereTree& tree, int node, std::span<const JointSetPose<double>> pose) const {
+  RefitNode<double> refit_node(const SphereTree& tree, int node, const SkinningPose<double>& pose) const {
     const std::size_t first = first_[node], count = first_[node + 1] - first;
     return {tree.nodes[node].reference, {pieces_.data() + first, count}, corner_weights_.data(), pose,
             references_};

@@ -29,7 +29,7 @@ struct SphereTree {
   std::vector<double> corner_weights;
 
   int level_count() const { return nodes.back().level; }
-  RefitNode<double> refit_node(int node, std::span<const JointSetPose<double>> pose) const {
+  RefitNode<double> refit_node(int node, const SkinningPose<double>& pose) const {
     const TreeNode& n = nodes[node];
     return {n.reference, {joint_sets.data() + n.first_joint_set, static_cast<std::size_t>(n.joint_set_count)},
             corner_weights.data(), pose};

@@ -81,14 +81,15 @@ OneCorner refit_one_corner(int joints, int balls) {
   RefitLists<S> lists;
   const std::vector<S> weights(joints, S(1) / S(joints));
   for (; out.balls < balls; ++out.balls) {
-    SkinningPose<S> pose(1);
+    SkinningPose<S> pose;
+    const auto transforms = pose.append(static_cast<std::size_t>(joints));
     for (int j = 0; j < joints; ++j) {
       Quaternion<S> q = unit();
       for (int turn = 1; turn < 5; ++turn) q = multiply(q, unit());
-      pose[0].transforms.push_back({q, Vec<S, 3>::Zero()});
+      transforms[j].rotation = q;
     }
-    make_signs_consistent<S>(pose[0].transforms);
-    place_rotation_center<S>(pose[0], Vec<S, 3>::Zero());
+    make_signs_consistent(transforms);
+    pose.complete(Vec<S, 3>::Zero());
     const NodeJointSet set{0, 0, 1};
     const RefitNode<S> node{{Vec<S, 3>(1, 2, 3), S(1)}, {&set, 1}, weights.data(), pose};
     out.not_a_number += std::isnan(refit_algorithm1_printed<MeanBalls>(node, Signs::of_skinning, lists).radius);

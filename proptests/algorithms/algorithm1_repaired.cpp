@@ -107,17 +107,18 @@ void check_double(Misses& misses) {
 std::pair<double, double> miss_of_short_blend(int off) {
   const double unit = std::ldexp(1, -24), third = 5592405 * unit;
   const std::vector<double> w{third + off * unit, third - off * unit, 1 - 2 * third};
-  SkinningPose<double> pose(1);
+  SkinningPose<double> pose;
+  const auto transforms = pose.append(3);
   const Quaternion<double> a(0.6, 0, 0.8, 0), b(0, 0.28, 0, 0.96);
   for (int j = 0; j < 3; ++j) {
     const double angle = 0.1 + j * 2 * std::acos(-1) / 3;
-    pose[0].transforms.push_back({a * std::cos(angle) + b * std::sin(angle), Point3::Zero()});
+    transforms[j].rotation = a * std::cos(angle) + b * std::sin(angle);
   }
-  place_rotation_center<double>(pose[0], Point3::Zero());
+  pose.complete(Point3::Zero());
   const NodeJointSet set{0, 0, 1};
   const RefitNode<double> node{{{1, 2, 3}, 0}, {&set, 1}, w.data(), pose};
   const Ball3<double> ball = Repaired<MeanBalls>{}(node);
-  JointSetPose<Rational> exact;
+  OwnedJointSetPose<Rational> exact;
   for (const auto& c : pose[0].transforms)
     exact.transforms.push_back({convert<Rational>(c.rotation), convert<Rational>(c.translation)});
   place_rotation_center<Rational>(exact, gen::RationalVec<3>::Zero());

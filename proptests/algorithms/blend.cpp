@@ -14,7 +14,7 @@ using namespace refitlab;
 using gen::RationalVec;
 
 struct Blend {
-  JointSetPose<Rational> pose;
+  OwnedJointSetPose<Rational> pose;
   std::vector<Rational> weights;
   RationalVec<3> vertex;
   bool vanishes() const { return squared_norm(blend_quaternion<Rational>(pose, weights)) == 0; }
@@ -34,8 +34,8 @@ Blend draw() {
   return b;
 }
 
-JointSetPose<double> in_double(const JointSetPose<Rational>& pose) {
-  JointSetPose<double> out;
+OwnedJointSetPose<double> in_double(const OwnedJointSetPose<Rational>& pose) {
+  OwnedJointSetPose<double> out;
   out.transforms = lift<double>(pose.transforms);
   place_rotation_center<double>(out, lift<double>(pose.rotation_center));
   place_duals(out);

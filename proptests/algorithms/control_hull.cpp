@@ -134,7 +134,7 @@ Checked measure_tightness() {
   int count = 0;
   while (count < 300) {
     const int n = 2 + count % 3;
-    JointSetPose<double> pose;
+    OwnedJointSetPose<double> pose;
     for (int i = 0; i < n; ++i) {
       Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
       q.normalize();
@@ -152,8 +152,10 @@ Checked measure_tightness() {
     for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
       for (int i = 0, share = count / 3 % 3; i < n; ++i)
         corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
+    SkinningPose<double> frame;
+    frame.push_back(pose);
     const NodeJointSet set{0, 0, n};
-    const RefitNode<double> node{reference, {&set, 1}, corners.data(), {&pose, 1}};
+    const RefitNode<double> node{reference, {&set, 1}, corners.data(), frame};
     ControlLists<double> lists;
     const double bound = refit_control_hull<SmallestBalls>(node, lists).radius;
     std::vector<Point3> positions;

@@ -154,7 +154,7 @@ Checked measure_tightness() {
   int count = 0;
   while (count < 300) {
     const int n = 2 + count % 3;
-    JointSetPose<double> pose;
+    OwnedJointSetPose<double> pose;
     for (int i = 0; i < n; ++i) {
       Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
       q.normalize();
@@ -170,9 +170,11 @@ Checked measure_tightness() {
     std::vector<double> corners;
     for (int k = 0; k < n; ++k)
       for (int i = 0; i < n; ++i) corners.push_back(i == k);
+    SkinningPose<double> frame;
+    frame.push_back(pose);
     const NodeJointSet set{0, 0, n};
     const Ball3<double> reference{2 * vector(), 0};
-    const RefitNode<double> node{reference, {&set, 1}, corners.data(), {&pose, 1}};
+    const RefitNode<double> node{reference, {&set, 1}, corners.data(), frame};
     ControlLists<double> lists;
     const double bound = refit_dual_quaternion<SmallestBalls>(node, lists).radius;
     std::vector<Point3> positions;

@@ -35,8 +35,8 @@ std::vector<Posture> postures_of(const Model& model) {
   return out;
 }
 
-JointSetPose<Rational> as_exact(const JointSetPose<double>& pose) {
-  JointSetPose<Rational> out;
+OwnedJointSetPose<Rational> as_exact(const JointSetPose<double>& pose) {
+  OwnedJointSetPose<Rational> out;
   for (const auto& c : pose.transforms)
     out.transforms.push_back({convert<Rational>(c.rotation), convert<Rational>(c.translation)});
   out.rotation_center = convert<Rational>(pose.rotation_center);

@@ -35,6 +35,21 @@ rc::Gen<std::vector<gen::RationalTransform>> any_transforms() {
       {{3, gen::rigid_transforms(1, 5)}, {1, parallel_axes()}});
 }
 
+// Joints that differ by little, or about nearly one axis, or both: rotations of about this size about axes tilted by about
+// this much against each other.
+Transforms nearly_degenerate(double angle, double tilt) {
+  const auto drawn = [] { return lift<double>(*gen::rational_vector<3>()); };
+  const auto common = lift<double>(*gen::rigid_transform());
+  const Point3 axis = lift<double>(*gen::nonzero_vector<3>()).normalized();
+  Transforms out;
+  for (int n = *rc::gen::inRange(2, 7); n > 0; --n) {
+    const Point3 v = (axis * (1 + drawn().norm()) + drawn() * tilt) * angle;
+    const Quaternion<double> turn(1, v[0], v[1], v[2]);
+    out.push_back({multiply(common.rotation, Quaternion<double>(turn.normalized())), drawn()});
+  }
+  return out;
+}
+
 double size_of(const Transforms& transforms, const Point3& prior) {
   double size = 1 + prior.norm();
   for (const auto& c : transforms) size += c.translation.norm();
@@ -55,6 +70,20 @@ PROPTEST(rotation_center) {
             RC_TAG("rank " + std::to_string(expected.rank));
             // The normal equations square the condition number, at most 1e3 by the tolerance.
             RC_ASSERT((rotation_center(c, prior) - expected.point).norm() <= 1e-8 * size_of(c, prior));
+          });
+  t.holds("of small rotations and of nearly parallel axes too",
+          {.number_type = "double", .cases = 5000, .degenerate_at_least = 0.3}, [] {
+            const double angle = std::pow(10, -*rc::gen::inRange(0, 7)), tilt = std::pow(10, -*rc::gen::inRange(0, 7));
+            const Transforms c = nearly_degenerate(angle, tilt);
+            const Point3 prior = lift<double>(*gen::rational_vector<3>());
+            const auto expected = oracle::rotation_center(c, prior);
+            // The largest eigenvalue is taken to be 4 t, the smallest to be the determinant over t^2.
+            RC_PRE(expected.nearest_to_tolerance > 0.25);
+            RC_CLASSIFY(expected.rank < 3, "degenerate");
+            RC_TAG("rank " + std::to_string(expected.rank));
+            // Rounding, magnified by the inverses of the angles, of the weakest direction's part and of its square.
+            const double slack = 1e-6 / std::max(angle, 1e-4) * size_of(c, prior);
+            RC_ASSERT((rotation_center(c, prior) - expected.point).norm() <= slack);
           });
   t.holds("no other point has closer images", {.number_type = "double", .degenerate_at_least = 0.2}, [] {
     const Transforms c = lift<double>(*any_transforms());

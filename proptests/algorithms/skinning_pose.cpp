@@ -27,11 +27,24 @@ double size_of(const PosedModel& posed) {
 
 // Two joints of one joint-set are turned against each other by 180 degrees, so that neither sign is the short way.
 bool has_half_turn(const SkinningPose<double>& pose) {
-  for (const auto& set : pose)
-    for (const auto& a : set.transforms)
-      for (const auto& b : set.transforms)
+  for (std::size_t s = 0; s < pose.size(); ++s)
+    for (const auto& a : pose[s].transforms)
+      for (const auto& b : pose[s].transforms)
         if (std::abs(dot(a.rotation, b.rotation)) < 1e-12) return true;
   return false;
+}
+
+bool same(const SkinningPose<double>& a, const SkinningPose<double>& b) {
+  const auto same_transform = [](const RigidTransform<double>& x, const RigidTransform<double>& y) {
+    return x.rotation == y.rotation && x.translation == y.translation;
+  };
+  if (a.size() != b.size()) return false;
+  for (std::size_t s = 0; s < a.size(); ++s)
+    if (!std::ranges::equal(a[s].transforms, b[s].transforms, same_transform) ||
+        a[s].rotation_center != b[s].rotation_center || !std::ranges::equal(a[s].center_images, b[s].center_images) ||
+        !std::ranges::equal(a[s].duals, b[s].duals))
+      return false;
+  return true;
 }
 
 double worst_difference(const std::vector<Point3>& a, const std::vector<Point3>& b) {
@@ -73,7 +86,7 @@ PROPTEST(skinning_pose) {
   // Why: with <q_1, q_i> >= 0 for all i, <q_1, sum w_i q_i> >= w_1 |q_1|^2 > 0.
   t.holds("with consistent signs and a positive first weight no blend vanishes",
           {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
-            JointSetPose<Rational> pose;
+            OwnedJointSetPose<Rational> pose;
             pose.transforms = *gen::rigid_transforms(1, 5);
             auto w = *gen::convex_weights(static_cast<int>(pose.transforms.size()));
             bool opposite = false;
@@ -97,7 +110,7 @@ PROPTEST(skinning_pose) {
           });
   t.example("with a first weight of zero a blend of consistent signs can vanish",
             {.number_type = "rational", .hypothesis = "w_1 > 0"}, [] {
-              JointSetPose<Rational> pose;
+              OwnedJointSetPose<Rational> pose;
               pose.transforms.resize(3);
               pose.transforms[1].rotation = {0, 1, 0, 0};
               pose.transforms[2].rotation = {0, -1, 0, 0};
@@ -159,6 +172,18 @@ PROPTEST(skinning_pose) {
           }
         }
       });
+  t.holds("a pose that is filled again is the one made anew, whatever it held, and stays as it is if the posture is refused",
+          {.number_type = "double", .cases = 300}, [] {
+            const PosedModel before = *gen::posed_model(), posed = *gen::posed_model();
+            const JointSets sets(posed.model);
+            const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::hejl);
+            SkinningPose<double> pose = make_skinning_pose(before.model, JointSets(before.model), before.posture, skinning);
+            make_skinning_pose(posed.model, sets, posed.posture, skinning, pose);
+            const auto anew = make_skinning_pose(posed.model, sets, posed.posture, skinning);
+            RC_ASSERT(same(pose, anew));
+            RC_ASSERT_THROWS_AS(make_skinning_pose(posed.model, sets, {}, skinning, pose), ModelError);
+            RC_ASSERT(same(pose, anew));
+          });
   t.holds("the signs of a posture's quaternions move no vertex, but where joints of a set differ by a half-turn",
           {.number_type = "double", .cases = 500}, [] {
             const PosedModel posed = *gen::posed_model();
@@ -182,10 +207,10 @@ PROPTEST(skinning_pose) {
         const auto joint = *gen::rational_vector<3>();
         const auto vertex = *gen::rational_vector<3>();
         const Rational along = *gen::rational();
-        JointSetPose<Rational> about_joint;
+        OwnedJointSetPose<Rational> about_joint;
         about_joint.transforms = {parent, compose(parent, {turn, joint - rotate(turn, joint)})};
         make_signs_consistent<Rational>(about_joint.transforms);
-        JointSetPose<Rational> about_axis = about_joint;
+        OwnedJointSetPose<Rational> about_axis = about_joint;
         place_rotation_center<Rational>(about_joint, joint);
         const gen::RationalVec<3> elsewhere = joint + imaginary(turn) * along;
         place_rotation_center<Rational>(about_axis, elsewhere);

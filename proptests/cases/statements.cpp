@@ -45,7 +45,7 @@ gen::RefitCase as_refit_case(const RefitQuery& query) {
 template <Signs signs>
 bool divides_by_zero(const RefitQuery& query) {
   for (const QuerySet& set : query.sets) {
-    JointSetPose<Rational> seen = set.pose;
+    OwnedJointSetPose<Rational> seen = set.pose;
     for (auto& c : seen.transforms) c = Printed<signs>::seen(c);
     Vec<ExactRoot, 4> sum = Vec<ExactRoot, 4>::Constant(ExactRoot(0));
     for (const auto& corner : set.corners) {

@@ -133,7 +133,7 @@ RefitCase rounded_to_double(const RefitCase& c) {
   out.reference = {round(c.reference.center), as_rational(CGAL::to_double(c.reference.radius))};
   for (const SetCase& set : c.sets) {
     SetCase s;
-    JointSetPose<double> pose{lift<double>(set.pose.transforms), {}, {}, {}};
+    OwnedJointSetPose<double> pose{lift<double>(set.pose.transforms), {}, {}, {}};
     place_rotation_center<double>(pose, lift<double>(set.pose.rotation_center));
     place_duals(pose);
     s.pose.rotation_center = round(set.pose.rotation_center);

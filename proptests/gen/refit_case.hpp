@@ -9,7 +9,7 @@
 namespace proptests::gen {
 
 struct SetCase {
-  refitlab::JointSetPose<Rational> pose;
+  refitlab::OwnedJointSetPose<Rational> pose;
   BoundsWithCorners weights;
 };
 
@@ -48,8 +48,9 @@ class NodeOf {
         for (const Rational& w : corner) weights_.push_back(refitlab::lift<T>(w));
       sets_.push_back({static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.corners.size()),
                        static_cast<int>(sets_.size())});
-      pose_.push_back({refitlab::lift<T>(set.pose.transforms), refitlab::lift<T>(set.pose.rotation_center),
-                       refitlab::lift<T>(set.pose.center_images), refitlab::lift<T>(set.pose.duals)});
+      pose_.push_back(refitlab::OwnedJointSetPose<T>{
+          refitlab::lift<T>(set.pose.transforms), refitlab::lift<T>(set.pose.rotation_center),
+          refitlab::lift<T>(set.pose.center_images), refitlab::lift<T>(set.pose.duals)});
     }
   }
   refitlab::RefitNode<T> node() const { return {reference_, sets_, weights_.data(), pose_}; }

@@ -31,7 +31,7 @@ RationalWeights blend_of_corners(const SetCase& set, const std::vector<Rational>
   return w;
 }
 
-JointSetPose<double> in_double(const JointSetPose<Rational>& pose) {
+OwnedJointSetPose<double> in_double(const OwnedJointSetPose<Rational>& pose) {
   return {lift<double>(pose.transforms), lift<double>(pose.rotation_center), lift<double>(pose.center_images),
           lift<double>(pose.duals)};
 }
@@ -75,7 +75,7 @@ class Ascent {
   Point3 p_;
   Blending blending_;
   Point3 far_from_;
-  JointSetPose<double> pose_;
+  OwnedJointSetPose<double> pose_;
   std::vector<std::vector<double>> corners_;
   std::vector<double> shares_;
 };
@@ -83,7 +83,7 @@ class Ascent {
 // The point of the surface of S that these weights carry farthest from a point: outward, turned back.
 RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const RationalWeights& w, Blending blending,
                                const Point3& far_from) {
-  const JointSetPose<double> pose = in_double(set.pose);
+  const OwnedJointSetPose<double> pose = in_double(set.pose);
   const auto weights = lift<double>(w);
   const Point3 p = lift<double>(c.reference.center);
   const auto image = [&](const Point3& v) { return blend<double>(blending, pose, weights, v); };
