@@ -33,7 +33,7 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
 void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& placement) {
   check(placement);
   const Character& c = tree_.character();
-  pose_ = make_skinning_pose(c.model, c.sets, posture, skinning_);
+  make_skinning_pose(c.model, c.sets, posture, skinning_, pose_);
   placement_ = placement;
   are_floats_filled_ = false;
   fans_made_.begin(), clusters_made_.begin(), groups_made_.begin();
