@@ -18,7 +18,7 @@ int blocks_of(int boxes) { return (boxes + 7) / 8; }
 }  // namespace
 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
-    : tree_(tree), skinning_(skinning), kernels_(box_kernels(best_target())), joints_(tree.character().sets),
+    : tree_(tree), skinning_(skinning), kernels_(box_kernels(best_target())), pose_packs_(tree.character().model, tree.character().sets, skinning), joints_(tree.character().sets),
       fans_made_(tree.fans().size()), clusters_made_(tree.clusters().size()), groups_made_(tree.group_count()),
       group_blocks_(tree.group_count()), fan_boxes_(tree.fans().size()), cluster_boxes_(tree.clusters().size()), corners_(tree.corner_count()) {
   int blocks = 0, most = 0;
@@ -32,8 +32,7 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
 
 void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& placement) {
   check(placement);
-  const Character& c = tree_.character();
-  make_skinning_pose(c.model, c.sets, posture, skinning_, pose_);
+  pose_packs_.make(posture, pose_);
   placement_ = placement;
   are_floats_filled_ = false;
   fans_made_.begin(), clusters_made_.begin(), groups_made_.begin();

@@ -2,6 +2,7 @@
 // query gets to.
 #pragma once
 
+#include "algorithms/batch/pose_packs.hpp"
 #include "algorithms/collide/box_kernel.hpp"
 #include "algorithms/collide/cluster_tree.hpp"
 #include "algorithms/collide/triangles_filter.hpp"
@@ -46,6 +47,7 @@ class ClusterBody {
   const ClusterTree& tree_;
   const Skinning skinning_;
   const BoxKernels& kernels_;
+  const PosePacks pose_packs_;
   RigidTransform<double> placement_;
   SkinningPose<double> pose_;
   JointFloats joints_;

@@ -22,20 +22,25 @@ Point3 shared_joint(const Model& model, std::span<const int> joints) {
   return model.joints[shared].origin;
 }
 
-void check(const Model& model, const Posture& posture) {
+}  // namespace
+
+void check_posture(const Model& model, const Posture& posture) {
   if (posture.size() != model.joints.size())
     throw ModelError(model.name, "posture", "has " + std::to_string(posture.size()) + " transforms for " +
                                                 std::to_string(model.joints.size()) + " joints");
   for (std::size_t j = 0; j < posture.size(); ++j) {
-    const std::string thing = "posture, joint " + std::to_string(j) + " (" + model.joints[j].name + ")";
-    if (!posture[j].rotation.allFinite() || !posture[j].translation.allFinite())
-      throw ModelError(model.name, thing, "its transform is not finite");
+    const auto refuse = [&](const char* reason) {
+      throw ModelError(model.name, "posture, joint " + std::to_string(j) + " (" + model.joints[j].name + ")", reason);
+    };
+    if (!posture[j].rotation.allFinite() || !posture[j].translation.allFinite()) refuse("its transform is not finite");
     if (!(std::abs(squared_norm(posture[j].rotation) - 1) <= 1e-6))  // loose enough for rotations read from floats
-      throw ModelError(model.name, thing, "its rotation is not a quaternion of unit length");
+      refuse("its rotation is not a quaternion of unit length");
   }
 }
 
-}  // namespace
+Point3 center_prior(const Model& model, std::span<const int> joints, Skinning skinning) {
+  return skinning == Skinning::hejl ? shared_joint(model, joints) : mean_origin(model, joints);
+}
 
 SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning) {
   SkinningPose<double> pose;
@@ -45,15 +50,15 @@ SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& set
 
 void make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning,
                         SkinningPose<double>& pose) {
-  check(model, posture);
+  check_posture(model, posture);
   pose.clear();
   for (int s = 0; s < sets.count(); ++s) {
     const auto joints = sets.joints(s);
     const auto transforms = pose.append(joints.size());
     for (std::size_t i = 0; i < joints.size(); ++i) transforms[i] = posture[joints[i]];
     make_signs_consistent(transforms);
-    pose.complete(skinning == Skinning::hejl ? shared_joint(model, joints)
-                                             : rotation_center(transforms, mean_origin(model, joints)));
+    const Point3 prior = center_prior(model, joints, skinning);
+    pose.complete(skinning == Skinning::hejl ? prior : rotation_center<double>(transforms, prior));
   }
 }
 

@@ -31,8 +31,10 @@ struct JointSetPose {
 // weight vanishes.
 template <class S>
 void make_signs_consistent(std::span<RigidTransform<S>> transforms) {
-  for (auto& t : transforms.subspan(1))
-    if (dot(transforms[0].rotation, t.rotation) < S(0)) t.rotation = -t.rotation;
+  for (auto& t : transforms.subspan(1)) {
+    const Quaternion<S> other = -t.rotation;
+    t.rotation = choose(dot(transforms[0].rotation, t.rotation) < S(0), other, t.rotation);
+  }
 }
 
 // d of the dual quaternion q + eps d of a transform, whose sign it shares.
@@ -100,6 +102,21 @@ class SkinningPose {
     first_.push_back(transforms_.size());
   }
 
+  // The arrays themselves, joint-set after joint-set, for what fills many of them at a time.
+  struct Arrays {
+    Vec<S, 3>* rotation_centers;  // by joint-set, all others by joint
+    RigidTransform<S>* transforms;
+    Vec<S, 3>* center_images;
+    Quaternion<S>* duals;
+  };
+  // With room for joint-sets that begin at these places of the arrays by joint; the last one is their size.
+  Arrays resize(std::span<const std::size_t> first) {
+    first_.assign(first.begin(), first.end());
+    rotation_centers_.resize(first.size() - 1);
+    transforms_.resize(first.back()), center_images_.resize(first.back()), duals_.resize(first.back());
+    return {rotation_centers_.data(), transforms_.data(), center_images_.data(), duals_.data()};
+  }
+
   // Appends a complete joint-set.
   void push_back(const JointSetPose<S>& pose) {
     transforms_.insert(transforms_.end(), pose.transforms.begin(), pose.transforms.end());
@@ -117,8 +134,15 @@ class SkinningPose {
   std::vector<Quaternion<S>> duals_;
 };
 
-// The frame's data of every joint-set. posture is by joint; throws ModelError if it has the wrong length, a number that is
-// not finite, or a rotation whose squared length differs from 1 by more than 1e-6.
+// Throws ModelError if posture has the wrong length, a number that is not finite, or a rotation whose squared length differs
+// from 1 by more than 1e-6.
+void check_posture(const Model& model, const Posture& posture);
+
+// What the rotation center of a joint-set is nearest to where it is not determined: the mean of its joints' origins. For
+// Skinning::hejl, the rotation center itself: the origin of the joint that two neighbouring bones share.
+Point3 center_prior(const Model& model, std::span<const int> joints, Skinning skinning);
+
+// The frame's data of every joint-set. posture is by joint, as check_posture wants it.
 SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning);
 
 // The same in place of what was in pose, whose storage is used again. If it throws, pose is as it was.

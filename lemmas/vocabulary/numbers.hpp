@@ -45,6 +45,11 @@ template <class S>
 S min_of(const S& a, const S& b) {
   return NumberTraits<S>::min(a, b);
 }
+// Which of two values it is; a pack has this lane by lane (algorithms/packs/pack.hpp).
+template <class T>
+T choose(bool first, const T& a, const T& b) {
+  return first ? a : b;
+}
 template <class S>
 Verdict less_equal(const S& a, const S& b) {
   return NumberTraits<S>::less_equal(a, b);
