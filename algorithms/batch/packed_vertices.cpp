@@ -76,9 +76,10 @@ void PackedVertices::skin_all(const SkinningPose<double>& pose, Skinning skinnin
     if (images.size() < 3 * static_cast<std::size_t>(r.block_count)) images.resize(3 * r.block_count);
     skin_run(r, pose, run, images.data());
     const int* vertex = vertices_.data() + r.first_block * lanes;
-    for (int place = 0; place < r.block_count * lanes; ++place) {
-      const Lanes<double>* block = images.data() + 3 * (place / lanes);
-      for (int i = 0; i < 3; ++i) out[vertex[place]][i] = block[i].lane[place % lanes];
+    for (int block = 0; block < r.block_count; ++block, vertex += lanes) {
+      const Lanes<double>* image = images.data() + 3 * block;
+      for (int lane = 0; lane < lanes; ++lane)
+        out[vertex[lane]] = {image[0].lane[lane], image[1].lane[lane], image[2].lane[lane]};
     }
   }
 }
