@@ -264,41 +264,37 @@ REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock& a, int count_a, 
   return pairs;
 }
 
-// Lanes in which all three points are certainly on one side of the plane; see triangles_filter.cpp.
-template <class S>
-typename S::mask_type on_one_side(const Vec<S, 3> (&plane)[3], const Vec<S, 3> (&points)[3]) {
-  const Vec<S, 3> p = plane[1] - plane[0], q = plane[2] - plane[0];
-  const Vec<S, 3> r[] = {points[0] - plane[0], points[1] - plane[0], points[2] - plane[0]};
-  S error(1e-14);
-  for (int i = 0; i < 3; ++i)
-    error *= max(max(abs(p[i]), abs(q[i])), max(abs(r[0][i]), max(abs(r[1][i]), abs(r[2][i]))));
-  const Vec<S, 3> normal = cross(p, q);
-  const S d0 = dot(normal, r[0]), d1 = dot(normal, r[1]), d2 = dot(normal, r[2]);
-  return error > 1e-280 && ((d0 > error && d1 > error && d2 > error) || (d0 < -error && d1 < -error && d2 < -error));
-}
-
-REFITLAB_KERNEL int keep_crossing(const Corner* corners_a, const Corner* corners_b, CornerPair* pairs, int count) {
+REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners_b, const CornerPair* pairs, int count,
+                                  Filtered* answers) {
   using S = refitlab::Pack<double>;
   constexpr int width = static_cast<int>(S::size());
-  int kept = 0;
   for (int first = 0; first < count; first += width) {
-    const auto load = [&](const Corner* corners, auto place_of, Vec<S, 3>(&out)[3]) {
+    const int lanes = count - first < width ? count - first : width;
+    const auto load = [&](const Corner* corners, auto places, TriangleOf<S>& out) {
+      alignas(64) double numbers[9][width];
+      for (int lane = 0; lane < width; ++lane) {  // those behind the last repeat it
+        const CornerPair& pair = pairs[first + (lane < lanes ? lane : lanes - 1)];
+        for (int c = 0; c < 3; ++c)
+          for (int i = 0; i < 3; ++i) numbers[3 * c + i][lane] = corners[places(pair)[c]].of[i];
+      }
       for (int c = 0; c < 3; ++c)
-        for (int i = 0; i < 3; ++i)
-          out[c][i] = S([&](auto lane) {
-            const int at = first + static_cast<int>(lane) < count ? first + static_cast<int>(lane) : count - 1;
-            return corners[place_of(pairs[at])[c]].of[i];
-          });
+        for (int i = 0; i < 3; ++i) out[c][i] = S(numbers[3 * c + i], std::experimental::vector_aligned);
     };
-    Vec<S, 3> a[3], b[3];
+    TriangleOf<S> a, b;
     load(corners_a, [](const CornerPair& p) { return p.a; }, a);
     load(corners_b, [](const CornerPair& p) { return p.b; }, b);
-    bool apart[width];
-    (on_one_side(a, b) || on_one_side(b, a)).copy_to(apart, std::experimental::element_aligned);
-    for (int lane = 0; lane < width && first + lane < count; ++lane)
-      if (!apart[lane]) pairs[kept++] = pairs[first + lane];
+    const PlaneSides<S> of_b(a, b), of_a(b, a);
+    const auto are_apart = of_a.are_one() || of_b.are_one(), cross = !are_apart && of_a.are_certain() && of_b.are_certain();
+    bool apart[width], meet[width] = {};
+    are_apart.copy_to(apart, std::experimental::element_aligned);
+    if (any_of(cross)) {
+      const auto gap = sign_of_gap(of_a, of_b, a, b);
+      (are_apart || (cross && gap.is_positive)).copy_to(apart, std::experimental::element_aligned);
+      (cross && gap.is_negative).copy_to(meet, std::experimental::element_aligned);
+    }
+    for (int lane = 0; lane < lanes; ++lane)
+      answers[first + lane] = apart[lane] ? Filtered::apart : meet[lane] ? Filtered::meet : Filtered::unknown;
   }
-  return kept;
 }
 
 REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out) {
@@ -315,45 +311,53 @@ REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const 
     }
 }
 
-// Four doubles, of which three are used.
-using Four = double __attribute__((vector_size(32)));
+// A box that grows by corners: low and high, of four numbers of which three are used.
+class CornerBox {
+  using Four = double __attribute__((vector_size(32)));
 
-Four load(const Corner& c) { return *reinterpret_cast<const Four*>(c.of); }
-Four least(const Four& a, const Four& b) { return a < b ? a : b; }
-Four most(const Four& a, const Four& b) { return a > b ? a : b; }
-
-struct FourBox {
-  Four low, high;
-  explicit FourBox(const Four& p) : low(p), high(p) {}
-  void add(const Four& p) { low = least(low, p), high = most(high, p); }
-  void put(BoxBlock& block, int lane) const {
-    for (int i = 0; i < 3; ++i) block.side[i][lane] = low[i], block.side[3 + i][lane] = high[i];
+ public:
+  explicit CornerBox(const Corner& c) : low_(*reinterpret_cast<const Four*>(c.of)), high_(low_) {}
+  void add(const Corner& c) {
+    const Four p = *reinterpret_cast<const Four*>(c.of);
+    low_ = p < low_ ? p : low_, high_ = p > high_ ? p : high_;
   }
+  void add(const CornerBox& b) {
+    low_ = b.low_ < low_ ? b.low_ : low_, high_ = b.high_ > high_ ? b.high_ : high_;
+  }
+  void put(BoxBlock& block, int lane) const {
+    for (int i = 0; i < 3; ++i) block.side[i][lane] = low_[i], block.side[3 + i][lane] = high_[i];
+  }
+  void put(double* box) const {
+    for (int i = 0; i < 3; ++i) box[i] = low_[i], box[3 + i] = high_[i];
+  }
+
+ private:
+  Four low_, high_;
 };
 
 REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock* out, double* all) {
-  FourBox whole(load(corners[groups[0].corners[0][0]]));
+  CornerBox whole(corners[groups[0].corners[0][0]]);
   for (int g = 0; g < count; ++g) {
-    FourBox box(load(corners[groups[g].corners[0][0]]));
+    CornerBox box(corners[groups[g].corners[0][0]]);
     for (int t = 0; t < groups[g].count; ++t)
-      for (const std::uint16_t place : groups[g].corners[t]) box.add(load(corners[place]));
-    whole.low = least(whole.low, box.low), whole.high = most(whole.high, box.high);
+      for (const std::uint16_t place : groups[g].corners[t]) box.add(corners[place]);
+    whole.add(box);
     box.put(out[g / 8], g % 8);
   }
-  for (int i = 0; i < 3; ++i) all[i] = whole.low[i], all[3 + i] = whole.high[i];
+  whole.put(all);
 }
 
 REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const Corner* corners, BoxBlock& out) {
   for (int t = 0; t < group.count; ++t) {
-    FourBox box(load(corners[group.corners[t][0]]));
-    box.add(load(corners[group.corners[t][1]]));
-    box.add(load(corners[group.corners[t][2]]));
+    CornerBox box(corners[group.corners[t][0]]);
+    box.add(corners[group.corners[t][1]]);
+    box.add(corners[group.corners[t][2]]);
     box.put(out, t);
   }
 }
 
 }  // namespace
 
-const BoxKernels box_kernels{bound, overlaps, overlapping_pairs, keep_crossing, place, box_groups, box_triangles};
+const BoxKernels box_kernels{bound, overlaps, overlapping_pairs, filter_pairs, place, box_groups, box_triangles};
 
 }  // namespace refitlab::REFITLAB_TARGET

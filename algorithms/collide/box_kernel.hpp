@@ -6,6 +6,7 @@
 
 #include "algorithms/collide/box_packs.hpp"
 #include "algorithms/collide/triangle_group.hpp"
+#include "algorithms/collide/triangles_filter.hpp"
 #include "algorithms/packs/lanes.hpp"
 
 namespace refitlab {
@@ -49,9 +50,8 @@ struct BoxKernels {
   int (*overlaps)(const BoxBlock* blocks, int count, const double* box, int* out);
   // The pairs of boxes, one of each block, that are not apart: bit 8 i + j for box i of a and j of b.
   std::uint64_t (*overlapping_pairs)(const BoxBlock& a, int count_a, const BoxBlock& b, int count_b);
-  // Moves those of the pairs to the front, in order, whose triangles are not certainly on one side of each other's plane;
-  // their number is returned.
-  int (*keep_crossing)(const Corner* corners_a, const Corner* corners_b, CornerPair* pairs, int count);
+  // What filter_triangles says of each pair, to answers.
+  void (*filter_pairs)(const Corner* corners_a, const Corner* corners_b, const CornerPair* pairs, int count, Filtered* answers);
   // Places skinned vertices, block_count times their x, y, z; placement: a quaternion and a translation.
   void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out);
   // The boxes of groups, and of all of them (low, high), from the corners of their cluster.

@@ -102,10 +102,14 @@ class ClusterTraversal {
   void triangles(int a, int b) {
     counts_.triangle_tests += static_cast<long>(pairs_.size());
     const Corner *corners_a = first_.corners(a), *corners_b = second_.corners(b);
-    const int crossing = kernels_.keep_crossing(corners_a, corners_b, pairs_.data(), static_cast<int>(pairs_.size()));
-    for (int p = 0; p < crossing && !is_done(); ++p)
-      if (boxed_triangles_meet(corners_of(corners_a, pairs_[p].a), corners_of(corners_b, pairs_[p].b)))
-        found_.push_back({pairs_[p].first, pairs_[p].second});
+    answers_.resize(pairs_.size());
+    kernels_.filter_pairs(corners_a, corners_b, pairs_.data(), static_cast<int>(pairs_.size()), answers_.data());
+    for (std::size_t p = 0; p < pairs_.size() && !is_done(); ++p) {
+      const bool meet = answers_[p] == Filtered::unknown
+                            ? boxed_triangles_meet(corners_of(corners_a, pairs_[p].a), corners_of(corners_b, pairs_[p].b))
+                            : answers_[p] == Filtered::meet;
+      if (meet) found_.push_back({pairs_[p].first, pairs_[p].second});
+    }
   }
 
   static TrianglePoints corners_of(const Corner* corners, const std::array<std::uint16_t, 3>& places) {
@@ -120,6 +124,7 @@ class ClusterTraversal {
   std::vector<TrianglePair> found_;
   std::vector<int> hits_;
   std::vector<CornerPair> pairs_;
+  std::vector<Filtered> answers_;
 };
 
 }  // namespace

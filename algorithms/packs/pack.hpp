@@ -23,24 +23,12 @@ struct NumberTraits<std::experimental::simd<T, Abi>> {
   static S sqrt(const S& x) { return std::experimental::sqrt(x); }
   static S max(const S& a, const S& b) { return std::experimental::max(a, b); }
   static S min(const S& a, const S& b) { return std::experimental::min(a, b); }
+  static S choose(const typename S::mask_type& first, const S& a, const S& b) {
+    S out = b;
+    where(first, out) = a;
+    return out;
+  }
 };
-
-// Lane by lane, the first where the mask is true.
-template <class T, class Abi>
-std::experimental::simd<T, Abi> choose(const std::experimental::simd_mask<T, Abi>& first, const std::experimental::simd<T, Abi>& a,
-                                       const std::experimental::simd<T, Abi>& b) {
-  std::experimental::simd<T, Abi> out = b;
-  where(first, out) = a;
-  return out;
-}
-template <class T, class Abi, int D>
-Vec<std::experimental::simd<T, Abi>, D> choose(const std::experimental::simd_mask<T, Abi>& first,
-                                               const Vec<std::experimental::simd<T, Abi>, D>& a,
-                                               const Vec<std::experimental::simd<T, Abi>, D>& b) {
-  Vec<std::experimental::simd<T, Abi>, D> out;
-  for (int i = 0; i < D; ++i) out[i] = choose(first, a[i], b[i]);
-  return out;
-}
 
 }  // namespace refitlab
 

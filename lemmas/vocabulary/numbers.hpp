@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "lemmas/vocabulary/verdict.hpp"
 
@@ -45,10 +46,13 @@ template <class S>
 S min_of(const S& a, const S& b) {
   return NumberTraits<S>::min(a, b);
 }
-// Which of two values it is; a pack has this lane by lane (algorithms/packs/pack.hpp).
-template <class T>
-T choose(bool first, const T& a, const T& b) {
-  return first ? a : b;
+// The first or the second number, by a comparison's answer: a bool, or a mask of lanes (algorithms/packs/pack.hpp).
+template <class Mask, class S>
+S choose(const Mask& first, const S& a, const S& b) {
+  if constexpr (std::is_convertible_v<Mask, bool>)
+    return first ? a : b;
+  else
+    return NumberTraits<S>::choose(first, a, b);
 }
 template <class S>
 Verdict less_equal(const S& a, const S& b) {

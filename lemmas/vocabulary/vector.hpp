@@ -41,6 +41,14 @@ Vec<S, 3> cross(const Vec<S, 3>& a, const Vec<S, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+// As of numbers.
+template <class Mask, class S, int D>
+Vec<S, D> choose(const Mask& first, const Vec<S, D>& a, const Vec<S, D>& b) {
+  Vec<S, D> out(a.size());
+  for (int i = 0; i < a.size(); ++i) out[i] = choose<Mask, S>(first, a[i], b[i]);
+  return out;
+}
+
 // A vector of one number type as a vector of another (double data taken as exact rationals, for example).
 template <class T, class S, int D>
 Vec<T, D> convert(const Vec<S, D>& v) {
