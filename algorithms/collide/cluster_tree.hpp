@@ -15,7 +15,7 @@ inline constexpr int most_cluster_triangles = 4096;  // so that places fit 16 bi
 
 struct ClusterOptions {
   int most_triangles = 256;  // of a cluster; at least 1
-  int most_children = 32;    // of a fan; at least 2
+  int most_children = 96;    // of a fan; at least 2
 };
 
 struct Cluster {
