@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "algorithms/skinning/blend.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -105,6 +107,16 @@ const BoxBlock& ClusterBody::triangle_boxes(int cluster, int g) {
     groups_made_.mark(at);
   }
   return group_blocks_[at];
+}
+
+TrianglePoints ClusterBody::triangle(int triangle) const {
+  const Character& c = tree_.character();
+  TrianglePoints out;
+  for (int i = 0; i < 3; ++i) {
+    const int v = c.model.triangles[triangle][i];
+    out[i] = apply(placement_, blend<double>(skinning_, pose_[c.sets.of_vertex(v)], c.sets.weights(v), c.model.vertices[v]));
+  }
+  return out;
 }
 
 }  // namespace refitlab

@@ -36,6 +36,9 @@ class ClusterBody {
   // By place in the cluster, in the world: the very doubles that apply(placement, skin()) yields.
   const Corner* corners(int cluster);
 
+  // A triangle of the model by itself, in the world: the same doubles, without its cluster.
+  TrianglePoints triangle(int triangle) const;
+
   // Since begin.
   long fans_bounded() const { return fans_bounded_; }
   long clusters_skinned() const { return clusters_skinned_; }

@@ -1,6 +1,7 @@
 #include "algorithms/collide/cluster_collide.hpp"
 
 #include <bit>
+#include <optional>
 
 #include "algorithms/collide/triangles_meet.hpp"
 
@@ -127,10 +128,26 @@ class ClusterTraversal {
   std::vector<Filtered> answers_;
 };
 
+// The first of the remembered pairs that still touches.
+std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& second, const PairMemory& memory, QueryCounts& counts) {
+  for (const TrianglePair& pair : memory.pairs()) {
+    ++counts.triangle_tests;
+    if (triangles_meet(first.triangle(pair.first), second.triangle(pair.second))) return pair;
+  }
+  return {};
+}
+
 }  // namespace
 
-std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts) {
-  return ClusterTraversal(first, second, query, counts).run();
+std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts, PairMemory* memory) {
+  if (memory && query == Query::yes_no)
+    if (const auto pair = still_touching(first, second, *memory, counts)) {
+      memory->remember(*pair);
+      return {*pair};
+    }
+  auto pairs = ClusterTraversal(first, second, query, counts).run();
+  if (memory) memory->remember(pairs);
+  return pairs;
 }
 
 }  // namespace refitlab

@@ -39,6 +39,7 @@ PROPTEST(cluster_collide) {
             const ClusterTree tree_a(a, drawn_options()), tree_b(b, drawn_options());
             const Skinning skinning = drawn_skinning();
             ClusterBody first(tree_a, skinning), second(tree_b, skinning);
+            PairMemory memory;
             std::mt19937 random(plan_a.seed);
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 3; ++frame) {
@@ -52,7 +53,10 @@ PROPTEST(cluster_collide) {
               const auto one = collide(first, second, Query::yes_no, counts);
               RC_ASSERT(one.size() == (expected.empty() ? 0u : 1u));
               if (!one.empty()) RC_ASSERT(std::find(expected.begin(), expected.end(), one[0]) != expected.end());
-              RC_ASSERT(sorted(collide(first, second, Query::full, counts)) == expected);
+              const auto again = collide(first, second, Query::yes_no, counts, &memory);
+              RC_ASSERT(again.size() == one.size());
+              if (!one.empty()) RC_ASSERT(std::find(expected.begin(), expected.end(), again[0]) != expected.end());
+              RC_ASSERT(sorted(collide(first, second, Query::full, counts, &memory)) == expected);
               RC_TAG(expected.empty() ? "apart" : "in contact");
             }
           });
@@ -93,6 +97,28 @@ PROPTEST(cluster_collide) {
       text += std::to_string(skinned) + " of " + std::to_string(all) + " clusters skinned for " + std::to_string(pairs.size()) + " pairs; ";
     }
     return Checked(ok, 3, text);
+  });
+  t.example("a remembered pair that still touches answers a yes/no query, and no cluster is skinned for it", {}, [] {
+    const Character man(make_man());
+    const ClusterTree tree(man);
+    const Clip& walk = man.model.clips[0];
+    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+    const RigidTransform<double> at{identity_quaternion<double>(), {0.1, 0, 0}}, away{identity_quaternion<double>(), {1, 0, 0}};
+    PairMemory memory;
+    QueryCounts counts;
+    bool ok = true;
+    for (const double time : {0.2, 0.2, 0.201}) {
+      a.begin(walk.sample(time * walk.duration), {}), b.begin(walk.sample((time + 0.5) * walk.duration), at);
+      ok = ok && collide(a, b, Query::yes_no, counts, &memory).size() == 1;
+    }
+    ok = ok && a.clusters_skinned() == 0 && memory.pairs().size() == 1;
+    b.begin(walk.sample(0.7 * walk.duration), away);
+    ok = ok && collide(a, b, Query::yes_no, counts, &memory).empty();
+    b.begin(walk.sample(0.7 * walk.duration), at);
+    const auto pairs = collide(a, b, Query::full, counts, &memory);
+    const auto& kept = memory.pairs();
+    for (const TrianglePair& pair : kept) ok = ok && std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
+    return Checked(ok && kept.size() == PairMemory::most, 5, std::to_string(pairs.size()) + " pairs found, " + std::to_string(kept.size()) + " remembered");
   });
   t.example("options out of range, a placement that is not rigid and a posture with a NaN are refused by name", {}, [] {
     const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
