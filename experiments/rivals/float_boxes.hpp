@@ -1,0 +1,30 @@
+// Boxes of triangles in float, for engines that have no double and for SIMD lanes.
+#pragma once
+
+#include "algorithms/model/model.hpp"
+
+namespace refitlab {
+
+struct FloatBox {
+  Eigen::Array4f low, high;  // the fourth numbers are 0
+};
+
+// Vertices rounded to the nearest float. Rounding is monotone: where the boxes of two triangles overlap in double, so do
+// those of their rounded corners, and nothing has to be rounded outwards.
+class FloatVertices {
+ public:
+  void set(const std::vector<Point3>& vertices) {
+    vertices_.resize(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      vertices_[v] = {float(vertices[v][0]), float(vertices[v][1]), float(vertices[v][2]), 0};
+  }
+  FloatBox box(const Triangle& t) const {
+    const Eigen::Array4f &a = vertices_[t[0]], &b = vertices_[t[1]], &c = vertices_[t[2]];
+    return {a.min(b).min(c), a.max(b).max(c)};
+  }
+
+ private:
+  std::vector<Eigen::Array4f> vertices_;
+};
+
+}  // namespace refitlab
