@@ -1,10 +1,13 @@
 // Skins everything, refits axis-aligned boxes bottom-up, eight triangles a leaf: what one would write by hand today. A node
 // has the boxes of up to eight children in SIMD lanes, in float; the children of the lowest nodes are triangles.
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <experimental/simd>
 #include <limits>
 #include <numeric>
 
+#include "experiments/rivals/float_boxes.hpp"
 #include "experiments/rivals/rivals.hpp"
 #include "experiments/rivals/skinning_detector.hpp"
 
@@ -17,11 +20,10 @@ constexpr int width = 8;
 using Lanes = stdx::fixed_size_simd<float, width>;
 using LaneMask = stdx::fixed_size_simd_mask<float, width>;
 
-// Of each lane's box as converted to float, moved and joined, in units of the coordinates' size: three products and sums.
+// Of each box, whose corners were moved in float, in units of the coordinates' size: three products and sums.
 constexpr float rounding_slack = 0x1p-20f;
 
-struct Box {
-  Eigen::Array4f low, high;  // the fourth is not used
+struct Box : FloatBox {
   void join(const Box& b) {
     low = low.min(b.low);
     high = high.max(b.high);
@@ -29,16 +31,37 @@ struct Box {
 };
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-const Box no_box{Eigen::Array4f::Constant(infinity), Eigen::Array4f::Constant(-infinity)};
+const Box no_box{{Eigen::Array4f::Constant(infinity), Eigen::Array4f::Constant(-infinity)}};
+
+using Four = float __attribute__((vector_size(16)));
+
+// The first three columns of four rows.
+void transpose(const Eigen::Array4f& a, const Eigen::Array4f& b, const Eigen::Array4f& c, const Eigen::Array4f& d, float* x, float* y, float* z) {
+  const auto load = [](const Eigen::Array4f& row) {
+    Four out;
+    std::memcpy(&out, row.data(), sizeof out);
+    return out;
+  };
+  const Four p = load(a), q = load(b), r = load(c), s = load(d);
+  const Four pq = __builtin_shufflevector(p, q, 0, 4, 1, 5), rs = __builtin_shufflevector(r, s, 0, 4, 1, 5);
+  const Four columns[] = {__builtin_shufflevector(pq, rs, 0, 1, 4, 5), __builtin_shufflevector(pq, rs, 2, 3, 6, 7),
+                          __builtin_shufflevector(__builtin_shufflevector(p, q, 2, 6, 3, 7), __builtin_shufflevector(r, s, 2, 6, 3, 7), 0, 1, 4, 5)};
+  std::memcpy(x, &columns[0], sizeof(Four));
+  std::memcpy(y, &columns[1], sizeof(Four));
+  std::memcpy(z, &columns[2], sizeof(Four));
+}
 
 struct LaneBoxes {
   alignas(32) float low[3][width], high[3][width];
 
-  void set(int lane, const Box& b) {
-    for (int i = 0; i < 3; ++i) low[i][lane] = b.low[i], high[i][lane] = b.high[i];
+  void set(const std::array<Box, width>& b) {
+    for (int i = 0; i < width; i += 4) {
+      transpose(b[i].low, b[i + 1].low, b[i + 2].low, b[i + 3].low, low[0] + i, low[1] + i, low[2] + i);
+      transpose(b[i].high, b[i + 1].high, b[i + 2].high, b[i + 3].high, high[0] + i, high[1] + i, high[2] + i);
+    }
   }
   Box box(int lane) const {
-    return {{low[0][lane], low[1][lane], low[2][lane], 0}, {high[0][lane], high[1][lane], high[2][lane], 0}};
+    return {{{low[0][lane], low[1][lane], low[2][lane], 0}, {high[0][lane], high[1][lane], high[2][lane], 0}}};
   }
   LaneMask overlap(const Box& b) const {
     const auto load = [](const float* p) { return Lanes(p, stdx::vector_aligned); };
@@ -110,16 +133,13 @@ class SkinAllSimd : public SkinningDetector {
     for (Side& s : sides_) {
       s.lanes.resize(shapes_.size());
       s.boxes.resize(shapes_.size());
-      s.vertices.resize(character.model.vertices.size());
-      for (LaneBoxes& lanes : s.lanes)
-        for (int i = 0; i < width; ++i) lanes.set(i, no_box);
     }
   }
 
   void refit() override {
     const RigidTransform<double> to_first = this->to_first();
-    move({}, 0);
-    move(to_first, 1);
+    sides_[0].vertices.set(skinned(0));
+    sides_[1].vertices.set(skinned(1), to_first);
     for (Side& s : sides_) refit(s);
     const auto size = [](const Box& b) { return b.low.abs().head<3>().maxCoeff() + b.high.abs().head<3>().maxCoeff(); };
     slack_ = rounding_slack * (size(sides_[0].boxes[0]) + size(sides_[1].boxes[0]) + static_cast<float>(norm(to_first.translation)));
@@ -139,40 +159,27 @@ class SkinAllSimd : public SkinningDetector {
 
  private:
   struct Side {
-    std::vector<Eigen::Array4f> vertices;
+    FloatVertices vertices;
     std::vector<LaneBoxes> lanes;  // by node: its children's boxes
     std::vector<Box> boxes;        // by node: its own
   };
 
-  void move(const RigidTransform<double>& by, int side) {
-    const auto to_float = [](const Point3& p) { return Eigen::Array4f(float(p[0]), float(p[1]), float(p[2]), 0); };
-    const auto turned = [&](const Point3& p) { return to_float(rotate<double>(by.rotation, p)); };
-    const Eigen::Array4f x = turned(Point3::UnitX()), y = turned(Point3::UnitY()), z = turned(Point3::UnitZ()), t = to_float(by.translation);
-    const std::vector<Point3>& from = skinned(side);
-    std::vector<Eigen::Array4f>& to = sides_[side].vertices;
-    for (std::size_t v = 0; v < from.size(); ++v) to[v] = x * float(from[v][0]) + y * float(from[v][1]) + z * float(from[v][2]) + t;
-  }
-
   void refit(Side& s) const {
     for (std::size_t n = shapes_.size(); n-- > 0;) {
       const Shape& shape = shapes_[n];
+      std::array<Box, width> boxes;
       Box own = no_box;
       for (int i = 0; i < shape.count; ++i) {
-        const Box b = shape.is_lowest ? box_of(s, shape.child[i]) : s.boxes[shape.child[i]];
-        s.lanes[n].set(i, b);
-        own.join(b);
+        boxes[i] = shape.is_lowest ? Box{s.vertices.box(model().triangles[shape.child[i]])} : s.boxes[shape.child[i]];
+        own.join(boxes[i]);
       }
+      std::fill(boxes.begin() + shape.count, boxes.end(), no_box);
+      s.lanes[n].set(boxes);
       s.boxes[n] = own;
     }
   }
 
-  Box box_of(const Side& s, int triangle) const {
-    const Triangle& t = model().triangles[triangle];
-    const Eigen::Array4f &a = s.vertices[t[0]], &b = s.vertices[t[1]], &c = s.vertices[t[2]];
-    return {a.min(b).min(c), a.max(b).max(c)};
-  }
-
-  Box widened(const Box& b) const { return {b.low - slack_, b.high + slack_}; }
+  Box widened(const Box& b) const { return {{b.low - slack_, b.high + slack_}}; }
 
   void visit(int a, int b, Query query, std::vector<TrianglePair>& found) {
     const LaneMask near = sides_[1].lanes[b].overlap(widened(sides_[0].boxes[a]));

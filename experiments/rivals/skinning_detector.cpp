@@ -1,20 +1,18 @@
 #include "experiments/rivals/skinning_detector.hpp"
 
-#include "algorithms/skinning/skin.hpp"
-
 namespace refitlab {
 
 SkinningDetector::SkinningDetector(const Character& character, Placing placing)
-    : character_(character), placing_(placing), sides_{{.is_placed = FrameStamps(character.model.vertices.size())},
+    : character_(character), placing_(placing), packed_(character.model, character.sets), sides_{{.is_placed = FrameStamps(character.model.vertices.size())},
                                                        {.is_placed = FrameStamps(character.model.vertices.size())}} {
-  for (Side& s : sides_) s.placed.resize(character.model.vertices.size());
+  for (Side& s : sides_) s.skinned.resize(character.model.vertices.size()), s.placed.resize(character.model.vertices.size());
 }
 
 void SkinningDetector::pose(const EncounterFrame& frame) {
   const Posture* const postures[] = {&frame.first, &frame.second};
   const RigidTransform<double>* const placements[] = {&frame.first_at, &frame.second_at};
   for (int i = 0; i < 2; ++i) {
-    sides_[i].pose = make_skinning_pose(character_.model, character_.sets, *postures[i], Skinning::spherical);
+    make_skinning_pose(character_.model, character_.sets, *postures[i], Skinning::spherical, sides_[i].pose);
     sides_[i].placement = *placements[i];
     sides_[i].is_placed.begin();
   }
@@ -22,7 +20,7 @@ void SkinningDetector::pose(const EncounterFrame& frame) {
 
 void SkinningDetector::skin() {
   for (Side& s : sides_) {
-    s.skinned = refitlab::skin(character_.model, character_.sets, s.pose, Skinning::spherical);
+    packed_.skin_all(s.pose, Skinning::spherical, s.skinned);
     counts_.vertices_skinned += static_cast<long>(s.skinned.size());
     if (placing_ == Placing::all)
       for (std::size_t v = 0; v < s.skinned.size(); ++v) s.placed[v] = apply(s.placement, s.skinned[v]);

@@ -1,8 +1,8 @@
-// What all rivals have in common: both bodies are skinned whole before any volume is refitted.
+// What all rivals have in common: both bodies are skinned whole, in SIMD packs, before any volume is refitted.
 #pragma once
 
+#include "algorithms/batch/packed_vertices.hpp"
 #include "algorithms/refit/frame_stamps.hpp"
-#include "algorithms/skinning/skinning_pose.hpp"
 #include "experiments/collisions/detector.hpp"
 
 namespace refitlab {
@@ -44,6 +44,7 @@ class SkinningDetector : public Detector {
 
   const Character& character_;
   const Placing placing_;
+  const PackedVertices packed_;
   Side sides_[2];
 };
 
