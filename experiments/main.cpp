@@ -22,7 +22,7 @@ struct Options {
   refitlab::TightnessSettings tightness;
   refitlab::SpeedSettings speed;
   refitlab::VolumeSettings volumes;
-  refitlab::CollisionSettings collisions{.frames = 30, .speed = {.seconds_per_run = 0.02, .repetitions = 3}};
+  refitlab::CollisionSettings collisions{.frames = 8, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
   refitlab::QuerySettings queries;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
@@ -49,7 +49,7 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
   if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
   if (map.count("full")) o.volumes = {.times_per_clip = 50, .nodes_per_level = 256, .speed = o.speed};
-  if (map.count("quick")) o.collisions = {.frames = 4, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};
+  if (map.count("quick")) o.collisions = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}, .first_model_only = true};
   if (map.count("full")) o.collisions = {.frames = 100, .speed = {.seconds_per_run = 0.2, .repetitions = 5}};
   for (const auto& name : o.only)
     if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
@@ -95,10 +95,10 @@ int main(int argc, char** argv) try {
       run_volumes(character, twist, options.volumes, report.volumes);
       write_volumes(report.volumes, options.out + "/results/volumes.csv");
     }
-    if (options.wants("collisions")) {
+    if (options.wants("collisions") && !(options.collisions.first_model_only && !report.collisions.empty())) {
       const auto results = run_collisions(character, options.collisions);
       report.collisions.insert(report.collisions.end(), results.begin(), results.end());
-      write_collisions(report.collisions, options.out + "/results/collisions.csv");
+      write_collisions(report.collisions, options.out + "/results/collision.csv");
     }
   }
   // These have nothing to do with a model given: on one's own models they run only if they are asked for.

@@ -2,121 +2,148 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include "algorithms/results/result_file.hpp"
-#include "experiments/scenes/contenders.hpp"
+#include "experiments/rivals/brute_force.hpp"
 
 namespace refitlab {
 namespace {
 
-// Queries go top-down: what takes the children first has nothing to take.
-std::vector<const Contender*> columns() {
-  std::vector<const Contender*> out;
-  for (const Contender& c : contenders())
-    if (c.variant->sound && c.variant->skinning == Skinning::spherical && !c.options.children_first) out.push_back(&c);
+// Of processor time.
+double microseconds(const std::function<void()>& call) {
+  const auto now = [] {
+    timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
+  };
+  const double start = now();
+  call();
+  return now() - start;
+}
+
+void check(std::vector<TrianglePair> found, const std::vector<TrianglePair>& expected, Query query, const std::string& where) {
+  std::sort(found.begin(), found.end());
+  const bool is_right = query == Query::full ? found == expected
+                        : found.empty()      ? expected.empty()
+                                             : found.size() == 1 && std::binary_search(expected.begin(), expected.end(), found[0]);
+  if (!is_right)
+    throw std::logic_error("collisions: " + where + ": finds " + std::to_string(found.size()) +
+                           " pairs, which are not those expected; there are " + std::to_string(expected.size()));
+}
+
+// The least of a few passes counts, so that what else runs on the machine hardly does.
+StageTimes time_stages(Detector& detector, const Encounter& e, Query query) {
+  StageTimes means{};
+  for (const EncounterFrame& frame : e.frames) {
+    StageTimes least;
+    for (int pass = 0; pass < 4; ++pass) {
+      const StageTimes now{microseconds([&] { detector.pose(frame); }), microseconds([&] { detector.skin(); }),
+                           microseconds([&] { detector.refit(); }), microseconds([&] { detector.query(query); })};
+      for (std::size_t s = 0; s < now.size(); ++s) least[s] = pass == 0 ? now[s] : std::min(least[s], now[s]);
+    }
+    for (std::size_t s = 0; s < means.size(); ++s) means[s] += least[s] / static_cast<double>(e.frames.size());
+  }
+  return means;
+}
+
+// Once through, with everything counted and checked.
+CollisionResult count(const Character& c, const Encounter& e, Query query, const DetectorKind& kind, const PairLists& expected) {
+  CollisionResult out{c.model.name, e.name, kind.name, kind.origin, query};
+  const double n = static_cast<double>(e.frames.size());
+  const auto detector = kind.make(c);
+  for (std::size_t i = 0; i < e.frames.size(); ++i) {
+    const auto pairs = detector->pairs(e.frames[i], query);
+    check(pairs, expected[i], query, kind.name + ", " + c.model.name + ", " + e.name + ", " + name_of(query) + ", frame " + std::to_string(i));
+    out.pairs += static_cast<double>(pairs.size()) / n;
+  }
+  const DetectorCounts counts = detector->counts();
+  out.volume_tests = static_cast<double>(counts.volume_tests) / n;
+  out.triangle_tests = static_cast<double>(counts.triangle_tests) / n;
+  out.nodes_refitted = static_cast<double>(counts.nodes_refitted) / n;
+  out.vertices_skinned = static_cast<double>(counts.vertices_skinned) / n;
+  std::vector<long> of_level(counts.refitted_by_level.size());
+  if (!of_level.empty())
+    for (const TreeNode& node : c.tree.nodes) ++of_level[node.level - 1];
+  for (std::size_t l = 0; l < of_level.size(); ++l)
+    out.share_refitted.push_back(static_cast<double>(counts.refitted_by_level[l]) / (2 * n * static_cast<double>(of_level[l])));
+
+  out.stages_us = time_stages(*detector, e, query);
   return out;
 }
 
-// Two bodies that go through an encounter.
-class Walkers {
- public:
-  Walkers(const Character& c, const Contender& column, const Encounter& encounter, Query query)
-      : encounter_(encounter), query_(query), first_(c, *column.variant, column.options),
-        second_(c, *column.variant, column.options), refitted_(c.tree.level_count()) {}
-
-  std::vector<TrianglePair> frame(std::size_t i) {
-    const EncounterFrame& f = encounter_.frames[i];
-    first_.begin(f.first);
-    second_.begin(f.second);
-    return collide({first_, f.first_at}, {second_, f.second_at}, query_, counts_);
+// The oracle's own row, for its pairs and its time.
+CollisionResult ask_oracle(const Character& c, const Encounter& e, PairLists& pairs) {
+  CollisionResult out{c.model.name, e.name, "brute_force", Origin::oracle, Query::full};
+  const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.model.triangles.size());
+  for (const EncounterFrame& frame : e.frames) {
+    out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.model, c.sets, frame)); }) / n;
+    out.pairs += static_cast<double>(pairs.back().size()) / n;
   }
-
-  void all_frames() {
-    for (std::size_t i = 0; i < encounter_.frames.size(); ++i) frame(i);
-  }
-
-  // Once through, with everything counted; the pairs of each frame are appended, sorted.
-  void count(CollisionResult& out, std::vector<std::vector<TrianglePair>>& pairs) {
-    const double n = static_cast<double>(encounter_.frames.size());
-    for (std::size_t i = 0; i < encounter_.frames.size(); ++i) {
-      pairs.push_back(frame(i));
-      std::sort(pairs.back().begin(), pairs.back().end());
-      out.pairs += static_cast<double>(pairs.back().size()) / n;
-      for (const Body* b : {&first_, &second_}) {
-        out.vertices_skinned += static_cast<double>(b->vertices_skinned()) / n;
-        for (std::size_t l = 0; l < refitted_.size(); ++l) refitted_[l] += b->refits().refitted_by_level()[l];
-      }
-    }
-    out.ball_tests = static_cast<double>(counts_.ball_tests) / n;
-    out.triangle_tests = static_cast<double>(counts_.triangle_tests) / n;
-    std::vector<long> of_level(refitted_.size());
-    for (const TreeNode& node : first_.character().tree.nodes) ++of_level[node.level - 1];
-    for (std::size_t l = 0; l < refitted_.size(); ++l) {
-      out.balls_refitted += static_cast<double>(refitted_[l]) / n;
-      out.share_refitted.push_back(static_cast<double>(refitted_[l]) / (2 * n * static_cast<double>(of_level[l])));
-    }
-  }
-
- private:
-  const Encounter& encounter_;
-  const Query query_;
-  Body first_, second_;
-  QueryCounts counts_;
-  std::vector<long> refitted_;
-};
-
-std::vector<CollisionResult> run_encounter(const Character& c, const Encounter& e, Query query, const SpeedSettings& speed) {
-  const auto all = columns();
-  std::vector<CollisionResult> results;
-  std::vector<Timed> timed;
-  std::vector<std::vector<TrianglePair>> expected;
-  for (const Contender* column : all) {
-    CollisionResult r{c.model.name, e.name, column->name, query};
-    std::vector<std::vector<TrianglePair>> pairs;
-    Walkers(c, *column, e, query).count(r, pairs);
-    if (expected.empty()) expected = pairs;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (query == Query::full ? pairs[i] != expected[i] : pairs[i].empty() != expected[i].empty())
-        throw std::logic_error("collisions: " + column->name + " finds other pairs than " + all[0]->name + " in " +
-                               c.model.name + ", " + e.name + ", frame " + std::to_string(i));
-    const auto walkers = std::make_shared<Walkers>(c, *column, e, query);
-    timed.push_back({column->name, static_cast<int>(e.frames.size()), [walkers] { walkers->all_frames(); }});
-    results.push_back(std::move(r));
-  }
-  const auto times = ns_per_item(timed, speed);
-  for (CollisionResult& r : results) {
-    r.us_per_frame = median(times.at(r.variant)) / 1000;
-    r.ratio_to_repaired = median_ratio(times.at(r.variant), times.at("spherical_repaired"));
-  }
-  return results;
+  out.volume_tests = triangles * triangles;
+  out.vertices_skinned = 2 * static_cast<double>(c.model.vertices.size());
+  return out;
 }
-
-const char* name_of(Query query) { return query == Query::full ? "full" : "yes/no"; }
 
 void print(const std::vector<CollisionResult>& results) {
   std::printf("%s, %s, %s: means of a frame\n", results[0].model.c_str(), results[0].scene.c_str(), name_of(results[0].query));
   for (const CollisionResult& r : results)
-    std::printf("  %-32s %7.1f pairs %9.1f ball tests %8.1f balls refitted %8.1f triangle tests %7.1f vertices skinned %9.1f us %6.2f times repaired\n",
-                r.variant.c_str(), r.pairs, r.ball_tests, r.balls_refitted, r.triangle_tests, r.vertices_skinned, r.us_per_frame,
-                r.ratio_to_repaired);
+    std::printf("  %-32s %7.1f pairs %9.1f us (pose %6.1f skinning %6.1f refit %8.1f query %8.1f) %7.3f of the fastest engine %7.3f of skin_all_simd "
+                "%10.1f volume tests %8.1f nodes refitted %8.1f triangle tests\n",
+                r.detector.c_str(), r.pairs, r.us_per_frame, r.stages_us[0], r.stages_us[1], r.stages_us[2], r.stages_us[3], r.ratio_to_engine,
+                r.ratio_to_skin_all, r.volume_tests, r.nodes_refitted, r.triangle_tests);
 }
 
 }  // namespace
 
-std::vector<CollisionResult> run_collisions(const Character& c, const CollisionSettings& settings) {
+const char* name_of(Query query) { return query == Query::full ? "full" : "yes/no"; }
+
+std::vector<CollisionResult> measure(const Character& c, const Encounter& e, Query query, const std::vector<const DetectorKind*>& kinds,
+                                     const PairLists& expected, const SpeedSettings& speed) {
   std::vector<CollisionResult> results;
+  std::vector<Timed> timed;
+  for (const DetectorKind* kind : kinds) {
+    results.push_back(count(c, e, query, *kind, expected));
+    const std::shared_ptr<Detector> detector = kind->make(c);
+    detector->pairs(e.frames[0], query);  // engines build their trees in the first frame
+    timed.push_back({kind->name, static_cast<int>(e.frames.size()), [detector, &e, query] {
+                       for (const EncounterFrame& frame : e.frames) detector->pairs(frame, query);
+                     }});
+  }
+  const auto times = ns_per_item(timed, speed);
+  std::string engine;
+  for (const CollisionResult& r : results)
+    if (r.origin == Origin::engine && (engine.empty() || median(times.at(r.detector)) < median(times.at(engine)))) engine = r.detector;
+  for (CollisionResult& r : results) {
+    const auto ratio_to = [&](const std::string& base) { return times.count(base) ? median_ratio(times.at(r.detector), times.at(base)) : 0; };
+    r.us_per_frame = median(times.at(r.detector)) / 1000;
+    r.ratio_to_engine = ratio_to(engine);
+    r.ratio_to_skin_all = ratio_to("skin_all_simd");
+    r.ratio_to_repaired = ratio_to("spherical_repaired");
+  }
+  return results;
+}
+
+std::vector<CollisionResult> run_collisions(const Character& c, const CollisionSettings& settings) {
+  std::vector<const DetectorKind*> kinds;
+  for (const DetectorKind& kind : detector_kinds()) kinds.push_back(&kind);
+  std::vector<CollisionResult> results;
+  for (const std::string& engine : absent_engines()) std::cout << "[collisions] absent: " << engine << ", which was not found at configure time\n";
   std::cout << "[collisions] " << c.model.name << ": looking for the distances of the scenes" << std::endl;
-  for (const Encounter& e : encounters(c, refit_variant("spherical_repaired"), settings.frames))
+  for (const Encounter& e : encounters(c, settings.frames)) {
+    std::cout << "[collisions] " << c.model.name << ", " << e.name << ": " << e.frames.size() << " frames by brute force" << std::endl;
+    PairLists expected;
+    results.push_back(ask_oracle(c, e, expected));
     for (const Query query : {Query::full, Query::yes_no}) {
-      std::cout << "[collisions] " << c.model.name << ", " << e.name << ", " << name_of(query) << ": " << e.frames.size()
-                << " frames" << std::endl;
-      const auto some = run_encounter(c, e, query, settings.speed);
+      std::cout << "[collisions] " << c.model.name << ", " << e.name << ", " << name_of(query) << ": " << kinds.size() << " detectors" << std::endl;
+      const auto some = measure(c, e, query, kinds, expected, settings.speed);
       print(some);
       results.insert(results.end(), some.begin(), some.end());
     }
+  }
   return results;
 }
 
@@ -125,15 +152,19 @@ void write_collisions(const std::vector<CollisionResult>& results, const std::st
   for (const CollisionResult& r : results) {
     const std::string scene = r.scene + ", " + name_of(r.query);
     const auto add = [&](const std::string& level, const char* quantity, double value, const char* unit) {
-      file.add({"collisions", r.model, scene, r.variant, level, quantity, format_number(value), unit});
+      file.add({"collisions", r.model, scene, r.detector, level, quantity, format_number(value), unit});
     };
-    add("all", "pairs", r.pairs, "1");
-    add("all", "ball_tests", r.ball_tests, "1");
-    add("all", "triangle_tests", r.triangle_tests, "1");
-    add("all", "balls_refitted", r.balls_refitted, "1");
-    add("all", "vertices_skinned", r.vertices_skinned, "1");
     add("all", "us_per_frame", r.us_per_frame, "us");
-    add("all", "ratio_to_repaired", r.ratio_to_repaired, "1");
+    add("all", "pairs", r.pairs, "1");
+    add("all", "volume_tests", r.volume_tests, "1");
+    add("all", "triangle_tests", r.triangle_tests, "1");
+    add("all", "nodes_refitted", r.nodes_refitted, "1");
+    add("all", "vertices_skinned", r.vertices_skinned, "1");
+    if (r.origin == Origin::oracle) continue;
+    for (std::size_t s = 0; s < std::size(stage_names); ++s) add("all", (stage_names[s] + std::string("_us")).c_str(), r.stages_us[s], "us");
+    for (const auto& [quantity, ratio] : {std::pair("ratio_to_engine", r.ratio_to_engine), std::pair("ratio_to_skin_all", r.ratio_to_skin_all),
+                                          std::pair("ratio_to_repaired", r.ratio_to_repaired)})
+      if (ratio > 0) add("all", quantity, ratio, "1");
     for (std::size_t l = 0; l < r.share_refitted.size(); ++l)
       add(std::to_string(l + 1), "share_refitted", r.share_refitted[l], "1");
   }

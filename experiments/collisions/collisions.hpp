@@ -1,5 +1,7 @@
-// The collision experiment: what queries between two walkers look at and cost, by scene and refit variant.
+// The collision experiment: what finding the touching triangles of two walkers costs, by scene and detector.
 #pragma once
+
+#include <array>
 
 #include "experiments/collisions/encounters.hpp"
 #include "experiments/speed/timing.hpp"
@@ -9,22 +11,40 @@ namespace refitlab {
 struct CollisionSettings {
   int frames = 100;  // of each encounter
   SpeedSettings speed;
+  bool first_model_only = false;
 };
+
+// Of a detector, in their order.
+inline constexpr const char* stage_names[] = {"pose", "skinning", "refit", "query"};
+using StageTimes = std::array<double, std::size(stage_names)>;
 
 // Means over the frames of an encounter.
 struct CollisionResult {
-  std::string model, scene, variant;  // that is, contender
+  std::string model, scene, detector;
+  Origin origin;
   Query query;
-  double pairs = 0, ball_tests = 0, triangle_tests = 0, balls_refitted = 0, vertices_skinned = 0;
-  std::vector<double> share_refitted;  // by level - 1, of both trees' balls
-  double us_per_frame = 0;             // the joint-sets' data of the frame, refits, skinning and tests
-  double ratio_to_repaired = 0;        // of the time
+  double pairs = 0, volume_tests = 0, triangle_tests = 0, nodes_refitted = 0, vertices_skinned = 0;
+  std::vector<double> share_refitted;  // by level - 1, of both trees' balls; where the detector refits on demand
+  double us_per_frame = 0;             // from postures to pairs
+  StageTimes stages_us{};              // the same in stages, of passes by themselves
+  // Of the time, to: the fastest engine here, skin_all_simd, spherical_repaired.
+  double ratio_to_engine = 0, ratio_to_skin_all = 0, ratio_to_repaired = 0;
 };
 
-// All spherical contenders that are sound, in all encounters of the character, full and yes/no. Throws std::logic_error if
-// two variants find different pairs.
+// By frame, sorted.
+using PairLists = std::vector<std::vector<TrianglePair>>;
+
+// The given detectors in an encounter. Throws std::logic_error that names the detector and the frame if it finds other
+// pairs than expected or, asked for one, none of these.
+std::vector<CollisionResult> measure(const Character& character, const Encounter& encounter, Query query,
+                                     const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
+                                     const SpeedSettings& speed);
+
+// All detectors in all encounters of the character, full and yes/no, against brute force.
 std::vector<CollisionResult> run_collisions(const Character& character, const CollisionSettings& settings);
 
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path);
+
+const char* name_of(Query query);
 
 }  // namespace refitlab

@@ -29,22 +29,18 @@ Point3 deformed_center(const Character& c, const Posture& posture) {
 
 class PairCounter {
  public:
-  PairCounter(const Character& c, const RefitVariant& variant) : first_(c, variant), second_(c, variant) {}
+  explicit PairCounter(const Character& c) : detector_(detector_kind("skin_all_simd").make(c)) {}
 
   // By frame, in increasing order.
   std::vector<long> pairs(const std::vector<EncounterFrame>& frames) {
     std::vector<long> counts;
-    for (const auto& f : frames) {
-      first_.begin(f.first), second_.begin(f.second);
-      QueryCounts unused;
-      counts.push_back(static_cast<long>(collide({first_, f.first_at}, {second_, f.second_at}, Query::full, unused).size()));
-    }
+    for (const auto& f : frames) counts.push_back(static_cast<long>(detector_->pairs(f, Query::full).size()));
     std::sort(counts.begin(), counts.end());
     return counts;
   }
 
  private:
-  Body first_, second_;
+  std::unique_ptr<Detector> detector_;
 };
 
 constexpr int searched_frames = 12, bisections = 12;
@@ -81,19 +77,27 @@ std::vector<EncounterFrame> WalkPast::at(double lateral) const {
   return out;
 }
 
-std::vector<Encounter> encounters(const Character& c, const RefitVariant& variant, int frames) {
-  PairCounter counter(c, variant);
+std::vector<EncounterFrame> WalkPast::in_place() const {
+  std::vector<EncounterFrame> out;
+  for (const Step& s : steps_)
+    out.push_back({s.first, s.second, stand(s.first_center, 0, Point3::Zero()), stand(s.second_center, std::numbers::pi, Point3::Zero())});
+  return out;
+}
+
+std::vector<Encounter> encounters(const Character& c, int frames) {
+  PairCounter counter(c);
   const WalkPast walk(c, frames), searched(c, searched_frames);
   const auto median = [](const std::vector<long>& sorted) { return sorted[sorted.size() / 2]; };
   const double reach = 2 * c.tree.nodes[0].reference.radius;
   const double touch = largest_lateral(counter, searched, reach, [](const auto& pairs) { return pairs.back() > 0; });
   const double light = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
   const double heavy = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
-  std::vector<Encounter> out{{"far", 2 * reach, 0, {}}, {"near", touch + 0.01 * reach, 0, {}}, {"light", light, 0, {}}, {"heavy", heavy, 0, {}}};
-  for (Encounter& e : out) {
-    e.frames = walk.at(e.lateral);
-    e.median_pairs = static_cast<double>(median(counter.pairs(e.frames)));
-  }
+  std::vector<Encounter> out{{"far", 2 * reach, 0, walk.at(2 * reach)},
+                             {"near", touch + 0.01 * reach, 0, walk.at(touch + 0.01 * reach)},
+                             {"light", light, 0, walk.at(light)},
+                             {"heavy", heavy, 0, walk.at(heavy)},
+                             {"worst", 0, 0, walk.in_place()}};
+  for (Encounter& e : out) e.median_pairs = static_cast<double>(median(counter.pairs(e.frames)));
   return out;
 }
 

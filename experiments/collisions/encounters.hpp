@@ -1,18 +1,13 @@
 // Encounters: scenes of two copies of a model that walk past each other, for collision queries (paper 5, Table 2).
 #pragma once
 
-#include "algorithms/collide/collide.hpp"
+#include "experiments/collisions/detector.hpp"
 #include "experiments/scenes/scenes.hpp"
 
 namespace refitlab {
 
-struct EncounterFrame {
-  Posture first, second;
-  RigidTransform<double> first_at, second_at;
-};
-
 struct Encounter {
-  std::string name;  // far, near, light, heavy
+  std::string name;  // far, near, light, heavy, worst
   double lateral;    // the distance at which the walkers pass each other, in model units
   double median_pairs;  // of touching triangles, over the frames
   std::vector<EncounterFrame> frames;
@@ -26,6 +21,8 @@ class WalkPast {
  public:
   WalkPast(const Character& character, int frames);
   std::vector<EncounterFrame> at(double lateral) const;
+  // Both with their centers at the origin all the time.
+  std::vector<EncounterFrame> in_place() const;
 
  private:
   struct Step {
@@ -37,8 +34,8 @@ class WalkPast {
 };
 
 // far: the roots are disjoint. near: they overlap in the middle, but no triangles touch. light: a median of about 50
-// touching pairs. heavy: about 850, or at lateral 0 if that has fewer. The distances are found by bisection on 12 of
-// the frames, with the given variant.
-std::vector<Encounter> encounters(const Character& character, const RefitVariant& variant, int frames);
+// touching pairs. heavy: about 850, or at lateral 0 if that has fewer. worst: in one place all the time (the paper's worst-
+// case scenario). The distances are found by bisection on 12 of the frames.
+std::vector<Encounter> encounters(const Character& character, int frames);
 
 }  // namespace refitlab

@@ -171,7 +171,7 @@ void write_collisions_section(std::ostringstream& out, const std::vector<Collisi
           << "</summary><div class=\"scroll\"><table><thead><tr><th>variant</th><th>balls refitted</th><th>ball tests</th><th>vertices "
              "skinned</th><th>triangle tests</th><th>us</th><th>times repaired</th><th>share of balls refitted, by level</th></tr></thead><tbody>\n";
     }
-    out << "<tr><td>" << r.variant << "</td><td>" << format("%.1f", r.balls_refitted) << "</td><td>" << format("%.1f", r.ball_tests)
+    out << "<tr><td>" << r.detector << "</td><td>" << format("%.1f", r.nodes_refitted) << "</td><td>" << format("%.1f", r.volume_tests)
         << "</td><td>" << format("%.1f", r.vertices_skinned) << "</td><td>" << format("%.1f", r.triangle_tests) << "</td><td>"
         << format("%.1f", r.us_per_frame) << "</td><td>" << format("%.2f", r.ratio_to_repaired) << "</td><td>";
     for (const double share : r.share_refitted) out << format("%.0f %% ", 100 * share);

@@ -16,7 +16,7 @@ class Collector : public benchmark::BenchmarkReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
       if (run.run_type == Run::RT_Iteration)
-        times[run.run_name.function_name].push_back(run.GetAdjustedRealTime() / run.counters.at("items"));
+        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime() / run.counters.at("items"));
   }
   Times times;
 };
@@ -42,7 +42,7 @@ Times ns_per_item(const std::vector<Timed>& calls, const SpeedSettings& settings
       state.counters["items"] = timed.items;
     });
     run->MinTime(settings.seconds_per_run)->Repetitions(settings.repetitions);
-    run->Unit(benchmark::kNanosecond)->UseRealTime();
+    run->Unit(benchmark::kNanosecond)->MeasureProcessCPUTime();  // of all threads, whoever else is on the cores
   }
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);

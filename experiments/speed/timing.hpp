@@ -1,4 +1,4 @@
-// Timing by Google Benchmark: nanoseconds per item, repeated.
+// Timing by Google Benchmark: nanoseconds of processor time per item, repeated.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ struct Timed {
   std::function<void()> call;  // keeps its results from being optimised away
 };
 
-// By name, one entry a repetition. On this thread.
+// By name, one entry a repetition. Of all threads of this process, the calls being made by this one.
 std::map<std::string, std::vector<double>> ns_per_item(const std::vector<Timed>& calls,
                                                        const SpeedSettings& settings);
 

@@ -1,0 +1,25 @@
+#include "experiments/collisions/detector.hpp"
+
+#include <stdexcept>
+
+#include "experiments/collisions/on_demand.hpp"
+#include "experiments/rivals/rivals.hpp"
+
+namespace refitlab {
+
+const std::vector<DetectorKind>& detector_kinds() {
+  static const std::vector<DetectorKind> all = [] {
+    std::vector<DetectorKind> kinds = on_demand_kinds();
+    for (const auto& more : {rival_kinds(), engine_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
+    return kinds;
+  }();
+  return all;
+}
+
+const DetectorKind& detector_kind(const std::string& name) {
+  for (const DetectorKind& kind : detector_kinds())
+    if (kind.name == name) return kind;
+  throw std::invalid_argument("no detector named '" + name + "'");
+}
+
+}  // namespace refitlab

@@ -1,0 +1,66 @@
+// Detector: whatever finds the touching triangles of two walkers, from postures and placements to pairs.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "algorithms/collide/collide.hpp"
+
+namespace refitlab {
+
+// Two copies of a character, each in a posture and at a place.
+struct EncounterFrame {
+  Posture first, second;
+  RigidTransform<double> first_at, second_at;
+};
+
+// What was done in all frames since the detector was made; 0 and empty where it does not know.
+struct DetectorCounts {
+  long volume_tests = 0, triangle_tests = 0, vertices_skinned = 0, nodes_refitted = 0;
+  std::vector<long> refitted_by_level;  // by level - 1, of detectors that refit the character's sphere tree on demand
+};
+
+// A frame is its stages in this order; they are apart only so that each can be timed. The pairs that a detector finds are
+// those of triangles_meet for the corners in the world, apply(placement, corner skinned spherically), in any order.
+class Detector {
+ public:
+  virtual ~Detector() = default;
+  virtual void pose(const EncounterFrame& frame) = 0;  // what skinning prepares
+  virtual void skin() {}                               // all vertices; detectors on demand leave it to the query
+  virtual void refit() {}                              // all volumes, likewise
+  virtual std::vector<TrianglePair> query(Query query) = 0;
+  virtual DetectorCounts counts() const = 0;
+
+  std::vector<TrianglePair> pairs(const EncounterFrame& frame, Query kind) {
+    pose(frame);
+    skin();
+    refit();
+    return query(kind);
+  }
+};
+
+// Where a detector comes from.
+enum class Origin {
+  own,     // ours, on demand
+  rival,   // skins everything; written here
+  engine,  // skins everything for a general-purpose engine
+  oracle   // tries all pairs; no detector, but a row of results
+};
+
+struct DetectorKind {
+  std::string name, description;
+  Origin origin;
+  std::function<std::unique_ptr<Detector>(const Character&)> make;  // the character outlives the detector
+};
+
+// All there are: each contender that is sound for spherical blending, the rivals, the engines that were found when this
+// was configured.
+const std::vector<DetectorKind>& detector_kinds();
+
+// The engines that were not.
+std::vector<std::string> absent_engines();
+
+// Throws std::invalid_argument for a name that is none of theirs.
+const DetectorKind& detector_kind(const std::string& name);
+
+}  // namespace refitlab

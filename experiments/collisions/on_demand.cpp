@@ -1,0 +1,63 @@
+#include "experiments/collisions/on_demand.hpp"
+
+#include "experiments/scenes/contenders.hpp"
+
+namespace refitlab {
+namespace {
+
+class OnDemand : public Detector {
+ public:
+  OnDemand(const Character& character, const Contender& contender)
+      : first_(character, *contender.variant, contender.options), second_(character, *contender.variant, contender.options) {
+    counts_.refitted_by_level.resize(character.tree.level_count());
+  }
+
+  void pose(const EncounterFrame& frame) override {
+    add_frame(counts_);
+    first_.begin(frame.first);
+    second_.begin(frame.second);
+    first_at_ = frame.first_at, second_at_ = frame.second_at;
+  }
+
+  std::vector<TrianglePair> query(Query query) override {
+    return collide({first_, first_at_}, {second_, second_at_}, query, tests_);
+  }
+
+  DetectorCounts counts() const override {
+    DetectorCounts all = counts_;
+    add_frame(all);
+    all.volume_tests = tests_.ball_tests;
+    all.triangle_tests = tests_.triangle_tests;
+    return all;
+  }
+
+ private:
+  // What the bodies know of the frame at hand.
+  void add_frame(DetectorCounts& counts) const {
+    for (const Body* body : {&first_, &second_}) {
+      counts.vertices_skinned += body->vertices_skinned();
+      for (std::size_t l = 0; l < counts.refitted_by_level.size(); ++l) {
+        counts.refitted_by_level[l] += body->refits().refitted_by_level()[l];
+        counts.nodes_refitted += body->refits().refitted_by_level()[l];
+      }
+    }
+  }
+
+  Body first_, second_;
+  RigidTransform<double> first_at_, second_at_;
+  QueryCounts tests_;
+  DetectorCounts counts_;  // of the frames before this one
+};
+
+}  // namespace
+
+std::vector<DetectorKind> on_demand_kinds() {
+  std::vector<DetectorKind> kinds;
+  for (const Contender& c : contenders())  // queries go top-down: what takes the children first has nothing to take
+    if (c.variant->sound && c.variant->skinning == Skinning::spherical && !c.options.children_first)
+      kinds.push_back({c.name, c.description, Origin::own,
+                       [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }});
+  return kinds;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,133 @@
+// Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a leaf.
+#include <algorithm>
+#include <numeric>
+
+#include "experiments/rivals/rivals.hpp"
+#include "experiments/rivals/skinning_detector.hpp"
+
+namespace refitlab {
+namespace {
+
+// What rounding may do to vertices, relative to the size of the coordinates.
+constexpr double rounding_slack = 1e-11;
+
+struct Box {
+  Point3 low, high;
+  bool is_apart(const Box& b) const { return (low.array() > b.high.array()).any() || (b.low.array() > high.array()).any(); }
+  double extent() const { return (high - low).sum(); }
+};
+
+Box join(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
+
+// Nodes in depth-first order: a node's left child comes next, and its right one where it says.
+struct Node {
+  int right;     // 0 at a leaf
+  int triangle;  // of a leaf
+};
+
+// Splits at the median of the centroids along their longest extent, in the reference posture.
+class Builder {
+ public:
+  explicit Builder(const Model& model) : order_(model.triangles.size()) {
+    for (const Triangle& t : model.triangles)
+      centroids_.push_back((model.vertices[t[0]] + model.vertices[t[1]] + model.vertices[t[2]]) / 3);
+    std::iota(order_.begin(), order_.end(), 0);
+    build(order_);
+  }
+  std::vector<Node> nodes;
+
+ private:
+  void build(std::span<int> triangles) {
+    const std::size_t at = nodes.size();
+    nodes.push_back({0, triangles[0]});
+    if (triangles.size() == 1) return;
+    Box box{centroids_[triangles[0]], centroids_[triangles[0]]};
+    for (const int t : triangles) box = join(box, {centroids_[t], centroids_[t]});
+    int axis;
+    (box.high - box.low).maxCoeff(&axis);
+    const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+    std::nth_element(triangles.begin(), middle, triangles.end(), [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
+    build({triangles.begin(), middle});
+    nodes[at].right = static_cast<int>(nodes.size());
+    build({middle, triangles.end()});
+  }
+
+  std::vector<Point3> centroids_;
+  std::vector<int> order_;
+};
+
+// The boxes of both bodies are in the first one's model space.
+class AabbTree : public SkinningDetector {
+ public:
+  explicit AabbTree(const Character& character)
+      : SkinningDetector(character, Placing::when_asked), nodes_(Builder(character.model).nodes) {
+    for (auto& boxes : boxes_) boxes.resize(nodes_.size());
+  }
+
+  void refit() override {
+    refit(0, skinned(0));
+    const RigidTransform<double> to_first = this->to_first();
+    const Point3 x = rotate<double>(to_first.rotation, Point3::UnitX()), y = rotate<double>(to_first.rotation, Point3::UnitY()),
+                 z = rotate<double>(to_first.rotation, Point3::UnitZ());
+    moved_.resize(skinned(1).size());
+    for (std::size_t v = 0; v < moved_.size(); ++v) {
+      const Point3& p = skinned(1)[v];
+      moved_[v] = x * p[0] + y * p[1] + z * p[2] + to_first.translation;
+    }
+    refit(1, moved_);
+    const auto size = [&](int side) { return boxes_[side][0].low.norm() + boxes_[side][0].high.norm() + placement(side).translation.norm(); };
+    slack_ = Point3::Constant(rounding_slack * (size(0) + size(1)));
+    counts_.nodes_refitted += 2 * static_cast<long>(nodes_.size());
+  }
+
+  std::vector<TrianglePair> query(Query query) override {
+    std::vector<TrianglePair> found;
+    pending_.assign(1, {0, 0});
+    while (!pending_.empty()) {
+      const auto [a, b] = pending_.back();
+      pending_.pop_back();
+      ++counts_.volume_tests;
+      const Box &p = boxes_[0][a], &q = boxes_[1][b];
+      if (Box{p.low - slack_, p.high + slack_}.is_apart(q)) continue;
+      const Node &m = nodes_[a], &n = nodes_[b];
+      if (m.right == 0 && n.right == 0) {
+        if (!touch(m.triangle, n.triangle)) continue;
+        found.push_back({m.triangle, n.triangle});
+        if (query == Query::yes_no) break;
+      } else if (n.right == 0 || (m.right != 0 && p.extent() >= q.extent())) {
+        pending_.emplace_back(a + 1, b);
+        pending_.emplace_back(m.right, b);
+      } else {
+        pending_.emplace_back(a, b + 1);
+        pending_.emplace_back(a, n.right);
+      }
+    }
+    return found;
+  }
+
+ private:
+  void refit(int side, const std::vector<Point3>& vertices) {
+    auto& boxes = boxes_[side];
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+      if (nodes_[n].right != 0) {
+        boxes[n] = join(boxes[n + 1], boxes[nodes_[n].right]);
+        continue;
+      }
+      const Triangle& t = model().triangles[nodes_[n].triangle];
+      const Point3 &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
+      boxes[n] = {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+    }
+  }
+
+  const std::vector<Node> nodes_;
+  std::vector<Box> boxes_[2];
+  std::vector<Point3> moved_;  // the second body's vertices
+  Point3 slack_ = Point3::Zero();
+  std::vector<std::pair<int, int>> pending_;
+};
+
+}  // namespace
+
+std::unique_ptr<Detector> make_aabb_tree(const Character& character) { return std::make_unique<AabbTree>(character); }
+
+}  // namespace refitlab

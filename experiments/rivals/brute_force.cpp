@@ -1,0 +1,46 @@
+#include "experiments/rivals/brute_force.hpp"
+
+#include "algorithms/skinning/skin.hpp"
+
+namespace refitlab {
+namespace {
+
+// The triangles of a body in the world, and their boxes: arrays by bound, so that the compiler can use its lanes.
+struct Boxes {
+  std::vector<TrianglePoints> triangles;
+  std::vector<double> low[3], high[3];
+};
+
+Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture, const RigidTransform<double>& placement) {
+  const auto skinned = skin(model, sets, make_skinning_pose(model, sets, posture, Skinning::spherical), Skinning::spherical);
+  Boxes out;
+  for (const Triangle& t : model.triangles) {
+    out.triangles.push_back(place(placement, {skinned[t[0]], skinned[t[1]], skinned[t[2]]}));
+    for (int i = 0; i < 3; ++i) {
+      const auto& [a, b, c] = out.triangles.back();
+      out.low[i].push_back(std::min({a[i], b[i], c[i]}));
+      out.high[i].push_back(std::max({a[i], b[i], c[i]}));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame) {
+  const Boxes a = boxes_of(model, sets, frame.first, frame.first_at), b = boxes_of(model, sets, frame.second, frame.second_at);
+  const std::size_t n = model.triangles.size();
+  std::vector<TrianglePair> pairs;
+  std::vector<unsigned char> overlap(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double low[] = {a.low[0][i], a.low[1][i], a.low[2][i]}, high[] = {a.high[0][i], a.high[1][i], a.high[2][i]};
+    for (std::size_t j = 0; j < n; ++j)
+      overlap[j] = (b.low[0][j] <= high[0]) & (low[0] <= b.high[0][j]) & (b.low[1][j] <= high[1]) & (low[1] <= b.high[1][j]) &
+                   (b.low[2][j] <= high[2]) & (low[2] <= b.high[2][j]);
+    for (std::size_t j = 0; j < n; ++j)
+      if (overlap[j] && triangles_meet(a.triangles[i], b.triangles[j])) pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+  }
+  return pairs;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,11 @@
+// The oracle: all pairs of triangles, slow and obvious.
+#pragma once
+
+#include "experiments/collisions/detector.hpp"
+
+namespace refitlab {
+
+// The touching pairs of a frame, in increasing order: every pair of triangles whose boxes overlap is decided exactly.
+std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame);
+
+}  // namespace refitlab
