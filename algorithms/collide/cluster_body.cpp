@@ -38,7 +38,7 @@ void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& pl
   placement_ = placement;
   are_floats_filled_ = false;
   fans_made_.begin(), clusters_made_.begin(), groups_made_.begin();
-  fans_bounded_ = clusters_skinned_ = 0;
+  nodes_bounded_ = clusters_skinned_ = corners_skinned_ = 0;
 }
 
 const BoxBlock* ClusterBody::fan_boxes(int fan) {
@@ -69,7 +69,7 @@ void ClusterBody::bound_fan(int f) {
     put_box(blocks, i, box);
   }
   fans_made_.mark(f);
-  ++fans_bounded_;
+  nodes_bounded_ += fan.child_count;
 }
 
 const BoxBlock* ClusterBody::group_boxes(int cluster) {
@@ -93,6 +93,7 @@ void ClusterBody::skin_cluster(int n) {
                       &cluster_blocks_[first_block_of_cluster_[n]], cluster_boxes_[n].data());
   clusters_made_.mark(n);
   ++clusters_skinned_;
+  corners_skinned_ += cluster.corner_count;
 }
 
 const Corner* ClusterBody::corners(int cluster) {

@@ -40,8 +40,9 @@ class ClusterBody {
   TrianglePoints triangle(int triangle) const;
 
   // Since begin.
-  long fans_bounded() const { return fans_bounded_; }
+  long nodes_bounded() const { return nodes_bounded_; }
   long clusters_skinned() const { return clusters_skinned_; }
+  long corners_skinned() const { return corners_skinned_; }
 
  private:
   void bound_fan(int fan);
@@ -62,7 +63,7 @@ class ClusterBody {
   SkinnedVertices skinned_;      // of the cluster in work, in model space
   std::vector<Corner> corners_;  // cluster by cluster
   std::vector<FlippedBox> flipped_;
-  long fans_bounded_ = 0, clusters_skinned_ = 0;
+  long nodes_bounded_ = 0, clusters_skinned_ = 0, corners_skinned_ = 0;
 };
 
 }  // namespace refitlab

@@ -19,6 +19,7 @@ class ClusterTraversal {
   ClusterTraversal(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts)
       : first_(first), second_(second), query_(query), counts_(counts) {}
 
+  // For yes/no, all pairs of the first clusters that have any.
   std::vector<TrianglePair> run() {
     const Hits tops(*this, first_.fan_boxes(0), first_.tree().fans()[0].child_count, second_.fan_box(0));
     for (std::size_t i = 0; i < tops.count() && !is_done(); ++i) {
@@ -105,7 +106,7 @@ class ClusterTraversal {
     const Corner *corners_a = first_.corners(a), *corners_b = second_.corners(b);
     answers_.resize(pairs_.size());
     kernels_.filter_pairs(corners_a, corners_b, pairs_.data(), static_cast<int>(pairs_.size()), answers_.data());
-    for (std::size_t p = 0; p < pairs_.size() && !is_done(); ++p) {
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
       const bool meet = answers_[p] == Filtered::unknown
                             ? boxed_triangles_meet(corners_of(corners_a, pairs_[p].a), corners_of(corners_b, pairs_[p].b))
                             : answers_[p] == Filtered::meet;
@@ -147,6 +148,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     }
   auto pairs = ClusterTraversal(first, second, query, counts).run();
   if (memory) memory->remember(pairs);
+  if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return pairs;
 }
 

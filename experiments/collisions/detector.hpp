@@ -53,7 +53,7 @@ struct DetectorKind {
   std::function<std::unique_ptr<Detector>(const Character&)> make;  // the character outlives the detector
 };
 
-// All there are: each contender that is sound for spherical blending, the rivals, the engines that were found when this
+// All there are: each contender that is sound for spherical blending, our clusters, the rivals, the engines that were found when this
 // was configured.
 const std::vector<DetectorKind>& detector_kinds();
 

@@ -1,0 +1,10 @@
+// The fast query as a detector: boxes around control points above, skinned clusters below.
+#pragma once
+
+#include "experiments/collisions/detector.hpp"
+
+namespace refitlab {
+
+std::vector<DetectorKind> cluster_kinds();
+
+}  // namespace refitlab
