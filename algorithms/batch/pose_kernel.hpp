@@ -20,14 +20,14 @@ struct PosePack {
 // The arrays of a SkinningPose, as numbers.
 struct PoseNumbers {
   double* rotation_centers;  // 3 each
-  double* transforms;        // a quaternion and a translation, transform_stride apart
+  double* transforms;        // 8 each: a quaternion, a translation, an unused one
   double* center_images;     // 3 each
   double* duals;             // 4 each
 };
 
 // posture: by joint, as the transforms. If are_centers_fixed, the priors are the rotation centers.
 using PoseRun = void (*)(const PosePack* packs, int count, int joints, bool are_centers_fixed, const double* posture,
-                         int transform_stride, const PoseNumbers& out);
+                         const PoseNumbers& out);
 
 namespace baseline {
 extern const PoseRun pose_run;

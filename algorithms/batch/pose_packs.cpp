@@ -34,16 +34,14 @@ void PosePacks::add(int joint_set, std::size_t first_slot) {
 }
 
 void PosePacks::make(const Posture& posture, SkinningPose<double>& pose, Target target) const {
-  static_assert(sizeof(RigidTransform<double>) % sizeof(double) == 0);
-  constexpr int stride = sizeof(RigidTransform<double>) / sizeof(double);
+  static_assert(sizeof(RigidTransform<double>) == 8 * sizeof(double));
   check_posture(model_, posture);
   const auto out = pose.resize(first_slot_);
   const PoseNumbers numbers{out.rotation_centers->data(), out.transforms->rotation.data(), out.center_images->data(),
                             out.duals->data()};
   const PoseRun run = pose_run(target);
   for (int n = 0; n < most_pose_joints; ++n)
-    run(packs_[n].data(), static_cast<int>(packs_[n].size()), n + 1, skinning_ == Skinning::hejl, posture[0].rotation.data(), stride,
-        numbers);
+    run(packs_[n].data(), static_cast<int>(packs_[n].size()), n + 1, skinning_ == Skinning::hejl, posture[0].rotation.data(), numbers);
   for (const int s : others_) {
     const auto joints = sets_.joints(s);
     OwnedJointSetPose<double> set;

@@ -5,7 +5,7 @@
 namespace refitlab {
 
 void Body::begin(const Posture& posture) {
-  make_skinning_pose(character_.model, character_.sets, posture, skinning_, pose_);
+  pose_packs_.make(posture, pose_);
   balls_.begin(pose_);
   vertices_skinned_ = 0;
   made_.begin();

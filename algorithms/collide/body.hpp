@@ -1,6 +1,7 @@
 // Body: a character in one frame, as queries see it: balls refitted and vertices skinned only where a query gets to.
 #pragma once
 
+#include "algorithms/batch/pose_packs.hpp"
 #include "algorithms/collide/triangles_meet.hpp"
 #include "algorithms/refit/frame_refits.hpp"
 
@@ -10,7 +11,7 @@ class Body {
  public:
   // character and variant outlive this.
   Body(const Character& character, const RefitVariant& variant, const FrameOptions& options = {})
-      : character_(character), skinning_(variant.skinning), balls_(character, variant, options),
+      : character_(character), skinning_(variant.skinning), pose_packs_(character.model, character.sets, skinning_), balls_(character, variant, options),
         made_(character.model.vertices.size()), skinned_(character.model.vertices.size()) {}
 
   // Starts a frame. Throws ModelError for a posture that make_skinning_pose refuses.
@@ -31,6 +32,7 @@ class Body {
 
   const Character& character_;
   const Skinning skinning_;
+  const PosePacks pose_packs_;
   FrameRefits balls_;
   SkinningPose<double> pose_;
   FrameStamps made_;  // by vertex

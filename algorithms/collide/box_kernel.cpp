@@ -4,10 +4,13 @@
 #include <limits>
 
 #include "algorithms/packs/pack.hpp"
+#include "algorithms/packs/transpose.hpp"
 #include "algorithms/refit/control_hull.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // A box that grows by points, turned by a rotation first.
 template <class Pack>
@@ -29,7 +32,6 @@ class GrowingBox {
     for (int i = 0; i < 3; ++i) where(mask, low[i]) = other.low[i], where(mask, high[i]) = other.high[i];
   }
 
-  static constexpr float infinity = std::numeric_limits<float>::infinity();
   Pack low[3] = {Pack(infinity), Pack(infinity), Pack(infinity)};
   Pack high[3] = {Pack(-infinity), Pack(-infinity), Pack(-infinity)};
 
@@ -76,34 +78,54 @@ class BoxKernel {
   }
 
   static void merge(const GrowingBox<Pack>& box, const BoxPack& pack, int first, FlippedBox* boxes) {
-    alignas(64) float sides[6][width];
+    using Row = EightOf<float>::Row;
+    alignas(64) float sides[8][width] = {}, rows[8 * width];
     for (int i = 0; i < 3; ++i) {
-      box.low[i].copy_to(sides[i], std::experimental::vector_aligned);
-      const Pack flipped = -box.high[i];
-      flipped.copy_to(sides[3 + i], std::experimental::vector_aligned);
+      // What is undefined, by coordinates beyond what float holds, may be anywhere.
+      const Mask is_undefined = !(box.low[i] <= box.high[i]);
+      choose(is_undefined, Pack(-infinity), box.low[i]).copy_to(sides[i], std::experimental::vector_aligned);
+      const Pack flipped = choose(is_undefined, Pack(-infinity), Pack(-box.high[i]));
+      flipped.copy_to(sides[4 + i], std::experimental::vector_aligned);
+    }
+    if constexpr (width >= 8) {
+      for (int block = 0; block < width; block += 8) {
+        const float* from[8];
+        for (int i = 0; i < 8; ++i) from[i] = sides[i] + block;
+        transpose<float>(from, rows + 8 * block, 8);
+      }
+    } else {
+      for (int i = 0; i < 8 * width; ++i) rows[i] = sides[i % 8][i / 8];
     }
     for (int lane = 0; lane < width; ++lane) {
-      float* of = boxes[pack.target[first + lane]].of;
-      for (int i = 0; i < 3; ++i) {
-        of[i] = of[i] < sides[i][lane] ? of[i] : sides[i][lane];
-        of[4 + i] = of[4 + i] < sides[3 + i][lane] ? of[4 + i] : sides[3 + i][lane];
-      }
+      Row& of = *reinterpret_cast<Row*>(boxes[pack.target[first + lane]].of);
+      const Row own = *reinterpret_cast<const Row*>(rows + 8 * lane);
+      of = own < of ? own : of;
     }
   }
 
   Pack load(const float* lanes) const { return Pack(lanes + first, std::experimental::element_aligned); }
-  Pack gather(const float* from, const std::int32_t* index, int stride, int component) const {
-    return Pack([&](auto lane) { return from[index[first + lane] * stride + component]; });
+  // Numbers of a record of eight floats a lane, from record index[lane] of an array.
+  struct Records {
+    alignas(64) float of[8][width];
+    Pack operator[](int i) const { return Pack(of[i], std::experimental::vector_aligned); }
+    Quaternion<Pack> quaternion(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2], (*this)[i + 3]}; }
+    Point point(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
+  };
+  Records gather(const float* from, const std::int32_t* index) const {
+    Records out;
+    const float* rows[8];
+    for (int block = 0; block < width; block += 8) {  // a pack of four lanes uses half of what is fetched
+      for (int i = 0; i < 8; ++i) rows[i] = from + 8 * index[first + block + (i < width ? i : 0)];
+      if constexpr (width >= 8) {
+        transpose<float>(rows, out.of[0] + block, width);
+      } else {
+        for (int i = 0; i < 8; ++i)
+          for (int lane = 0; lane < width; ++lane) out.of[i][lane] = rows[lane][i];
+      }
+    }
+    return out;
   }
-  Quaternion<Pack> slot_quaternion(int joint, int offset) const {
-    const std::int32_t* at = pack.slot[joint];
-    return {gather(slots, at, 8, offset), gather(slots, at, 8, offset + 1), gather(slots, at, 8, offset + 2),
-            gather(slots, at, 8, offset + 3)};
-  }
-  Point slot_point(int joint) const {
-    const std::int32_t* at = pack.slot[joint];
-    return {gather(slots, at, 8, 4), gather(slots, at, 8, 5), gather(slots, at, 8, 6)};
-  }
+  Records slot(int joint) const { return gather(slots, pack.slot[joint]); }
   Point reference_center() const { return {load(pack.center[0]), load(pack.center[1]), load(pack.center[2])}; }
   static Pack size(const Point& p) { return abs(p[0]) + abs(p[1]) + abs(p[2]); }
 
@@ -120,10 +142,12 @@ class BoxKernel {
   GrowingBox<Pack> spherical() const {
     Quaternion<Pack> q[N];
     Point r[N];
-    for (int i = 0; i < N; ++i) q[i] = slot_quaternion(i, 0), r[i] = slot_point(i);
+    for (int i = 0; i < N; ++i) {
+      const Records joint = slot(i);
+      q[i] = joint.quaternion(0), r[i] = joint.point(4);
+    }
     blend_corners<N>(q), blend_corners<N>(r);
-    const Point rotation_center{gather(centers, pack.set, 4, 0), gather(centers, pack.set, 4, 1), gather(centers, pack.set, 4, 2)};
-    const Point x = reference_center() - rotation_center;
+    const Point x = reference_center() - gather(centers, pack.set).point(0);
     Pack w[N][N];
     Point p[N][N];
     const Mask near = mix_all<N>(q, x, 4, w, p);
@@ -154,8 +178,9 @@ class BoxKernel {
     Point r[N];
     Pack sizes = size(p);
     for (int i = 0; i < N; ++i) {
-      const Point at = slot_point(i);
-      r[i] = rotate(slot_quaternion(i, 0), p) + at;
+      const Records joint = slot(i);
+      const Point at = joint.point(4);
+      r[i] = rotate(joint.quaternion(0), p) + at;
       sizes = max(sizes, size(p) + size(at));
     }
     blend_corners<N>(r);
@@ -172,7 +197,8 @@ class BoxKernel {
     Quaternion<Pack> q[N], d[N];
     Pack sizes = size(point);
     for (int i = 0; i < N; ++i) {
-      q[i] = slot_quaternion(i, 0), d[i] = slot_quaternion(i, 4);
+      const Records joint = slot(i);
+      q[i] = joint.quaternion(0), d[i] = joint.quaternion(4);
       sizes = max(sizes, size(point) + (abs(d[i][0]) + abs(d[i][1]) + abs(d[i][2]) + abs(d[i][3])) * 2);
     }
     blend_corners<N>(q), blend_corners<N>(d);
@@ -187,7 +213,7 @@ class BoxKernel {
       }
     const Pack radius = load(pack.radius);
     box.blow_up(radius + (sizes + radius) * slack);
-    for (int i = 0; i < 3; ++i) all.low[i] = -GrowingBox<Pack>::infinity, all.high[i] = GrowingBox<Pack>::infinity;
+    for (int i = 0; i < 3; ++i) all.low[i] = -infinity, all.high[i] = infinity;
     box.replace_where(!near, all);
     return box;
   }

@@ -109,7 +109,7 @@ BoxPieces make_box_pieces(const Character& c, std::span<const int> nodes) {
   return maker.take();
 }
 
-JointFloats::JointFloats(const JointSets& sets) : centers(4 * sets.count()) {
+JointFloats::JointFloats(const JointSets& sets) : centers(8 * sets.count()) {
   int slot = 0;
   for (int s = 0; s < sets.count(); ++s) {
     first_slot.push_back(slot);
@@ -122,7 +122,7 @@ void JointFloats::fill(const SkinningPose<double>& pose, Skinning skinning) {
   float* out = slots.data();
   for (std::size_t s = 0; s < pose.size(); ++s) {
     const JointSetPose<double>& set = pose[s];
-    for (int i = 0; i < 3; ++i) centers[4 * s + i] = static_cast<float>(set.rotation_center[i]);
+    for (int i = 0; i < 3; ++i) centers[8 * s + i] = static_cast<float>(set.rotation_center[i]);
     for (std::size_t j = 0; j < set.transforms.size(); ++j, out += 8) {
       for (int i = 0; i < 4; ++i) out[i] = static_cast<float>(set.transforms[j].rotation[i]);
       if (skinning == Skinning::dual_quaternion) {

@@ -52,7 +52,7 @@ struct JointFloats {
   // Eight floats a slot, a slot for each joint of each joint-set, in that order: the signed quaternion, then C_j r_c
   // (spherical), the translation (linear) or the dual part.
   std::vector<float> slots;
-  std::vector<float> centers;     // r_c of each joint-set, four floats each
+  std::vector<float> centers;     // r_c of each joint-set, eight floats each, of which three are used
   std::vector<int> first_slot;    // by joint-set
 
   explicit JointFloats(const JointSets& sets);

@@ -3,7 +3,8 @@
 namespace refitlab {
 
 SkinningDetector::SkinningDetector(const Character& character, Placing placing)
-    : character_(character), placing_(placing), packed_(character.model, character.sets), sides_{{.is_placed = FrameStamps(character.model.vertices.size())},
+    : character_(character), placing_(placing), pose_packs_(character.model, character.sets, Skinning::spherical),
+      packed_(character.model, character.sets), sides_{{.is_placed = FrameStamps(character.model.vertices.size())},
                                                        {.is_placed = FrameStamps(character.model.vertices.size())}} {
   for (Side& s : sides_) s.skinned.resize(character.model.vertices.size()), s.placed.resize(character.model.vertices.size());
 }
@@ -12,7 +13,7 @@ void SkinningDetector::pose(const EncounterFrame& frame) {
   const Posture* const postures[] = {&frame.first, &frame.second};
   const RigidTransform<double>* const placements[] = {&frame.first_at, &frame.second_at};
   for (int i = 0; i < 2; ++i) {
-    make_skinning_pose(character_.model, character_.sets, *postures[i], Skinning::spherical, sides_[i].pose);
+    pose_packs_.make(*postures[i], sides_[i].pose);
     sides_[i].placement = *placements[i];
     sides_[i].is_placed.begin();
   }

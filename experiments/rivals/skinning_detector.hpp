@@ -1,7 +1,8 @@
-// What all rivals have in common: both bodies are skinned whole, in SIMD packs, before any volume is refitted.
+// What all rivals have in common: both bodies are posed and skinned whole, in SIMD packs, before any volume is refitted.
 #pragma once
 
 #include "algorithms/batch/packed_vertices.hpp"
+#include "algorithms/batch/pose_packs.hpp"
 #include "algorithms/refit/frame_stamps.hpp"
 #include "experiments/collisions/detector.hpp"
 
@@ -44,6 +45,7 @@ class SkinningDetector : public Detector {
 
   const Character& character_;
   const Placing placing_;
+  const PosePacks pose_packs_;
   const PackedVertices packed_;
   Side sides_[2];
 };

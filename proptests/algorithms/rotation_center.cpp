@@ -69,7 +69,7 @@ PROPTEST(rotation_center) {
             RC_CLASSIFY(expected.rank < 3, "degenerate");
             RC_TAG("rank " + std::to_string(expected.rank));
             // The normal equations square the condition number, at most 1e3 by the tolerance.
-            RC_ASSERT((rotation_center(c, prior) - expected.point).norm() <= 1e-8 * size_of(c, prior));
+            RC_ASSERT((rotation_center<double>(c, prior) - expected.point).norm() <= 1e-8 * size_of(c, prior));
           });
   t.holds("of small rotations and of nearly parallel axes too",
           {.number_type = "double", .cases = 5000, .degenerate_at_least = 0.3}, [] {
@@ -83,7 +83,7 @@ PROPTEST(rotation_center) {
             RC_TAG("rank " + std::to_string(expected.rank));
             // Rounding, magnified by the inverses of the angles, of the weakest direction's part and of its square.
             const double slack = 1e-6 / std::max(angle, 1e-4) * size_of(c, prior);
-            RC_ASSERT((rotation_center(c, prior) - expected.point).norm() <= slack);
+            RC_ASSERT((rotation_center<double>(c, prior) - expected.point).norm() <= slack);
           });
   t.holds("no other point has closer images", {.number_type = "double", .degenerate_at_least = 0.2}, [] {
     const Transforms c = lift<double>(*any_transforms());
@@ -92,7 +92,7 @@ PROPTEST(rotation_center) {
     const auto expected = oracle::rotation_center(c, prior);
     RC_PRE(expected.rank == 3 || expected.nearest_to_tolerance > 4);  // a neglected direction may still fall a little
     RC_CLASSIFY(expected.rank < 3, "degenerate");
-    const Point3 center = rotation_center(c, prior);
+    const Point3 center = rotation_center<double>(c, prior);
     const double at_center = oracle::sum_over_pairs(c, center);
     for (const double length : {1e-3, 1e-1, 1.0, 10.0})
       RC_ASSERT(oracle::sum_over_pairs(c, center + length * step) >=
@@ -105,7 +105,7 @@ PROPTEST(rotation_center) {
             const auto expected = oracle::rotation_center(c, prior);
             RC_ASSERT(expected.rank <= 2);
             RC_CLASSIFY(true, "degenerate");
-            const Point3 moved = rotation_center(c, prior) - prior;
+            const Point3 moved = rotation_center<double>(c, prior) - prior;
             RC_ASSERT((expected.undetermined * moved).norm() <= 1e-8 * size_of(c, prior));
           });
   t.holds("of a single joint, and of equal transforms, it is the prior",
@@ -113,7 +113,7 @@ PROPTEST(rotation_center) {
             const auto c = lift<double>(*gen::rigid_transform());
             const Point3 prior = lift<double>(*gen::rational_vector<3>());
             RC_CLASSIFY(true, "degenerate");
-            RC_ASSERT(rotation_center(Transforms(*rc::gen::inRange(1, 5), c), prior) == prior);
+            RC_ASSERT(rotation_center<double>(Transforms(*rc::gen::inRange(1, 5), c), prior) == prior);
           });
   t.holds("of two joints it is the point of the relative rotation's axis nearest to the prior",
           {.number_type = "double", .cases = 500}, [] {
@@ -128,7 +128,7 @@ PROPTEST(rotation_center) {
             RC_ASSERT(apply(child, joint) == apply(parent, joint));
             const auto nearest = joint + axis * (dot<Rational, 3>(prior - joint, axis) / squared_norm(axis));
             const Transforms c{lift<double>(parent), lift<double>(child)};
-            RC_ASSERT((rotation_center(c, lift<double>(prior)) - lift<double, 3>(nearest)).norm() <=
+            RC_ASSERT((rotation_center<double>(c, lift<double>(prior)) - lift<double, 3>(nearest)).norm() <=
                       1e-8 * size_of(c, lift<double>(prior)));
           });
 }
