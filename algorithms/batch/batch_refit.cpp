@@ -55,13 +55,11 @@ const PackedBalls& BatchRefit::linear(const SkinningPose<double>& pose, Target t
   return refit(kernels.linear_nodes, kernels.linear_pieces, kernels.merge);
 }
 
-const PackedBalls& BatchRefit::refit(RefitBlocks nodes, RefitBlocks pieces, MergeNodes merge) {
+const PackedBalls& BatchRefit::refit(RefitNodes nodes, RefitPieces pieces, MergeNodes merge) {
   const FrameNumbers frame{numbers_.data(), first_number_.data()};
   nodes(packed_.nodes(), frame, balls_.data());
-  if (packed_.merged().empty()) return balls_;
-  pieces(packed_.pieces(), frame, pieces_.data());
-  merge(packed_.merged().data(), static_cast<int>(packed_.merged().size()), packed_.merged_corners().data(),
-        packed_.most_merged_corners(), pieces_.data()->lane.data(), balls_.numbers());
+  pieces(packed_.pieces(), frame, records_.data());
+  merge(packed_.merged().data(), static_cast<int>(packed_.merged().size()), records_.data(), balls_.numbers());
   return balls_;
 }
 

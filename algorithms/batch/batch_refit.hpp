@@ -28,7 +28,7 @@ class BatchRefit {
  public:
   // tree and sets are of one model.
   BatchRefit(const SphereTree& tree, const JointSets& sets)
-      : packed_(tree, sets), balls_(packed_.places(), packed_.ball_lanes()), pieces_(packed_.piece_lanes()) {}
+      : packed_(tree, sets), balls_(packed_.places(), packed_.ball_lanes()), records_(packed_.empty_records()) {}
 
   // By node, until the next call. Each encloses the node's vertices, deformed by spherical blending with exactly this pose:
   // the slack for all rounding is in the radius (refit_kernel.hpp).
@@ -37,11 +37,11 @@ class BatchRefit {
   const PackedBalls& linear(const SkinningPose<double>& pose, Target target = best_target());
 
  private:
-  const PackedBalls& refit(RefitBlocks nodes, RefitBlocks pieces, MergeNodes merge);
+  const PackedBalls& refit(RefitNodes nodes, RefitPieces pieces, MergeNodes merge);
 
   PackedNodes packed_;
   PackedBalls balls_;
-  std::vector<Lanes<float>> pieces_;
+  std::vector<Four> records_;
   std::vector<float> numbers_;     // of the frame
   std::vector<int> first_number_;  // by joint-set
 };

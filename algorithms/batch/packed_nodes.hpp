@@ -5,6 +5,8 @@
 // balls of the corners merged afterwards.
 #pragma once
 
+#include <limits>
+
 #include "algorithms/batch/refit_kernel.hpp"
 #include "algorithms/tree/sphere_tree.hpp"
 
@@ -17,12 +19,11 @@ class PackedNodes {
   NodeBlocks nodes() const { return nodes_.view(); }
   NodeBlocks pieces() const { return pieces_.view(); }
   std::span<const MergedNode> merged() const { return merged_; }
-  std::span<const CornerPlace> merged_corners() const { return merged_corners_; }
-  int most_merged_corners() const { return most_merged_corners_; }
+  // All records of the merged nodes, as they are before the first frame.
+  std::vector<Four> empty_records() const { return std::vector<Four>(record_count_, no_ball); }
 
-  // How many Lanes the kernels write, and where in those of the balls a node's x is; y, z and radius are in the next Lanes.
+  // How many Lanes of balls there are, and where among their numbers a node's x is; y, z and radius are in the next Lanes.
   int ball_lanes() const { return ball_lanes_; }
-  int piece_lanes() const { return piece_lanes_; }
   std::span<const int> places() const { return places_; }
   float largest_reference() const { return largest_reference_; }  // of the ||p||, rounded upwards
 
@@ -32,25 +33,27 @@ class PackedNodes {
     std::vector<NodeBlock> blocks;
     std::vector<BlockSet> sets;
     std::vector<Lanes<float>> data;
+    std::vector<int> targets;
     int most_corners = 0;
   };
   // A node, or a piece of it, in one lane.
   struct Item {
     const TreeNode* node;
     std::span<const NodeJointSet> sets;
-    int target;  // the node, or the first of the piece's merged corners
+    int target;  // the node, or the first of the piece's records
   };
 
-  // Appends blocks of items of the same joint-sets, and tells where each item is: its block and lane.
-  template <class Found>
-  static void add(const SphereTree& tree, const JointSets& sets, std::vector<Item> items, Blocks& to, Found&& found);
+  // Appends blocks of items of the same joint-sets, in this order.
+  static void add(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to);
   static void add_block(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to);
+  void place(std::span<const int> nodes);
+
+  static constexpr Four no_ball = {0, 0, 0, -std::numeric_limits<float>::infinity()};
 
   Blocks nodes_, pieces_;
   std::vector<MergedNode> merged_;
-  std::vector<CornerPlace> merged_corners_;
   std::vector<int> places_;
-  int ball_lanes_ = 0, piece_lanes_ = 0, most_merged_corners_ = 0;
+  int ball_lanes_ = 0, record_count_ = 0;
   float largest_reference_ = 0;
 };
 

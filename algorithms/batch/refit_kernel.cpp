@@ -1,5 +1,6 @@
 #include "algorithms/batch/refit_kernel.hpp"
 
+#include <cstring>
 #include <limits>
 
 #include "algorithms/balls/mean_ball.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 using S = Pack<float>;
 constexpr int pack_size = static_cast<int>(S::size());
+using PackOfFour = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 4>>;
 constexpr float epsilon = std::numeric_limits<float>::epsilon();
 
 // The part of a block that one pack holds, read from the start on.
@@ -50,69 +52,86 @@ struct Scratch {
   std::vector<Quaternion<S>> units;
 };
 
-// Algorithm 1 repaired. joints is how many the set has, or 0 if that is only known at run time.
+// The weights of one corner: the last one is what the others leave, which is exact.
+template <int joints>
+class Weights {
+ public:
+  explicit Weights(int count) : w_(count) {}
+  std::span<const S> read(Reader& read) {
+    const int last = static_cast<int>(w_.size()) - 1;
+    S rest(1);
+    for (int i = 0; i < last; ++i) {
+      w_[i] = read();
+      rest = rest - w_[i];
+    }
+    w_[last] = rest;
+    return {w_.data(), joints ? joints : w_.size()};
+  }
+
+ private:
+  ByJoint<S, joints> w_;
+};
+
+// Algorithm 1 repaired. joints and corners are how many the set has, or 0 if that is only known at run time.
 struct Spherical {
-  template <int joints>
+  template <int joints, int corners>
   static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, Reader& read,
                            Quaternion<S>* units, CornerBalls& out) {
-    const int n = joints ? joints : set.joint_count;
+    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
     ByJoint<RigidTransform<S>, joints> transforms(n);
     ByJoint<Vec<S, 3>, joints> center_images(n);
-    ByJoint<S, joints> w(n);
+    Weights<joints> weights(n);
     const Vec<S, 3> rotation_center = broadcast<3>(numbers);
     const S size(*numbers++);
     for (int i = 0; i < n; ++i) {
       transforms[i].rotation = broadcast<4>(numbers);
       center_images[i] = broadcast<3>(numbers);
     }
-    const JointSetPose<S> pose{transforms, rotation_center, center_images, {}};
     const Vec<S, 3> x = p - rotation_center;
-    const S length = norm(x);
+    const S longer = (abs(x[0]) + abs(x[1])) + abs(x[2]);  // than x
     if (joints == 1) {  // one corner, and a quaternion of unit length
-      out.included[0] = read(), read();
       out.center[0] = center_images[0] + rotate(transforms[0].rotation, x);
-      out.radius = S(epsilon * 64) * (length + size);
+      out.included[0] = S(1);
+      out.radius = S(epsilon * 66) * (longer + size);
       return;
     }
+    const JointSetPose<S> pose{transforms, rotation_center, center_images, {}};
     Quaternion<S> direction(S(0), S(0), S(0), S(0));
     S longest_inverse(1);
-    for (int k = 0; k < set.corner_count; ++k) {
-      out.included[k] = read();
-      for (int i = 0; i < n; ++i) w[i] = read();
-      const std::span<const S> weights(w.data(), n);
-      const Quaternion<S> blend = blend_quaternion(pose, weights);
+    for (int k = 0; k < m; ++k) {
+      out.included[k] = k < set.certain_corners ? S(1) : read();
+      const std::span<const S> w = weights.read(read);
+      const Quaternion<S> blend = blend_quaternion(pose, w);
       const S inverse = S(1) / root(squared_norm(blend));
       longest_inverse = max_of(longest_inverse, inverse);
       units[k] = blend * inverse;
       direction = direction + units[k] * out.included[k];
-      out.center[k] = blend_center(pose, weights);
+      out.center[k] = blend_center(pose, w);
     }
-    RotationBound<S> bound = bound_rotations_packs<float>(
-        std::span<const Quaternion<S>>(units, set.corner_count), direction);
+    const RotationBound<S> bound = bound_rotations_packs<float>(std::span<const Quaternion<S>>(units, m), direction);
     const Vec<S, 3> offset = rotate(bound.apex, x) * bound.center_ratio;
-    for (int k = 0; k < set.corner_count; ++k) out.center[k] = out.center[k] + offset;
+    for (int k = 0; k < m; ++k) out.center[k] = out.center[k] + offset;
     where(bound.center_ratio == S(0), longest_inverse) = S(1);  // of all rotations none is off
-    out.radius = bound.radius_ratio * length + S(epsilon * float(64 + 2 * n)) * (length * longest_inverse + size);
+    out.radius = bound.radius_ratio * norm(x) + S(epsilon * float(64 + 2 * n)) * (longer * longest_inverse + size);
   }
 };
 
 struct Linear {
-  template <int joints>
+  template <int joints, int corners>
   static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, Reader& read, Quaternion<S>*,
                            CornerBalls& out) {
-    const int n = joints ? joints : set.joint_count;
+    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
     ByJoint<Vec<S, 3>, joints> images(n);
-    ByJoint<S, joints> w(n);
+    Weights<joints> weights(n);
     out.radius = S(*numbers++);
     for (int i = 0; i < n; ++i)
       for (int row = 0; row < 3; ++row) {
         const Vec<S, 3> r = broadcast<3>(numbers);
         images[i][row] = dot(r, p) + S(*numbers++);
       }
-    for (int k = 0; k < set.corner_count; ++k) {
-      out.included[k] = read();
-      for (int i = 0; i < n; ++i) w[i] = read();
-      out.center[k] = combine<S, 3>(std::span<const S>(w.data(), n), std::span<const Vec<S, 3>>(images.data(), n));
+    for (int k = 0; k < m; ++k) {
+      out.included[k] = k < set.certain_corners ? S(1) : read();
+      out.center[k] = combine<S, 3>(weights.read(read), std::span<const Vec<S, 3>>(images.data(), n));
     }
   }
 };
@@ -122,11 +141,13 @@ void corner_balls(const BlockSet& set, const FrameNumbers& frame, const Vec<S, 3
                   CornerBalls& out) {
   const float* numbers = frame.numbers + frame.first[set.joint_set];
   switch (set.joint_count) {
-    case 1: return Blending::template corner_balls<1>(set, numbers, p, read, units, out);
-    case 2: return Blending::template corner_balls<2>(set, numbers, p, read, units, out);
-    case 3: return Blending::template corner_balls<3>(set, numbers, p, read, units, out);
-    case 4: return Blending::template corner_balls<4>(set, numbers, p, read, units, out);
-    default: return Blending::template corner_balls<0>(set, numbers, p, read, units, out);
+    case 1: return Blending::template corner_balls<1, 1>(set, numbers, p, read, units, out);
+    case 2:
+      if (set.corner_count == 2) return Blending::template corner_balls<2, 2>(set, numbers, p, read, units, out);
+      return Blending::template corner_balls<2, 1>(set, numbers, p, read, units, out);
+    case 3: return Blending::template corner_balls<3, 0>(set, numbers, p, read, units, out);
+    case 4: return Blending::template corner_balls<4, 0>(set, numbers, p, read, units, out);
+    default: return Blending::template corner_balls<0, 0>(set, numbers, p, read, units, out);
   }
 }
 
@@ -143,7 +164,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
   for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block, out += 4)
     for (int first = 0; first < Lanes<float>::count; first += pack_size) {
       Reader read(all.data + block->first_data, first);
-      const S px = read(), py = read(), pz = read(), r = read(), share = read();
+      const S px = read(), py = read(), pz = read(), r = read(), share = block->share > 0 ? S(block->share) : read();
       const Vec<S, 3> p(px, py, pz);
       Vec<S, 3> sum(S(0), S(0), S(0));
       int corners = 0;
@@ -171,58 +192,59 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
 }
 
 template <class Blending>
-REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& frame, Lanes<float>* out) {
+REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& frame, Four* records) {
   Scratch scratch(all.most_corners);
   for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block) {
     const BlockSet& set = all.sets[block->first_set];
     for (int first = 0; first < Lanes<float>::count; first += pack_size) {
       Reader read(all.data + block->first_data, first);
       const S px = read(), py = read(), pz = read();
-      read(), read();  // r and the share, which only the merged node needs
+      read();  // r, which only the merged node needs
       CornerBalls own{scratch.included.data(), scratch.centers.data(), S(0)};
       corner_balls<Blending>(set, frame, {px, py, pz}, read, scratch.units.data(), own);
-      store(own.radius, out[0], first);
-      for (int k = 0; k < set.corner_count; ++k) store(own.center[k], out + 1 + 3 * k, first);
+      const int* targets = all.targets + block->first_target + first;
+      for (int k = 0; k < set.corner_count; ++k) {
+        alignas(64) float numbers[4][pack_size];
+        for (int i = 0; i < 3; ++i) own.center[k][i].copy_to(numbers[i], std::experimental::vector_aligned);
+        own.radius.copy_to(numbers[3], std::experimental::vector_aligned);
+        for (int lane = 0; lane < pack_size; lane += 4) {
+          Four rows[4];
+          for (int i = 0; i < 4; ++i) std::memcpy(&rows[i], numbers[i] + lane, sizeof(Four));
+          transpose(rows);
+          for (int i = 0; i < 4; ++i) records[targets[lane + i] + k] = rows[i];
+        }
+      }
     }
-    out += 1 + 3 * set.corner_count;
   }
 }
 
-// The corners of one node after the other, as many at once as a pack has lanes.
-REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const CornerPlace* corners, int most_corners,
-                                 const float* pieces, float* balls) {
-  constexpr int next = Lanes<float>::count;
-  std::vector<float> gathered(4 * (most_corners + pack_size));
-  float *const x = gathered.data(), *const y = x + most_corners + pack_size, *const z = y + most_corners + pack_size,
-               *const r = z + most_corners + pack_size;
+REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const Four* records, float* balls) {
   for (const MergedNode* node = nodes; node != nodes + node_count; ++node) {
-    const int count = node->corner_count;
-    float sum[3] = {0, 0, 0};
-    for (int k = 0; k < count; ++k) {
-      const CornerPlace place = corners[node->first_corner + k];
-      sum[0] += x[k] = pieces[place.center];
-      sum[1] += y[k] = pieces[place.center + next];
-      sum[2] += z[k] = pieces[place.center + 2 * next];
-      r[k] = pieces[place.radius];
-    }
-    for (int k = count; k < count + pack_size; ++k) x[k] = x[0], y[k] = y[0], z[k] = z[0], r[k] = r[0];
-    const float share = 1 / static_cast<float>(count);
-    const Vec<S, 3> center(S(sum[0] * share), S(sum[1] * share), S(sum[2] * share));
-    S radius = 0;
-    for (int k = 0; k < count; k += pack_size) {
-      const auto load = [k](const float* numbers) { return S(numbers + k, std::experimental::element_aligned); };
-      const Vec<S, 3> corner(load(x), load(y), load(z));
-      radius = max_of(radius, S(norm<S, 3>(corner - center) + load(r)));
+    const Four* own = records + node->first_record;
+    Four sum = own[0];
+    for (int k = 1; k < node->corner_count; ++k) sum += own[k];
+    const float share = 1 / static_cast<float>(node->corner_count);
+    const float center[3] = {sum[0] * share, sum[1] * share, sum[2] * share};
+    PackOfFour radius = 0;
+    for (int k = 0; k < node->corner_count; k += 4) {
+      Four rows[4] = {own[k], own[k + 1], own[k + 2], own[k + 3]};
+      transpose(rows);
+      PackOfFour squared = 0;
+      for (int i = 0; i < 3; ++i) {
+        const PackOfFour d = PackOfFour(rows[i]) - center[i];
+        squared += d * d;
+      }
+      radius = max(radius, sqrt(squared) + PackOfFour(rows[3]));
     }
     float* ball = balls + node->place;
-    for (int i = 0; i < 3; ++i) ball[i * next] = center[i][0];
-    ball[3 * next] = (hmax(radius) + node->radius) * (1 + 8 * epsilon);
+    for (int i = 0; i < 3; ++i) ball[i * Lanes<float>::count] = center[i];
+    ball[3 * Lanes<float>::count] = (hmax(radius) + node->radius) * (1 + 8 * epsilon);
   }
 }
 
 }  // namespace
 
-const RefitKernels refit_kernels{refit_nodes<Spherical>, refit_pieces<Spherical>, refit_nodes<Linear>, refit_pieces<Linear>,
+const RefitKernels refit_kernels{refit_nodes<Spherical>, refit_nodes<Linear>, refit_pieces<Spherical>, refit_pieces<Linear>,
                                  merge_nodes};
 
 }  // namespace refitlab::REFITLAB_TARGET

@@ -10,6 +10,7 @@
 // bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||).
 #pragma once
 
+#include "algorithms/packs/four.hpp"
 #include "algorithms/packs/lanes.hpp"
 #include "algorithms/packs/targets.hpp"
 
@@ -23,43 +24,46 @@ struct FrameNumbers {
 };
 
 // Nodes, or pieces of nodes, one a lane, moved by the same joint-sets. Its numbers are Lanes: p (3), r, 1 / (number of
-// corners), then of each joint-set and each of its corners 1 (0 where the lane has no such corner, but repeats another
-// one), and the weights.
+// corners) if that is not the same in all lanes, then of each joint-set and each of its corners the weights but the last
+// one, after, beyond certain_corners, a 1, or a 0 where the lane has no such corner and repeats another one.
 struct NodeBlock {
   int first_set, set_count;  // in NodeBlocks::sets
   int first_data;            // in NodeBlocks::data
+  int first_target;          // of pieces, in NodeBlocks::targets
+  float share;               // 1 / (number of corners), or 0 if it is among the numbers
 };
 inline constexpr int most_sets_of_whole_nodes = 3;
 struct BlockSet {
-  int joint_set, joint_count, corner_count;
+  int joint_set, joint_count;
+  int certain_corners, corner_count;  // the fewest and the most of any lane
 };
 struct NodeBlocks {
   const NodeBlock* blocks;
   int block_count;
   const BlockSet* sets;
   const Lanes<float>* data;
+  const int* targets;  // by lane, of a piece: which record is that of its first corner
   int most_corners;  // of any block, in all of its sets
 };
 
-// Whole nodes: out has the balls' x, y, z and radius, four Lanes a block. Pieces, of one joint-set: the radius that their
-// corners' balls share, without r, then x, y and z of each corner, (1 + 3 corner_count) Lanes a block.
-using RefitBlocks = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Lanes<float>* out);
+// Whole nodes: out has the balls' x, y, z and radius, four Lanes a block.
+using RefitNodes = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Lanes<float>* out);
 
-// Where a corner's ball is among the numbers of the pieces: the radius, and x, with y and z in the next Lanes.
-struct CornerPlace {
-  int radius, center;
-};
-// A node whose pieces' corners are merged; its ball is the numbers x, y, z and radius, in Lanes, from place on.
+// Pieces, of one joint-set: the balls of their corners, without r, to their records.
+using RefitPieces = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Four* records);
+
+// A node whose pieces' corners are merged. They are one record after the other, and some more up to a multiple of four, of
+// radius minus infinity. Its ball is the numbers x, y, z and radius, in Lanes, from place on.
 struct MergedNode {
-  int first_corner, corner_count;
+  int first_record, corner_count;
   float radius;  // r
   int place;
 };
-using MergeNodes = void (*)(const MergedNode* nodes, int node_count, const CornerPlace* corners, int most_corners,
-                            const float* pieces, float* balls);
+using MergeNodes = void (*)(const MergedNode* nodes, int node_count, const Four* records, float* balls);
 
 struct RefitKernels {
-  RefitBlocks spherical_nodes, spherical_pieces, linear_nodes, linear_pieces;
+  RefitNodes spherical_nodes, linear_nodes;
+  RefitPieces spherical_pieces, linear_pieces;
   MergeNodes merge;
 };
 

@@ -16,7 +16,7 @@ RotationBound<std::experimental::simd<T, Abi>> bound_rotations_packs(
   S s2 = squared_distance(unit[0], bound.apex);
   for (const Quaternion<S>& q : unit.subspan(1)) s2 = max_of(s2, squared_distance(q, bound.apex));
   s2 = s2 / S(4);
-  const S one_minus_cos = min_of(S(S(8) * s2 * (S(1) - s2)), S(1));
+  const S one_minus_cos = std::experimental::min(S(8) * s2 * (S(1) - s2), S(1));
   bound.center_ratio = S(1) - one_minus_cos;
   bound.radius_ratio = root(S(one_minus_cos * (S(2) - one_minus_cos)));
   const auto is_any = !(s2 < S(T(0.5)));  // true for a NaN
