@@ -1,5 +1,6 @@
 #include "algorithms/batch/skin_kernel.hpp"
 
+#include "algorithms/packs/by_joint.hpp"
 #include "algorithms/packs/pack.hpp"
 #include "algorithms/skinning/blend.hpp"
 
@@ -17,16 +18,6 @@ Vec<S, D> broadcast(const double* numbers) {
 }
 
 S load(const Lanes<double>& lanes, int first) { return S(lanes.lane.data() + first, std::experimental::element_aligned); }
-
-// An array of as many entries as a joint-set has joints: on the stack if the compiler knows how many these are.
-template <class T, int joints>
-struct ByJoint : std::array<T, joints> {
-  explicit ByJoint(int) {}
-};
-template <class T>
-struct ByJoint<T, 0> : std::vector<T> {
-  explicit ByJoint(int count) : std::vector<T>(count) {}
-};
 
 // The joint-set in every lane. joints is how many it has, or 0 if that is only known at run time.
 template <Skinning skinning, int joints>
