@@ -22,14 +22,11 @@ int blocks_of(int boxes) { return (boxes + 7) / 8; }
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
     : tree_(tree), skinning_(skinning), kernels_(box_kernels(best_target())), pose_packs_(tree.character().model, tree.character().sets, skinning), joints_(tree.character().sets),
       fans_made_(tree.fans().size()), clusters_made_(tree.clusters().size()), groups_made_(tree.group_count()),
-      group_blocks_(tree.group_count()), fan_boxes_(tree.fans().size()), cluster_boxes_(tree.clusters().size()), corners_(tree.corner_count()) {
+      fan_boxes_(tree.fans().size()), skinned_(tree.clusters().size()) {
   int blocks = 0, most = 0;
   for (const Fan& f : tree.fans()) first_block_of_fan_.push_back(blocks), blocks += blocks_of(f.child_count), most = std::max(most, f.child_count);
   fan_blocks_.resize(blocks);
   flipped_.resize(most);
-  blocks = 0;
-  for (const Cluster& c : tree.clusters()) first_block_of_cluster_.push_back(blocks), blocks += blocks_of(c.group_count);
-  cluster_blocks_.resize(blocks);
 }
 
 void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& placement) {
@@ -72,42 +69,33 @@ void ClusterBody::bound_fan(int f) {
   nodes_bounded_ += fan.child_count;
 }
 
-const BoxBlock* ClusterBody::group_boxes(int cluster) {
-  if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
-  return &cluster_blocks_[first_block_of_cluster_[cluster]];
-}
-
-const Box6& ClusterBody::cluster_box(int cluster) {
-  if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
-  return cluster_boxes_[cluster];
-}
-
 void ClusterBody::skin_cluster(int n) {
   const Cluster& cluster = tree_.clusters()[n];
-  tree_.vertices().skin_group(n, pose_, skinning_, skinned_);
+  Skinned& out = skinned_[n];
+  if (out.corners.empty()) {
+    out.corners.resize(cluster.corner_count);
+    out.groups.resize(blocks_of(cluster.group_count));
+    out.triangles.resize(cluster.group_count);
+  }
+  tree_.vertices().skin_group(n, pose_, skinning_, unplaced_);
   const double placement[] = {placement_.rotation[0], placement_.rotation[1], placement_.rotation[2], placement_.rotation[3],
                               placement_.translation[0], placement_.translation[1], placement_.translation[2]};
-  Corner* corners = &corners_[cluster.first_corner];
-  kernels_.place(skinned_.blocks.data(), cluster.corner_count / Lanes<double>::count, placement, corners);
-  kernels_.box_groups(&tree_.group(n, 0), cluster.group_count, corners,
-                      &cluster_blocks_[first_block_of_cluster_[n]], cluster_boxes_[n].data());
+  kernels_.place(unplaced_.blocks.data(), cluster.corner_count / Lanes<double>::count, placement, out.corners.data());
+  kernels_.box_groups(&tree_.group(n, 0), cluster.group_count, out.corners.data(), out.groups.data(), out.box.data());
   clusters_made_.mark(n);
   ++clusters_skinned_;
   corners_skinned_ += cluster.corner_count;
 }
 
-const Corner* ClusterBody::corners(int cluster) {
-  if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
-  return &corners_[tree_.clusters()[cluster].first_corner];
-}
-
 const BoxBlock& ClusterBody::triangle_boxes(int cluster, int g) {
   const int at = tree_.clusters()[cluster].first_group + g;
+  const Skinned& own = skinned(cluster);
+  BoxBlock& block = skinned_[cluster].triangles[g];
   if (!groups_made_.is_made(at)) {
-    kernels_.box_triangles(tree_.group(cluster, g), corners(cluster), group_blocks_[at]);
+    kernels_.box_triangles(tree_.group(cluster, g), own.corners.data(), block);
     groups_made_.mark(at);
   }
-  return group_blocks_[at];
+  return block;
 }
 
 TrianglePoints ClusterBody::triangle(int triangle) const {

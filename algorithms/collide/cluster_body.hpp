@@ -28,13 +28,13 @@ class ClusterBody {
   const Box6& fan_box(int fan);
 
   // Boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of all of it.
-  const BoxBlock* group_boxes(int cluster);
-  const Box6& cluster_box(int cluster);
+  const BoxBlock* group_boxes(int cluster) { return skinned(cluster).groups.data(); }
+  const Box6& cluster_box(int cluster) { return skinned(cluster).box; }
   // Around the triangles of a group.
   const BoxBlock& triangle_boxes(int cluster, int group);
 
   // By place in the cluster, in the world: the very doubles that apply(placement, skin()) yields.
-  const Corner* corners(int cluster);
+  const Corner* corners(int cluster) { return skinned(cluster).corners.data(); }
 
   // A triangle of the model by itself, in the world: the same doubles, without its cluster.
   TrianglePoints triangle(int triangle) const;
@@ -45,8 +45,20 @@ class ClusterBody {
   long corners_skinned() const { return corners_skinned_; }
 
  private:
+  // What was skinned of a cluster; room for it is made when a query first gets there.
+  struct Skinned {
+    std::vector<Corner> corners;       // by place
+    std::vector<BoxBlock> groups;      // their boxes, in blocks
+    std::vector<BoxBlock> triangles;   // by group
+    Box6 box;
+  };
+
   void bound_fan(int fan);
   void skin_cluster(int cluster);
+  const Skinned& skinned(int cluster) {
+    if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
+    return skinned_[cluster];
+  }
 
   const ClusterTree& tree_;
   const Skinning skinning_;
@@ -57,11 +69,11 @@ class ClusterBody {
   JointFloats joints_;
   bool are_floats_filled_ = false;
   FrameStamps fans_made_, clusters_made_, groups_made_;
-  std::vector<int> first_block_of_fan_, first_block_of_cluster_;
-  std::vector<BoxBlock> fan_blocks_, cluster_blocks_, group_blocks_;
-  std::vector<Box6> fan_boxes_, cluster_boxes_;
-  SkinnedVertices skinned_;      // of the cluster in work, in model space
-  std::vector<Corner> corners_;  // cluster by cluster
+  std::vector<int> first_block_of_fan_;
+  std::vector<BoxBlock> fan_blocks_;
+  std::vector<Box6> fan_boxes_;
+  SkinnedVertices unplaced_;  // of the cluster in work, in model space
+  std::vector<Skinned> skinned_;  // by cluster
   std::vector<FlippedBox> flipped_;
   long nodes_bounded_ = 0, clusters_skinned_ = 0, corners_skinned_ = 0;
 };

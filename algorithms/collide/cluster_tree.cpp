@@ -57,7 +57,7 @@ int ClusterTree::add_fan(int node) {
 
 int ClusterTree::add_cluster(int node) {
   const TreeNode& n = character_->tree.nodes[node];
-  clusters_.push_back({0, 0, static_cast<int>(groups_.size()), (n.triangle_count + group_size - 1) / group_size});
+  clusters_.push_back({0, static_cast<int>(groups_.size()), (n.triangle_count + group_size - 1) / group_size});
   groups_.resize(groups_.size() + clusters_.back().group_count);
   cluster_nodes_.push_back(node);
   return static_cast<int>(clusters_.size()) - 1;
@@ -72,9 +72,7 @@ void ClusterTree::pack_clusters() {
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     Cluster& cluster = clusters_[c];
     const auto places = vertices_.vertices(static_cast<int>(c));
-    cluster.first_corner = corner_count_;
     cluster.corner_count = static_cast<int>(places.size());
-    corner_count_ += cluster.corner_count;
     for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
 
     const TreeNode& node = character_->tree.nodes[cluster_nodes_[c]];

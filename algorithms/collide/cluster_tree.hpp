@@ -19,7 +19,7 @@ struct ClusterOptions {
 };
 
 struct Cluster {
-  int first_corner, corner_count;  // its places in the bodies' arrays of corners; the places of its group of vertices()
+  int corner_count;  // the places of its group of vertices()
   int first_group, group_count;
 };
 
@@ -46,7 +46,6 @@ class ClusterTree {
   // By position in the cluster; those behind it follow.
   const TriangleGroup& group(int cluster, int i) const { return groups_[clusters_[cluster].first_group + i]; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
-  int corner_count() const { return corner_count_; }
 
  private:
   int add_fan(int node);
@@ -61,7 +60,6 @@ class ClusterTree {
   std::vector<TriangleGroup> groups_;
   std::vector<int> cluster_nodes_;  // in the sphere tree
   PackedVertices vertices_;
-  int corner_count_ = 0;
 };
 
 }  // namespace refitlab
