@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "algorithms/results/result_file.hpp"
+#include "experiments/collisions/on_demand.hpp"
 #include "experiments/rivals/brute_force.hpp"
 
 namespace refitlab {
@@ -76,17 +77,20 @@ CollisionResult count(const Character& c, const Encounter& e, Query query, const
 }
 
 // The oracle's own row, for its pairs and its time.
-CollisionResult ask_oracle(const Character& c, const Encounter& e, PairLists& pairs) {
+CollisionResult ask_oracle(const Character& c, const Encounter& e, Skinning skinning, PairLists& pairs) {
   CollisionResult out{c.model.name, e.name, "brute_force", Origin::oracle, Query::full};
   const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.model.triangles.size());
   for (const EncounterFrame& frame : e.frames) {
-    out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.model, c.sets, frame)); }) / n;
+    out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.model, c.sets, frame, skinning)); }) / n;
     out.pairs += static_cast<double>(pairs.back().size()) / n;
   }
   out.volume_tests = triangles * triangles;
   out.vertices_skinned = 2 * static_cast<double>(c.model.vertices.size());
   return out;
 }
+
+// The scenes like those in which the paper compares with linear blending.
+bool is_in_table_2(const Encounter& e) { return e.name == "light" || e.name == "worst"; }
 
 void print(const std::vector<CollisionResult>& results) {
   std::printf("%s, %s, %s: means of a frame\n", results[0].model.c_str(), results[0].scene.c_str(), name_of(results[0].query));
@@ -130,18 +134,21 @@ std::vector<CollisionResult> measure(const Character& c, const Encounter& e, Que
 std::vector<CollisionResult> run_collisions(const Character& c, const CollisionSettings& settings) {
   std::vector<const DetectorKind*> kinds;
   for (const DetectorKind& kind : detector_kinds()) kinds.push_back(&kind);
+  const DetectorKind linear = linear_on_demand();
   std::vector<CollisionResult> results;
   for (const std::string& engine : absent_engines()) std::cout << "[collisions] absent: " << engine << ", which was not found at configure time\n";
   std::cout << "[collisions] " << c.model.name << ": looking for the distances of the scenes" << std::endl;
   for (const Encounter& e : encounters(c, settings.frames)) {
     std::cout << "[collisions] " << c.model.name << ", " << e.name << ": " << e.frames.size() << " frames by brute force" << std::endl;
-    PairLists expected;
-    results.push_back(ask_oracle(c, e, expected));
+    PairLists expected, expected_of_linear;
+    results.push_back(ask_oracle(c, e, Skinning::spherical, expected));
+    if (is_in_table_2(e)) ask_oracle(c, e, Skinning::linear, expected_of_linear);
     for (const Query query : {Query::full, Query::yes_no}) {
       std::cout << "[collisions] " << c.model.name << ", " << e.name << ", " << name_of(query) << ": " << kinds.size() << " detectors" << std::endl;
       const auto some = measure(c, e, query, kinds, expected, settings.speed);
       print(some);
       results.insert(results.end(), some.begin(), some.end());
+      if (is_in_table_2(e)) results.push_back(measure(c, e, query, {&linear}, expected_of_linear, settings.speed)[0]);
     }
   }
   return results;

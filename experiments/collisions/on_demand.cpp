@@ -49,15 +49,20 @@ class OnDemand : public Detector {
   DetectorCounts counts_;  // of the frames before this one
 };
 
+DetectorKind kind_of(const Contender& c) {
+  return {c.name, c.description, Origin::own, [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }};
+}
+
 }  // namespace
 
 std::vector<DetectorKind> on_demand_kinds() {
   std::vector<DetectorKind> kinds;
   for (const Contender& c : contenders())  // queries go top-down: what takes the children first has nothing to take
     if (c.variant->sound && c.variant->skinning == Skinning::spherical && !c.options.children_first)
-      kinds.push_back({c.name, c.description, Origin::own,
-                       [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }});
+      kinds.push_back(kind_of(c));
   return kinds;
 }
+
+DetectorKind linear_on_demand() { return kind_of(contender("linear")); }
 
 }  // namespace refitlab

@@ -6,5 +6,7 @@
 namespace refitlab {
 
 std::vector<DetectorKind> on_demand_kinds();
+// The same for linear blending, whose pairs are others.
+DetectorKind linear_on_demand();
 
 }  // namespace refitlab

@@ -5,6 +5,7 @@
 
 #include "algorithms/queries/score.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/report/collisions.hpp"
 #include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
 #include "experiments/report/pareto.hpp"
@@ -156,30 +157,6 @@ void write_queries_section(std::ostringstream& out, const std::vector<QueryResul
   out << "</tbody></table></div>\n";
 }
 
-void write_collisions_section(std::ostringstream& out, const std::vector<CollisionResult>& results) {
-  if (results.empty()) return;
-  out << "<h2>Collision queries</h2><p>Two copies of a model pass each other, face to face: far (the roots are disjoint), near (nothing "
-         "touches), light (about 50 touching pairs of triangles in the median frame) and heavy (about 850, or walking through each other). "
-         "Means of a frame: all pairs (full), or until the first (yes/no). The time includes the frame's joint-set data, refits, skinning "
-         "and tests.</p>\n";
-  std::string scene;
-  for (const CollisionResult& r : results) {
-    const std::string own = r.model + ", " + r.scene + ", " + (r.query == Query::full ? "full" : "yes/no");
-    if (own != scene) {
-      if (!scene.empty()) out << "</tbody></table></div></details>\n";
-      out << "<details" << (scene.empty() ? " open" : "") << "><summary>" << escape_html(scene = own) << format(", %.0f pairs", r.pairs)
-          << "</summary><div class=\"scroll\"><table><thead><tr><th>variant</th><th>balls refitted</th><th>ball tests</th><th>vertices "
-             "skinned</th><th>triangle tests</th><th>us</th><th>times repaired</th><th>share of balls refitted, by level</th></tr></thead><tbody>\n";
-    }
-    out << "<tr><td>" << r.detector << "</td><td>" << format("%.1f", r.nodes_refitted) << "</td><td>" << format("%.1f", r.volume_tests)
-        << "</td><td>" << format("%.1f", r.vertices_skinned) << "</td><td>" << format("%.1f", r.triangle_tests) << "</td><td>"
-        << format("%.1f", r.us_per_frame) << "</td><td>" << format("%.2f", r.ratio_to_repaired) << "</td><td>";
-    for (const double share : r.share_refitted) out << format("%.0f %% ", 100 * share);
-    out << "</td></tr>\n";
-  }
-  out << "</tbody></table></div></details>\n";
-}
-
 // A row a model and kind of volume: all levels and posture sets of the model together, and the worst of them.
 void write_volumes_section(std::ostringstream& out, const VolumeResults& results) {
   if (results.tightness.empty()) return;
@@ -254,7 +231,7 @@ void write_report(const Report& report, const std::string& path) {
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);
   write_volumes_section(out, report.volumes);
-  write_collisions_section(out, report.collisions);
+  out << collisions_section(report.collisions, report.speed);
   write_growth_section(out, report.joint_growth);
   write_queries_section(out, report.queries);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "

@@ -1,5 +1,7 @@
 #include "experiments/rivals/brute_force.hpp"
 
+#include <algorithm>
+
 #include "algorithms/skinning/skin.hpp"
 
 namespace refitlab {
@@ -11,8 +13,8 @@ struct Boxes {
   std::vector<double> low[3], high[3];
 };
 
-Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture, const RigidTransform<double>& placement) {
-  const auto skinned = skin(model, sets, make_skinning_pose(model, sets, posture, Skinning::spherical), Skinning::spherical);
+Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture, const RigidTransform<double>& placement, Skinning skinning) {
+  const auto skinned = skin(model, sets, make_skinning_pose(model, sets, posture, skinning), skinning);
   Boxes out;
   for (const Triangle& t : model.triangles) {
     out.triangles.push_back(place(placement, {skinned[t[0]], skinned[t[1]], skinned[t[2]]}));
@@ -27,8 +29,9 @@ Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture
 
 }  // namespace
 
-std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame) {
-  const Boxes a = boxes_of(model, sets, frame.first, frame.first_at), b = boxes_of(model, sets, frame.second, frame.second_at);
+std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame, Skinning skinning) {
+  const Boxes a = boxes_of(model, sets, frame.first, frame.first_at, skinning),
+              b = boxes_of(model, sets, frame.second, frame.second_at, skinning);
   const std::size_t n = model.triangles.size();
   std::vector<TrianglePair> pairs;
   std::vector<unsigned char> overlap(n);
