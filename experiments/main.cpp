@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
@@ -105,6 +106,8 @@ int main(int argc, char** argv) try {
   if (options.wants("growth") && (options.files.empty() || !options.only.empty())) {
     report.joint_growth = run_joint_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
     write_joint_growth(report.joint_growth, options.out + "/results/joint_growth.csv");
+    report.character_growth = run_character_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
+    write_character_growth(report.character_growth, options.out + "/results/character_growth.csv");
   }
   if (options.wants("speed") && (options.files.empty() || !options.only.empty()))
     write_ball_speed(run_ball_speed(options.speed), options.out + "/results/ball_speed.csv");

@@ -5,6 +5,7 @@
 
 #include "algorithms/queries/score.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/report/characters.hpp"
 #include "experiments/report/collisions.hpp"
 #include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
@@ -233,6 +234,7 @@ void write_report(const Report& report, const std::string& path) {
   write_volumes_section(out, report.volumes);
   out << collisions_section(report.collisions, report.speed);
   write_growth_section(out, report.joint_growth);
+  write_characters_section(out, report.character_growth);
   write_queries_section(out, report.queries);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
       << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";

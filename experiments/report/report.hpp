@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
@@ -22,6 +23,7 @@ struct Report {
   VolumeResults volumes;
   std::vector<CollisionResult> collisions;
   std::vector<JointGrowth> joint_growth;
+  std::vector<CharacterGrowth> character_growth;
   std::vector<QueryResult> queries;
 };
 

@@ -1,0 +1,158 @@
+#include "experiments/growth/characters.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include "algorithms/collide/crowd.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/results/result_file.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr int frames = 4;
+constexpr unsigned seed = 7;
+
+// Men who walk straight ahead, each in a direction and from a time of the clip of his own.
+class Square {
+ public:
+  Square(const Character& man, int count) {
+    std::mt19937 random(seed);
+    const double side = std::sqrt(2.0 * count);
+    std::uniform_real_distribution<double> place(0, side), angle(0, 2 * std::numbers::pi), share(0, 1);
+    const Clip& walk = man.model.clips[0];
+    for (int i = 0; i < count; ++i) {
+      const double turn = angle(random), start = share(random), x = place(random), z = place(random);
+      for (int f = 0; f < frames; ++f) {
+        postures_[f].push_back(walk.sample(std::fmod(start + f / 30.0 / walk.duration, 1.0) * walk.duration));
+        const double ahead = 1.2 * f / 30;  // metres, at walking speed
+        placements_[f].push_back({{std::cos(turn / 2), 0, std::sin(turn / 2), 0},
+                                  {x + ahead * std::sin(turn), 0, z + ahead * std::cos(turn)}});
+      }
+    }
+  }
+  const std::vector<Posture>& postures(int frame) const { return postures_[frame]; }
+  const std::vector<RigidTransform<double>>& placements(int frame) const { return placements_[frame]; }
+
+ private:
+  std::vector<Posture> postures_[frames];
+  std::vector<RigidTransform<double>> placements_[frames];
+};
+
+class Crowd {
+ public:
+  Crowd(const ClusterTree& tree, const Square& square, int count) : square_(square) {
+    for (int i = 0; i < count; ++i) {
+      bodies_.push_back(std::make_unique<ClusterBody>(tree, Skinning::spherical));
+      list_.push_back(bodies_.back().get());
+    }
+  }
+  std::vector<Contact> frame(int f, Query query, CrowdCounts& counts, int threads) {
+    for (std::size_t i = 0; i < list_.size(); ++i) list_[i]->begin(square_.postures(f)[i], square_.placements(f)[i]);
+    return collide_all(list_, query, counts, threads);
+  }
+  void all_frames(Query query, int threads) {
+    CrowdCounts unused;
+    for (int f = 0; f < frames; ++f) benchmark::DoNotOptimize(frame(f, query, unused, threads));
+  }
+  void count(CharacterGrowth& out) {
+    CrowdCounts counts;
+    for (int f = 0; f < frames; ++f) {
+      for (const Contact& c : frame(f, Query::full, counts, 1)) {
+        out.contacts += 1. / frames;
+        out.triangle_pairs += static_cast<double>(c.pairs.size()) / frames;
+      }
+      for (const ClusterBody* b : list_)
+        out.clusters_skinned += static_cast<double>(b->clusters_skinned()) / static_cast<double>(b->tree().clusters().size() * list_.size() * frames);
+    }
+    out.pairs_of_boxes = static_cast<double>(counts.pairs_of_boxes) / frames;
+  }
+
+ private:
+  const Square& square_;
+  std::vector<std::unique_ptr<ClusterBody>> bodies_;
+  std::vector<ClusterBody*> list_;
+};
+
+CharacterGrowth measure(const ClusterTree& tree, int count, const SpeedSettings& speed) {
+  const Character& man = tree.character();
+  const Square square(man, count);
+  Crowd crowd(tree, square, count);
+  CharacterGrowth out{.characters = count};
+  crowd.count(out);
+
+  const PosePacks poses(man.model, man.sets, Skinning::spherical);
+  const PackedVertices vertices(man.model, man.sets);
+  SkinningPose<double> pose;
+  std::vector<Point3> skinned(man.model.vertices.size());
+  std::vector<Timed> timed{{"full", frames, [&] { crowd.all_frames(Query::full, 1); }},
+                           {"yes_no", frames, [&] { crowd.all_frames(Query::yes_no, 1); }},
+                           {"skin_all", frames, [&] {
+                              for (int f = 0; f < frames; ++f)
+                                for (const Posture& posture : square.postures(f)) {
+                                  poses.make(posture, pose);
+                                  vertices.skin_all(pose, Skinning::spherical, skinned);
+                                  benchmark::DoNotOptimize(skinned.data());
+                                }
+                            }}};
+  if (has_threads()) timed.push_back({"full_on_two_threads", frames, [&] { crowd.all_frames(Query::full, 2); }});
+  const auto times = ns_per_item(timed, speed);
+  const auto us = [&](const char* name) { return times.count(name) ? median(times.at(name)) / 1000 : 0.0; };
+  out.full = us("full"), out.yes_no = us("yes_no"), out.full_on_two_threads = us("full_on_two_threads"), out.skin_all = us("skin_all");
+  return out;
+}
+
+}  // namespace
+
+std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings) {
+  const Character man(make_man());
+  const ClusterTree tree(man);
+  std::vector<CharacterGrowth> rows;
+  for (const int count : {10, 30, 100, 300, 1000}) {
+    std::cout << "[growth] " << count << " walking men in a square" << std::endl;
+    rows.push_back(measure(tree, count, settings));
+    const CharacterGrowth& r = rows.back();
+    std::printf("  %6.0f pairs of boxes, %5.0f contacts, %6.0f pairs of triangles, %4.1f %% of the clusters skinned: %8.0f us full, %8.0f on two "
+                "threads, %8.0f yes/no; skinning all of them alone %8.0f us\n",
+                r.pairs_of_boxes, r.contacts, r.triangle_pairs, 100 * r.clusters_skinned, r.full, r.full_on_two_threads, r.yes_no, r.skin_all);
+  }
+  std::printf("  exponent of the cost of a frame in the characters: %.2f full, %.2f yes/no\n", exponent(rows, &CharacterGrowth::full),
+              exponent(rows, &CharacterGrowth::yes_no));
+  return rows;
+}
+
+double exponent(const std::vector<CharacterGrowth>& rows, double CharacterGrowth::*cost) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  constexpr int last = 3;
+  for (std::size_t i = rows.size() - last; i < rows.size(); ++i) {
+    const double a = std::log(rows[i].characters), b = std::log(rows[i].*cost);
+    x += a / last, y += b / last, xx += a * a / last, xy += a * b / last;
+  }
+  return (xy - x * y) / (xx - x * x);
+}
+
+void write_character_growth(const std::vector<CharacterGrowth>& rows, const std::string& path) {
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  for (const CharacterGrowth& r : rows) {
+    const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
+      file.add({"character_growth", std::to_string(r.characters) + " men", "walk", variant, "all", quantity, format_number(value), unit}, seed);
+    };
+    add("clusters", "pairs_of_boxes", r.pairs_of_boxes, "1");
+    add("clusters", "contacts", r.contacts, "1");
+    add("clusters", "triangle_pairs", r.triangle_pairs, "1");
+    add("clusters", "share_of_clusters_skinned", r.clusters_skinned, "1");
+    add("clusters", "us_per_frame", r.full, "us");
+    add("clusters_yes_no", "us_per_frame", r.yes_no, "us");
+    if (r.full_on_two_threads > 0) add("clusters_on_two_threads", "us_per_frame", r.full_on_two_threads, "us");
+    add("skinning_alone", "us_per_frame", r.skin_all, "us");
+  }
+  file.write(path);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,31 @@
+// Growth with the number of characters in one scene: a square full of walking men, of whom each pair may touch.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/speed/timing.hpp"
+
+namespace refitlab {
+
+// Means over the frames. Times are of one frame, in us, of everything from postures and placements to pairs of triangles.
+struct CharacterGrowth {
+  int characters = 0;
+  double pairs_of_boxes = 0;     // of characters, that meet
+  double contacts = 0;           // pairs of characters that touch
+  double triangle_pairs = 0;     // that touch
+  double clusters_skinned = 0;   // share of all
+  double full = 0, yes_no = 0;
+  double full_on_two_threads = 0;  // 0 where threads are not to be had
+  double skin_all = 0;             // only to pose and skin all of them, in packs: less than any detector that does so
+};
+
+// 10 to 1000 characters, each with two square metres.
+std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings);
+
+// The exponent of the growth of cost with the characters, over the three largest numbers of them, by least squares.
+double exponent(const std::vector<CharacterGrowth>& rows, double CharacterGrowth::*cost);
+
+void write_character_growth(const std::vector<CharacterGrowth>& rows, const std::string& path);
+
+}  // namespace refitlab
