@@ -102,7 +102,7 @@ CharacterGrowth measure(const ClusterTree& tree, int count, const SpeedSettings&
                                 }
                             }}};
   if (has_threads()) timed.push_back({"full_on_two_threads", frames, [&] { crowd.all_frames(Query::full, 2); }});
-  const auto times = ns_per_item(timed, speed);
+  const auto times = ns_per_item(timed, speed, Clock::wall);
   const auto us = [&](const char* name) { return times.count(name) ? median(times.at(name)) / 1000 : 0.0; };
   out.full = us("full"), out.yes_no = us("yes_no"), out.full_on_two_threads = us("full_on_two_threads"), out.skin_all = us("skin_all");
   return out;

@@ -1,4 +1,4 @@
-// Timing by Google Benchmark: nanoseconds of processor time per item, repeated.
+// Timing by Google Benchmark: nanoseconds per item, repeated.
 #pragma once
 
 #include <functional>
@@ -19,9 +19,14 @@ struct Timed {
   std::function<void()> call;  // keeps its results from being optimised away
 };
 
-// By name, one entry a repetition. Of all threads of this process, the calls being made by this one.
-std::map<std::string, std::vector<double>> ns_per_item(const std::vector<Timed>& calls,
-                                                       const SpeedSettings& settings);
+enum class Clock {
+  processor,  // of all threads of this process, whoever else is on the cores
+  wall        // for what runs on several threads
+};
+
+// By name, one entry a repetition; the calls are made by this thread.
+std::map<std::string, std::vector<double>> ns_per_item(const std::vector<Timed>& calls, const SpeedSettings& settings,
+                                                       Clock clock = Clock::processor);
 
 // values is not empty.
 double median(std::vector<double> values);
