@@ -59,9 +59,15 @@ class BoxKernel {
   }
 
  private:
-  // What float may lose, as a share of the sizes that a box is made from; see box_packs.cpp.
-  static constexpr float slack = 1024 * 0x1p-24f;
-
+  // What float may lose, as a share of the sizes that a box is made from. With u = 2^-24 and all inputs within u:
+  // a component of a blended quaternion is off by at most 8 u (three roundings a product, five in the sum), so W_kl by 40 u,
+  // and a component of P_kl by 90 u |x|; one of a blended center image by 8 u |r|, r the largest of its joints'. Where corners
+  // are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8, |P_kl| <= 2 |x| W_kl, and
+  // a control point is off by at most (3 * 90 + 20) u |x| * 8/3 + (3 * 51 + 20) u |r| * 8/3 for its numerator and
+  // 120 u * 8/3 (2 |x| + |r|) for its denominator: below 1450 u |x| + 800 u |r|. Turning it adds 8 u of its size, and x itself is off
+  // by 3 u (|x| + |p|). For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) > 1/6, the same steps end below 850 u |p| + 1600 u 2 |d|;
+  // linear blending stays below 50 u of its sizes. 2048 u of the sum of all sizes leaves a fourth for what was rounded here.
+  static constexpr float slack = 2048 * 0x1p-24f;
 
   template <int N>
   static void run_joints(const BoxPack* packs, std::size_t count, Skinning skinning, const float* slots, const float* centers,
@@ -142,20 +148,20 @@ class BoxKernel {
   GrowingBox<Pack> spherical() const {
     Quaternion<Pack> q[N];
     Point r[N];
+    Pack sizes(0.f);
     for (int i = 0; i < N; ++i) {
       const Records joint = slot(i);
       q[i] = joint.quaternion(0), r[i] = joint.point(4);
+      sizes = max(sizes, size(r[i]));
     }
     blend_corners<N>(q), blend_corners<N>(r);
-    const Point x = reference_center() - gather(centers, pack.set).point(0);
+    const Point p0 = reference_center(), x = p0 - gather(centers, pack.set).point(0);
     Pack w[N][N];
     Point p[N][N];
     const Mask near = mix_all<N>(q, x, 4, w, p);
     GrowingBox<Pack> box(rotation), anyhow(rotation);
-    Pack sizes(0.f);
     for (int j = 0; j < N; ++j) {
       anyhow.add(r[j]);
-      sizes = max(sizes, size(r[j]));
       for (int k = j; k < N; ++k)
         for (int l = k; l < N; ++l) {
           const Point turned = p[k][j] + p[l][k] + p[l][j];
@@ -165,7 +171,7 @@ class BoxKernel {
         }
     }
     const Pack radius = load(pack.radius);
-    const Pack lost = (sizes + size(x) + radius) * slack;
+    const Pack lost = (sizes + size(x) + size(p0) + radius) * slack;
     box.blow_up(radius + lost);
     anyhow.blow_up(size(x) + radius + lost);
     box.replace_where(!near, anyhow);

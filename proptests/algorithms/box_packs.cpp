@@ -47,7 +47,11 @@ PROPTEST(box_packs) {
           {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Character c(gen::make_mesh(plan));
+            Model model = gen::make_mesh(plan);
+            const Point3 offset = Point3(1, -2, 3) * *rc::gen::element(0, 0, 1000);
+            for (Point3& v : model.vertices) v += offset;
+            for (auto& joint : model.joints) joint.origin += offset;
+            const Character c(std::move(model));
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
             const Posture posture = gen::random_posture(c.model, random, spread);
