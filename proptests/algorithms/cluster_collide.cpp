@@ -35,7 +35,11 @@ PROPTEST(cluster_collide) {
           {.number_type = "double", .cases = 200, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
-            const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 40)}), b(gen::make_mesh(plan_b));
+            Model other = gen::make_mesh(plan_b);  // in units of its own, which are taken as they are
+            const double unit = *rc::gen::element(1.0, 1.0, 0.01, 100.0);
+            for (Point3& v : other.vertices) v *= unit;
+            for (auto& joint : other.joints) joint.origin *= unit;
+            const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 40)}), b(std::move(other));
             const ClusterTree tree_a(a, drawn_options()), tree_b(b, drawn_options());
             const Skinning skinning = drawn_skinning();
             ClusterBody first(tree_a, skinning), second(tree_b, skinning);
