@@ -6,6 +6,7 @@
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
+#include "experiments/growth/triangles.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/speed/balls.hpp"
@@ -23,7 +24,8 @@ struct Options {
   refitlab::TightnessSettings tightness;
   refitlab::SpeedSettings speed;
   refitlab::VolumeSettings volumes;
-  refitlab::CollisionSettings collisions{.frames = 8, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
+  refitlab::CollisionSettings collisions{.frames = 6, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
+  refitlab::TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
   refitlab::QuerySettings queries;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
@@ -51,7 +53,9 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
   if (map.count("full")) o.volumes = {.times_per_clip = 50, .nodes_per_level = 256, .speed = o.speed};
   if (map.count("quick")) o.collisions = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}, .first_model_only = true};
-  if (map.count("full")) o.collisions = {.frames = 100, .speed = {.seconds_per_run = 0.2, .repetitions = 5}};
+  if (map.count("full")) o.collisions = {.frames = 100, .speed = {.seconds_per_run = 0.2, .repetitions = 5}, .all_detectors = true};
+  if (map.count("quick")) o.triangles = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};
+  if (map.count("full")) o.triangles = {.frames = 20, .up_to_a_million = true, .speed = {.seconds_per_run = 0.2, .repetitions = 5}};
   for (const auto& name : o.only)
     if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
       throw po::error("--only " + name + ": no such experiment; there are: " + names);
@@ -108,6 +112,8 @@ int main(int argc, char** argv) try {
     write_joint_growth(report.joint_growth, options.out + "/results/joint_growth.csv");
     report.character_growth = run_character_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
     write_character_growth(report.character_growth, options.out + "/results/character_growth.csv");
+    report.triangle_growth = run_triangle_growth(options.triangles);
+    write_triangle_growth(report.triangle_growth, options.out + "/results/triangle_growth.csv");
   }
   if (options.wants("speed") && (options.files.empty() || !options.only.empty()))
     write_ball_speed(run_ball_speed(options.speed), options.out + "/results/ball_speed.csv");

@@ -13,6 +13,9 @@ namespace refitlab {
 // 1.8 m tall, arms half lowered: 8270 triangles, 27 joints. "twist" turns waist, neck, left_upper_arm and
 // right_upper_arm.
 Model make_man();
+// The same with another number of triangles, for what depends on it. Throws ModelError for one that is odd, so small that the
+// body cannot be made of so few (some hundreds), or more than its finest grid has (about two hundred thousand).
+Model make_man(int triangles);
 
 // A winged beast on four legs, 3 m from nose to tail: 13590 triangles, 56 joints. "twist" turns neck_3, tail_2,
 // left_upper_arm and right_wing_arm.

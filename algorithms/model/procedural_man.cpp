@@ -190,13 +190,15 @@ Clip twist_of_man(const std::vector<Joint>& joints) {
 
 }  // namespace
 
-Model make_man() {
+Model make_man() { return make_man(8270); }
+
+Model make_man(int triangles) {
   ImplicitBody body;
   add_torso(body);
   add_head(body);
   add_legs(body);
   add_arms(body);
-  const SkinMesh skin = mesh_of(body, 0.007, 8270, edge_size);
+  const SkinMesh skin = mesh_of(body, 0.007, triangles, edge_size);
   const std::vector<Bone> bones = bones_of_man();
   const std::vector<Joint> joints = joints_of(bones);
   Model man{"man",

@@ -11,6 +11,7 @@ namespace refitlab {
 struct CollisionSettings {
   int frames = 100;  // of each encounter
   SpeedSettings speed;
+  bool all_detectors = false;  // the minor ones too
   bool first_model_only = false;
 };
 
@@ -40,7 +41,7 @@ std::vector<CollisionResult> measure(const Character& character, const Encounter
                                      const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
                                      const SpeedSettings& speed);
 
-// All detectors in all encounters of the character, full and yes/no, against brute force.
+// The detectors in all encounters of the character, full and yes/no, against brute force.
 std::vector<CollisionResult> run_collisions(const Character& character, const CollisionSettings& settings);
 
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path);

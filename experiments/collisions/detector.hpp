@@ -51,6 +51,7 @@ struct DetectorKind {
   std::string name, description;
   Origin origin;
   std::function<std::unique_ptr<Detector>(const Character&)> make;  // the character outlives the detector
+  bool is_minor = false;                                            // left out of short runs
 };
 
 // All there are: each contender that is sound for spherical blending, our clusters, the rivals, the engines that were found when this

@@ -49,8 +49,13 @@ class OnDemand : public Detector {
   DetectorCounts counts_;  // of the frames before this one
 };
 
+// The paper's refit, the default one, by itself and from below, and the tightest.
+bool is_major(const Contender& c) {
+  return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" || c.name == "control_clusters";
+}
+
 DetectorKind kind_of(const Contender& c) {
-  return {c.name, c.description, Origin::own, [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }};
+  return {c.name, c.description, Origin::own, [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }, !is_major(c)};
 }
 
 }  // namespace

@@ -9,6 +9,11 @@
 namespace refitlab {
 namespace {
 
+// 10, 1k, 100k, 1M.
+std::string short_number(double v) {
+  return v >= 1e6 ? format("%gM", v / 1e6) : v >= 1e3 ? format("%gk", v / 1e3) : format("%g", v);
+}
+
 constexpr double label_width = 176, panel_width = 176, bar_width = 120, row_height = 16, top = 54;
 
 }  // namespace
@@ -33,7 +38,7 @@ std::string BarPanels::svg() const {
     for (double decade = from; decade <= to; ++decade)
       out << "<line class=\"grid\" x1=\"" << x + length(std::pow(10, decade)) << "\" x2=\"" << x + length(std::pow(10, decade)) << "\" y1=\""
           << top - 4 << "\" y2=\"" << height - 8 << "\"/><text font-size=\"9\" text-anchor=\"middle\" x=\"" << x + length(std::pow(10, decade))
-          << "\" y=\"" << top - 6 << "\">" << format("%g", std::pow(10, decade)) << "</text>\n";
+          << "\" y=\"" << top - 6 << "\">" << short_number(std::pow(10, decade)) << "</text>\n";
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const double y = top + row_height * static_cast<double>(r);

@@ -31,6 +31,9 @@ const CollisionResult* find(const Results& results, const std::string& model, co
   return nullptr;
 }
 
+// Not the oracle, and not linear blending, which is there for Table 2.
+bool is_comparable(const CollisionResult& r) { return r.ratio_to_skin_all > 0; }
+
 std::string color_of(Origin origin) { return plot_color(origin == Origin::own ? 1 : origin == Origin::rival ? 2 : origin == Origin::engine ? 0 : 6); }
 
 const char* name_of(Origin origin) {
@@ -64,7 +67,7 @@ void write_bars(std::ostringstream& out, const Results& results, const std::stri
     for (const std::string& scene : scenes) {
       const CollisionResult* r = find(results, model, scene, detector, query);
       row.values.push_back(r ? r->us_per_frame : 0);
-      if (r) row.color = color_of(r->origin), is_there = true;
+      if (r) row.color = color_of(r->origin), is_there = is_comparable(*r);
     }
     if (is_there) bars.rows.push_back(std::move(row));
   }
@@ -84,7 +87,7 @@ void write_times(std::ostringstream& out, const Results& results, const std::str
       const CollisionResult* r = find(results, model, scene, detector, query);
       cells << "<td>";
       if (r) {
-        any = r;
+        any = is_comparable(*r) || r->origin == Origin::oracle ? r : nullptr;
         cells << "<b>" << format(r->us_per_frame < 100 ? "%.1f" : "%.0f", r->us_per_frame) << "</b>";
         if (r->ratio_to_skin_all > 0)
           cells << " <span class=\"soft\">(" << format("%.3g", r->ratio_to_engine) << ", " << format("%.3g", r->ratio_to_skin_all) << ")</span>";
@@ -177,7 +180,8 @@ std::string collisions_section(const Results& results, const std::vector<SpeedRe
          "(in one place). Processor time of a frame from postures to pairs, on one thread: the joint-sets' data, skinning, refits, tests. Every "
          "detector found the pairs of brute force in every frame, decided exactly on the same corners.</p><ul>";
   for (const DetectorKind& kind : detector_kinds())
-    out << "<li><b style=\"color:" << color_of(kind.origin) << "\">" << kind.name << "</b> (" << name_of(kind.origin) << "): " << escape_html(kind.description) << "</li>";
+    if (std::any_of(results.begin(), results.end(), [&](const CollisionResult& r) { return r.detector == kind.name; }))
+      out << "<li><b style=\"color:" << color_of(kind.origin) << "\">" << kind.name << "</b> (" << name_of(kind.origin) << "): " << escape_html(kind.description) << "</li>";
   out << "</ul>\n";
   for (const std::string& engine : absent_engines()) out << "<p class=\"bad\">" << escape_html(engine) << " was not found when this was configured.</p>\n";
   for (const std::string& model : distinct(results, model_of)) {

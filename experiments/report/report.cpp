@@ -10,6 +10,7 @@
 #include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
 #include "experiments/report/pareto.hpp"
+#include "experiments/report/triangle_growth.hpp"
 #include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
@@ -233,6 +234,7 @@ void write_report(const Report& report, const std::string& path) {
   out << pareto_section(report.speed, report.tightness);
   write_volumes_section(out, report.volumes);
   out << collisions_section(report.collisions, report.speed);
+  out << triangle_growth_section(report.triangle_growth);
   write_growth_section(out, report.joint_growth);
   write_characters_section(out, report.character_growth);
   write_queries_section(out, report.queries);

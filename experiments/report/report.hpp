@@ -7,6 +7,7 @@
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
+#include "experiments/growth/triangles.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
 #include "experiments/speed/speed.hpp"
@@ -22,6 +23,7 @@ struct Report {
   std::vector<SpeedResult> speed;
   VolumeResults volumes;
   std::vector<CollisionResult> collisions;
+  std::vector<TriangleGrowth> triangle_growth;
   std::vector<JointGrowth> joint_growth;
   std::vector<CharacterGrowth> character_growth;
   std::vector<QueryResult> queries;

@@ -134,12 +134,13 @@ class SkinAllSimd : public SkinningDetector {
       s.lanes.resize(shapes_.size());
       s.boxes.resize(shapes_.size());
     }
+    renumber();
   }
 
   void refit() override {
     const RigidTransform<double> to_first = this->to_first();
-    sides_[0].vertices.set(skinned(0));
-    sides_[1].vertices.set(skinned(1), to_first);
+    sides_[0].vertices.set(skinned(0), order_, {});
+    sides_[1].vertices.set(skinned(1), order_, to_first);
     for (Side& s : sides_) refit(s);
     const auto size = [](const Box& b) { return b.low.abs().head<3>().maxCoeff() + b.high.abs().head<3>().maxCoeff(); };
     slack_ = rounding_slack * (size(sides_[0].boxes[0]) + size(sides_[1].boxes[0]) + static_cast<float>(norm(to_first.translation)));
@@ -170,7 +171,7 @@ class SkinAllSimd : public SkinningDetector {
       std::array<Box, width> boxes;
       Box own = no_box;
       for (int i = 0; i < shape.count; ++i) {
-        boxes[i] = shape.is_lowest ? Box{s.vertices.box(model().triangles[shape.child[i]])} : s.boxes[shape.child[i]];
+        boxes[i] = shape.is_lowest ? Box{s.vertices.box(corners_[n * width + i])} : s.boxes[shape.child[i]];
         own.join(boxes[i]);
       }
       std::fill(boxes.begin() + shape.count, boxes.end(), no_box);
@@ -202,7 +203,25 @@ class SkinAllSimd : public SkinningDetector {
     }
   }
 
+  // Numbers the vertices as the lowest nodes' triangles come to them, which lie side by side then.
+  void renumber() {
+    std::vector<int> number(model().vertices.size(), -1);
+    corners_.resize(shapes_.size() * width);
+    for (std::size_t n = shapes_.size(); n-- > 0;)
+      for (int i = 0; shapes_[n].is_lowest && i < shapes_[n].count; ++i)
+        for (int k = 0; k < 3; ++k) {
+          const int v = model().triangles[shapes_[n].child[i]][k];
+          if (number[v] < 0) {
+            number[v] = static_cast<int>(order_.size());
+            order_.push_back(v);
+          }
+          corners_[n * width + i][k] = number[v];
+        }
+  }
+
   const std::vector<Shape> shapes_;
+  std::vector<int> order_;         // the vertices as they are numbered here
+  std::vector<Triangle> corners_;  // of the lowest nodes' triangles, by node and lane, so numbered
   Side sides_[2];
   float slack_ = 0;
   std::vector<std::pair<int, int>> pending_;

@@ -1,0 +1,95 @@
+#include "experiments/growth/triangles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/model/subdivide.hpp"
+#include "algorithms/results/result_file.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr const char* reference = "skin_all_simd";
+constexpr const char* detectors[] = {"clusters", "spherical_repaired", "control_mixed", "control_mixed_from_below", reference, "embree"};
+
+// Made with so many triangles, and then subdivided so many times.
+struct Size {
+  int triangles, subdivisions;
+};
+
+std::vector<Size> sizes(bool up_to_a_million) {
+  std::vector<Size> out{{1034, 0}, {2068, 0}, {4134, 0}, {8270, 0}, {16540, 0}, {8270, 1}, {8270, 2}};
+  if (up_to_a_million) out.insert(out.end(), {{8270, 3}, {16540, 3}});
+  return out;
+}
+
+Model make(const Size& size) {
+  Model man = make_man(size.triangles);
+  for (int i = 0; i < size.subdivisions; ++i) man = subdivide(man);
+  man.name += " of " + std::to_string(man.triangles.size()) + " triangles";
+  return man;
+}
+
+}  // namespace
+
+std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings) {
+  std::vector<Encounter> scenes;
+  for (Encounter& e : encounters(Character(make_man()), settings.frames))
+    if (e.name == "near" || e.name == "light") scenes.push_back(std::move(e));
+  std::vector<const DetectorKind*> kinds;
+  for (const char* name : detectors) kinds.push_back(&detector_kind(name));
+
+  std::vector<TriangleGrowth> rows;
+  for (const Size& size : sizes(settings.up_to_a_million)) {
+    const Character man(make(size));
+    const int triangles = static_cast<int>(man.model.triangles.size());
+    std::cout << "[growth] " << man.model.name << ", " << man.sets.count() << " joint-sets" << std::endl;
+    for (const Encounter& scene : scenes) {
+      PairLists expected;
+      const auto first = detector_kind(reference).make(man);
+      for (const EncounterFrame& frame : scene.frames) {
+        expected.push_back(first->pairs(frame, Query::full));
+        std::sort(expected.back().begin(), expected.back().end());
+      }
+      for (const CollisionResult& r : measure(man, scene, Query::full, kinds, expected, settings.speed)) {
+        rows.push_back({triangles, r});
+        std::printf("  %-6s %-26s %7.1f pairs %10.1f us %9.1f nodes refitted %9.1f vertices skinned\n", r.scene.c_str(), r.detector.c_str(), r.pairs,
+                    r.us_per_frame, r.nodes_refitted, r.vertices_skinned);
+      }
+    }
+  }
+  return rows;
+}
+
+double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene, const std::string& detector) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const TriangleGrowth& r : rows) {
+    if (r.result.scene != scene || r.result.detector != detector || r.triangles < 4000) continue;
+    const double a = std::log(r.triangles), b = std::log(r.result.us_per_frame);
+    n += 1, x += a, y += b, xx += a * a, xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path) {
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  for (const TriangleGrowth& r : rows) {
+    const auto add = [&](const char* quantity, double value, const char* unit) {
+      file.add({"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit});
+    };
+    add("triangles", r.triangles, "1");
+    add("us_per_frame", r.result.us_per_frame, "us");
+    add("pairs", r.result.pairs, "1");
+    add("nodes_refitted", r.result.nodes_refitted, "1");
+    add("vertices_skinned", r.result.vertices_skinned, "1");
+  }
+  for (const char* scene : {"near", "light"})
+    for (const char* detector : detectors)
+      file.add({"growth", "man", scene, detector, "all", "triangle_exponent", format_number(triangle_exponent(rows, scene, detector)), "1"});
+  file.write(path);
+}
+
+}  // namespace refitlab
