@@ -1,0 +1,124 @@
+#include "algorithms/batch/batch_refit.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/refit/algorithm1_repaired.hpp"
+#include "algorithms/refit/linear.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+Posture random_posture(const Model& model, unsigned seed, double calm) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Posture posture = reference_posture(model);
+  for (auto& t : posture) {
+    t.rotation = {calm + normal(random), normal(random), normal(random), normal(random)};
+    t.rotation.normalize();
+    t.translation = {normal(random), normal(random), normal(random)};
+  }
+  return posture;
+}
+
+// What rounding may do to a node's ball, by the formulas of refit_kernel.hpp.
+double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning skinning) {
+  constexpr double epsilon = std::numeric_limits<float>::epsilon();
+  double slack = 0, largest = 0;
+  for (const TreeNode& n : tree.nodes) largest = std::max(largest, n.reference.center.norm());
+  for (const NodeJointSet& set : node.joint_sets) {
+    const JointSetPose<double> pose = node.pose[set.joint_set];
+    const auto n = static_cast<double>(pose.transforms.size());
+    double size = 0, shortest = 1;
+    for (const auto& t : pose.transforms) size = std::max(size, t.translation.norm());
+    if (skinning == Skinning::linear) {
+      slack = std::max(slack, epsilon * (8 + n) * (size + largest));
+      continue;
+    }
+    size = 0;
+    for (const auto& image : pose.center_images) size = std::max(size, image.norm());
+    for (int k = 0; k < set.corner_count; ++k)
+      shortest = std::min(shortest, norm(blend_quaternion<double>(pose, node.corner(set, k))));
+    const double x = (node.reference.center - pose.rotation_center).lpNorm<1>();
+    slack = std::max(slack, epsilon * (66 + 2 * n) * (x / shortest + size + 2 * pose.rotation_center.norm()));
+  }
+  return 1.01 * slack;
+}
+
+// Nothing if all is well.
+std::string what_is_wrong(const Model& model, const Posture& posture, Skinning skinning) {
+  const JointSets sets(model);
+  const SphereTree tree = build_sphere_tree(model, sets);
+  const NodeVertices vertices(tree, model);
+  const auto pose = make_skinning_pose(model, sets, posture, skinning);
+  const auto deformed = skin(model, sets, pose, skinning);
+  BatchRefit batch(tree, sets);
+  RefitLists<double> lists;
+  ControlLists<double> control_lists;
+  for (const Target target : available_targets()) {
+    const PackedBalls& balls = skinning == Skinning::linear ? batch.linear(pose, target) : batch.spherical(pose, target);
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      const int n = static_cast<int>(i);
+      const auto node = tree.refit_node(n, pose);
+      const Ball3<double> expected = skinning == Skinning::linear ? refit_linear<MeanBalls>(node, control_lists)
+                                                                  : refit_algorithm1_repaired<MeanBalls>(node, lists);
+      const Point3 center = balls[n].center.cast<double>();
+      const double radius = balls[n].radius, slack = slack_of(tree, node, skinning), off = (center - expected.center).norm();
+      const std::string which = "node " + std::to_string(n) + " by " + name_of(target);
+      int corners = 0;
+      for (const NodeJointSet& set : node.joint_sets) corners += set.corner_count;
+      // The center is a mean, so many terms of which may be off by more: a ball is measured from whatever came out.
+      if (!(off <= slack * (1 + corners / 64.))) return which + ": center off by " + std::to_string(off / slack) + " slacks";
+      if (!(radius >= expected.radius - off)) return which + ": smaller than in double";
+      if (!(radius <= (expected.radius + off + 2 * slack) * (1 + 2e-6))) return which + ": larger than the slack allows";
+      for (const int v : vertices[n])
+        if (!((deformed[v] - center).norm() <= radius)) return which + ": misses vertex " + std::to_string(v);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+PROPTEST(batch_refit) {
+  for (const Skinning skinning : {Skinning::spherical, Skinning::linear}) {
+    const std::string name = skinning == Skinning::linear ? "linear" : "spherical";
+    t.holds("by every target each ball is the scalar one up to the stated slack, and misses no vertex: " + name,
+            {.number_type = "float pack", .cases = 60, .degenerate_at_least = 0.3}, [skinning] {
+              const auto plan = *gen::mesh_plan();
+              RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+              const Model model = gen::make_mesh(plan);
+              const auto posture = random_posture(model, plan.seed, *rc::gen::element(0., 1., 5.));
+              RC_ASSERT(what_is_wrong(model, posture, skinning) == "");
+            });
+    t.example("the same of the built-in man and creature in mid-clip: " + name, {.number_type = "float pack"}, [skinning] {
+      for (const Model& model : {make_man(), make_creature()}) {
+        const Clip& clip = model.clips.back();
+        const auto wrong = what_is_wrong(model, clip.sample(0.4 * clip.duration), skinning);
+        if (!wrong.empty()) return Checked(false, 1, model.name + ": " + wrong);
+      }
+      return Checked(true, 2);
+    });
+  }
+  t.example("of the built-in man's nodes most are refitted whole and some are merged, in lanes of unlike corners too", {}, [] {
+    const Model man = make_man();
+    const JointSets sets(man);
+    const SphereTree tree = build_sphere_tree(man, sets);
+    const PackedNodes packed(tree, sets);
+    const NodeBlocks blocks = packed.nodes();
+    long unlike = 0;
+    for (int b = 0; b < blocks.block_count; ++b) unlike += blocks.blocks[b].share == 0;
+    const auto merged = static_cast<long>(packed.merged().size()), whole = static_cast<long>(tree.nodes.size()) - merged;
+    return Checked(whole > 10 * merged && merged > 100 && unlike > 100 && unlike < blocks.block_count / 2, whole + merged,
+                   std::to_string(whole) + " whole, " + std::to_string(merged) + " merged; " + std::to_string(unlike) + " of " +
+                       std::to_string(blocks.block_count) + " blocks of unlike lanes");
+  });
+}
+
+}  // namespace proptests
