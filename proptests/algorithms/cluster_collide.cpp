@@ -102,6 +102,27 @@ PROPTEST(cluster_collide) {
     }
     return Checked(ok, 3, text);
   });
+  t.example("triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
+    Model m;
+    m.name = "triangle";
+    m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+    m.triangles = {{0, 1, 2}};
+    m.joints = {{"root", -1, {0, 0, 0}}};
+    m.influences.assign(3, {{0, 1.0}});
+    const Character c(std::move(m));
+    const ClusterTree tree(c);
+    ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+    const Posture still = reference_posture(c.model);
+    first.begin(still, {});
+    const auto pairs = [&](double x, double y, double z) {
+      second.begin(still, {identity_quaternion<double>(), {x, y, z}});
+      QueryCounts counts;
+      return collide(first, second, Query::full, counts).size();
+    };
+    return Checked(pairs(2, 0, 0) == 1 && pairs(1, 1, 0) == 1 && pairs(0, 0, 0) == 1 && pairs(0.5, 0, 0) == 1 && pairs(2, 0, 1e-300) == 0 &&
+                       pairs(std::nextafter(2, 3), 0, 0) == 0,
+                   6);
+  });
   t.example("a remembered pair that still touches answers a yes/no query, and no cluster is skinned for it", {}, [] {
     const Character man(make_man());
     const ClusterTree tree(man);
