@@ -14,21 +14,13 @@
 namespace refitlab {
 namespace {
 
-// What a body may reach, so that boxes can be compared: undefined bounds reach everywhere.
-Box6 defined(Box6 box) {
-  for (int i = 0; i < 3; ++i)
-    if (!(box[i] <= box[3 + i])) box[i] = -infinite, box[3 + i] = infinite;
-  return box;
-}
-
 // The pairs of boxes that meet, each with the smaller index first, in increasing order [Zomorodian and Edelsbrunner 2000].
 std::vector<std::pair<int, int>> meeting(const std::vector<Box6>& boxes) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
   std::vector<Box> list;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
+  for (std::size_t i = 0; i < boxes.size(); ++i)
     list.emplace_back(CGAL::Bbox_3(boxes[i][0], boxes[i][1], boxes[i][2], boxes[i][3], boxes[i][4], boxes[i][5]),
                       static_cast<int>(i));
-  }
   std::vector<std::pair<int, int>> pairs;
   CGAL::box_self_intersection_d(list.begin(), list.end(),
                                 [&](const Box& a, const Box& b) { pairs.push_back(std::minmax(a.info(), b.info())); });
@@ -61,7 +53,7 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
     throw std::invalid_argument("collide_all: " + std::to_string(threads) + " threads" +
                                 (threads < 1 ? "" : ", but refitlab was built without TBB"));
   std::vector<Box6> boxes(bodies.size());
-  for_each(bodies.size(), threads, [&](std::size_t i) { boxes[i] = defined(bodies[i]->fan_box(0)); });
+  for_each(bodies.size(), threads, [&](std::size_t i) { boxes[i] = bodies[i]->fan_box(0); });
   const auto pairs = meeting(boxes);
   counts.pairs_of_boxes += static_cast<long>(pairs.size());
 

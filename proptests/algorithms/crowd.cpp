@@ -30,12 +30,15 @@ PROPTEST(crowd) {
             const ClusterTree tree(c, {.most_triangles = 10, .most_children = 9});
             std::mt19937 random(plan.seed);
             std::uniform_real_distribution<double> place(-6, 6);
+            // Dual quaternions far apart have no bound at all: such a body is compared with all others.
+            const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
+            const double spread = *rc::gen::element(0.5, 3.0);
             const int count = *rc::gen::inRange(0, 12);
             std::vector<std::unique_ptr<ClusterBody>> owned;
             std::vector<ClusterBody*> bodies;
             for (int i = 0; i < count; ++i) {
-              owned.push_back(std::make_unique<ClusterBody>(tree, Skinning::spherical));
-              owned.back()->begin(gen::random_posture(c.model, random),
+              owned.push_back(std::make_unique<ClusterBody>(tree, skinning));
+              owned.back()->begin(gen::random_posture(c.model, random, spread),
                                   {gen::random_rotation(random, 1), {place(random), place(random), 0}});
               bodies.push_back(owned.back().get());
             }
