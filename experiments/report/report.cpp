@@ -5,6 +5,7 @@
 
 #include "algorithms/queries/score.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/report/batch_section.hpp"
 #include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
 #include "experiments/report/pareto.hpp"
@@ -253,6 +254,7 @@ void write_report(const Report& report, const std::string& path) {
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);
+  out << batch_section(report.batches);
   write_volumes_section(out, report.volumes);
   write_collisions_section(out, report.collisions);
   write_growth_section(out, report.joint_growth);

@@ -8,6 +8,7 @@
 #include "experiments/growth/joints.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
+#include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
@@ -19,6 +20,7 @@ struct Report {
   std::vector<Picture> pictures;
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
+  std::vector<BatchSpeed> batches;
   VolumeResults volumes;
   std::vector<CollisionResult> collisions;
   std::vector<JointGrowth> joint_growth;
