@@ -10,6 +10,7 @@
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/speed/balls.hpp"
+#include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
@@ -95,6 +96,9 @@ int main(int argc, char** argv) try {
       const auto results = run_speed(character, twist, options.speed);
       report.speed.insert(report.speed.end(), results.begin(), results.end());
       write_speed(report.speed, options.out + "/results/speed.csv");
+      const auto batches = run_batch_speed(character, twist, options.speed);
+      report.batches.insert(report.batches.end(), batches.begin(), batches.end());
+      write_batch_speed(report.batches, options.out + "/results/batch_speed.csv");
     }
     if (options.wants("volumes")) {
       run_volumes(character, twist, options.volumes, report.volumes);

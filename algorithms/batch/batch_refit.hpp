@@ -30,6 +30,9 @@ class BatchRefit {
   BatchRefit(const SphereTree& tree, const JointSets& sets)
       : packed_(tree, sets), balls_(packed_.places(), packed_.ball_lanes()), records_(packed_.empty_records()) {}
 
+  BatchRefit(const BatchRefit&) = delete;  // the balls refer to the nodes
+  BatchRefit& operator=(const BatchRefit&) = delete;
+
   // By node, until the next call. Each encloses the node's vertices, deformed by spherical blending with exactly this pose:
   // the slack for all rounding is in the radius (refit_kernel.hpp).
   const PackedBalls& spherical(const SkinningPose<double>& pose, Target target = best_target());

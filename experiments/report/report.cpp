@@ -5,6 +5,7 @@
 
 #include "algorithms/queries/score.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/report/batch_section.hpp"
 #include "experiments/report/characters.hpp"
 #include "experiments/report/collisions.hpp"
 #include "experiments/report/html.hpp"
@@ -232,6 +233,7 @@ void write_report(const Report& report, const std::string& path) {
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);
+  out << batch_section(report.batches);
   write_volumes_section(out, report.volumes);
   out << collisions_section(report.collisions, report.speed);
   out << triangle_growth_section(report.triangle_growth);

@@ -10,6 +10,7 @@
 #include "experiments/growth/triangles.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
+#include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
@@ -21,6 +22,7 @@ struct Report {
   std::vector<Picture> pictures;
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
+  std::vector<BatchSpeed> batches;
   VolumeResults volumes;
   std::vector<CollisionResult> collisions;
   std::vector<TriangleGrowth> triangle_growth;

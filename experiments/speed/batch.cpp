@@ -1,0 +1,159 @@
+#include "experiments/speed/batch.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+
+#include "algorithms/batch/batch_refit.hpp"
+#include "algorithms/batch/node_refit.hpp"
+#include "algorithms/batch/packed_vertices.hpp"
+#include "algorithms/results/result_file.hpp"
+#include "algorithms/skinning/skin.hpp"
+
+namespace refitlab {
+namespace {
+
+struct Kind {
+  std::string name;
+  Skinning skinning;
+};
+const Kind kinds[] = {{"linear", Skinning::linear}, {"spherical", Skinning::spherical},
+                      {"dual_quaternion", Skinning::dual_quaternion}};
+
+class BatchExperiment {
+ public:
+  BatchExperiment(const Character& c, const NamedPosture& posture, const SpeedSettings& settings)
+      : c_(c), posture_(posture), settings_(settings), packed_(c.model, c.sets), batch_(c.tree, c.sets) {}
+
+  std::vector<BatchSpeed> run() {
+    for (const Kind& kind : kinds) skin(kind);
+    for (const Kind& kind : {kinds[0], kinds[1]}) refit(kind);
+    compare_refits();
+    pose();
+    return std::move(results_);
+  }
+
+ private:
+  void skin(const Kind& kind) {
+    const auto pose = pose_of(kind);
+    const auto expected = refitlab::skin(c_.model, c_.sets, pose, kind.skinning);
+    std::vector<Point3> out(expected.size());
+    std::vector<Timed> timed{{"scalar", size_of(expected), [&] {
+                                benchmark::DoNotOptimize(refitlab::skin(c_.model, c_.sets, pose, kind.skinning));
+                              }}};
+    for (const Target target : available_targets()) {
+      packed_.skin_all(pose, kind.skinning, out, target);
+      if (out != expected) fail("skinning, " + kind.name + ", is not bit-identical", name_of(target));
+      timed.push_back({name_of(target), size_of(expected), [&, target] {
+                         packed_.skin_all(pose, kind.skinning, out, target);
+                         benchmark::DoNotOptimize(out.data());
+                       }});
+    }
+    measure("skin_" + kind.name, "vertex", timed);
+  }
+
+  void refit(const Kind& kind) {
+    const auto pose = pose_of(kind);
+    const bool is_linear = kind.skinning == Skinning::linear;
+    const RefitVariant& variant = refit_variant(is_linear ? "linear" : "spherical_repaired");
+    std::vector<Timed> timed{{"scalar", size_of(c_.tree.nodes), [&] {
+                                for (int n = 0; n < size_of(c_.tree.nodes); ++n)
+                                  benchmark::DoNotOptimize(variant.refit(c_.tree.refit_node(n, pose)));
+                              }}};
+    const auto refit_all = [&, is_linear](Target target) -> const PackedBalls& {
+      return is_linear ? batch_.linear(pose, target) : batch_.spherical(pose, target);
+    };
+    for (const Target target : available_targets()) {
+      const PackedBalls& balls = refit_all(target);
+      require_no_miss(kind, [&](int n) { return balls[n]; }, pose, name_of(target));
+      timed.push_back({name_of(target), size_of(c_.tree.nodes), [&, target] { benchmark::DoNotOptimize(refit_all(target)[0]); }});
+    }
+    NodeRefit one(c_.tree, c_.sets);
+    one.begin(pose);
+    if (!is_linear) {
+      require_no_miss(kind, [&](int n) { return one(n); }, pose, "node by node");
+      timed.push_back({"node_by_node", size_of(c_.tree.nodes), [&] {
+                         for (int n = 0; n < size_of(c_.tree.nodes); ++n) benchmark::DoNotOptimize(one(n));
+                       }});
+    }
+    measure("refit_" + kind.name, "sphere", timed);
+  }
+
+  void pose() {
+    SkinningPose<double> pose;
+    const auto prepare = [&] {
+      make_skinning_pose(c_.model, c_.sets, posture_.posture, Skinning::spherical, pose);
+      benchmark::DoNotOptimize(pose.size());
+    };
+    measure("skinning_pose", "joint_set", {{"scalar", c_.sets.count(), prepare}});
+  }
+
+  template <class Balls>
+  void require_no_miss(const Kind& kind, const Balls& balls, const SkinningPose<double>& pose, const std::string& how) const {
+    const auto deformed = refitlab::skin(c_.model, c_.sets, pose, kind.skinning);
+    for (int n = 0; n < size_of(c_.tree.nodes); ++n) {
+      const Ball3<float> ball = balls(n);
+      for (const int v : c_.vertices[n])
+        if (!((deformed[v] - ball.center.cast<double>()).norm() <= ball.radius))
+          fail("refit, " + kind.name + ": node " + std::to_string(n) + " misses vertex " + std::to_string(v), how);
+    }
+  }
+
+  void measure(const std::string& what, const std::string& item, const std::vector<Timed>& timed) {
+    const auto times = ns_per_item(timed, settings_);
+    for (const Timed& t : timed) {
+      results_.push_back({c_.model.name, posture_.name, what, t.name, item, median(times.at(t.name)),
+                          median_ratio(times.at(t.name), times.at("scalar")), 0});
+      const BatchSpeed& r = results_.back();
+      std::printf("  %-22s %-9s %8.2f ns per %s, 1/%.1f of scalar\n", what.c_str(), r.how.c_str(), r.ns, item.c_str(), 1 / r.ratio);
+    }
+  }
+
+  // Spherical against linear, the same way of doing it.
+  void compare_refits() {
+    for (BatchSpeed& r : results_)
+      for (const BatchSpeed& linear : results_)
+        if (r.item == "sphere" && linear.what == "refit_linear" && linear.how == r.how) r.to_linear = r.ns / linear.ns;
+  }
+
+  SkinningPose<double> pose_of(const Kind& kind) const {
+    return make_skinning_pose(c_.model, c_.sets, posture_.posture, kind.skinning);
+  }
+  template <class T>
+  static int size_of(const std::vector<T>& list) {
+    return static_cast<int>(list.size());
+  }
+  [[noreturn]] void fail(const std::string& what, const std::string& how) const {
+    throw std::logic_error("batch: " + c_.model.name + ": " + what + ", by " + how);
+  }
+
+  const Character& c_;
+  const NamedPosture& posture_;
+  const SpeedSettings settings_;
+  PackedVertices packed_;
+  BatchRefit batch_;
+  std::vector<BatchSpeed> results_;
+};
+
+}  // namespace
+
+std::vector<BatchSpeed> run_batch_speed(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
+  std::cout << "[speed] in batches: " << c.model.name << ", " << posture.name << std::endl;
+  return BatchExperiment(c, posture, settings).run();
+}
+
+void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path) {
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  for (const BatchSpeed& r : results) {
+    const std::string variant = r.what + "_" + r.how;
+    file.add({"batch_speed", r.model, r.posture, variant, "all", "ns_per_" + r.item, format_number(r.ns), "ns"});
+    file.add({"batch_speed", r.model, r.posture, variant, "all", "ratio_to_scalar", format_number(r.ratio), "1"});
+    if (r.to_linear > 0)
+      file.add({"batch_speed", r.model, r.posture, variant, "all", "ratio_to_linear", format_number(r.to_linear), "1"});
+  }
+  file.write(path);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,30 @@
+// The batch experiment: skinning, refitting a whole tree and preparing a pose in SIMD packs, against one vertex, node or
+// joint-set after the other in double.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/scenes/scenes.hpp"
+#include "experiments/speed/timing.hpp"
+
+namespace refitlab {
+
+struct BatchSpeed {
+  std::string model, posture;
+  std::string what;    // "skin_linear", ..., "refit_linear", "refit_spherical", "skinning_pose"
+  std::string how;     // "scalar", a target of packs, or "node_by_node": NodeRefit
+  std::string item;    // that ns is for: "vertex", "sphere", "joint_set"
+  double ns;           // median over the repetitions
+  double ratio;        // to scalar, the median over the repetitions
+  double to_linear;    // of refits: to the linear refit done the same way, else 0
+};
+
+// By every target that there is. Throws std::logic_error if a batch's result is wrong: skinned vertices not bit-identical,
+// a ball that misses a vertex.
+std::vector<BatchSpeed> run_batch_speed(const Character& character, const NamedPosture& posture, const SpeedSettings& settings);
+
+// All results as out/results/batch_speed.csv.
+void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path);
+
+}  // namespace refitlab
