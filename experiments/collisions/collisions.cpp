@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -26,14 +27,17 @@ double microseconds(const std::function<void()>& call) {
   return now() - start;
 }
 
-void check(std::vector<TrianglePair> found, const std::vector<TrianglePair>& expected, Query query, const std::string& where) {
+// How many pairs are found and not expected, or expected and not found. Asked for one, a frame has one pair or none.
+long differing(std::vector<TrianglePair> found, const std::vector<TrianglePair>& expected, Query query) {
   std::sort(found.begin(), found.end());
-  const bool is_right = query == Query::full ? found == expected
-                        : found.empty()      ? expected.empty()
-                                             : found.size() == 1 && std::binary_search(expected.begin(), expected.end(), found[0]);
-  if (!is_right)
-    throw std::logic_error("collisions: " + where + ": finds " + std::to_string(found.size()) +
-                           " pairs, which are not those expected; there are " + std::to_string(expected.size()));
+  std::vector<TrianglePair> difference;
+  if (query == Query::full)
+    std::set_symmetric_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(difference));
+  else if (found.size() != std::min<std::size_t>(expected.size(), 1))
+    return 1;
+  else
+    std::set_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(difference));
+  return static_cast<long>(difference.size());
 }
 
 // The least of two passes counts, so that what else runs on the machine hardly does.
@@ -56,11 +60,19 @@ CollisionResult count(const Character& c, const Encounter& e, Query query, const
   CollisionResult out{c.model.name, e.name, kind.name, kind.origin, query};
   const double n = static_cast<double>(e.frames.size());
   const auto detector = kind.make(c);
+  std::string frames;
+  std::size_t of = 0;
   for (std::size_t i = 0; i < e.frames.size(); ++i) {
     const auto pairs = detector->pairs(e.frames[i], query);
-    check(pairs, expected[i], query, kind.name + ", " + c.model.name + ", " + e.name + ", " + name_of(query) + ", frame " + std::to_string(i));
+    const long differ = differing(pairs, expected[i], query);
+    if (differ > 0) frames += " " + std::to_string(i);
+    out.differing_pairs += differ;
+    of += expected[i].size();
     out.pairs += static_cast<double>(pairs.size()) / n;
   }
+  if (static_cast<double>(out.differing_pairs) > kind.tolerated_share * static_cast<double>(of))
+    throw std::logic_error("collisions: " + kind.name + ", " + c.model.name + ", " + e.name + ", " + name_of(query) + ": " +
+                           std::to_string(out.differing_pairs) + " pairs differ from the " + std::to_string(of) + " expected ones, in frames" + frames);
   const DetectorCounts counts = detector->counts();
   out.volume_tests = static_cast<double>(counts.volume_tests) / n;
   out.triangle_tests = static_cast<double>(counts.triangle_tests) / n;
@@ -164,6 +176,7 @@ void write_collisions(const std::vector<CollisionResult>& results, const std::st
     };
     add("all", "us_per_frame", r.us_per_frame, "us");
     add("all", "pairs", r.pairs, "1");
+    add("all", "differing_pairs", static_cast<double>(r.differing_pairs), "1");
     add("all", "volume_tests", r.volume_tests, "1");
     add("all", "triangle_tests", r.triangle_tests, "1");
     add("all", "nodes_refitted", r.nodes_refitted, "1");

@@ -52,6 +52,9 @@ struct DetectorKind {
   Origin origin;
   std::function<std::unique_ptr<Detector>(const Character&)> make;  // the character outlives the detector
   bool is_minor = false;                                            // left out of short runs
+  // Of the pairs of an encounter, how many may differ from the right ones: of engines whose volumes leave rounding out of
+  // account. What differs is counted.
+  double tolerated_share = 0;
 };
 
 // All there are: each contender that is sound for spherical blending, the rivals, the engines that were found when this

@@ -17,7 +17,8 @@ std::vector<DetectorKind> engine_kinds() {
 #ifdef REFITLAB_FCL
   kinds.push_back({"fcl_aabb", "FCL's BVHModel of axis-aligned boxes, refitted bottom-up", engine, make_fcl_aabb});
   kinds.push_back({"fcl_kdop16", "FCL's BVHModel of k-DOPs of 16 planes, refitted bottom-up", engine, make_fcl_kdop16});
-  kinds.push_back({"fcl_obbrss", "FCL's BVHModel of oriented boxes and swept spheres, refitted bottom-up", engine, make_fcl_obbrss});
+  kinds.push_back({"fcl_obbrss", "FCL's BVHModel of oriented boxes and swept spheres, refitted bottom-up; misses a pair now and then", engine, make_fcl_obbrss,
+                   false, 0.01});
 #endif
 #ifdef REFITLAB_BULLET
   kinds.push_back({"bullet_dbvt", "Bullet's btDbvt, refitted bottom-up as its soft bodies do", engine, make_bullet_dbvt});
