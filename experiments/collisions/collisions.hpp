@@ -24,6 +24,7 @@ struct CollisionResult {
   std::string model, scene, detector;
   Origin origin;
   Query query;
+  long differing_pairs = 0;  // in all frames, of detectors that may (DetectorKind::tolerated_share)
   double pairs = 0, volume_tests = 0, triangle_tests = 0, nodes_refitted = 0, vertices_skinned = 0;
   std::vector<double> share_refitted;  // by level - 1, of both trees' balls; where the detector refits on demand
   double us_per_frame = 0;             // from postures to pairs
@@ -36,7 +37,7 @@ struct CollisionResult {
 using PairLists = std::vector<std::vector<TrianglePair>>;
 
 // The given detectors in an encounter. Throws std::logic_error that names the detector and the frame if it finds other
-// pairs than expected or, asked for one, none of these.
+// pairs than expected or, asked for one, none of these, beyond what its kind is let.
 std::vector<CollisionResult> measure(const Character& character, const Encounter& encounter, Query query,
                                      const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
                                      const SpeedSettings& speed);

@@ -20,8 +20,8 @@ struct DetectorCounts {
   std::vector<long> refitted_by_level;  // by level - 1, of detectors that refit the character's sphere tree on demand
 };
 
-// A frame is its stages in this order; they are apart only so that each can be timed. The pairs that a detector finds are
-// those of triangles_meet for the corners in the world, apply(placement, corner skinned spherically), in any order.
+// A frame is its stages in this order; they are apart only so that each can be timed. The pairs that a detector finds
+// are those of triangles_meet for the corners in the world, apply(placement, corner skinned spherically), in any order.
 class Detector {
  public:
   virtual ~Detector() = default;
@@ -52,6 +52,9 @@ struct DetectorKind {
   Origin origin;
   std::function<std::unique_ptr<Detector>(const Character&)> make;  // the character outlives the detector
   bool is_minor = false;                                            // left out of short runs
+  // Of the pairs of an encounter, how many may differ from the right ones: of engines whose volumes leave rounding out
+  // of account. What differs is counted.
+  double tolerated_share = 0;
 };
 
 // All there are: each contender that is sound for spherical blending, our clusters, the rivals, the engines that were found when this

@@ -80,7 +80,8 @@ std::vector<EncounterFrame> WalkPast::at(double lateral) const {
 std::vector<EncounterFrame> WalkPast::in_place() const {
   std::vector<EncounterFrame> out;
   for (const Step& s : steps_)
-    out.push_back({s.first, s.second, stand(s.first_center, 0, Point3::Zero()), stand(s.second_center, std::numbers::pi, Point3::Zero())});
+    out.push_back({s.first, s.second, stand(s.first_center, 0, Point3::Zero()),
+                   stand(s.second_center, std::numbers::pi, Point3::Zero())});
   return out;
 }
 
@@ -90,8 +91,10 @@ std::vector<Encounter> encounters(const Character& c, int frames) {
   const auto median = [](const std::vector<long>& sorted) { return sorted[sorted.size() / 2]; };
   const double reach = 2 * c.tree.nodes[0].reference.radius;
   const double touch = largest_lateral(counter, searched, reach, [](const auto& pairs) { return pairs.back() > 0; });
-  const double light = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
-  const double heavy = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
+  const double light =
+      largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
+  const double heavy =
+      largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
   std::vector<Encounter> out{{"far", 2 * reach, 0, walk.at(2 * reach)},
                              {"near", touch + 0.01 * reach, 0, walk.at(touch + 0.01 * reach)},
                              {"light", light, 0, walk.at(light)},

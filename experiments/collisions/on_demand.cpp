@@ -8,7 +8,8 @@ namespace {
 class OnDemand : public Detector {
  public:
   OnDemand(const Character& character, const Contender& contender)
-      : first_(character, *contender.variant, contender.options), second_(character, *contender.variant, contender.options) {
+      : first_(character, *contender.variant, contender.options),
+        second_(character, *contender.variant, contender.options) {
     counts_.refitted_by_level.resize(character.tree.level_count());
   }
 
@@ -51,11 +52,13 @@ class OnDemand : public Detector {
 
 // The paper's refit, the default one, by itself and from below, and the tightest.
 bool is_major(const Contender& c) {
-  return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" || c.name == "control_clusters";
+  return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" ||
+         c.name == "control_clusters";
 }
 
 DetectorKind kind_of(const Contender& c) {
-  return {c.name, c.description, Origin::own, [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }, !is_major(c)};
+  return {c.name, c.description, Origin::own,
+          [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }, !is_major(c)};
 }
 
 }  // namespace

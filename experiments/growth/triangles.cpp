@@ -13,7 +13,8 @@ namespace refitlab {
 namespace {
 
 constexpr const char* reference = "skin_all_simd";
-constexpr const char* detectors[] = {"clusters", "spherical_repaired", "control_mixed", "control_mixed_from_below", reference, "embree"};
+constexpr const char* detectors[] = {"clusters", "spherical_repaired", "control_mixed", "control_mixed_from_below", reference,
+                                     "embree"};
 
 // Made with so many triangles, and then subdivided so many times.
 struct Size {
@@ -56,15 +57,16 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
       }
       for (const CollisionResult& r : measure(man, scene, Query::full, kinds, expected, settings.speed)) {
         rows.push_back({triangles, r});
-        std::printf("  %-6s %-26s %7.1f pairs %10.1f us %9.1f nodes refitted %9.1f vertices skinned\n", r.scene.c_str(), r.detector.c_str(), r.pairs,
-                    r.us_per_frame, r.nodes_refitted, r.vertices_skinned);
+        std::printf("  %-6s %-26s %7.1f pairs %10.1f us %9.1f nodes refitted %9.1f vertices skinned\n", r.scene.c_str(),
+                    r.detector.c_str(), r.pairs, r.us_per_frame, r.nodes_refitted, r.vertices_skinned);
       }
     }
   }
   return rows;
 }
 
-double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene, const std::string& detector) {
+double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene,
+                         const std::string& detector) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const TriangleGrowth& r : rows) {
     if (r.result.scene != scene || r.result.detector != detector || r.triangles < 4000) continue;
@@ -78,7 +80,8 @@ void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::s
   ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
   for (const TriangleGrowth& r : rows) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit});
+      file.add(
+          {"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit});
     };
     add("triangles", r.triangles, "1");
     add("us_per_frame", r.result.us_per_frame, "us");
@@ -88,7 +91,8 @@ void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::s
   }
   for (const char* scene : {"near", "light"})
     for (const char* detector : detectors)
-      file.add({"growth", "man", scene, detector, "all", "triangle_exponent", format_number(triangle_exponent(rows, scene, detector)), "1"});
+      file.add({"growth", "man", scene, detector, "all", "triangle_exponent",
+                format_number(triangle_exponent(rows, scene, detector)), "1"});
   file.write(path);
 }
 

@@ -19,12 +19,14 @@ struct TriangleGrowth {
   CollisionResult result;  // of a full query in the scene near or light
 };
 
-// By scene, number and detector: clusters, on demand by three variants, skin_all_simd, which the others must agree with, and Embree.
+// By scene, number and detector: clusters, on demand by three variants, skin_all_simd, which the others must agree with,
+// and Embree.
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings);
 
 // The exponent e of the least-squares fit of triangles^e to a detector's time in a scene, over all numbers but those
 // below 4000.
-double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene, const std::string& detector);
+double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene,
+                         const std::string& detector);
 
 void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path);
 

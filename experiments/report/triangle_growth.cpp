@@ -26,11 +26,14 @@ std::string triangle_growth_section(const std::vector<TriangleGrowth>& rows) {
   const auto detectors = distinct(rows, [](const TriangleGrowth& r) { return r.result.detector; });
   const auto numbers = distinct(rows, [](const TriangleGrowth& r) { return r.triangles; });
   std::ostringstream out;
-  out << "<h2>Growth with triangles</h2><p>Two men pass each other at the distances of the scenes near and light, their meshes made coarser, or "
-         "finer by subdivision, on the same skeleton. Processor time of a full query with all that it needs, us a frame. The exponent is that "
+  out << "<h2>Growth with triangles</h2><p>Two men pass each other at the distances of the scenes near and light, "
+         "their meshes made coarser, or "
+         "finer by subdivision, on the same skeleton. Processor time of a full query with all that it needs, us a "
+         "frame. The exponent is that "
          "of the least-squares fit to the time, from 4000 triangles up.</p>\n";
   for (const std::string& scene : scenes) {
-    LinePlot plot{.title = scene, .x_label = "triangles", .y_label = "us a frame", .lines = {}, .log_x = true, .log_y = true};
+    LinePlot plot{
+        .title = scene, .x_label = "triangles", .y_label = "us a frame", .lines = {}, .log_x = true, .log_y = true};
     std::ostringstream table;
     table << "<div class=\"scroll\"><table><thead><tr><th>" << scene << ", us a frame</th>";
     for (const int n : numbers) table << "<th>" << n << "</th>";
@@ -48,7 +51,8 @@ std::string triangle_growth_section(const std::vector<TriangleGrowth>& rows) {
     }
     table << "<tr><td class=\"soft\">touching pairs</td>";
     for (const TriangleGrowth& r : rows)
-      if (r.result.scene == scene && r.result.detector == detectors[0]) table << "<td class=\"soft\">" << format("%.0f", r.result.pairs) << "</td>";
+      if (r.result.scene == scene && r.result.detector == detectors[0])
+        table << "<td class=\"soft\">" << format("%.0f", r.result.pairs) << "</td>";
     out << plot.svg() << table.str() << "<td></td></tr></tbody></table></div>\n";
   }
   return out.str();

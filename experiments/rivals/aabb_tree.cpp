@@ -1,4 +1,5 @@
-// Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a leaf.
+// Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a
+// leaf.
 #include <algorithm>
 #include <numeric>
 
@@ -13,7 +14,9 @@ constexpr double rounding_slack = 1e-11;
 
 struct Box {
   Point3 low, high;
-  bool is_apart(const Box& b) const { return (low.array() > b.high.array()).any() || (b.low.array() > high.array()).any(); }
+  bool is_apart(const Box& b) const {
+    return (low.array() > b.high.array()).any() || (b.low.array() > high.array()).any();
+  }
   double extent() const { return (high - low).sum(); }
 };
 
@@ -46,7 +49,8 @@ class Builder {
     int axis;
     (box.high - box.low).maxCoeff(&axis);
     const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
-    std::nth_element(triangles.begin(), middle, triangles.end(), [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
+    std::nth_element(triangles.begin(), middle, triangles.end(),
+                     [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
     build({triangles.begin(), middle});
     nodes[at].right = static_cast<int>(nodes.size());
     build({middle, triangles.end()});
@@ -67,7 +71,8 @@ class AabbTree : public SkinningDetector {
   void refit() override {
     refit(0, skinned(0));
     const RigidTransform<double> to_first = this->to_first();
-    const Point3 x = rotate<double>(to_first.rotation, Point3::UnitX()), y = rotate<double>(to_first.rotation, Point3::UnitY()),
+    const Point3 x = rotate<double>(to_first.rotation, Point3::UnitX()),
+                 y = rotate<double>(to_first.rotation, Point3::UnitY()),
                  z = rotate<double>(to_first.rotation, Point3::UnitZ());
     moved_.resize(skinned(1).size());
     for (std::size_t v = 0; v < moved_.size(); ++v) {
@@ -75,7 +80,9 @@ class AabbTree : public SkinningDetector {
       moved_[v] = x * p[0] + y * p[1] + z * p[2] + to_first.translation;
     }
     refit(1, moved_);
-    const auto size = [&](int side) { return boxes_[side][0].low.norm() + boxes_[side][0].high.norm() + placement(side).translation.norm(); };
+    const auto size = [&](int side) {
+      return boxes_[side][0].low.norm() + boxes_[side][0].high.norm() + placement(side).translation.norm();
+    };
     slack_ = Point3::Constant(rounding_slack * (size(0) + size(1)));
     counts_.nodes_refitted += 2 * static_cast<long>(nodes_.size());
   }

@@ -26,7 +26,8 @@ class Brown : public SkinningDetector {
 
   void refit() override {
     for (int side = 0; side < 2; ++side)
-      for (std::size_t n = tree_.nodes.size(); n-- > 0;) balls_[side][n] = refitted(side, tree_.nodes[n]);  // children come after parents
+      for (std::size_t n = tree_.nodes.size(); n-- > 0;)
+        balls_[side][n] = refitted(side, tree_.nodes[n]);  // children come after parents
     counts_.nodes_refitted += 2 * static_cast<long>(tree_.nodes.size());
     to_first_ = to_first();
     slack_ = rounding_slack * (norm(placement(0).translation) + norm(placement(1).translation) + size(0) + size(1));
@@ -56,7 +57,8 @@ class Brown : public SkinningDetector {
   Ball3<double> refitted(int side, const TreeNode& node) const {
     if (node.child_count == 0) {
       Ball3<double> ball{skinned(side)[tree_.leaf_vertices[node.first_vertex]], 0};
-      for (int i = 1; i < node.vertex_count; ++i) ball = join(ball, {skinned(side)[tree_.leaf_vertices[node.first_vertex + i]], 0});
+      for (int i = 1; i < node.vertex_count; ++i)
+        ball = join(ball, {skinned(side)[tree_.leaf_vertices[node.first_vertex + i]], 0});
       return ball;
     }
     Ball3<double> ball = balls_[side][node.first_child];
@@ -76,7 +78,8 @@ class Brown : public SkinningDetector {
   void test_triangles(const TreeNode& p, const TreeNode& q, std::vector<TrianglePair>& found) {
     for (int i = p.first_triangle; i < p.first_triangle + p.triangle_count; ++i)
       for (int j = q.first_triangle; j < q.first_triangle + q.triangle_count; ++j)
-        if (touch(tree_.triangle_order[i], tree_.triangle_order[j])) found.push_back({tree_.triangle_order[i], tree_.triangle_order[j]});
+        if (touch(tree_.triangle_order[i], tree_.triangle_order[j]))
+          found.push_back({tree_.triangle_order[i], tree_.triangle_order[j]});
   }
 
   const SphereTree& tree_;

@@ -13,7 +13,8 @@ struct Boxes {
   std::vector<double> low[3], high[3];
 };
 
-Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture, const RigidTransform<double>& placement, Skinning skinning) {
+Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture,
+               const RigidTransform<double>& placement, Skinning skinning) {
   const auto skinned = skin(model, sets, make_skinning_pose(model, sets, posture, skinning), skinning);
   Boxes out;
   for (const Triangle& t : model.triangles) {
@@ -29,7 +30,8 @@ Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture
 
 }  // namespace
 
-std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame, Skinning skinning) {
+std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame,
+                                      Skinning skinning) {
   const Boxes a = boxes_of(model, sets, frame.first, frame.first_at, skinning),
               b = boxes_of(model, sets, frame.second, frame.second_at, skinning);
   const std::size_t n = model.triangles.size();
@@ -37,11 +39,14 @@ std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets,
   std::vector<unsigned char> overlap(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double low[] = {a.low[0][i], a.low[1][i], a.low[2][i]}, high[] = {a.high[0][i], a.high[1][i], a.high[2][i]};
+    for (std::size_t j = 0; j < n; ++j) {
+      int all = 1;  // without branches
+      for (int k = 0; k < 3; ++k) all &= int(b.low[k][j] <= high[k]) & int(low[k] <= b.high[k][j]);
+      overlap[j] = static_cast<unsigned char>(all);
+    }
     for (std::size_t j = 0; j < n; ++j)
-      overlap[j] = (b.low[0][j] <= high[0]) & (low[0] <= b.high[0][j]) & (b.low[1][j] <= high[1]) & (low[1] <= b.high[1][j]) &
-                   (b.low[2][j] <= high[2]) & (low[2] <= b.high[2][j]);
-    for (std::size_t j = 0; j < n; ++j)
-      if (overlap[j] && triangles_meet(a.triangles[i], b.triangles[j])) pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+      if (overlap[j] && triangles_meet(a.triangles[i], b.triangles[j]))
+        pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
   }
   return pairs;
 }

@@ -22,7 +22,8 @@ class BulletDbvt : public SkinningDetector {
       scattered.insert(volume_of(vertices_.box(m.triangles[i])), nullptr)->dataAsInt = static_cast<int>(i);
     scattered.optimizeTopDown();
     btDbvt::IClone nothing_more;
-    for (btDbvt& tree : trees_) scattered.clone(tree, &nothing_more);  // its nodes lie side by side where they belong together
+    for (btDbvt& tree : trees_)
+      scattered.clone(tree, &nothing_more);  // its nodes lie side by side where they belong together
   }
 
   void refit() override {
@@ -73,6 +74,8 @@ class BulletDbvt : public SkinningDetector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_bullet_dbvt(const Character& character) { return std::make_unique<BulletDbvt>(character); }
+std::unique_ptr<Detector> make_bullet_dbvt(const Character& character) {
+  return std::make_unique<BulletDbvt>(character);
+}
 
 }  // namespace refitlab

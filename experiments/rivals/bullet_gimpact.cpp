@@ -1,4 +1,5 @@
-// Bullet's GImpact: its quantised box sets in model space, updated, and its traversal, which moves boxes by the placements.
+// Bullet's GImpact: its quantised box sets in model space, updated, and its traversal, which moves boxes by the
+// placements.
 #include <BulletCollision/Gimpact/btGImpactQuantizedBvh.h>
 
 #include "experiments/rivals/float_boxes.hpp"
@@ -71,7 +72,8 @@ class BulletGimpact : public SkinningDetector {
  private:
   btTransform transform(int side) const {
     const auto& [q, t] = placement(side);
-    return btTransform(btQuaternion(float(q[1]), float(q[2]), float(q[3]), float(q[0])), btVector3(float(t[0]), float(t[1]), float(t[2])));
+    return btTransform(btQuaternion(float(q[1]), float(q[2]), float(q[3]), float(q[0])),
+                       btVector3(float(t[0]), float(t[1]), float(t[2])));
   }
 
   float step_ = 0;
@@ -81,6 +83,8 @@ class BulletGimpact : public SkinningDetector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_bullet_gimpact(const Character& character) { return std::make_unique<BulletGimpact>(character); }
+std::unique_ptr<Detector> make_bullet_gimpact(const Character& character) {
+  return std::make_unique<BulletGimpact>(character);
+}
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
-// CGAL's AABB_tree: built anew over the first body's triangles each frame, and asked with the box of each of the second one's.
-// It has no query of tree against tree.
+// CGAL's AABB_tree: built anew over the first body's triangles each frame, and asked with the box of each of the second
+// one's. It has no query of tree against tree.
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
@@ -61,7 +61,9 @@ class CgalAabb : public SkinningDetector {
   void fill(int side) {
     triangles_[side].clear();
     for (const Triangle& t : model().triangles) {
-      const auto point = [&](int v) { return Kernel::Point_3(placed(side)[v][0], placed(side)[v][1], placed(side)[v][2]); };
+      const auto point = [&](int v) {
+        return Kernel::Point_3(placed(side)[v][0], placed(side)[v][1], placed(side)[v][2]);
+      };
       triangles_[side].emplace_back(point(t[0]), point(t[1]), point(t[2]));
     }
   }

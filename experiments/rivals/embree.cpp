@@ -12,7 +12,8 @@ namespace {
 
 class Embree : public SkinningDetector {
  public:
-  explicit Embree(const Character& character) : SkinningDetector(character, Placing::all), device_(rtcNewDevice("threads=1")) {
+  explicit Embree(const Character& character)
+      : SkinningDetector(character, Placing::all), device_(rtcNewDevice("threads=1")) {
     for (int side = 0; side < 2; ++side) {
       bodies_[side] = {this, side};
       RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);

@@ -24,7 +24,8 @@ using TraversalNode = std::conditional_t<is_oriented<Volume>, fcl::detail::MeshC
 template <class Volume>
 class Fcl : public SkinningDetector {
  public:
-  explicit Fcl(const Character& character) : SkinningDetector(character, is_oriented<Volume> ? Placing::when_asked : Placing::all) {
+  explicit Fcl(const Character& character)
+      : SkinningDetector(character, is_oriented<Volume> ? Placing::when_asked : Placing::all) {
     std::vector<fcl::Triangle> triangles;
     for (const Triangle& t : character.model.triangles) triangles.emplace_back(t[0], t[1], t[2]);
     for (auto& tree : trees_) {
@@ -50,7 +51,8 @@ class Fcl : public SkinningDetector {
     const fcl::CollisionRequest<double> request;
     fcl::CollisionResult<double> unused;
     if constexpr (is_oriented<Volume>)
-      fcl::detail::initialize(node, std::as_const(trees_[0]), std::as_const(at[0]), std::as_const(trees_[1]), std::as_const(at[1]), request, unused);
+      fcl::detail::initialize(node, std::as_const(trees_[0]), std::as_const(at[0]), std::as_const(trees_[1]),
+                              std::as_const(at[1]), request, unused);
     else
       fcl::detail::initialize(node, trees_[0], at[0], trees_[1], at[1], request, unused);
     fcl::detail::collisionRecurse<double>(&traversal, 0, 0, nullptr);
@@ -90,7 +92,9 @@ class Fcl : public SkinningDetector {
 }  // namespace
 
 std::unique_ptr<Detector> make_fcl_aabb(const Character& c) { return std::make_unique<Fcl<fcl::AABB<double>>>(c); }
-std::unique_ptr<Detector> make_fcl_kdop16(const Character& c) { return std::make_unique<Fcl<fcl::KDOP<double, 16>>>(c); }
+std::unique_ptr<Detector> make_fcl_kdop16(const Character& c) {
+  return std::make_unique<Fcl<fcl::KDOP<double, 16>>>(c);
+}
 std::unique_ptr<Detector> make_fcl_obbrss(const Character& c) { return std::make_unique<Fcl<fcl::OBBRSS<double>>>(c); }
 
 }  // namespace refitlab

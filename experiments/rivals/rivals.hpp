@@ -1,5 +1,5 @@
-// What one would pick instead of refits on demand. Each skins everything, refits its volumes bottom-up or rebuilds them,
-// and has its candidates decided by triangles_meet.
+// What one would pick instead of refits on demand. Each skins everything, refits its volumes bottom-up or rebuilds
+// them, and has its candidates decided by triangles_meet.
 #pragma once
 
 #include "experiments/collisions/detector.hpp"

@@ -1,5 +1,5 @@
-// Skins everything, refits axis-aligned boxes bottom-up, eight triangles a leaf: what one would write by hand today. A node
-// has the boxes of up to eight children in SIMD lanes, in float; the children of the lowest nodes are triangles.
+// Skins everything, refits axis-aligned boxes bottom-up, eight triangles a leaf: what one would write by hand today. A
+// node has the boxes of up to eight children in SIMD lanes, in float; the children of the lowest nodes are triangles.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -36,7 +36,8 @@ const Box no_box{{Eigen::Array4f::Constant(infinity), Eigen::Array4f::Constant(-
 using Four = float __attribute__((vector_size(16)));
 
 // The first three columns of four rows.
-void transpose(const Eigen::Array4f& a, const Eigen::Array4f& b, const Eigen::Array4f& c, const Eigen::Array4f& d, float* x, float* y, float* z) {
+void transpose(const Eigen::Array4f& a, const Eigen::Array4f& b, const Eigen::Array4f& c, const Eigen::Array4f& d,
+               float* x, float* y, float* z) {
   const auto load = [](const Eigen::Array4f& row) {
     Four out;
     std::memcpy(&out, row.data(), sizeof out);
@@ -45,7 +46,8 @@ void transpose(const Eigen::Array4f& a, const Eigen::Array4f& b, const Eigen::Ar
   const Four p = load(a), q = load(b), r = load(c), s = load(d);
   const Four pq = __builtin_shufflevector(p, q, 0, 4, 1, 5), rs = __builtin_shufflevector(r, s, 0, 4, 1, 5);
   const Four columns[] = {__builtin_shufflevector(pq, rs, 0, 1, 4, 5), __builtin_shufflevector(pq, rs, 2, 3, 6, 7),
-                          __builtin_shufflevector(__builtin_shufflevector(p, q, 2, 6, 3, 7), __builtin_shufflevector(r, s, 2, 6, 3, 7), 0, 1, 4, 5)};
+                          __builtin_shufflevector(__builtin_shufflevector(p, q, 2, 6, 3, 7),
+                                                  __builtin_shufflevector(r, s, 2, 6, 3, 7), 0, 1, 4, 5)};
   std::memcpy(x, &columns[0], sizeof(Four));
   std::memcpy(y, &columns[1], sizeof(Four));
   std::memcpy(z, &columns[2], sizeof(Four));
@@ -65,12 +67,13 @@ struct LaneBoxes {
   }
   LaneMask overlap(const Box& b) const {
     const auto load = [](const float* p) { return Lanes(p, stdx::vector_aligned); };
-    return load(low[0]) <= b.high[0] && load(high[0]) >= b.low[0] && load(low[1]) <= b.high[1] && load(high[1]) >= b.low[1] &&
-           load(low[2]) <= b.high[2] && load(high[2]) >= b.low[2];
+    return load(low[0]) <= b.high[0] && load(high[0]) >= b.low[0] && load(low[1]) <= b.high[1] &&
+           load(high[1]) >= b.low[1] && load(low[2]) <= b.high[2] && load(high[2]) >= b.low[2];
   }
 };
 
-// Nodes come before their children, and all of the lowest are equally deep: so two trees of one shape are descended in step.
+// Nodes come before their children, and all of the lowest are equally deep: so two trees of one shape are descended in
+// step.
 struct Shape {
   bool is_lowest;
   int count;
@@ -107,7 +110,8 @@ class Builder {
     return at;
   }
 
-  // Into so many parts, by halves along the longest extent of the centroids; but for one, parts are multiples of the width.
+  // Into so many parts, by halves along the longest extent of the centroids; but for one, parts are multiples of the
+  // width.
   void split(std::span<int> triangles, std::size_t count, std::vector<std::span<int>>& parts) {
     if (count == 1) return parts.push_back(triangles);
     Point3 low = centroids_[triangles[0]], high = low;
@@ -116,7 +120,8 @@ class Builder {
     (high - low).maxCoeff(&axis);
     const std::size_t share = triangles.size() * (count / 2) / count, cut = (share + width - 1) / width * width;
     const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(cut);
-    std::nth_element(triangles.begin(), middle, triangles.end(), [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
+    std::nth_element(triangles.begin(), middle, triangles.end(),
+                     [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
     split({triangles.begin(), middle}, count / 2, parts);
     split({middle, triangles.end()}, count - count / 2, parts);
   }
@@ -143,7 +148,8 @@ class SkinAllSimd : public SkinningDetector {
     sides_[1].vertices.set(skinned(1), order_, to_first);
     for (Side& s : sides_) refit(s);
     const auto size = [](const Box& b) { return b.low.abs().head<3>().maxCoeff() + b.high.abs().head<3>().maxCoeff(); };
-    slack_ = rounding_slack * (size(sides_[0].boxes[0]) + size(sides_[1].boxes[0]) + static_cast<float>(norm(to_first.translation)));
+    slack_ = rounding_slack *
+             (size(sides_[0].boxes[0]) + size(sides_[1].boxes[0]) + static_cast<float>(norm(to_first.translation)));
     counts_.nodes_refitted += 2 * static_cast<long>(shapes_.size());
   }
 
@@ -229,6 +235,8 @@ class SkinAllSimd : public SkinningDetector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_skin_all_simd(const Character& character) { return std::make_unique<SkinAllSimd>(character); }
+std::unique_ptr<Detector> make_skin_all_simd(const Character& character) {
+  return std::make_unique<SkinAllSimd>(character);
+}
 
 }  // namespace refitlab

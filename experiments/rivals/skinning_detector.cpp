@@ -3,10 +3,14 @@
 namespace refitlab {
 
 SkinningDetector::SkinningDetector(const Character& character, Placing placing)
-    : character_(character), placing_(placing), pose_packs_(character.model, character.sets, Skinning::spherical),
-      packed_(character.model, character.sets), sides_{{.is_placed = FrameStamps(character.model.vertices.size())},
-                                                       {.is_placed = FrameStamps(character.model.vertices.size())}} {
-  for (Side& s : sides_) s.skinned.resize(character.model.vertices.size()), s.placed.resize(character.model.vertices.size());
+    : character_(character),
+      placing_(placing),
+      pose_packs_(character.model, character.sets, Skinning::spherical),
+      packed_(character.model, character.sets),
+      sides_{{.is_placed = FrameStamps(character.model.vertices.size())},
+             {.is_placed = FrameStamps(character.model.vertices.size())}} {
+  for (Side& s : sides_)
+    s.skinned.resize(character.model.vertices.size()), s.placed.resize(character.model.vertices.size());
 }
 
 void SkinningDetector::pose(const EncounterFrame& frame) {
