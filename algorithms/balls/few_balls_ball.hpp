@@ -43,8 +43,10 @@ class FewBalls {
   FewBalls(std::span<const Ball3<double>> balls, const RadiusRange& range)
       : balls_(balls), range_(range), origin_(quad<double>(balls[0].center)) {}
 
-  // False if a center is not finite, or if the result does not hold up.
-  bool solve() {
+  // The pivots end as soon as the radius is proved to be within 1 + slack of the smallest. False if a center is not
+  // finite, or if the result does not hold up.
+  bool solve(double slack = 0) {
+    const double near = 1 - 1 / sq(1 + slack);  // a guess at where that is: the powers are of the radii less the least
     const int a = fill_table();
     if (!is_defined_) return false;
     start(a, farthest_from(origin_ + position(a), range_.greatest - range_.least));
@@ -54,7 +56,8 @@ class FewBalls {
       const int farthest = farthest_from(center_, radius_);
       const Quad<double> p = position(farthest);
       const double far = power(p, farthest, center), low = power_of_support(center);
-      if (far - low <= tolerance * far) return holds_up(center);
+      if (far - low <= tolerance * far) return holds_up(center, slack);
+      if (far - low <= near * far && holds_up(center, slack)) return true;
       if (support_.contains(farthest)) return false;
       if (!support_.enter(farthest, p, center, far - low, sq(noise) * far) || !grow()) return false;
     }
@@ -162,7 +165,7 @@ class FewBalls {
   }
 
   // Finds the radius that encloses all, and compares it with what is proved.
-  bool holds_up(const Quad<double>& center) {
+  bool holds_up(const Quad<double>& center, double slack) {
     const Vec<double, 3> c = vec<3>(center_);
     double& far = enclosing_radius_ = 0;
     for (const auto& b : balls_) {
@@ -171,8 +174,8 @@ class FewBalls {
       if (far <= b.radius || sq(far - b.radius) <= squared * (1 + 8 * epsilon))
         far = max_of(far, root(squared) + b.radius);
     }
-    const double slack = tolerance * far + 4 * epsilon * max_of(c.cwiseAbs().maxCoeff(), range_.greatest);
-    return far <= proved_radius(center) + slack;
+    const double rounding = tolerance * far + 4 * epsilon * max_of(c.cwiseAbs().maxCoeff(), range_.greatest);
+    return far <= proved_radius(center) * (1 + slack) + rounding;
   }
 
   // No ball that encloses the support is smaller: the mean of the support's reach, by weights for which the unit
@@ -208,7 +211,7 @@ inline SmallestBallOfBalls as_ball_of_balls(const SmallestBall<double, 3>& cente
 }
 
 template <int most>
-SmallestBallOfBalls pivot_balls(std::span<const Ball3<double>> balls) {
+[[gnu::noinline]] SmallestBallOfBalls pivot_balls(std::span<const Ball3<double>> balls, double slack) {
   const RadiusRange range(balls);
   if (range.is_defined() && range.least == range.greatest) {
     if (balls.size() == 3) {
@@ -216,26 +219,28 @@ SmallestBallOfBalls pivot_balls(std::span<const Ball3<double>> balls) {
       if (ball.converged) return as_ball_of_balls(ball, range.least);
     }
     FewPoints<double, 3, most, Ball3<double>> points(balls);
-    if (points.solve()) return as_ball_of_balls(points.ball(), range.least);
+    if (points.solve(slack)) return as_ball_of_balls(points.ball(), range.least);
   } else if (range.is_defined()) {
     FewBalls<most> few(balls, range);
-    if (few.solve()) return few.ball();
+    if (few.solve(slack)) return few.ball();
   }
   return {smallest_ball_of_balls(balls)};
 }
 
-// balls is not empty. Made for up to 32 balls; up to 512 are pivoted too, and more are left to smallest_ball_of_balls.
-// Smallest up to rounding; the radius is then raised to what encloses all balls as computed. If one of the balls is
-// undefined (not finite, or of negative radius), so is the result: all of it is NaN.
-inline SmallestBallOfBalls few_balls_ball(std::span<const Ball3<double>> balls) {
-  if (balls.size() <= 32) return pivot_balls<32>(balls);
-  if (balls.size() <= 512) return pivot_balls<512>(balls);
+// balls is not empty. Made for up to 32 balls; up to 4096 are pivoted too, and more are left to smallest_ball_of_balls.
+// Smallest up to rounding, or at most 1 + slack times that; the radius is then raised to what encloses all balls as
+// computed. If one of the balls is undefined (not finite, or of negative radius), so is the result: all of it is NaN.
+// With a slack the certificate is one of the ball of the support.
+inline SmallestBallOfBalls few_balls_ball(std::span<const Ball3<double>> balls, double slack = 0) {
+  if (balls.size() <= 32) return pivot_balls<32>(balls, slack);
+  if (balls.size() <= 512) return pivot_balls<512>(balls, slack);
+  if (balls.size() <= 4096) return pivot_balls<4096>(balls, slack);
   return {smallest_ball_of_balls(balls)};
 }
 
 // The same without the certificate, which costs as much as the ball does for the balls that most nodes of a tree have:
 // one, or three points.
-inline Ball3<double> few_balls_enclosing(std::span<const Ball3<double>> balls) {
+inline Ball3<double> few_balls_enclosing(std::span<const Ball3<double>> balls, double slack = 0) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (balls.size() == 1) {
     const Ball3<double>& b = balls[0];
@@ -246,7 +251,7 @@ inline Ball3<double> few_balls_enclosing(std::span<const Ball3<double>> balls) {
     const double radius = root(points.squared_radius) + balls[0].radius;
     if (balls[0].radius >= 0 && radius < infinity) return {points.center, radius};
   }
-  return few_balls_ball(balls).ball;
+  return few_balls_ball(balls, slack).ball;
 }
 
 }  // namespace refitlab

@@ -34,10 +34,12 @@ class FewPoints {
   // items is not empty.
   explicit FewPoints(std::span<const Item> items) : items_(items), origin_(quad<S>(center_of<S, D>(items[0]))) {}
 
+  // The pivots end as soon as the radius is within 1 + slack of the support's ball, which no ball of all is smaller than.
   // False if a point is not finite, or if rounding kept the pivots from ending. The support and its center are relative
   // to the first point, so that a small cloud far from the origin loses no digits; only which point is the farthest is
   // asked at the rounded center.
-  bool solve() {
+  bool solve(S slack = S(0)) {
+    const S enough = max_of(tolerance, S(1) - S(1) / sq(S(1) + slack));
     const int a = fill_table();
     if (!is_defined_) return false;
     const int b = farthest_from(origin_ + position(a)).index();
@@ -52,7 +54,7 @@ class FewPoints {
       squared_radius_ = farthest.value();
       const Quad<S> p = position(farthest.index());
       const S far = squared_norm(p - center), low = squared_radius_of_support(center);
-      if (far - low <= tolerance * far) return true;
+      if (far - low <= enough * far) return true;
       if (support_.contains(farthest.index())) return false;
       if (!support_.enter(farthest.index(), p, center, far - low, sq(noise) * far)) return false;
     }

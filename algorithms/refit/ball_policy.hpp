@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/balls/first_balls_ball.hpp"
 #include "algorithms/balls/mean_ball.hpp"
-#include "algorithms/balls/near_smallest_ball.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 
 namespace refitlab {
@@ -32,11 +32,14 @@ struct SmallestBalls {
   static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return few_balls_enclosing(balls); }
 };
 
-// A few steps from the middle of the balls' box towards the smallest ball: each moves the center towards the ball that
-// reaches farthest, by the share 1/2, 1/3, ... of Badoiu and Clarkson [2003], and the best center met is kept.
+// At most this much larger than the smallest, which is known from a few of the balls: those that come first are tried.
 struct NearSmallestBalls {
-  static constexpr int steps = 8;
-  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return near_smallest_ball(balls, steps); }
+  static constexpr double slack = 0.05;
+  static Ball3<double> of_balls(std::span<const Ball3<double>> balls) {
+    if (balls.size() > 1)
+      if (const auto near = first_balls_ball(balls, slack)) return *near;
+    return few_balls_enclosing(balls, slack);
+  }
 };
 
 // The lists of Algorithm 1, kept between calls so that a refit does not allocate.

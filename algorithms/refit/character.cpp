@@ -1,23 +1,31 @@
 #include "algorithms/refit/character.hpp"
 
 namespace refitlab {
+namespace {
+
+PieceOptions options_of(Pieces kind) {
+  switch (kind) {
+    case Pieces::mixed: return {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2};
+    case Pieces::clusters: return {.most_pieces = most_clusters};
+    default: return {};
+  }
+}
+
+}  // namespace
 
 Character::Character(Model m, const TreeOptions& options)
-    : model(std::move(m)),
-      sets(model),
-      tree(build_sphere_tree(model, sets, options)),
-      vertices(tree, model),
-      joint_set_pieces(tree, vertices, model, sets, {}),
-      mixed_pieces(tree, vertices, model, sets, {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
-      clusters(tree, vertices, model, sets, {.most_pieces = most_clusters}) {}
+    : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets, options)), vertices(tree, model) {}
 
-RefitNode<double> Character::refit_node(int node, const SkinningPose<double>& pose, Pieces pieces) const {
-  switch (pieces) {
-    case Pieces::joint_sets: return joint_set_pieces.refit_node(tree, node, pose);
-    case Pieces::mixed: return mixed_pieces.refit_node(tree, node, pose);
-    case Pieces::clusters: return clusters.refit_node(tree, node, pose);
-    default: return tree.refit_node(node, pose);
-  }
+const PieceTable& Character::pieces(Pieces kind) const {
+  return tables_->get(kind, [&] { return PieceTable(tree, vertices, model, sets, options_of(kind)); });
+}
+
+RefitNode<double> Character::refit_node(int node, const SkinningPose<double>& pose, Pieces kind) const {
+  return kind == Pieces::node ? tree.refit_node(node, pose) : pieces(kind).refit_node(tree, node, pose);
+}
+
+void Character::prepare(Pieces kind) const {
+  if (kind != Pieces::node) pieces(kind);
 }
 
 std::vector<Ball3<double>> Character::refit_all(const RefitVariant& variant, const SkinningPose<double>& pose) const {

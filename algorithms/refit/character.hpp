@@ -1,8 +1,9 @@
 // Character: a model with all that is built once from it, before any posture.
 #pragma once
 
-#include "algorithms/refit/variants.hpp"
-#include "algorithms/tree/pieces.hpp"
+#include <memory>
+
+#include "algorithms/refit/lazy_piece_tables.hpp"
 
 namespace refitlab {
 
@@ -11,7 +12,10 @@ struct Character {
   explicit Character(Model m, const TreeOptions& options = {});
 
   // What a variant looks at to refit a node. pose is of make_skinning_pose for this model.
-  RefitNode<double> refit_node(int node, const SkinningPose<double>& pose, Pieces pieces) const;
+  RefitNode<double> refit_node(int node, const SkinningPose<double>& pose, Pieces kind) const;
+
+  // Makes what refit_node needs for this kind of pieces; else the first call does, which takes longer than the tree.
+  void prepare(Pieces kind) const;
 
   // The balls of all nodes.
   std::vector<Ball3<double>> refit_all(const RefitVariant& variant, const SkinningPose<double>& pose) const;
@@ -20,7 +24,11 @@ struct Character {
   JointSets sets;
   SphereTree tree;
   NodeVertices vertices;
-  PieceTable joint_set_pieces, mixed_pieces, clusters;  // by kind of Pieces
+
+ private:
+  const PieceTable& pieces(Pieces kind) const;
+
+  std::shared_ptr<LazyPieceTables> tables_ = std::make_shared<LazyPieceTables>();  // of copies too: they are the same
 };
 
 }  // namespace refitlab

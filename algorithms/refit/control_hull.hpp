@@ -130,7 +130,7 @@ template <class S>
 class SphericalPiece {
  public:
   using Number = S;
-  using Corner = ControlCorner<S>;
+  using Corner = BlendedJoints<S>;
   static constexpr double near = 4;  // less than 120 degrees of rotation apart, 60 degrees between the quaternions
 
   // x is p - r_c, radius that of the reference ball.
@@ -180,12 +180,6 @@ class SphericalPiece {
   const S radius_;
 };
 
-// A single corner with a blend that is certainly not zero: the whole piece moves rigidly.
-template <class S>
-bool is_one_rotation(const JointSetPose<S>& pose, const RefitNode<S>& node, const NodeJointSet& set) {
-  return set.corner_count == 1 && certainly_less(S(0), squared_norm(blend_quaternion(pose, node.corner(set, 0))));
-}
-
 // Balls whose convex hull contains the node's vertices under spherical blending, in lists.cap.balls: what any convex
 // bounding volume can be put around.
 template <class S>
@@ -195,18 +189,17 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
     const NodeJointSet& set = node.joint_sets[i];
     const JointSetPose<S> pose = node.pose[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
+    const Vec<S, 3> x = reference.center - pose.rotation_center;
+    lists.corners.clear();
     if (set.corner_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
-      const auto w = node.corner(set, 0);
-      const Quaternion<S> q = blend_quaternion(pose, w);
-      if (const S squared_length = squared_norm(q); certainly_less(S(0), squared_length)) {
-        lists.cap.balls.push_back({turn_and_place(pose, w, q, squared_length, reference.center), reference.radius});
+      const BlendedJoints<S> only = blend_joints(pose, node.corner(set, 0));
+      if (const S squared_length = squared_norm(only.rotation); certainly_less(S(0), squared_length)) {
+        lists.cap.balls.push_back({turn_and_place(only, squared_length, x), reference.radius});
         continue;
       }
     }
-    lists.corners.clear();
-    for (int k = 0; k < set.corner_count; ++k)
-      lists.corners.push_back({blend_quaternion(pose, node.corner(set, k)), blend_center(pose, node.corner(set, k))});
-    SphericalPiece<S> piece(reference.center - pose.rotation_center, reference.radius);
+    for (int k = 0; k < set.corner_count; ++k) lists.corners.push_back(blend_joints(pose, node.corner(set, k)));
+    SphericalPiece<S> piece(x, reference.radius);
     ControlHull(piece, lists.corners, lists)
         .cover(lists.corners.size(), set.corner_count == 1 ? 0 : most_halvings);
   }

@@ -28,7 +28,7 @@ template <class S>
 class DualQuaternionPiece {
  public:
   using Number = S;
-  using Corner = DualCorner<S>;
+  using Corner = BlendedDuals<S>;
   static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
 
   // point is p, radius that of the reference ball.
@@ -127,15 +127,15 @@ std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node
     const NodeJointSet& set = node.joint_sets[i];
     const JointSetPose<S> pose = node.pose[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
-    if (is_one_rotation(pose, node, set)) {
-      balls.push_back({blend_dual_quaternion(pose, node.corner(set, 0), reference.center), reference.radius});
-      continue;
+    if (set.corner_count == 1) {  // one rigid transform, unless its blend may be zero
+      const BlendedDuals<S> only = blend_duals(pose, node.corner(set, 0));
+      if (const S squared_length = squared_norm(only.rotation); certainly_less(S(0), squared_length)) {
+        balls.push_back({move_rigidly(only, squared_length, reference.center), reference.radius});
+        continue;
+      }
     }
     lists.dual_corners.clear();
-    for (int k = 0; k < set.corner_count; ++k) {
-      const auto w = node.corner(set, k);
-      lists.dual_corners.push_back({blend_quaternion(pose, w), blend_dual(pose, w)});
-    }
+    for (int k = 0; k < set.corner_count; ++k) lists.dual_corners.push_back(blend_duals(pose, node.corner(set, k)));
     DualQuaternionPiece<S> piece(reference.center, reference.radius);
     ControlHull(piece, lists.dual_corners, lists)
         .cover(lists.dual_corners.size(), set.corner_count == 1 ? 0 : most_halvings);

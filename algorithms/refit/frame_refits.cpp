@@ -49,7 +49,9 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
       made_(character.tree.nodes.size()),
       balls_(character.tree.nodes.size()),
       front_(fronts(character.tree, options)),
-      refitted_(character.tree.level_count()) {}
+      refitted_(character.tree.level_count()) {
+  character.prepare(variant.pieces);
+}
 
 void FrameRefits::begin(const SkinningPose<double>& pose) {
   pose_ = &pose;

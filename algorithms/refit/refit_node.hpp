@@ -28,7 +28,7 @@ struct RefitNode {
 
   // c_k of one of its pieces, by position in the joint-set.
   std::span<const S> corner(const NodeJointSet& set, int k) const {
-    const std::size_t n = pose[set.joint_set].transforms.size();
+    const std::size_t n = pose.joint_count(set.joint_set);
     return {corner_weights + set.first_weight + k * n, n};
   }
   const Ball3<S>& piece_reference(std::size_t piece) const {

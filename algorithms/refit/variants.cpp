@@ -21,24 +21,25 @@ ControlLists<double>& control_lists() {
   return reused;
 }
 
+// Flattened, as otherwise GCC at -O2 calls each product of two vectors.
 template <class Policy, Signs signs>
-Ball3<double> printed(const RefitNode<double>& node) {
+[[gnu::flatten]] Ball3<double> printed(const RefitNode<double>& node) {
   return refit_algorithm1_printed<Policy>(node, signs, lists());
 }
 template <class Policy>
-Ball3<double> linear(const RefitNode<double>& node) {
+[[gnu::flatten]] Ball3<double> linear(const RefitNode<double>& node) {
   return refit_linear<Policy>(node, control_lists());
 }
 template <class Policy>
-Ball3<double> control(const RefitNode<double>& node) {
+[[gnu::flatten]] Ball3<double> control(const RefitNode<double>& node) {
   return refit_control_hull<Policy>(node, control_lists());
 }
 template <class Policy>
-Ball3<double> dual_quaternion(const RefitNode<double>& node) {
+[[gnu::flatten]] Ball3<double> dual_quaternion(const RefitNode<double>& node) {
   return refit_dual_quaternion<Policy>(node, control_lists());
 }
 template <class Policy>
-Ball3<double> repaired(const RefitNode<double>& node) {
+[[gnu::flatten]] Ball3<double> repaired(const RefitNode<double>& node) {
   return refit_algorithm1_repaired<Policy>(node, lists());
 }
 
@@ -55,8 +56,8 @@ const std::vector<RefitVariant>& refit_variants() {
        P::joint_sets, refitlab::linear<MeanBalls>},
       {"linear_pieces_near", "linear blending, a ball and a weight hull per joint-set, near-smallest balls", linear, true,
        P::joint_sets, refitlab::linear<NearSmallestBalls>},
-      {"linear_mixed", "linear blending, joint-sets or their vertices as control_mixed has them, smallest balls", linear, true,
-       P::mixed, refitlab::linear<SmallestBalls>},
+      {"linear_mixed", "linear blending, joint-sets or their vertices as control_mixed has them, near-smallest balls", linear,
+       true, P::mixed, refitlab::linear<NearSmallestBalls>},
       {"spherical_printed", "Algorithm 1 as printed", spherical, false, P::node, printed<MeanBalls, Signs::of_matrices>},
       {"spherical_printed_signed", "Algorithm 1 as printed, but with the skinning's quaternion signs", spherical, false, P::node,
        printed<MeanBalls, Signs::of_skinning>},
@@ -71,8 +72,8 @@ const std::vector<RefitVariant>& refit_variants() {
        P::joint_sets, control<NearSmallestBalls>},
       {"control_sets_exact", "control hull, a ball and a weight hull per joint-set, smallest ball", spherical, true,
        P::joint_sets, control<SmallestBalls>},
-      {"control_mixed", "control hull, or the vertices one by one where that is about as cheap, smallest ball", spherical,
-       true, P::mixed, control<SmallestBalls>},
+      {"control_mixed", "control hull, or the vertices one by one where that is about as cheap, near-smallest ball",
+       spherical, true, P::mixed, control<NearSmallestBalls>},
       {"control_clusters", "control hull, up to 512 pieces a node, smallest ball", spherical, true, P::clusters,
        control<SmallestBalls>},
       {"dual_quaternion_control_mean", "control hull of dual quaternions, mean ball", dual_quaternion, true, P::node,
@@ -84,8 +85,8 @@ const std::vector<RefitVariant>& refit_variants() {
        "control hull of dual quaternions, a ball and a weight hull per joint-set, smallest ball", dual_quaternion, true,
        P::joint_sets, refitlab::dual_quaternion<SmallestBalls>},
       {"dual_quaternion_mixed",
-       "control hull of dual quaternions, or the vertices one by one as control_mixed has them, smallest ball",
-       dual_quaternion, true, P::mixed, refitlab::dual_quaternion<SmallestBalls>},
+       "control hull of dual quaternions, or the vertices one by one as control_mixed has them, near-smallest ball",
+       dual_quaternion, true, P::mixed, refitlab::dual_quaternion<NearSmallestBalls>},
   };
   return variants;
 }

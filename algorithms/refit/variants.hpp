@@ -19,6 +19,7 @@ enum class Pieces {
   mixed,       // the same, or the vertices one by one where that is about as cheap: few vertices, many control points
   clusters     // up to 512 pieces a node
 };
+inline constexpr int piece_kinds = 4;
 inline constexpr int most_clusters = 512;
 
 struct RefitVariant {
@@ -32,8 +33,9 @@ struct RefitVariant {
 
 const std::vector<RefitVariant>& refit_variants();
 
-// The one to take unless there is a reason for another: about as cheap as Algorithm 1 (most nodes hold so few vertices
-// that skinning these costs no more than bounding them), within a tenth of the smallest ball, and exact at the leaves.
+// The one to take unless there is a reason for another: no dearer than Algorithm 1 (most nodes hold so few vertices that
+// skinning these costs less than bounding them, and their ball is known from those that touched it in the reference
+// posture), within a tenth of the smallest ball on average, and exact at the leaves.
 const RefitVariant& default_variant(Skinning skinning);
 
 // Throws std::invalid_argument that lists the names there are.

@@ -28,39 +28,68 @@ Vec<S, 3> blend_center(const JointSetPose<S>& pose, std::span<const S> w) {
   return combine<S, 3>(w, pose.center_images);
 }
 
-// Equation (1) for q = sum w_i q_i of this squared length, which is not zero. Division by the squared length in place of
-// a normalisation keeps it free of square roots, so that exact rationals can evaluate it.
+// What is linear in the weights in Equation (1).
 template <class S>
-Vec<S, 3> turn_and_place(const JointSetPose<S>& pose, std::span<const S> w, const Quaternion<S>& q, const S& squared_length,
-                         const Vec<S, 3>& v) {
-  const Vec<S, 3> turned = rotate_scaled<S>(q, v - pose.rotation_center);
+struct BlendedJoints {
+  Quaternion<S> rotation;  // sum w_i q_i, not normalised
+  Vec<S, 3> center_image;  // sum w_i C_{j_i} r_c
+};
+
+// Both in one pass.
+template <class S>
+BlendedJoints<S> blend_joints(const JointSetPose<S>& pose, std::span<const S> w) {
+  BlendedJoints<S> sum{pose.transforms[0].rotation * w[0], pose.center_images[0] * w[0]};
+  for (std::size_t i = 1; i < w.size(); ++i) {
+    sum.rotation = sum.rotation + pose.transforms[i].rotation * w[i];
+    sum.center_image = sum.center_image + pose.center_images[i] * w[i];
+  }
+  return sum;
+}
+
+// Equation (1) for a rotation of this squared length, which is not zero, and x = v - r_c. Division by the squared length
+// in place of a normalisation keeps it free of square roots, so that exact rationals can evaluate it.
+template <class S>
+Vec<S, 3> turn_and_place(const BlendedJoints<S>& blend, const S& squared_length, const Vec<S, 3>& x) {
+  const Vec<S, 3> turned = rotate_scaled<S>(blend.rotation, x);
   const S scale = S(1) / squared_length;
-  return turned * scale + blend_center(pose, w);
+  return turned * scale + blend.center_image;
 }
 
 // Equation (1). The blended quaternion must not be zero (signs made consistent and w_1 > 0 ensure it).
 template <class S>
 Vec<S, 3> blend_spherical(const JointSetPose<S>& pose, std::span<const S> w, const Vec<S, 3>& v) {
-  const Quaternion<S> q = blend_quaternion(pose, w);
-  return turn_and_place(pose, w, q, squared_norm(q), v);
+  const BlendedJoints<S> blend = blend_joints(pose, w);
+  return turn_and_place<S>(blend, squared_norm(blend.rotation), v - pose.rotation_center);
 }
 
-// sum w_i d_i, not normalised.
+// What is linear in the weights in blending dual quaternions.
 template <class S>
-Quaternion<S> blend_dual(const JointSetPose<S>& pose, std::span<const S> w) {
-  return combine<S, 4>(w, pose.duals);
+struct BlendedDuals {
+  Quaternion<S> rotation;  // sum w_i q_i, not normalised
+  Quaternion<S> dual;      // sum w_i d_i
+};
+
+template <class S>
+BlendedDuals<S> blend_duals(const JointSetPose<S>& pose, std::span<const S> w) {
+  return {blend_quaternion(pose, w), combine<S, 4>(w, pose.duals)};
 }
 
 // Dual quaternion linear blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"]: the rigid
 // transform of b = sum w_i (q_i + eps d_i) = q + eps d after its normalisation. Dividing b by its norm, the dual number
 // ||q|| + eps (q, d) / ||q||, takes from d its part along q; 2 d q* loses its real part by that and nothing else. So
-// v' = (Im(q v q*) + 2 Im(d q*)) / ||q||^2, free of square roots. The blended q must not be zero.
+// v' = (Im(q v q*) + 2 Im(d q*)) / ||q||^2, free of square roots. This is for a q of this squared length, not zero.
+template <class S>
+Vec<S, 3> move_rigidly(const BlendedDuals<S>& blend, const S& squared_length, const Vec<S, 3>& v) {
+  const Vec<S, 3> turned = rotate_scaled<S>(blend.rotation, v);
+  const Vec<S, 3> moved = imaginary<S>(multiply(blend.dual, conjugate(blend.rotation))) * S(2);
+  return (turned + moved) / squared_length;
+}
+
+// The blended q must not be zero.
 template <class S>
 Vec<S, 3> blend_dual_quaternion(const JointSetPose<S>& pose, std::span<const S> w, const Vec<S, 3>& v) {
-  const Quaternion<S> q = blend_quaternion(pose, w), d = blend_dual(pose, w);
-  const Vec<S, 3> turned = rotate_scaled<S>(q, v);
-  const Vec<S, 3> moved = imaginary<S>(multiply(d, conjugate(q))) * S(2);
-  return (turned + moved) / squared_norm(q);
+  const BlendedDuals<S> blend = blend_duals(pose, w);
+  return move_rigidly<S>(blend, squared_norm(blend.rotation), v);
 }
 
 // The same by the kind of skinning.

@@ -75,6 +75,7 @@ template <class S>
 class SkinningPose {
  public:
   std::size_t size() const { return rotation_centers_.size(); }
+  std::size_t joint_count(std::size_t joint_set) const { return first_[joint_set + 1] - first_[joint_set]; }
   JointSetPose<S> operator[](std::size_t joint_set) const {
     const std::size_t first = first_[joint_set], count = first_[joint_set + 1] - first;
     return {{transforms_.data() + first, count}, rotation_centers_[joint_set], {center_images_.data() + first, count},

@@ -4,7 +4,7 @@
 #include <map>
 #include <queue>
 
-#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/weights/weight_hull.hpp"
 
 namespace refitlab {
@@ -116,12 +116,17 @@ class NodeClusters {
 
 PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, const Model& model, const JointSets& sets,
                        const PieceOptions& options) {
-  std::vector<int> row;  // by vertex, of its weights
-  for (std::size_t v = 0; v < model.vertices.size(); ++v) {
-    const auto weights = sets.weights(static_cast<int>(v));
-    row.push_back(static_cast<int>(corner_weights_.size()));
-    corner_weights_.insert(corner_weights_.end(), weights.begin(), weights.end());
-    references_.push_back({model.vertices[v], 0});
+  // In the order of the leaves, so that what a node lists lies close together.
+  std::vector<NodeJointSet> listed(model.vertices.size(), {-1, 0, 1, 0});  // by vertex
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    if (tree.nodes[n].child_count > 0) continue;
+    for (const int v : vertices[static_cast<int>(n)]) {
+      if (listed[v].joint_set >= 0) continue;
+      const auto weights = sets.weights(v);
+      listed[v] = {sets.of_vertex(v), static_cast<int>(corner_weights_.size()), 1, static_cast<int>(references_.size())};
+      corner_weights_.insert(corner_weights_.end(), weights.begin(), weights.end());
+      references_.push_back({model.vertices[v], 0});
+    }
   }
   const NodeClusters clusters(model, sets, options);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
@@ -131,7 +136,7 @@ PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, con
       const auto corners = clusters.corners_of(c);
       const bool is_exact = of_node.size() == 1 && corners.size() == 1;
       if (c.vertices.size() == 1 || (!is_exact && clusters.is_better_as_vertices(c, corners))) {
-        for (const int v : c.vertices) pieces_.push_back({c.joint_set, row[v], 1, v});
+        for (const int v : c.vertices) pieces_.push_back(listed[v]);
         continue;
       }
       pieces_.push_back({c.joint_set, static_cast<int>(corner_weights_.size()), static_cast<int>(corners.size()),
@@ -139,8 +144,19 @@ PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, con
       references_.push_back(c.ball);
       for (const auto& corner : corners) corner_weights_.insert(corner_weights_.end(), corner.begin(), corner.end());
     }
+    order_by_support({pieces_.data() + first_.back(), pieces_.size() - first_.back()});
   }
   first_.push_back(pieces_.size());
+}
+
+void PieceTable::order_by_support(std::span<NodeJointSet> pieces) const {
+  std::vector<Ball3<double>> balls;
+  for (const auto& piece : pieces) balls.push_back(references_[piece.reference]);
+  const auto smallest = few_balls_ball(balls);
+  std::vector<int> support(smallest.support.begin(), smallest.support.begin() + smallest.support_size);
+  std::sort(support.begin(), support.end());
+  for (std::size_t k = 0; k < support.size(); ++k)
+    std::rotate(pieces.begin() + k, pieces.begin() + support[k], pieces.begin() + support[k] + 1);
 }
 
 }  // namespace refitlab

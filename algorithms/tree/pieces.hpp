@@ -35,6 +35,9 @@ class PieceTable {
   std::size_t piece_count() const { return pieces_.size(); }
 
  private:
+  // Those that touch the smallest ball of all come first, the others stay in order.
+  void order_by_support(std::span<NodeJointSet> pieces) const;
+
   std::vector<std::size_t> first_;  // by node, and one past the last
   std::vector<NodeJointSet> pieces_;
   // Of the pieces of one vertex there is one for each vertex, whatever the nodes it is in: they come first.

@@ -20,6 +20,7 @@ std::vector<Timed> refits_of(const Character& c, const Posture& posture, const s
   for (const Contender& contender : contenders()) {
     const RefitVariant& variant = *contender.variant;
     if (!variant.sound) continue;
+    c.prepare(variant.pieces);
     const auto pose = std::make_shared<SkinningPose<double>>(make_skinning_pose(c.model, c.sets, posture, variant.skinning));
     const int count = static_cast<int>(nodes.size());
     if (contender.stands_alone()) {

@@ -113,6 +113,7 @@ std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& po
   const int count = static_cast<int>(c.tree.nodes.size());
   std::vector<Timed> timed;
   const auto add = [&](const auto& variant) {
+    c.prepare(variant.pieces);
     timed.push_back({variant.name, count, [&c, &pose, &variant, count] {
                        for (int n = 0; n < count; ++n)
                          benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));

@@ -1,6 +1,7 @@
 // A frame's skinning data and the skinned vertices of whole models.
 #include "algorithms/skinning/skinning_pose.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "algorithms/skinning/blend.hpp"
