@@ -146,7 +146,7 @@ Checked measure_tightness() {
     for (const auto& a : pose.transforms)
       for (const auto& b : pose.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
     if (!near) continue;
-    place_rotation_center<double>(pose, rotation_center(pose.transforms, Point3::Zero()));
+    place_rotation_center<double>(pose, rotation_center<double>(pose.transforms, Point3::Zero()));
     const Ball3<double> reference{2 * vector(), 0};
     std::vector<double> corners;
     for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
