@@ -20,7 +20,8 @@ int blocks_of(int boxes) { return (boxes + 7) / 8; }
 }  // namespace
 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
-    : tree_(tree), skinning_(skinning), kernels_(box_kernels(best_target())), pose_packs_(tree.character().model, tree.character().sets, skinning), joints_(tree.character().sets),
+    : tree_(tree), skinning_(skinning), kernels_(box_kernels(best_target())),
+      reach_(tree.character().model, tree.character().sets, skinning), pose_packs_(tree.character().model, tree.character().sets, skinning), joints_(tree.character().sets),
       fans_made_(tree.fans().size()), clusters_made_(tree.clusters().size()), groups_made_(tree.group_count()),
       fan_boxes_(tree.fans().size()), skinned_(tree.clusters().size()) {
   int blocks = 0, most = 0;
@@ -31,11 +32,22 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
 
 void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& placement) {
   check(placement);
-  pose_packs_.make(posture, pose_);
+  check_posture(tree_.character().model, posture);
+  posture_ = posture;
   placement_ = placement;
-  are_floats_filled_ = false;
+  is_reach_made_ = is_pose_made_ = are_floats_filled_ = false;
   fans_made_.begin(), clusters_made_.begin(), groups_made_.begin();
   nodes_bounded_ = clusters_skinned_ = corners_skinned_ = 0;
+}
+
+const Box6& ClusterBody::reach() {
+  if (!is_reach_made_) reach_box_ = reach_.box(posture_, placement_), is_reach_made_ = true;
+  return reach_box_;
+}
+
+const SkinningPose<double>& ClusterBody::pose() {
+  if (!is_pose_made_) pose_packs_.make(posture_, pose_), is_pose_made_ = true;
+  return pose_;
 }
 
 const BoxBlock* ClusterBody::fan_boxes(int fan) {
@@ -49,10 +61,10 @@ const Box6& ClusterBody::fan_box(int fan) {
 }
 
 void ClusterBody::bound_fan(int f) {
-  if (!are_floats_filled_) joints_.fill(pose_, skinning_), are_floats_filled_ = true;
+  if (!are_floats_filled_) joints_.fill(pose(), skinning_), are_floats_filled_ = true;
   const Fan& fan = tree_.fans()[f];
   const std::span<FlippedBox> boxes(flipped_.data(), fan.child_count);
-  bound_boxes(fan.pieces, skinning_, joints_, pose_, placement_.rotation, boxes);
+  bound_boxes(fan.pieces, skinning_, joints_, pose(), placement_.rotation, boxes);
   BoxBlock* blocks = &fan_blocks_[first_block_of_fan_[f]];
   Box6& whole = fan_boxes_[f] = no_box;
   for (int i = 0; i < fan.child_count; ++i) {
@@ -77,7 +89,7 @@ void ClusterBody::skin_cluster(int n) {
     out.groups.resize(blocks_of(cluster.group_count));
     out.triangles.resize(cluster.group_count);
   }
-  tree_.vertices().skin_group(n, pose_, skinning_, unplaced_);
+  tree_.vertices().skin_group(n, pose(), skinning_, unplaced_);
   const double placement[] = {placement_.rotation[0], placement_.rotation[1], placement_.rotation[2], placement_.rotation[3],
                               placement_.translation[0], placement_.translation[1], placement_.translation[2]};
   kernels_.place(unplaced_.blocks.data(), cluster.corner_count / Lanes<double>::count, placement, out.corners.data());
@@ -98,12 +110,12 @@ const BoxBlock& ClusterBody::triangle_boxes(int cluster, int g) {
   return block;
 }
 
-TrianglePoints ClusterBody::triangle(int triangle) const {
+TrianglePoints ClusterBody::triangle(int triangle) {
   const Character& c = tree_.character();
   TrianglePoints out;
   for (int i = 0; i < 3; ++i) {
     const int v = c.model.triangles[triangle][i];
-    out[i] = apply(placement_, blend<double>(skinning_, pose_[c.sets.of_vertex(v)], c.sets.weights(v), c.model.vertices[v]));
+    out[i] = apply(placement_, blend<double>(skinning_, pose()[c.sets.of_vertex(v)], c.sets.weights(v), c.model.vertices[v]));
   }
   return out;
 }

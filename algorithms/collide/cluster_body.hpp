@@ -1,10 +1,11 @@
-// ClusterBody: a placed character in one frame, as the fast queries see it: fans bounded and clusters skinned only where a
-// query gets to.
+// ClusterBody: a placed character in one frame, as the fast queries see it: at first only how far it can reach; then fans
+// bounded and clusters skinned where a query gets to.
 #pragma once
 
 #include "algorithms/batch/pose_packs.hpp"
 #include "algorithms/collide/box_kernel.hpp"
 #include "algorithms/collide/cluster_tree.hpp"
+#include "algorithms/collide/reach.hpp"
 #include "algorithms/collide/triangles_filter.hpp"
 #include "algorithms/refit/frame_stamps.hpp"
 
@@ -15,11 +16,14 @@ class ClusterBody {
   // tree outlives this.
   ClusterBody(const ClusterTree& tree, Skinning skinning);
 
-  // Starts a frame. placement takes model space to the world. Throws ModelError for a posture that make_skinning_pose refuses,
+  // Starts a frame, of which nothing is worked out yet. placement takes model space to the world. Throws ModelError for a posture that make_skinning_pose refuses,
   // std::invalid_argument for a placement that is not rigid.
   void begin(const Posture& posture, const RigidTransform<double>& placement);
 
   const ClusterTree& tree() const { return tree_; }
+
+  // A box in the world around all of it, from the joints alone; see Reach.
+  const Box6& reach();
 
   // Boxes in the world around all vertices below: of a fan's children, in blocks, and of one of them.
   const BoxBlock* fan_boxes(int fan);
@@ -37,7 +41,7 @@ class ClusterBody {
   const Corner* corners(int cluster) { return skinned(cluster).corners.data(); }
 
   // A triangle of the model by itself, in the world: the same doubles, without its cluster.
-  TrianglePoints triangle(int triangle) const;
+  TrianglePoints triangle(int triangle);
 
   // Since begin.
   long nodes_bounded() const { return nodes_bounded_; }
@@ -53,6 +57,7 @@ class ClusterBody {
     Box6 box;
   };
 
+  const SkinningPose<double>& pose();
   void bound_fan(int fan);
   void skin_cluster(int cluster);
   const Skinned& skinned(int cluster) {
@@ -63,11 +68,14 @@ class ClusterBody {
   const ClusterTree& tree_;
   const Skinning skinning_;
   const BoxKernels& kernels_;
+  const Reach reach_;
   const PosePacks pose_packs_;
+  Posture posture_;
   RigidTransform<double> placement_;
+  Box6 reach_box_;
   SkinningPose<double> pose_;
   JointFloats joints_;
-  bool are_floats_filled_ = false;
+  bool is_reach_made_ = false, is_pose_made_ = false, are_floats_filled_ = false;
   FrameStamps fans_made_, clusters_made_, groups_made_;
   std::vector<int> first_block_of_fan_;
   std::vector<BoxBlock> fan_blocks_;

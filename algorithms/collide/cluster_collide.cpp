@@ -146,6 +146,8 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
       memory->remember(*pair);
       return {*pair};
     }
+  ++counts.ball_tests;
+  if (are_apart(first.reach(), second.reach())) return {};
   auto pairs = ClusterTraversal(first, second, query, counts).run();
   if (memory) memory->remember(pairs);
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);

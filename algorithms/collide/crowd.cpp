@@ -53,7 +53,7 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
     throw std::invalid_argument("collide_all: " + std::to_string(threads) + " threads" +
                                 (threads < 1 ? "" : ", but refitlab was built without TBB"));
   std::vector<Box6> boxes(bodies.size());
-  for_each(bodies.size(), threads, [&](std::size_t i) { boxes[i] = bodies[i]->fan_box(0); });
+  for_each(bodies.size(), threads, [&](std::size_t i) { boxes[i] = bodies[i]->reach(); });
   const auto pairs = meeting(boxes);
   counts.pairs_of_boxes += static_cast<long>(pairs.size());
 

@@ -1,0 +1,160 @@
+#include "algorithms/collide/reach.hpp"
+
+#include <random>
+
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
+
+Box6 box_of_vertices(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning,
+                     const RigidTransform<double>& placement) {
+  Box6 box = no_box;
+  for (const Point3& p : skin(model, sets, make_skinning_pose(model, sets, posture, skinning), skinning)) {
+    const Point3 at = apply(placement, p);
+    for (int i = 0; i < 3; ++i) box[i] = std::min(box[i], at[i]), box[3 + i] = std::max(box[3 + i], at[i]);
+  }
+  return box;
+}
+
+// A box with a NaN encloses nothing here.
+bool encloses(const Box6& outer, const Box6& inner) {
+  for (int i = 0; i < 3; ++i)
+    if (!(outer[i] <= inner[i] && outer[3 + i] >= inner[3 + i])) return false;
+  return true;
+}
+
+bool is_everything(const Box6& box) {
+  for (int i = 0; i < 3; ++i)
+    if (box[i] != -infinite || box[3 + i] != infinite) return false;
+  return true;
+}
+
+double widths(const Box6& b) { return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]); }
+
+RigidTransform<double> random_placement(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const double far = random() % 4 == 0 ? 1e6 : 2;
+  return {gen::random_rotation(random, 1), Point3(normal(random), normal(random), normal(random)) * far};
+}
+
+// Rotations as files of floats have them: up to 1e-6 off in the square of their length.
+void spoil_lengths(Posture& posture, std::mt19937& random) {
+  std::uniform_real_distribution<double> off(-4.9e-7, 4.9e-7);
+  for (auto& t : posture) t.rotation *= 1 + off(random);
+}
+
+}  // namespace
+
+PROPTEST(reach) {
+  t.holds("the box holds all vertices, however joints are turned, in every skinning",
+          {.number_type = "float", .cases = 600, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Model model = gen::make_mesh(plan);
+            const JointSets sets(model);
+            std::mt19937 random(plan.seed);
+            const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.1, 0.5, 3.0);
+            for (const Skinning skinning : all_skinnings) {
+              const Reach reach(model, sets, skinning);
+              for (int frame = 0; frame < 4; ++frame) {
+                Posture posture = gen::random_posture(model, random, spread);
+                if (frame == 1) spoil_lengths(posture, random);
+                // All turned together, so that relative rotations stay small.
+                if (frame == 2)
+                  for (auto& joint : posture) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
+                const auto placement = random_placement(random);
+                const Box6 box = reach.box(posture, placement);
+                RC_ASSERT(encloses(box, box_of_vertices(model, sets, posture, skinning, placement)));
+                if (skinning != Skinning::dual_quaternion) RC_ASSERT(std::isfinite(widths(box)));
+                if (frame == 0) RC_TAG(std::isfinite(widths(box)) ? "bounded" : "unbounded");
+              }
+            }
+          });
+  t.holds("joints that only turn, about points of their own: rotation centers far from all vertices",
+          {.number_type = "float", .cases = 300}, [] {
+            const auto plan = *gen::mesh_plan();
+            const Model model = gen::make_mesh(plan);
+            const JointSets sets(model);
+            std::mt19937 random(plan.seed);
+            std::normal_distribution<double> normal;
+            const double spread = *rc::gen::element(1e-4, 1e-3, 1e-2, 0.3);
+            const double far = *rc::gen::element(1.0, 30.0, 1000.0);
+            Posture posture = gen::random_posture(model, random, spread);
+            for (auto& joint : posture) {
+              const Point3 pivot = Point3(normal(random), normal(random), normal(random)) * far;
+              joint.translation = pivot - rotate(joint.rotation, pivot);
+            }
+            for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
+              const RigidTransform<double> placement = random_placement(random);
+              RC_ASSERT(encloses(Reach(model, sets, skinning).box(posture, placement),
+                                 box_of_vertices(model, sets, posture, skinning, placement)));
+            }
+          });
+  t.example("a walking man's box is little larger than that of his vertices, in every skinning", {}, [] {
+    const Model man = make_man();
+    const JointSets sets(man);
+    bool ok = true;
+    std::string text = "sum of widths over that of the vertices' box: ";
+    for (const Skinning skinning : all_skinnings) {
+      const Reach reach(man, sets, skinning);
+      double bounded = 0, exact = 0;
+      for (int i = 0; i < 20; ++i) {
+        const Posture posture = man.clips[0].sample(i / 20.0 * man.clips[0].duration);
+        const Box6 box = reach.box(posture, {}), of_vertices = box_of_vertices(man, sets, posture, skinning, {});
+        ok = ok && encloses(box, of_vertices);
+        bounded += widths(box), exact += widths(of_vertices);
+      }
+      ok = ok && bounded < 1.3 * exact;
+      text += (skinning == all_skinnings[0] ? "" : ", ") + std::to_string(bounded / exact);
+    }
+    return Checked(ok, 80, text);
+  });
+  t.example("turned by a placement, the box is as tight: points are turned, not boxes", {}, [] {
+    const Model man = make_man();
+    const JointSets sets(man);
+    const Posture posture = man.clips[0].sample(0);
+    const RigidTransform<double> placement{{std::cos(0.4), 0, std::sin(0.4), 0}, {10, 0, -20}};
+    const Box6 box = Reach(man, sets, Skinning::spherical).box(posture, placement),
+               of_vertices = box_of_vertices(man, sets, posture, Skinning::spherical, placement);
+    return Checked(encloses(box, of_vertices) && widths(box) < 1.3 * widths(of_vertices), 1,
+                   std::to_string(widths(box) / widths(of_vertices)));
+  });
+  t.example("dual quaternions half a turn apart have no box, and rotation centers help out in spherical skinning", {}, [] {
+    Model model = gen::make_mesh({gen::MeshKind::tube, 12, 8, 4, 7});
+    const JointSets sets(model);
+    Posture posture = reference_posture(model);
+    posture[1].rotation = {0.5, std::sqrt(0.75), 0, 0};
+    posture[2].rotation = {0.5, -std::sqrt(0.75), 0, 0};
+    const Box6 dual = Reach(model, sets, Skinning::dual_quaternion).box(posture, {}),
+               spherical = Reach(model, sets, Skinning::spherical).box(posture, {});
+    return Checked(is_everything(dual) && std::isfinite(widths(spherical)) &&
+                   encloses(spherical, box_of_vertices(model, sets, posture, Skinning::spherical, {})));
+  });
+  t.example("what is not finite, or overflows, reaches everywhere", {}, [] {
+    const Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    const JointSets sets(model);
+    long wrong = 0, tried = 0;
+    for (const Skinning skinning : all_skinnings) {
+      const Reach reach(model, sets, skinning);
+      for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e200, 1e30})
+        for (int joint = 0; joint < 3; ++joint)
+          for (int i = 0; i < 7; ++i) {
+            Posture posture = reference_posture(model);
+            (i < 4 ? posture[joint].rotation[i] : posture[joint].translation[i - 4]) = bad;
+            ++tried, wrong += !is_everything(reach.box(posture, {}));
+          }
+    }
+    return Checked(wrong == 0, tried);
+  });
+}
+
+}  // namespace proptests

@@ -1,0 +1,182 @@
+#include "lemmas/b7_reach.hpp"
+
+#include "proptests/counterexamples/b7_reach.hpp"
+#include "proptests/gen/rigid.hpp"
+#include "proptests/gen/weights.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/number_types.hpp"
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::RationalQuaternion;
+using gen::RationalVec;
+using Span = std::span<const Rational>;
+using Transforms = std::vector<RigidTransform<Rational>>;
+
+Rational least_cosine(const Transforms& list) {
+  Rational least(1);
+  for (const auto& a : list)
+    for (const auto& b : list) least = std::min(least, dot(a.rotation, b.rotation));
+  return least;
+}
+
+// The rotation by half the stereographic parameter, of the shorter of both ways.
+RationalQuaternion drawn_in(RationalQuaternion q) {
+  if (q[0] < 0) q = -q;
+  const RationalVec<3> v = imaginary(q) / (Rational(2) * (Rational(1) + q[0]));
+  const Rational s = squared_norm(v), scale = Rational(1) / (Rational(1) + s);
+  return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
+}
+
+// A solution of the normal equations, by elimination; what they leave free is 0.
+RationalVec<3> least_squares_center(const Transforms& list) {
+  std::array<std::array<Rational, 4>, 3> rows{};
+  const RationalVec<3> none = RationalVec<3>::Zero();
+  for (std::size_t k = 0; k < list.size(); ++k)
+    for (std::size_t l = k + 1; l < list.size(); ++l) {
+      const auto a = oracle::affine_of(list[k].rotation, list[k].translation),
+                 b = oracle::affine_of(list[l].rotation, list[l].translation);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 4; ++j)
+          for (int m = 0; m < 3; ++m) rows[i][j] += (a[m][i] - b[m][i]) * (a[m][j] - b[m][j]);
+    }
+  RationalVec<3> center = none;
+  std::array<int, 3> pivot_row{-1, -1, -1};
+  int used = 0;
+  for (int column = 0; column < 3; ++column) {
+    int row = used;
+    while (row < 3 && rows[row][column] == 0) ++row;
+    if (row == 3) continue;
+    std::swap(rows[row], rows[used]);
+    for (int other = 0; other < 3; ++other) {
+      if (other == used) continue;
+      const Rational factor = rows[other][column] / rows[used][column];
+      for (int j = 0; j < 4; ++j) rows[other][j] -= factor * rows[used][j];
+    }
+    pivot_row[column] = used++;
+  }
+  for (int i = 0; i < 3; ++i)
+    if (pivot_row[i] >= 0) center[i] = -rows[pivot_row[i]][3] / rows[pivot_row[i]][i];
+  return center;
+}
+
+struct ReachCase {
+  Transforms transforms;
+  Rational cosine;
+  RationalVec<3> point = *gen::rational_vector<3>(), vertex = *gen::rational_vector<3>();
+  std::vector<Rational> weights;
+  explicit ReachCase(int most) {
+    transforms = *gen::rigid_transforms(1, most);
+    while (least_cosine(transforms) < 0)
+      for (auto& t : transforms) t.rotation = drawn_in(t.rotation);
+    cosine = least_cosine(transforms);
+    if (*rc::gen::inRange(0, 5) == 0) cosine = cosine / Rational(2);
+    weights = *gen::convex_weights(static_cast<int>(transforms.size()));
+  }
+  Span u() const { return weights; }
+  std::vector<Rational> w() const { return weights; }
+  bool is_degenerate() const { return transforms.size() == 1 || cosine == 0 || cosine == 1 || vertex == point; }
+};
+
+PROPTEST(b7_reach) {
+  t.holds("dual quaternions stray from the linear blend by no more than the bound, and turn what is not at the point",
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
+            const ReachCase c(4);
+            RC_ASSERT(reach_hypotheses(c.transforms, c.cosine, c.u()) == Verdict::holds);
+            RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            const auto found = dual_reach(c.transforms, c.cosine, c.point, c.u(), c.vertex);
+            RC_ASSERT(found.verdict == Verdict::holds);
+            RC_ASSERT(is_reached_vertex(c.transforms, c.cosine, c.point, c.u(), c.vertex, found) == Verdict::holds);
+            const RationalVec<3> sum = found.carried + found.turned + found.strayed;
+            RC_ASSERT(sum == oracle::dual_quaternion(c.transforms, c.w(), c.vertex));
+          });
+  t.holds("so does spherical blending about a least-squares center",
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
+            const ReachCase c(4);
+            RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            const auto center = least_squares_center(c.transforms);
+            RC_ASSERT(is_least_squares_center(c.transforms, center) == Verdict::holds);
+            RC_ASSERT(splits_spread(c.transforms, center, c.point) == Verdict::holds);
+            const auto found = spherical_reach(c.transforms, c.cosine, center, c.point, c.u(), c.vertex);
+            RC_ASSERT(found.verdict == Verdict::holds);
+            const RationalVec<3> sum = found.carried + found.turned + found.strayed;
+            RC_ASSERT(sum == oracle::spherical(c.transforms, c.w(), center, c.vertex));
+          });
+  t.holds("about any center nothing strays if that is the point, and linear blending never does",
+          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+            const ReachCase c(4);
+            const auto found = spherical_reach(c.transforms, Rational(1), c.point, c.point, c.u(), c.vertex);
+            RC_ASSERT(squared_norm(found.strayed) == 0 && squared_norm(found.turned) == squared_distance(c.vertex, c.point));
+            const RationalVec<3> sum = found.carried + found.turned;
+            RC_ASSERT(sum == oracle::spherical(c.transforms, c.w(), c.point, c.vertex));
+            const RationalVec<3> left = oracle::linear(c.transforms, c.w(), c.vertex) - found.carried;
+            RC_ASSERT(squared_norm(left) <= squared_distance(c.vertex, c.point));
+          });
+  t.holds("pair by pair the proof's identity holds, whatever the signs",
+          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+            const Transforms any = *gen::rigid_transforms(1, 4);
+            const auto weights = *gen::convex_weights(static_cast<int>(any.size()));
+            const RationalVec<3> point = *gen::rational_vector<3>();
+            RC_ASSERT(strays_by_pairs(any, point, Span(weights)) == Verdict::holds);
+          });
+  t.holds("a part of the joints has no more spread and no smaller cosine",
+          {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
+            const ReachCase c(4);
+            const Transforms part(c.transforms.begin(), c.transforms.begin() + *rc::gen::inRange<int>(1, static_cast<int>(c.transforms.size()) + 1));
+            RC_ASSERT(squared_spread(images_of(part, c.point)) <= squared_spread(images_of(c.transforms, c.point)));
+            RC_ASSERT(least_cosine(part) >= least_cosine(c.transforms));
+          });
+
+  t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
+    const ReachCase c(3);
+    const Rational cosine = *rc::gen::element(c.cosine, Rational(1));
+    decide_by_all(
+        []<class S>(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
+                    const std::vector<S>& u, const Vec<S, 3>& vertex) {
+          return dual_reach<S>(transforms, cosine, point, u, vertex).verdict;
+        },
+        c.transforms, cosine, c.point, c.weights, c.vertex);
+  });
+
+  t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 400}, [] {
+    const ReachCase c(4);
+    const auto good = dual_reach(c.transforms, c.cosine, c.point, c.u(), c.vertex);
+    const auto rejected = [&](const ReachedVertex<Rational>& w) {
+      return is_reached_vertex(c.transforms, c.cosine, c.point, c.u(), c.vertex, w) == Verdict::fails;
+    };
+    auto carried = good, turned = good, strayed = good;
+    carried.carried += *gen::nonzero_vector<3>();
+    turned.turned = turned.turned * Rational(2) + *gen::nonzero_vector<3>() * (Rational(8) * (Rational(1) + squared_norm(good.turned)));
+    strayed.strayed += RationalVec<3>(1, 0, 0) * (Rational(8) * (Rational(1) + squared_spread(images_of(c.transforms, c.point))));
+    RC_ASSERT(rejected(carried) && rejected(strayed));
+    RC_ASSERT(rejected(turned) || squared_norm(turned.turned) == squared_norm(good.turned));
+  });
+
+  const auto strays_without = [&t](const std::string& hypothesis, const std::string& sentence, const b7::Transforms& transforms,
+                                   const b7::Q& cosine, const std::vector<b7::Q>& u) {
+    t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
+      return reach_hypotheses(transforms, cosine, Span(u)) == Verdict::fails &&
+             dual_reach(transforms, cosine, b7::y_axis, Span(u), b7::y_axis).verdict == Verdict::fails;
+    });
+  };
+  strays_without("the quaternions are less than a right angle apart", "on the long way round a point strays too far", b7::long_way,
+                 b7::Q(-24, 25), b7::halves);
+  strays_without("the cosine is no greater than theirs", "a greater cosine promises too much", b7::short_way, b7::Q(1), b7::halves);
+  strays_without("the quaternions are of unit length", "a long quaternion outweighs the others", b7::unequal, b7::Q(24, 25),
+                 b7::halves);
+  strays_without("the weights are convex", "beyond the joints a point strays too far", b7::short_way, b7::Q(24, 25),
+                 b7::beyond_the_first);
+  t.example("about a center that is not least-squares a point strays where the joints do not move it",
+            {.form = "beyond", .hypothesis = "the center is least-squares"}, [] {
+              const Span u(b7::halves);
+              return is_least_squares_center(b7::short_way, b7::elsewhere) == Verdict::fails &&
+                     spherical_reach(b7::short_way, b7::Q(24, 25), b7::elsewhere, b7::origin, u, b7::origin).verdict ==
+                         Verdict::fails;
+            });
+}
+
+}  // namespace
+}  // namespace proptests
