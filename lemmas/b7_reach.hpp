@@ -1,30 +1,32 @@
 // Beyond the paper: how far a vertex can be, from the transforms of its joints alone.
 //
-// Statement. Let C_k, k = 1 ... n, be rigid transforms with unit quaternions q_k, all (q_k, q_l) >= c >= 0. For a point f
-// let L = sum u_k C_k f be its linear blend, B its dual quaternion blend, and A^2 = sum_{k<l} ||C_k f - C_l f||^2. For
-// every u of W_n
+// Statement. Let C_k, k = 1 ... n, be rigid transforms with unit quaternions q_k, all (q_k, q_l) >= c >= 0. For a point
+// f let L = sum u_k C_k f be its linear blend, B its dual quaternion blend, and A^2 = sum_{k<l} ||C_k f - C_l f||^2.
+// For every u of W_n
 //   ||B - L||^2 <= 9/16 (1 - c) A^2.
 // So where v is carried is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= 3/4
 // sqrt(1 - c) A), in the hull of the C_k f blown up by both lengths, for
 // - linear blending: the second is 0;
 // - dual quaternions: it is B - L;
 // - spherical blending about a rotation center r, at f = r: it is 0;
-// - spherical blending about a least-squares center, sum_{k<l} (R_k - R_l)^T (C_k r - C_l r) = 0, at any f: it is R - L of
+// - spherical blending about a least-squares center, sum_{k<l} (R_k - R_l)^T (C_k r - C_l r) = 0, at any f: it is R - L
+// of
 //   the rotations alone at r - f, whose A is less: sum ||R_k (r - f) - R_l (r - f)||^2 = A^2 - sum ||C_k r - C_l r||^2.
 // Of a part of the joints A is no greater and c no less, so a bound for many joints holds for fewer of them.
 //
 // Replaces: nothing in the paper, where all joint-sets of the root are refitted.
 // Notation: u -> coefficients, f -> point, c -> cosine, A^2 -> squared_spread, L -> carried.
 //
-// Proof. With x_k = C_k f, X_kl = x_k - x_l, q = sum u_k q_k, g_k = (q_k, q) and m_kl = Im(q_k q_l*): ||q||^2 B = sum_kl u_k
-// u_l Im(x_k q_k q_l*) for pure x_k, and sum u_k g_k = ||q||^2, so
+// Proof. With x_k = C_k f, X_kl = x_k - x_l, q = sum u_k q_k, g_k = (q_k, q) and m_kl = Im(q_k q_l*): ||q||^2 B =
+// sum_kl u_k u_l Im(x_k q_k q_l*) for pure x_k, and sum u_k g_k = ||q||^2, so
 //   ||q||^2 (B - L) = sum_{k<l} u_k u_l ((g_k - g_l) X_kl + X_kl x m_kl).
-// The two vectors of a pair are perpendicular, ||m_kl||^2 = 1 - c_kl^2 and (g_k - g_l)^2 <= 2 (1 - c_kl) D for c_kl = (q_k,
-// q_l), D = ||q||^2; so their sum has at most the squared length ||X_kl||^2 (1 - c) (1 + c + 2 D), which falls with c.
-// By Cauchy and Schwarz ||B - L||^2 <= A^2 (1 - c) (1 + c + 2 D) / D^2 sum_{k<l} (u_k u_l)^2. Let x = sum u_k^2: the
-// last sum is (x^2 - sum u_k^4) / 2 <= x^2 (1 - x) / 2, since sum u_k u_k^3 >= x^3 (Jensen), and D >= x + c (1 - x) >= x.
-// For x <= 2/3 what is left, x^2 (1 - x) (1 + c + 2 D) / (2 D^2), falls with c at the least D, and is (1 - x) (1 + 2 x) / 2 <=
-// 9/16 at c = 0; for x > 2/3 it is at most (1 - x) (1 + x) < 9/16. The least-squares center is Pythagoras' theorem.
+// The two vectors of a pair are perpendicular, ||m_kl||^2 = 1 - c_kl^2 and (g_k - g_l)^2 <= 2 (1 - c_kl) D for c_kl =
+// (q_k, q_l), D = ||q||^2; so their sum has at most the squared length ||X_kl||^2 (1 - c) (1 + c + 2 D), which falls
+// with c. By Cauchy and Schwarz ||B - L||^2 <= A^2 (1 - c) (1 + c + 2 D) / D^2 sum_{k<l} (u_k u_l)^2. Let x = sum
+// u_k^2: the last sum is (x^2 - sum u_k^4) / 2 <= x^2 (1 - x) / 2, since sum u_k u_k^3 >= x^3 (Jensen), and D >= x + c
+// (1 - x) >= x. For x <= 2/3 what is left, x^2 (1 - x) (1 + c + 2 D) / (2 D^2), falls with c at the least D, and is (1
+// - x) (1 + 2 x) / 2 <= 9/16 at c = 0; for x > 2/3 it is at most (1 - x) (1 + x) < 9/16. The least-squares center is
+// Pythagoras' theorem.
 #pragma once
 
 #include "lemmas/b6_dual_quaternion_ball.hpp"
@@ -91,7 +93,8 @@ Verdict is_least_squares_center(const std::vector<RigidTransform<S>>& transforms
   for (std::size_t k = 0; k < transforms.size(); ++k)
     for (std::size_t l = k + 1; l < transforms.size(); ++l) {
       const Vec<S, 3> gap = apply(transforms[k], center) - apply(transforms[l], center);
-      gradient = gradient + rotate(conjugate(transforms[k].rotation), gap) - rotate(conjugate(transforms[l].rotation), gap);
+      gradient =
+          gradient + rotate(conjugate(transforms[k].rotation), gap) - rotate(conjugate(transforms[l].rotation), gap);
     }
   return equal(gradient[0], S(0)) & equal(gradient[1], S(0)) & equal(gradient[2], S(0));
 }
@@ -132,8 +135,9 @@ ReachedVertex<S> dual_reach(const std::vector<RigidTransform<S>>& transforms, co
 
 // Spherical blending about a center. The sum is the vertex's image by Equation (1).
 template <class S>
-ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& center,
-                                 const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& vertex) {
+ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine,
+                                 const Vec<S, 3>& center, const Vec<S, 3>& point, std::span<const S> u,
+                                 const Vec<S, 3>& vertex) {
   const auto alone = rotations_alone(transforms);
   const auto turn = [&](const Vec<S, 3>& x) {
     const auto at = dual_blend(alone, x).at(u);
@@ -148,7 +152,8 @@ ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transform
 
 // The identity of the proof: ||q||^2 (B - L) by pairs, each of two perpendicular vectors.
 template <class S>
-Verdict strays_by_pairs(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point, std::span<const S> u) {
+Verdict strays_by_pairs(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point,
+                        std::span<const S> u) {
   const auto images = images_of(transforms, point);
   const auto blend = dual_blend(transforms, point);
   const auto at = blend.at(u);
@@ -171,8 +176,10 @@ Verdict strays_by_pairs(const std::vector<RigidTransform<S>>& transforms, const 
 
 // Pythagoras' theorem for a least-squares center.
 template <class S>
-Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& center, const Vec<S, 3>& point) {
-  const S at_point = squared_spread(images_of(transforms, point)), at_center = squared_spread(images_of(transforms, center)),
+Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& center,
+                      const Vec<S, 3>& point) {
+  const S at_point = squared_spread(images_of(transforms, point)),
+          at_center = squared_spread(images_of(transforms, center)),
           turned = squared_spread(images_of(rotations_alone(transforms), Vec<S, 3>(center - point)));
   return implies(is_least_squares_center(transforms, center), equal(at_point, S(at_center + turned)));
 }

@@ -42,7 +42,8 @@ void to_rows(const Columns& columns, double* rows) {
 }
 
 template <int N>
-void run_joints(const PosePack* packs, int count, bool are_centers_fixed, const double* posture, const PoseNumbers& out) {
+void run_joints(const PosePack* packs, int count, bool are_centers_fixed, const double* posture,
+                const PoseNumbers& out) {
   Columns posed[N], centers, images[N];  // images: C_j r_c, an unused one, then the dual part
   for (int j = 0; j < N; ++j) images[j].clear(3);
   for (int i = 3; i < 8; ++i) centers.clear(i);
@@ -67,10 +68,12 @@ void run_joints(const PosePack* packs, int count, bool are_centers_fixed, const 
     }
     alignas(64) double rows[pose_lanes][8];
     to_rows(centers, rows[0]);
-    for (int lane = 0; lane < pose_lanes; ++lane) std::memcpy(out.rotation_centers + 3 * pack->set[lane], rows[lane], 3 * sizeof(double));
+    for (int lane = 0; lane < pose_lanes; ++lane)
+      std::memcpy(out.rotation_centers + 3 * pack->set[lane], rows[lane], 3 * sizeof(double));
     for (int j = 0; j < N; ++j) {
       to_rows(posed[j], rows[0]);
-      for (int lane = 0; lane < pose_lanes; ++lane) std::memcpy(out.transforms + 8 * (pack->first_slot[lane] + j), rows[lane], 8 * sizeof(double));
+      for (int lane = 0; lane < pose_lanes; ++lane)
+        std::memcpy(out.transforms + 8 * (pack->first_slot[lane] + j), rows[lane], 8 * sizeof(double));
       to_rows(images[j], rows[0]);
       for (int lane = 0; lane < pose_lanes; ++lane) {
         const int slot = pack->first_slot[lane] + j;
@@ -84,10 +87,14 @@ void run_joints(const PosePack* packs, int count, bool are_centers_fixed, const 
 REFITLAB_KERNEL void run(const PosePack* packs, int count, int joints, bool are_centers_fixed, const double* posture,
                          const PoseNumbers& out) {
   switch (joints) {
-    case 1: return run_joints<1>(packs, count, are_centers_fixed, posture, out);
-    case 2: return run_joints<2>(packs, count, are_centers_fixed, posture, out);
-    case 3: return run_joints<3>(packs, count, are_centers_fixed, posture, out);
-    default: return run_joints<4>(packs, count, are_centers_fixed, posture, out);
+    case 1:
+      return run_joints<1>(packs, count, are_centers_fixed, posture, out);
+    case 2:
+      return run_joints<2>(packs, count, are_centers_fixed, posture, out);
+    case 3:
+      return run_joints<3>(packs, count, are_centers_fixed, posture, out);
+    default:
+      return run_joints<4>(packs, count, are_centers_fixed, posture, out);
   }
 }
 

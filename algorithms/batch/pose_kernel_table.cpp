@@ -5,10 +5,13 @@ namespace refitlab {
 PoseRun pose_run(Target target) {
   switch (target) {
 #ifdef REFITLAB_X86_TARGETS
-    case Target::avx2: return avx2::pose_run;
-    case Target::avx512: return avx512::pose_run;
+    case Target::avx2:
+      return avx2::pose_run;
+    case Target::avx512:
+      return avx512::pose_run;
 #endif
-    default: return baseline::pose_run;
+    default:
+      return baseline::pose_run;
   }
 }
 

@@ -10,10 +10,8 @@ PosePacks::PosePacks(const Model& model, const JointSets& sets, Skinning skinnin
     : model_(model), sets_(sets), skinning_(skinning) {
   for (int s = 0; s < sets.count(); ++s) {
     const std::size_t joints = sets.joints(s).size();
-    if (joints > most_pose_joints)
-      others_.push_back(s);
-    else
-      add(s, first_slot_.back());
+    if (joints > most_pose_joints) others_.push_back(s);
+    else add(s, first_slot_.back());
     first_slot_.push_back(first_slot_.back() + joints);
   }
 }
@@ -41,7 +39,8 @@ void PosePacks::make(const Posture& posture, SkinningPose<double>& pose, Target 
                             out.duals->data()};
   const PoseRun run = pose_run(target);
   for (int n = 0; n < most_pose_joints; ++n)
-    run(packs_[n].data(), static_cast<int>(packs_[n].size()), n + 1, skinning_ == Skinning::hejl, posture[0].rotation.data(), numbers);
+    run(packs_[n].data(), static_cast<int>(packs_[n].size()), n + 1, skinning_ == Skinning::hejl,
+        posture[0].rotation.data(), numbers);
   for (const int s : others_) {
     const auto joints = sets_.joints(s);
     OwnedJointSetPose<double> set;

@@ -11,8 +11,12 @@ class Body {
  public:
   // character and variant outlive this.
   Body(const Character& character, const RefitVariant& variant, const FrameOptions& options = {})
-      : character_(character), skinning_(variant.skinning), pose_packs_(character.model, character.sets, skinning_), balls_(character, variant, options),
-        made_(character.model.vertices.size()), skinned_(character.model.vertices.size()) {}
+      : character_(character),
+        skinning_(variant.skinning),
+        pose_packs_(character.model, character.sets, skinning_),
+        balls_(character, variant, options),
+        made_(character.model.vertices.size()),
+        skinned_(character.model.vertices.size()) {}
 
   // Starts a frame. Throws ModelError for a posture that make_skinning_pose refuses.
   void begin(const Posture& posture);

@@ -51,34 +51,44 @@ class BoxKernel {
   static void run(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
                   const float* centers, const float* rotation, FlippedBox* boxes) {
     switch (joints) {
-      case 1: return run_joints<1>(packs, count, skinning, slots, centers, rotation, boxes);
-      case 2: return run_joints<2>(packs, count, skinning, slots, centers, rotation, boxes);
-      case 3: return run_joints<3>(packs, count, skinning, slots, centers, rotation, boxes);
-      default: return run_joints<4>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 1:
+        return run_joints<1>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 2:
+        return run_joints<2>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 3:
+        return run_joints<3>(packs, count, skinning, slots, centers, rotation, boxes);
+      default:
+        return run_joints<4>(packs, count, skinning, slots, centers, rotation, boxes);
     }
   }
 
  private:
   // What float may lose, as a share of the sizes that a box is made from. With u = 2^-24 and all inputs within u:
-  // a component of a blended quaternion is off by at most 8 u (three roundings a product, five in the sum), so W_kl by 40 u,
-  // and a component of P_kl by 90 u |x|; one of a blended center image by 8 u |r|, r the largest of its joints'. Where corners
-  // are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8, |P_kl| <= 2 |x| W_kl, and
-  // a control point is off by at most (3 * 90 + 20) u |x| * 8/3 + (3 * 51 + 20) u |r| * 8/3 for its numerator and
-  // 120 u * 8/3 (2 |x| + |r|) for its denominator: below 1450 u |x| + 800 u |r|. Turning it adds 8 u of its size, and x itself is off
-  // by 3 u (|x| + |p|). For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) > 1/6, the same steps end below 850 u |p| + 1600 u 2 |d|;
-  // linear blending stays below 50 u of its sizes. 2048 u of the sum of all sizes leaves a fourth for what was rounded here.
+  // a component of a blended quaternion is off by at most 8 u (three roundings a product, five in the sum), so W_kl by
+  // 40 u, and a component of P_kl by 90 u |x|; one of a blended center image by 8 u |r|, r the largest of its joints'.
+  // Where corners are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8,
+  // |P_kl| <= 2 |x| W_kl, and a control point is off by at most (3 * 90 + 20) u |x| * 8/3 + (3 * 51 + 20) u |r| * 8/3
+  // for its numerator and 120 u * 8/3 (2 |x| + |r|) for its denominator: below 1450 u |x| + 800 u |r|. Turning it adds
+  // 8 u of its size, and x itself is off by 3 u (|x| + |p|). For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) >
+  // 1/6, the same steps end below 850 u |p| + 1600 u 2 |d|; linear blending stays below 50 u of its sizes. 2048 u of
+  // the sum of all sizes leaves a fourth for what was rounded here.
   static constexpr float slack = 2048 * 0x1p-24f;
 
   template <int N>
-  static void run_joints(const BoxPack* packs, std::size_t count, Skinning skinning, const float* slots, const float* centers,
-                         const float* rotation, FlippedBox* boxes) {
+  static void run_joints(const BoxPack* packs, std::size_t count, Skinning skinning, const float* slots,
+                         const float* centers, const float* rotation, FlippedBox* boxes) {
     for (const BoxPack* pack = packs; pack != packs + count; ++pack)
       for (int first = 0; first < box_lanes; first += width) {
         const BoxKernel lanes{*pack, first, slots, centers, rotation};
         switch (skinning) {
-          case Skinning::linear: merge(lanes.template linear<N>(), *pack, first, boxes); break;
-          case Skinning::dual_quaternion: merge(lanes.template dual_quaternion<N>(), *pack, first, boxes); break;
-          default: merge(lanes.template spherical<N>(), *pack, first, boxes);
+          case Skinning::linear:
+            merge(lanes.template linear<N>(), *pack, first, boxes);
+            break;
+          case Skinning::dual_quaternion:
+            merge(lanes.template dual_quaternion<N>(), *pack, first, boxes);
+            break;
+          default:
+            merge(lanes.template spherical<N>(), *pack, first, boxes);
         }
       }
   }
@@ -230,7 +240,8 @@ class BoxKernel {
     return dv * q[0] - qv * d[0] - cross(dv, qv);
   }
 
-  // W_kl and P_kl for l <= k; true in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is short.
+  // W_kl and P_kl for l <= k; true in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is
+  // short.
   template <int N>
   static Mask mix_all(const Quaternion<Pack> (&q)[N], const Point& x, float near, Pack (&w)[N][N], Point (&p)[N][N]) {
     Mask all(true);
@@ -276,7 +287,9 @@ std::uint64_t meeting(const BoxBlock& block, const double* box) {
   return std::bit_cast<std::uint64_t>(meets);
 }
 // The bytes of the first count lanes, of at most 8.
-std::uint64_t first_lanes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
+std::uint64_t first_lanes(std::uint64_t lanes, int count) {
+  return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes;
+}
 
 REFITLAB_KERNEL int overlaps(const BoxBlock* blocks, int count, const double* box, int* out) {
   int found = 0;
@@ -313,10 +326,13 @@ REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners
         for (int i = 0; i < 3; ++i) out[c][i] = S(numbers[3 * c + i], std::experimental::vector_aligned);
     };
     TriangleOf<S> a, b;
-    load(corners_a, [](const CornerPair& p) { return p.a; }, a);
-    load(corners_b, [](const CornerPair& p) { return p.b; }, b);
+    load(
+        corners_a, [](const CornerPair& p) { return p.a; }, a);
+    load(
+        corners_b, [](const CornerPair& p) { return p.b; }, b);
     const PlaneSides<S> of_b(a, b), of_a(b, a);
-    const auto are_apart = of_a.are_one() || of_b.are_one(), cross = !are_apart && of_a.are_certain() && of_b.are_certain();
+    const auto are_apart = of_a.are_one() || of_b.are_one(),
+               cross = !are_apart && of_a.are_certain() && of_b.are_certain();
     bool apart[width], meet[width] = {};
     are_apart.copy_to(apart, std::experimental::element_aligned);
     if (any_of(cross)) {
@@ -353,9 +369,7 @@ class CornerBox {
     const Four p = *reinterpret_cast<const Four*>(c.of);
     low_ = p < low_ ? p : low_, high_ = p > high_ ? p : high_;
   }
-  void add(const CornerBox& b) {
-    low_ = b.low_ < low_ ? b.low_ : low_, high_ = b.high_ > high_ ? b.high_ : high_;
-  }
+  void add(const CornerBox& b) { low_ = b.low_ < low_ ? b.low_ : low_, high_ = b.high_ > high_ ? b.high_ : high_; }
   void put(BoxBlock& block, int lane) const {
     for (int i = 0; i < 3; ++i) block.side[i][lane] = low_[i], block.side[3 + i][lane] = high_[i];
   }
@@ -367,7 +381,8 @@ class CornerBox {
   Four low_, high_;
 };
 
-REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock* out, double* all) {
+REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock* out,
+                                double* all) {
   CornerBox whole(corners[groups[0].corners[0][0]]);
   for (int g = 0; g < count; ++g) {
     CornerBox box(corners[groups[g].corners[0][0]]);

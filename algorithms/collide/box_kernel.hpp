@@ -41,17 +41,18 @@ struct CornerPair {
 };
 
 struct BoxKernels {
-  // Merges the boxes of the packs' pieces, of so many joints each, into boxes. slots, centers: of JointFloats; rotation: 3 x 3,
-  // row by row.
+  // Merges the boxes of the packs' pieces, of so many joints each, into boxes. slots, centers: of JointFloats;
+  // rotation: 3 x 3, row by row.
   void (*bound)(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
                 const float* centers, const float* rotation, FlippedBox* boxes);
-  // The positions of those of the first count boxes in blocks that are not apart from box (low, high), in increasing order;
-  // their number is returned. A NaN is not apart from anything.
+  // The positions of those of the first count boxes in blocks that are not apart from box (low, high), in increasing
+  // order; their number is returned. A NaN is not apart from anything.
   int (*overlaps)(const BoxBlock* blocks, int count, const double* box, int* out);
   // The pairs of boxes, one of each block, that are not apart: bit 8 i + j for box i of a and j of b.
   std::uint64_t (*overlapping_pairs)(const BoxBlock& a, int count_a, const BoxBlock& b, int count_b);
   // What filter_triangles says of each pair, to answers.
-  void (*filter_pairs)(const Corner* corners_a, const Corner* corners_b, const CornerPair* pairs, int count, Filtered* answers);
+  void (*filter_pairs)(const Corner* corners_a, const Corner* corners_b, const CornerPair* pairs, int count,
+                       Filtered* answers);
   // Places skinned vertices, block_count times their x, y, z; placement: a quaternion and a translation.
   void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out);
   // The boxes of groups, and of all of them (low, high), from the corners of their cluster.

@@ -46,7 +46,8 @@ class PieceMaker {
     if (lane == 0) packs.emplace_back();
     BoxPack& pack = packs.back();
     for (int to = lane; to < box_lanes; ++to) {  // the lanes behind are overwritten by the pieces to come
-      for (int i = 0; i < joints; ++i) pack.slot[i][to] = first_slot_[joint_set] + i, pack.low[i][to] = static_cast<float>(low[i]);
+      for (int i = 0; i < joints; ++i)
+        pack.slot[i][to] = first_slot_[joint_set] + i, pack.low[i][to] = static_cast<float>(low[i]);
       pack.set[to] = joint_set;
       pack.rest[to] = static_cast<float>(std::max(rest, 0.0));
       for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(reference.center[i]);
@@ -65,8 +66,8 @@ class PieceMaker {
   int lanes_[most_box_joints] = {};
 };
 
-// The hull of the joints' whole images: a vertex is a convex combination of them in linear blending, and within its distance to the
-// rotation center of one of the center's images in spherical blending.
+// The hull of the joints' whole images: a vertex is a convex combination of them in linear blending, and within its
+// distance to the rotation center of one of the center's images in spherical blending.
 void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose<double>& pose,
                   const Quaternion<double>& rotation, std::span<FlippedBox> boxes) {
   for (const ManyJointPiece& piece : pieces.others) {
@@ -92,9 +93,12 @@ void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose
 
 const BoxKernels& box_kernels(Target target) {
   switch (target) {
-    case Target::avx2: return avx2::box_kernels;
-    case Target::avx512: return avx512::box_kernels;
-    default: return baseline::box_kernels;
+    case Target::avx2:
+      return avx2::box_kernels;
+    case Target::avx512:
+      return avx512::box_kernels;
+    default:
+      return baseline::box_kernels;
   }
 }
 
@@ -135,8 +139,9 @@ void JointFloats::fill(const SkinningPose<double>& pose, Skinning skinning) {
   }
 }
 
-void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints, const SkinningPose<double>& pose,
-                 const Quaternion<double>& rotation, std::span<FlippedBox> boxes, Target target) {
+void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
+                 const SkinningPose<double>& pose, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
+                 Target target) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   for (FlippedBox& b : boxes) std::fill(std::begin(b.of), std::end(b.of), infinity);
   float matrix[9];
@@ -146,8 +151,8 @@ void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& 
   }
   const BoxKernels& kernels = box_kernels(target);
   for (int n = 0; n < most_box_joints; ++n)
-    kernels.bound(pieces.packs[n].data(), pieces.packs[n].size(), n + 1, skinning, joints.slots.data(), joints.centers.data(),
-                  matrix, boxes.data());
+    kernels.bound(pieces.packs[n].data(), pieces.packs[n].size(), n + 1, skinning, joints.slots.data(),
+                  joints.centers.data(), matrix, boxes.data());
   bound_others(pieces, skinning, pose, rotation, boxes);
 }
 

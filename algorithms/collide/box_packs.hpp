@@ -1,8 +1,9 @@
 // Boxes around many nodes at once, from the control points of their pieces, sixteen pieces side by side.
 //
 // A piece is what a node holds of one joint-set: a ball around its vertices in the reference posture, and the simplex
-// {w >= low, sum w = 1} around their weights, which has as many corners as joints. The image of the piece lies in the hull
-// of its control points (b2_control_hull_encloses: degree 1, 2 or 3 by the skinning) blown up by the ball's radius.
+// {w >= low, sum w = 1} around their weights, which has as many corners as joints. The image of the piece lies in the
+// hull of its control points (b2_control_hull_encloses: degree 1, 2 or 3 by the skinning) blown up by the ball's
+// radius.
 #pragma once
 
 #include <cstdint>
@@ -52,17 +53,18 @@ struct JointFloats {
   // Eight floats a slot, a slot for each joint of each joint-set, in that order: the signed quaternion, then C_j r_c
   // (spherical), the translation (linear) or the dual part.
   std::vector<float> slots;
-  std::vector<float> centers;     // r_c of each joint-set, eight floats each, of which three are used
-  std::vector<int> first_slot;    // by joint-set
+  std::vector<float> centers;   // r_c of each joint-set, eight floats each, of which three are used
+  std::vector<int> first_slot;  // by joint-set
 
   explicit JointFloats(const JointSets& sets);
   void fill(const SkinningPose<double>& pose, Skinning skinning);
 };
 
-// Encloses all vertices of each node after skinning and then turning by rotation (unit): boxes[target] for every target.
-// Everything is rounded outwards by more than float can have lost. A piece that blends rotations far apart gets a box that
-// holds it however it turns; where not even that is known (dual quaternions), an infinite one.
-void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints, const SkinningPose<double>& pose,
-                 const Quaternion<double>& rotation, std::span<FlippedBox> boxes, Target target = best_target());
+// Encloses all vertices of each node after skinning and then turning by rotation (unit): boxes[target] for every
+// target. Everything is rounded outwards by more than float can have lost. A piece that blends rotations far apart gets
+// a box that holds it however it turns; where not even that is known (dual quaternions), an infinite one.
+void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
+                 const SkinningPose<double>& pose, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
+                 Target target = best_target());
 
 }  // namespace refitlab

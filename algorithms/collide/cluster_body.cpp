@@ -20,12 +20,20 @@ int blocks_of(int boxes) { return (boxes + 7) / 8; }
 }  // namespace
 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
-    : tree_(tree), skinning_(skinning), kernels_(box_kernels(best_target())),
-      reach_(tree.character().model, tree.character().sets, skinning), pose_packs_(tree.character().model, tree.character().sets, skinning), joints_(tree.character().sets),
-      fans_made_(tree.fans().size()), clusters_made_(tree.clusters().size()), groups_made_(tree.group_count()),
-      fan_boxes_(tree.fans().size()), skinned_(tree.clusters().size()) {
+    : tree_(tree),
+      skinning_(skinning),
+      kernels_(box_kernels(best_target())),
+      reach_(tree.character().model, tree.character().sets, skinning),
+      pose_packs_(tree.character().model, tree.character().sets, skinning),
+      joints_(tree.character().sets),
+      fans_made_(tree.fans().size()),
+      clusters_made_(tree.clusters().size()),
+      groups_made_(tree.group_count()),
+      fan_boxes_(tree.fans().size()),
+      skinned_(tree.clusters().size()) {
   int blocks = 0, most = 0;
-  for (const Fan& f : tree.fans()) first_block_of_fan_.push_back(blocks), blocks += blocks_of(f.child_count), most = std::max(most, f.child_count);
+  for (const Fan& f : tree.fans())
+    first_block_of_fan_.push_back(blocks), blocks += blocks_of(f.child_count), most = std::max(most, f.child_count);
   fan_blocks_.resize(blocks);
   flipped_.resize(most);
 }
@@ -90,8 +98,9 @@ void ClusterBody::skin_cluster(int n) {
     out.triangles.resize(cluster.group_count);
   }
   tree_.vertices().skin_group(n, pose(), skinning_, unplaced_);
-  const double placement[] = {placement_.rotation[0], placement_.rotation[1], placement_.rotation[2], placement_.rotation[3],
-                              placement_.translation[0], placement_.translation[1], placement_.translation[2]};
+  const double placement[] = {placement_.rotation[0],   placement_.rotation[1],    placement_.rotation[2],
+                              placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
+                              placement_.translation[2]};
   kernels_.place(unplaced_.blocks.data(), cluster.corner_count / Lanes<double>::count, placement, out.corners.data());
   kernels_.box_groups(&tree_.group(n, 0), cluster.group_count, out.corners.data(), out.groups.data(), out.box.data());
   clusters_made_.mark(n);
@@ -115,7 +124,8 @@ TrianglePoints ClusterBody::triangle(int triangle) {
   TrianglePoints out;
   for (int i = 0; i < 3; ++i) {
     const int v = c.model.triangles[triangle][i];
-    out[i] = apply(placement_, blend<double>(skinning_, pose()[c.sets.of_vertex(v)], c.sets.weights(v), c.model.vertices[v]));
+    out[i] = apply(placement_,
+                   blend<double>(skinning_, pose()[c.sets.of_vertex(v)], c.sets.weights(v), c.model.vertices[v]));
   }
   return out;
 }

@@ -1,5 +1,5 @@
-// ClusterBody: a placed character in one frame, as the fast queries see it: at first only how far it can reach; then fans
-// bounded and clusters skinned where a query gets to.
+// ClusterBody: a placed character in one frame, as the fast queries see it: at first only how far it can reach; then
+// fans bounded and clusters skinned where a query gets to.
 #pragma once
 
 #include "algorithms/batch/pose_packs.hpp"
@@ -16,8 +16,8 @@ class ClusterBody {
   // tree outlives this.
   ClusterBody(const ClusterTree& tree, Skinning skinning);
 
-  // Starts a frame, of which nothing is worked out yet. placement takes model space to the world. Throws ModelError for a posture that make_skinning_pose refuses,
-  // std::invalid_argument for a placement that is not rigid.
+  // Starts a frame, of which nothing is worked out yet. placement takes model space to the world. Throws ModelError for
+  // a posture that make_skinning_pose refuses, std::invalid_argument for a placement that is not rigid.
   void begin(const Posture& posture, const RigidTransform<double>& placement);
 
   const ClusterTree& tree() const { return tree_; }
@@ -51,9 +51,9 @@ class ClusterBody {
  private:
   // What was skinned of a cluster; room for it is made when a query first gets there.
   struct Skinned {
-    std::vector<Corner> corners;       // by place
-    std::vector<BoxBlock> groups;      // their boxes, in blocks
-    std::vector<BoxBlock> triangles;   // by group
+    std::vector<Corner> corners;      // by place
+    std::vector<BoxBlock> groups;     // their boxes, in blocks
+    std::vector<BoxBlock> triangles;  // by group
     Box6 box;
   };
 
@@ -80,7 +80,7 @@ class ClusterBody {
   std::vector<int> first_block_of_fan_;
   std::vector<BoxBlock> fan_blocks_;
   std::vector<Box6> fan_boxes_;
-  SkinnedVertices unplaced_;  // of the cluster in work, in model space
+  SkinnedVertices unplaced_;      // of the cluster in work, in model space
   std::vector<Skinned> skinned_;  // by cluster
   std::vector<FlippedBox> flipped_;
   long nodes_bounded_ = 0, clusters_skinned_ = 0, corners_skinned_ = 0;

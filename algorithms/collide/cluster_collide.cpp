@@ -70,10 +70,8 @@ class ClusterTraversal {
   // Two nodes whose boxes meet: the larger one is opened.
   void nodes(const FanChild& a, const Box6& box_a, const FanChild& b, const Box6& box_b) {
     if (a.fan < 0 && b.fan < 0) return clusters(a.cluster, b.cluster);
-    if (b.fan < 0 || (a.fan >= 0 && extent(box_a) >= extent(box_b)))
-      below_first(a.fan, b, box_b);
-    else
-      below_second(a, box_a, b.fan);
+    if (b.fan < 0 || (a.fan >= 0 && extent(box_a) >= extent(box_b))) below_first(a.fan, b, box_b);
+    else below_second(a, box_a, b.fan);
   }
 
   void clusters(int a, int b) {
@@ -107,15 +105,17 @@ class ClusterTraversal {
     answers_.resize(pairs_.size());
     kernels_.filter_pairs(corners_a, corners_b, pairs_.data(), static_cast<int>(pairs_.size()), answers_.data());
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const bool meet = answers_[p] == Filtered::unknown
-                            ? boxed_triangles_meet(corners_of(corners_a, pairs_[p].a), corners_of(corners_b, pairs_[p].b))
-                            : answers_[p] == Filtered::meet;
+      const bool meet = answers_[p] == Filtered::unknown ? boxed_triangles_meet(corners_of(corners_a, pairs_[p].a),
+                                                                                corners_of(corners_b, pairs_[p].b))
+                                                         : answers_[p] == Filtered::meet;
       if (meet) found_.push_back({pairs_[p].first, pairs_[p].second});
     }
   }
 
   static TrianglePoints corners_of(const Corner* corners, const std::array<std::uint16_t, 3>& places) {
-    const auto point = [&](int i) { return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]); };
+    const auto point = [&](int i) {
+      return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]);
+    };
     return {point(0), point(1), point(2)};
   }
 
@@ -130,7 +130,8 @@ class ClusterTraversal {
 };
 
 // The first of the remembered pairs that still touches.
-std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& second, const PairMemory& memory, QueryCounts& counts) {
+std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& second, const PairMemory& memory,
+                                           QueryCounts& counts) {
   for (const TrianglePair& pair : memory.pairs()) {
     ++counts.triangle_tests;
     if (triangles_meet(first.triangle(pair.first), second.triangle(pair.second))) return pair;
@@ -140,7 +141,8 @@ std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& seco
 
 }  // namespace
 
-std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts, PairMemory* memory) {
+std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts,
+                                  PairMemory* memory) {
   if (memory && query == Query::yes_no)
     if (const auto pair = still_touching(first, second, *memory, counts)) {
       memory->remember(*pair);

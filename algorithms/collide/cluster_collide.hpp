@@ -7,9 +7,9 @@
 
 namespace refitlab {
 
-// As collide() of sphere trees: the same pairs, also in no particular order. first and second are different bodies, which may
-// share a tree; they keep what was made for further queries in the frame. With a memory, which belongs to these two, a yes/no query
-// first tries the pairs of earlier frames.
+// As collide() of sphere trees: the same pairs, also in no particular order. first and second are different bodies,
+// which may share a tree; they keep what was made for further queries in the frame. With a memory, which belongs to
+// these two, a yes/no query first tries the pairs of earlier frames.
 std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts,
                                   PairMemory* memory = nullptr);
 

@@ -8,10 +8,11 @@ namespace {
 
 void check(const ClusterOptions& o) {
   if (o.most_triangles < 1 || o.most_triangles > most_cluster_triangles)
-    throw std::invalid_argument("cluster options: most_triangles is " + std::to_string(o.most_triangles) + ", not in 1 to " +
-                                std::to_string(most_cluster_triangles));
+    throw std::invalid_argument("cluster options: most_triangles is " + std::to_string(o.most_triangles) +
+                                ", not in 1 to " + std::to_string(most_cluster_triangles));
   if (o.most_children < 2)
-    throw std::invalid_argument("cluster options: most_children is " + std::to_string(o.most_children) + ", less than 2");
+    throw std::invalid_argument("cluster options: most_children is " + std::to_string(o.most_children) +
+                                ", less than 2");
 }
 
 }  // namespace
@@ -23,8 +24,8 @@ ClusterTree::ClusterTree(const Character& character, const ClusterOptions& optio
   pack_clusters();
 }
 
-// The node of most triangles that is no cluster is opened as long as there is room for its children. A root that is a cluster
-// is a fan of itself.
+// The node of most triangles that is no cluster is opened as long as there is room for its children. A root that is a
+// cluster is a fan of itself.
 int ClusterTree::add_fan(int node) {
   const SphereTree& tree = character_->tree;
   const auto is_cluster = [&](int n) {
@@ -33,20 +34,23 @@ int ClusterTree::add_fan(int node) {
   std::vector<int> open{node};
   for (bool is_first = true;; is_first = false) {
     const auto most = std::max_element(open.begin(), open.end(), [&](int a, int b) {
-      return std::pair(!is_cluster(a), tree.nodes[a].triangle_count) < std::pair(!is_cluster(b), tree.nodes[b].triangle_count);
+      return std::pair(!is_cluster(a), tree.nodes[a].triangle_count) <
+             std::pair(!is_cluster(b), tree.nodes[b].triangle_count);
     });
     const TreeNode& n = tree.nodes[*most];
-    if (is_cluster(*most) || (!is_first && static_cast<int>(open.size()) - 1 + n.child_count > options_.most_children)) break;
+    if (is_cluster(*most) || (!is_first && static_cast<int>(open.size()) - 1 + n.child_count > options_.most_children))
+      break;
     const int first = n.first_child;
     *most = first;
     for (int c = first + 1; c < first + n.child_count; ++c) open.push_back(c);
   }
   // In the order of their triangles, so that neighbours in the fan are neighbours in space.
-  std::sort(open.begin(), open.end(), [&](int a, int b) { return tree.nodes[a].first_triangle < tree.nodes[b].first_triangle; });
+  std::sort(open.begin(), open.end(),
+            [&](int a, int b) { return tree.nodes[a].first_triangle < tree.nodes[b].first_triangle; });
 
   const int fan = static_cast<int>(fans_.size());
-  fans_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()),
-                   make_box_pieces(*character_, open)});
+  fans_.push_back(
+      {static_cast<int>(children_.size()), static_cast<int>(open.size()), make_box_pieces(*character_, open)});
   children_.resize(children_.size() + open.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
     const FanChild child = is_cluster(open[i]) ? FanChild{add_cluster(open[i]), -1} : FanChild{-1, add_fan(open[i])};
@@ -66,7 +70,8 @@ int ClusterTree::add_cluster(int node) {
 void ClusterTree::pack_clusters() {
   const Model& model = character_->model;
   std::vector<std::vector<int>> vertices;
-  for (const int node : cluster_nodes_) vertices.emplace_back(character_->vertices[node].begin(), character_->vertices[node].end());
+  for (const int node : cluster_nodes_)
+    vertices.emplace_back(character_->vertices[node].begin(), character_->vertices[node].end());
   vertices_ = PackedVertices(model, character_->sets, vertices);
   std::vector<std::uint16_t> place_of(model.vertices.size());
   for (std::size_t c = 0; c < clusters_.size(); ++c) {

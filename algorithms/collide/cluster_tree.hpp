@@ -1,8 +1,9 @@
-// ClusterTree: a character as the fast queries see it. Few wide fans of bounded nodes on top, clusters of triangles below.
+// ClusterTree: a character as the fast queries see it. Few wide fans of bounded nodes on top, clusters of triangles
+// below.
 //
-// Bounding a node costs more than skinning the few vertices under it once it is small, so bounds end at clusters of some
-// hundred triangles; what is inside a cluster that a query reaches is skinned and put into boxes. Above, nodes are bounded many
-// at a time: a fan is the set of descendants that one node is opened into, all refitted together.
+// Bounding a node costs more than skinning the few vertices under it once it is small, so bounds end at clusters of
+// some hundred triangles; what is inside a cluster that a query reaches is skinned and put into boxes. Above, nodes are
+// bounded many at a time: a fan is the set of descendants that one node is opened into, all refitted together.
 #pragma once
 
 #include "algorithms/batch/packed_vertices.hpp"

@@ -14,7 +14,8 @@
 namespace refitlab {
 namespace {
 
-// The pairs of boxes that meet, each with the smaller index first, in increasing order [Zomorodian and Edelsbrunner 2000].
+// The pairs of boxes that meet, each with the smaller index first, in increasing order [Zomorodian and Edelsbrunner
+// 2000].
 std::vector<std::pair<int, int>> meeting(const std::vector<Box6>& boxes) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
   std::vector<Box> list;
@@ -65,7 +66,8 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
     const std::scoped_lock both(in_work[a], in_work[b]);
     found[i] = {a, b, collide(*bodies[a], *bodies[b], query, tests[i])};
   });
-  for (const QueryCounts& t : tests) counts.queries.ball_tests += t.ball_tests, counts.queries.triangle_tests += t.triangle_tests;
+  for (const QueryCounts& t : tests)
+    counts.queries.ball_tests += t.ball_tests, counts.queries.triangle_tests += t.triangle_tests;
   std::erase_if(found, [](const Contact& c) { return c.pairs.empty(); });
   return found;
 }

@@ -1,5 +1,5 @@
-// PairMemory: pairs of triangles of two bodies that touched in earlier frames. Bodies in contact move little from one frame to the
-// next, and some pair of a few often touches again.
+// PairMemory: pairs of triangles of two bodies that touched in earlier frames. Bodies in contact move little from one
+// frame to the next, and some pair of a few often touches again.
 #pragma once
 
 #include <algorithm>

@@ -12,13 +12,13 @@ namespace {
 // Of one group: more are bounded about their rotation centers.
 constexpr int most_straying_joints = 8;
 
-// What is between the lemma and the numbers here. Squared lengths of 1 +- 1e-6 turn by matrices that are off by 2e-6: a joint's,
-// the placement's, their product's; with what float loses, an image is off by less than this share of all sizes, for each
-// of the joints that A has.
+// What is between the lemma and the numbers here. Squared lengths of 1 +- 1e-6 turn by matrices that are off by 2e-6: a
+// joint's, the placement's, their product's; with what float loses, an image is off by less than this share of all
+// sizes, for each of the joints that A has.
 constexpr double lost = 0x1p-15;
-// The lemma wants a least-squares solution for a rotation center. Where rotation_center takes a direction as undetermined, A
-// lacks up to 2e-3 of f's distance from the prior for each joint. And the center itself may be 3e4 A away, where 2e-6 of it
-// are the most of this share of A.
+// The lemma wants a least-squares solution for a rotation center. Where rotation_center takes a direction as
+// undetermined, A lacks up to 2e-3 of f's distance from the prior for each joint. And the center itself may be 3e4 A
+// away, where 2e-6 of it are the most of this share of A.
 constexpr float off_unit = 0x1p-4f;
 // A dot product that is greater is positive in exact numbers too.
 constexpr float positive = 1e-5f;
@@ -56,10 +56,8 @@ std::vector<Reach::Group> Reach::make_groups() const {
   for (int s = 0; s < sets_.count(); ++s) {
     bool is_other = false;
     for (int t = 0; t < sets_.count(); ++t) is_other = is_other || is_within(s, t);
-    if (is_other)
-      others.push_back(s);
-    else
-      groups.push_back({{s}, ball_of({s}), {sets_.joints(s).begin(), sets_.joints(s).end()}, Four::Zero(), 0, 0});
+    if (is_other) others.push_back(s);
+    else groups.push_back({{s}, ball_of({s}), {sets_.joints(s).begin(), sets_.joints(s).end()}, Four::Zero(), 0, 0});
   }
   // Each joins the group whose ball grows least.
   for (const int s : others) {
@@ -121,7 +119,8 @@ bool Reach::add(const Group& g, const Turned* turned, Bounds& bounds) {
 }
 
 // A vertex is within its distance to the rotation center of the hull of the center's images, whatever the rotations.
-void Reach::add_about_centers(const Group& g, const Posture& posture, const Quaternion<double>& rotation, Box6& box) const {
+void Reach::add_about_centers(const Group& g, const Posture& posture, const Quaternion<double>& rotation,
+                              Box6& box) const {
   for (const int s : g.sets) {
     std::vector<RigidTransform<double>> transforms;
     for (const int j : sets_.joints(s)) transforms.push_back(posture[j]);
@@ -129,14 +128,16 @@ void Reach::add_about_centers(const Group& g, const Posture& posture, const Quat
     for (const auto& t : transforms) {
       const Point3 image = apply(t, center), at = rotate(rotation, image);
       const double reach = (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost) + lost * norm(image);
-      for (int i = 0; i < 3; ++i) box[i] = std::min(box[i], at[i] - reach), box[3 + i] = std::max(box[3 + i], at[i] + reach);
+      for (int i = 0; i < 3; ++i)
+        box[i] = std::min(box[i], at[i] - reach), box[3 + i] = std::max(box[3 + i], at[i] + reach);
     }
   }
 }
 
 Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement) const {
   Four matrix[3];  // of the placement's rotation, its columns
-  for (int i = 0; i < 3; ++i) matrix[i] << rotate<double>(placement.rotation, Point3::Unit(i)).cast<float>().array(), 0.f;
+  for (int i = 0; i < 3; ++i)
+    matrix[i] << rotate<double>(placement.rotation, Point3::Unit(i)).cast<float>().array(), 0.f;
   std::vector<Turned> turned(posture.size());
   Four squared_rotations = Four::Zero(), squared_origins = Four::Zero();
   for (std::size_t j = 0; j < posture.size(); ++j) {
@@ -144,9 +145,12 @@ Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement)
     const Quaternion<float> q = posture[j].rotation.cast<float>();
     const Vec<float, 3> at = posture[j].translation.cast<float>();
     const float w = q[0], x = q[1], y = q[2], z = q[3];
-    t.axes[0] = matrix[0] * (1 - 2 * (y * y + z * z)) + matrix[1] * (2 * (x * y + w * z)) + matrix[2] * (2 * (x * z - w * y));
-    t.axes[1] = matrix[0] * (2 * (x * y - w * z)) + matrix[1] * (1 - 2 * (x * x + z * z)) + matrix[2] * (2 * (y * z + w * x));
-    t.axes[2] = matrix[0] * (2 * (x * z + w * y)) + matrix[1] * (2 * (y * z - w * x)) + matrix[2] * (1 - 2 * (x * x + y * y));
+    t.axes[0] =
+        matrix[0] * (1 - 2 * (y * y + z * z)) + matrix[1] * (2 * (x * y + w * z)) + matrix[2] * (2 * (x * z - w * y));
+    t.axes[1] =
+        matrix[0] * (2 * (x * y - w * z)) + matrix[1] * (1 - 2 * (x * x + z * z)) + matrix[2] * (2 * (y * z + w * x));
+    t.axes[2] =
+        matrix[0] * (2 * (x * z + w * y)) + matrix[1] * (2 * (y * z - w * x)) + matrix[2] * (1 - 2 * (x * x + y * y));
     t.origin = matrix[0] * at[0] + matrix[1] * at[1] + matrix[2] * at[2];
     t.rotation = q.array();
     squared_rotations += t.rotation.square(), squared_origins += t.origin.square();
@@ -155,7 +159,8 @@ Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement)
   // False for a NaN too, which minima would drop.
   if (!(farthest < 1e15f && squared_rotations.sum() < infinite)) return everything();
 
-  Bounds bounds{Four::Constant(std::numeric_limits<float>::infinity()), Four::Constant(-std::numeric_limits<float>::infinity())};
+  Bounds bounds{Four::Constant(std::numeric_limits<float>::infinity()),
+                Four::Constant(-std::numeric_limits<float>::infinity())};
   Box6 about_centers = no_box;
   std::size_t most_joints = 1;
   const bool strays = skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion;
@@ -168,8 +173,10 @@ Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement)
   Box6 box;
   for (int i = 0; i < 3; ++i) {
     const double at = placement.translation[i];
-    const double low = std::min<double>(bounds.low[i], about_centers[i]), high = std::max<double>(bounds.high[i], about_centers[3 + i]);
-    const double off = lost * static_cast<double>(most_joints) * farthest + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
+    const double low = std::min<double>(bounds.low[i], about_centers[i]),
+                 high = std::max<double>(bounds.high[i], about_centers[3 + i]);
+    const double off = lost * static_cast<double>(most_joints) * farthest +
+                       1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
     box[i] = low + at - off, box[3 + i] = high + at + off;
   }
   return box;

@@ -1,14 +1,15 @@
-// A quick answer to whether two triangles have a point in common, in double or in packs of doubles, or none where rounding
-// might decide.
+// A quick answer to whether two triangles have a point in common, in double or in packs of doubles, or none where
+// rounding might decide.
 //
-// By the sides of each triangle's plane that the other's corners are on and, where each triangle crosses the other's plane, the
-// order of the crossings on the line that the planes share [Guigue and Devillers 2003]: signs of determinants all.
+// By the sides of each triangle's plane that the other's corners are on and, where each triangle crosses the other's
+// plane, the order of the crossings on the line that the planes share [Guigue and Devillers 2003]: signs of
+// determinants all.
 //
-// With u = 2^-53 and X, Y, Z the largest computed |differences| of coordinates: a determinant of differences is a sum of six products
-// of three of them, each at most XYZ (1 + u)^3 in exact differences, with at most 3 + 2 + 3 roundings (of differences,
-// products and sums), each a factor within 1 +- u. So it is off by at most 6 XYZ ((1 + u)^11 - 1) < 67 u XYZ < 7.5e-15 XYZ; the
-// bound used leaves a third for its own roundings. Where XYZ is so small that products may have underflowed,
-// no sign is certain.
+// With u = 2^-53 and X, Y, Z the largest computed |differences| of coordinates: a determinant of differences is a sum
+// of six products of three of them, each at most XYZ (1 + u)^3 in exact differences, with at most 3 + 2 + 3 roundings
+// (of differences, products and sums), each a factor within 1 +- u. So it is off by at most 6 XYZ ((1 + u)^11 - 1) < 67
+// u XYZ < 7.5e-15 XYZ; the bound used leaves a third for its own roundings. Where XYZ is so small that products may
+// have underflowed, no sign is certain.
 #pragma once
 
 #include <array>
@@ -82,8 +83,7 @@ class PlaneSides {
     const auto differ = [&](int i, int j) { return (distance_[i] > S(0)) != (distance_[j] > S(0)); };
     const auto is_third = !differ(0, 1), is_second = !differ(0, 2);
     const TriangleOf<S> p = points;
-    for (int i = 0; i < 3; ++i)
-      points[i] = choose(is_third, p[(i + 2) % 3], choose(is_second, p[(i + 1) % 3], p[i]));
+    for (int i = 0; i < 3; ++i) points[i] = choose(is_third, p[(i + 2) % 3], choose(is_second, p[(i + 1) % 3], p[i]));
     return choose(is_third, distance_[2], choose(is_second, distance_[1], distance_[0])) > S(0);
   }
 
@@ -93,8 +93,8 @@ class PlaneSides {
   Sign<Mask> side_[3];
 };
 
-// Of two triangles that certainly cross each other's planes: each one's crossings of the shared line are an interval, and
-// neither begins where the other has ended. Positive if they are apart, negative if they meet.
+// Of two triangles that certainly cross each other's planes: each one's crossings of the shared line are an interval,
+// and neither begins where the other has ended. Positive if they are apart, negative if they meet.
 template <class S>
 auto sign_of_gap(const PlaneSides<S>& of_a, const PlaneSides<S>& of_b, TriangleOf<S> a, TriangleOf<S> b) {
   const auto swap_where = [](auto where, Vec<S, 3>& x, Vec<S, 3>& y) {
@@ -104,14 +104,15 @@ auto sign_of_gap(const PlaneSides<S>& of_a, const PlaneSides<S>& of_b, TriangleO
   const auto is_a_above = of_a.turn(a), is_b_above = of_b.turn(b);
   swap_where(!is_a_above, b[1], b[2]);  // so that each first corner is above the other's plane
   swap_where(!is_b_above, a[1], a[2]);
-  const auto first = sign_of_determinant<S>(a[0], a[1], b[0], b[1]), second = sign_of_determinant<S>(a[0], a[2], b[2], b[0]);
+  const auto first = sign_of_determinant<S>(a[0], a[1], b[0], b[1]),
+             second = sign_of_determinant<S>(a[0], a[2], b[2], b[0]);
   return decltype(first){first.is_positive || second.is_positive, first.is_negative && second.is_negative};
 }
 
 enum class Filtered : unsigned char { apart, meet, unknown };
 
-// apart and meet are right for the doubles as they are; unknown for triangles that touch or nearly do, lie in one plane,
-// or are flat.
+// apart and meet are right for the doubles as they are; unknown for triangles that touch or nearly do, lie in one
+// plane, or are flat.
 Filtered filter_triangles(const TrianglePoints& a, const TrianglePoints& b);
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
-// Eight rows of eight numbers to eight columns: what brings a record a lane into packs, and back, without gathering numbers
-// one by one.
+// Eight rows of eight numbers to eight columns: what brings a record a lane into packs, and back, without gathering
+// numbers one by one.
 #pragma once
 
 namespace refitlab {
@@ -33,7 +33,8 @@ template <class T>
   }
   for (int i = 0; i < 4; ++i) {
     *reinterpret_cast<Row*>(to + i * to_stride) = __builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    *reinterpret_cast<Row*>(to + (i + 4) * to_stride) = __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    *reinterpret_cast<Row*>(to + (i + 4) * to_stride) =
+        __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
   }
 }
 

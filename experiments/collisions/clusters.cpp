@@ -44,10 +44,11 @@ class Clusters : public Detector {
 }  // namespace
 
 std::vector<DetectorKind> cluster_kinds() {
-  return {{"clusters",
-           "boxes around control points, many nodes at a time, down to clusters of up to 256 triangles, which are skinned; "
-           "yes/no tries pairs of earlier frames first",
-           Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c); }}};
+  return {
+      {"clusters",
+       "boxes around control points, many nodes at a time, down to clusters of up to 256 triangles, which are skinned; "
+       "yes/no tries pairs of earlier frames first",
+       Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c); }}};
 }
 
 }  // namespace refitlab

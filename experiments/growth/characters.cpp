@@ -69,7 +69,8 @@ class Crowd {
         out.triangle_pairs += static_cast<double>(c.pairs.size()) / frames;
       }
       for (const ClusterBody* b : list_)
-        out.clusters_skinned += static_cast<double>(b->clusters_skinned()) / static_cast<double>(b->tree().clusters().size() * list_.size() * frames);
+        out.clusters_skinned += static_cast<double>(b->clusters_skinned()) /
+                                static_cast<double>(b->tree().clusters().size() * list_.size() * frames);
     }
     out.pairs_of_boxes = static_cast<double>(counts.pairs_of_boxes) / frames;
   }
@@ -104,7 +105,8 @@ CharacterGrowth measure(const ClusterTree& tree, int count, const SpeedSettings&
   if (has_threads()) timed.push_back({"full_on_two_threads", frames, [&] { crowd.all_frames(Query::full, 2); }});
   const auto times = ns_per_item(timed, speed, Clock::wall);
   const auto us = [&](const char* name) { return times.count(name) ? median(times.at(name)) / 1000 : 0.0; };
-  out.full = us("full"), out.yes_no = us("yes_no"), out.full_on_two_threads = us("full_on_two_threads"), out.skin_all = us("skin_all");
+  out.full = us("full"), out.yes_no = us("yes_no"), out.full_on_two_threads = us("full_on_two_threads"),
+  out.skin_all = us("skin_all");
   return out;
 }
 
@@ -118,12 +120,15 @@ std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings)
     std::cout << "[growth] " << count << " walking men in a square" << std::endl;
     rows.push_back(measure(tree, count, settings));
     const CharacterGrowth& r = rows.back();
-    std::printf("  %6.0f pairs of boxes, %5.0f contacts, %6.0f pairs of triangles, %4.1f %% of the clusters skinned: %8.0f us full, %8.0f on two "
-                "threads, %8.0f yes/no; skinning all of them alone %8.0f us\n",
-                r.pairs_of_boxes, r.contacts, r.triangle_pairs, 100 * r.clusters_skinned, r.full, r.full_on_two_threads, r.yes_no, r.skin_all);
+    std::printf(
+        "  %6.0f pairs of boxes, %5.0f contacts, %6.0f pairs of triangles, %4.1f %% of the clusters skinned: %8.0f us "
+        "full, %8.0f on two "
+        "threads, %8.0f yes/no; skinning all of them alone %8.0f us\n",
+        r.pairs_of_boxes, r.contacts, r.triangle_pairs, 100 * r.clusters_skinned, r.full, r.full_on_two_threads,
+        r.yes_no, r.skin_all);
   }
-  std::printf("  exponent of the cost of a frame in the characters: %.2f full, %.2f yes/no\n", exponent(rows, &CharacterGrowth::full),
-              exponent(rows, &CharacterGrowth::yes_no));
+  std::printf("  exponent of the cost of a frame in the characters: %.2f full, %.2f yes/no\n",
+              exponent(rows, &CharacterGrowth::full), exponent(rows, &CharacterGrowth::yes_no));
   return rows;
 }
 
@@ -141,7 +146,9 @@ void write_character_growth(const std::vector<CharacterGrowth>& rows, const std:
   ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
   for (const CharacterGrowth& r : rows) {
     const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
-      file.add({"character_growth", std::to_string(r.characters) + " men", "walk", variant, "all", quantity, format_number(value), unit}, seed);
+      file.add({"character_growth", std::to_string(r.characters) + " men", "walk", variant, "all", quantity,
+                format_number(value), unit},
+               seed);
     };
     add("clusters", "pairs_of_boxes", r.pairs_of_boxes, "1");
     add("clusters", "contacts", r.contacts, "1");

@@ -8,13 +8,14 @@
 
 namespace refitlab {
 
-// Means over the frames. Times are of one frame, in us, of everything from postures and placements to pairs of triangles.
+// Means over the frames. Times are of one frame, in us, of everything from postures and placements to pairs of
+// triangles.
 struct CharacterGrowth {
   int characters = 0;
-  double pairs_of_boxes = 0;     // of characters, that meet
-  double contacts = 0;           // pairs of characters that touch
-  double triangle_pairs = 0;     // that touch
-  double clusters_skinned = 0;   // share of all
+  double pairs_of_boxes = 0;    // of characters, that meet
+  double contacts = 0;          // pairs of characters that touch
+  double triangle_pairs = 0;    // that touch
+  double clusters_skinned = 0;  // share of all
   double full = 0, yes_no = 0;
   double full_on_two_threads = 0;  // 0 where threads are not to be had
   double skin_all = 0;             // only to pose and skin all of them, in packs: less than any detector that does so

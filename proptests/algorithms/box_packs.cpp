@@ -18,8 +18,8 @@ using namespace refitlab;
 
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-std::vector<FlippedBox> bound(const Character& c, std::span<const int> nodes, Skinning skinning, const SkinningPose<double>& pose,
-                              const Quaternion<double>& rotation, Target target) {
+std::vector<FlippedBox> bound(const Character& c, std::span<const int> nodes, Skinning skinning,
+                              const SkinningPose<double>& pose, const Quaternion<double>& rotation, Target target) {
   JointFloats joints(c.sets);
   joints.fill(pose, skinning);
   std::vector<FlippedBox> boxes(nodes.size());
@@ -44,64 +44,70 @@ double width(const FlippedBox& b, int i) { return -double(b.of[4 + i]) - b.of[i]
 }  // namespace
 
 PROPTEST(box_packs) {
-  t.holds("the boxes of all nodes hold their vertices, however joints are turned, in every skinning and for every target",
-          {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            Model model = gen::make_mesh(plan);
-            const Point3 offset = Point3(1, -2, 3) * *rc::gen::element(0, 0, 1000);
-            for (Point3& v : model.vertices) v += offset;
-            for (auto& joint : model.joints) joint.origin += offset;
-            const Character c(std::move(model));
-            std::mt19937 random(plan.seed);
-            const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
-            const Posture posture = gen::random_posture(c.model, random, spread);
-            const Quaternion<double> rotation = gen::random_rotation(random, 1);
-            std::vector<int> nodes;
-            for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
-            const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
-            const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-            auto turned = skin(c.model, c.sets, pose, skinning);
-            for (auto& p : turned) p = rotate(rotation, p);
-            for (const Target target : available_targets()) {
-              const auto boxes = bound(c, nodes, skinning, pose, rotation, target);
-              for (const int n : nodes) RC_ASSERT(excess(c, n, turned, boxes[n]) <= 0);
-            }
-            RC_TAG(name_of(best_target()));
-          });
-  t.holds("nor do they lose a vertex where joints are turned nearly opposite ways, so that blends of them nearly vanish",
-          {.number_type = "float", .cases = 300, .degenerate_at_least = 1}, [] {
-            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            std::uniform_real_distribution<double> u(-1, 1), weight(0, 1);
-            const int joints = *rc::gen::inRange(2, 5);
-            Model m{.name = "soup", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}, .clips = {}};
-            for (int j = 0; j < joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, {u(random), u(random), u(random)}});
-            for (int v = 0; v < 60; ++v) {
-              m.vertices.push_back({u(random), u(random), u(random)});
-              std::vector<std::pair<int, double>> weights;
-              for (int j = 0; j < joints; ++j) weights.emplace_back(j, 0.02 + std::pow(weight(random), 3));
-              m.influences.emplace_back();
-              for (const auto& [joint, w] : quantize_weights(weights)) m.influences.back().push_back({joint, w});
-              if (v % 3 == 2) m.triangles.push_back({v - 2, v - 1, v});
-            }
-            const Character c(std::move(m));
-            Posture posture = reference_posture(c.model);
-            for (int j = 1; j < joints; ++j) {  // all within 90 degrees (of quaternions) of the first, and some twice as far from each other
-              const double w = *rc::gen::element(0.02, 0.2, 0.6), sign = j % 2 ? 1 : -1;
-              posture[j].rotation = {w, sign * std::sqrt(1 - w * w), 0.1 * u(random), 0.1 * u(random)};
-              posture[j].rotation.normalize();
-            }
-            RC_CLASSIFY(true, "degenerate");
-            std::vector<int> nodes;
-            for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
-            const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
-            const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-            const auto skinned = skin(c.model, c.sets, pose, skinning);
-            for (const Target target : available_targets()) {
-              const auto boxes = bound(c, nodes, skinning, pose, identity_quaternion<double>(), target);
-              for (const int n : nodes) RC_ASSERT(excess(c, n, skinned, boxes[n]) <= 0);
-            }
-          });
+  t.holds(
+      "the boxes of all nodes hold their vertices, however joints are turned, in every skinning and for every target",
+      {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
+        const auto plan = *gen::mesh_plan();
+        RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+        Model model = gen::make_mesh(plan);
+        const Point3 offset = Point3(1, -2, 3) * *rc::gen::element(0, 0, 1000);
+        for (Point3& v : model.vertices) v += offset;
+        for (auto& joint : model.joints) joint.origin += offset;
+        const Character c(std::move(model));
+        std::mt19937 random(plan.seed);
+        const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
+        const Posture posture = gen::random_posture(c.model, random, spread);
+        const Quaternion<double> rotation = gen::random_rotation(random, 1);
+        std::vector<int> nodes;
+        for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
+        const Skinning skinning =
+            *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
+        const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
+        auto turned = skin(c.model, c.sets, pose, skinning);
+        for (auto& p : turned) p = rotate(rotation, p);
+        for (const Target target : available_targets()) {
+          const auto boxes = bound(c, nodes, skinning, pose, rotation, target);
+          for (const int n : nodes) RC_ASSERT(excess(c, n, turned, boxes[n]) <= 0);
+        }
+        RC_TAG(name_of(best_target()));
+      });
+  t.holds(
+      "nor do they lose a vertex where joints are turned nearly opposite ways, so that blends of them nearly vanish",
+      {.number_type = "float", .cases = 300, .degenerate_at_least = 1}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        std::uniform_real_distribution<double> u(-1, 1), weight(0, 1);
+        const int joints = *rc::gen::inRange(2, 5);
+        Model m{.name = "soup", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}, .clips = {}};
+        for (int j = 0; j < joints; ++j)
+          m.joints.push_back({"joint " + std::to_string(j), j - 1, {u(random), u(random), u(random)}});
+        for (int v = 0; v < 60; ++v) {
+          m.vertices.push_back({u(random), u(random), u(random)});
+          std::vector<std::pair<int, double>> weights;
+          for (int j = 0; j < joints; ++j) weights.emplace_back(j, 0.02 + std::pow(weight(random), 3));
+          m.influences.emplace_back();
+          for (const auto& [joint, w] : quantize_weights(weights)) m.influences.back().push_back({joint, w});
+          if (v % 3 == 2) m.triangles.push_back({v - 2, v - 1, v});
+        }
+        const Character c(std::move(m));
+        Posture posture = reference_posture(c.model);
+        for (int j = 1; j < joints;
+             ++j) {  // all within 90 degrees (of quaternions) of the first, and some twice as far from each other
+          const double w = *rc::gen::element(0.02, 0.2, 0.6), sign = j % 2 ? 1 : -1;
+          posture[j].rotation = {w, sign * std::sqrt(1 - w * w), 0.1 * u(random), 0.1 * u(random)};
+          posture[j].rotation.normalize();
+        }
+        RC_CLASSIFY(true, "degenerate");
+        std::vector<int> nodes;
+        for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
+        const Skinning skinning =
+            *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
+        const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
+        const auto skinned = skin(c.model, c.sets, pose, skinning);
+        for (const Target target : available_targets()) {
+          const auto boxes = bound(c, nodes, skinning, pose, identity_quaternion<double>(), target);
+          for (const int n : nodes) RC_ASSERT(excess(c, n, skinned, boxes[n]) <= 0);
+        }
+      });
   t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
     const Character c(make_man());
     const auto posture = c.model.clips[0].sample(0.3 * c.model.clips[0].duration);
@@ -127,12 +133,14 @@ PROPTEST(box_packs) {
       for (std::size_t n = 0; n < nodes.size(); ++n)
         for (int i = 0; i < 3; ++i) {
           double low = 1e300, high = -1e300;
-          for (const int v : c.vertices[nodes[n]]) low = std::min(low, skinned[v][i]), high = std::max(high, skinned[v][i]);
+          for (const int v : c.vertices[nodes[n]])
+            low = std::min(low, skinned[v][i]), high = std::max(high, skinned[v][i]);
           bounded += width(first[n], i), exact += high - low;
           ++looked_at;
         }
       ok = ok && bounded >= exact && bounded < 1.4 * exact;
-      text += (text.empty() ? "sum of widths over that of the vertices' own boxes: " : ", ") + std::to_string(bounded / exact);
+      text += (text.empty() ? "sum of widths over that of the vertices' own boxes: " : ", ") +
+              std::to_string(bounded / exact);
     }
     return Checked(ok, looked_at, text);
   });

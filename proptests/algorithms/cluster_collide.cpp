@@ -39,7 +39,8 @@ PROPTEST(cluster_collide) {
             const double unit = *rc::gen::element(1.0, 1.0, 0.01, 100.0);
             for (Point3& v : other.vertices) v *= unit;
             for (auto& joint : other.joints) joint.origin *= unit;
-            const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 40)}), b(std::move(other));
+            const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 40)}),
+                b(std::move(other));
             const ClusterTree tree_a(a, drawn_options()), tree_b(b, drawn_options());
             const Skinning skinning = drawn_skinning();
             ClusterBody first(tree_a, skinning), second(tree_b, skinning);
@@ -47,10 +48,12 @@ PROPTEST(cluster_collide) {
             std::mt19937 random(plan_a.seed);
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 3; ++frame) {
-              const Posture posture_a = gen::random_posture(a.model, random), posture_b = gen::random_posture(b.model, random);
+              const Posture posture_a = gen::random_posture(a.model, random),
+                            posture_b = gen::random_posture(b.model, random);
               const double apart = frame == 2 ? 3 : 0.5;
               const RigidTransform<double> at_a{gen::random_rotation(random, 1), {normal(random), 0, 0}},
-                  at_b{gen::random_rotation(random, 1), at_a.translation + Point3(normal(random), normal(random), 0) * apart};
+                  at_b{gen::random_rotation(random, 1),
+                       at_a.translation + Point3(normal(random), normal(random), 0) * apart};
               first.begin(posture_a, at_a), second.begin(posture_b, at_b);
               const auto expected = oracle::all_pairs({a, posture_a, at_a}, {b, posture_b, at_b}, skinning);
               QueryCounts counts;
@@ -80,56 +83,62 @@ PROPTEST(cluster_collide) {
             RC_ASSERT(sorted(collide(first, second, Query::full, counts)) ==
                       oracle::all_pairs({c, posture, here}, {c, posture, at}, skinning));
           });
-  t.example("two walking men: nothing is bounded or skinned far apart, a part close by, and the pairs are those of the sphere trees", {}, [] {
-    const Character man(make_man());
-    const ClusterTree tree(man);
-    const Clip& walk = man.model.clips[0];
-    const Posture early = walk.sample(0.2 * walk.duration), late = walk.sample(0.7 * walk.duration);
-    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-    Body p(man, refit_variant("spherical_repaired")), q(man, refit_variant("spherical_repaired"));
-    bool ok = true;
-    std::string text;
-    for (const double distance : {5.0, 0.6, 0.1}) {
-      const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
-      a.begin(early, {}), b.begin(late, at), p.begin(early), q.begin(late);
-      QueryCounts counts, unused;
-      const auto pairs = sorted(collide(a, b, Query::full, counts));
-      ok = ok && pairs == sorted(collide({p}, {q, at}, Query::full, unused));
-      const long skinned = a.clusters_skinned() + b.clusters_skinned();
-      const auto all = 2 * static_cast<long>(tree.clusters().size());
-      if (distance == 5.0) ok = ok && a.nodes_bounded() + b.nodes_bounded() == 0;  // their reaches are apart
-      ok = ok && (distance == 5.0 ? skinned == 0 : distance == 0.1 ? pairs.size() > 100 : skinned < all / 2);
-      text += std::to_string(skinned) + " of " + std::to_string(all) + " clusters skinned for " + std::to_string(pairs.size()) + " pairs; ";
-    }
-    return Checked(ok, 3, text);
-  });
-  t.example("triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
-    Model m;
-    m.name = "triangle";
-    m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
-    m.triangles = {{0, 1, 2}};
-    m.joints = {{"root", -1, {0, 0, 0}}};
-    m.influences.assign(3, {{0, 1.0}});
-    const Character c(std::move(m));
-    const ClusterTree tree(c);
-    ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-    const Posture still = reference_posture(c.model);
-    first.begin(still, {});
-    const auto pairs = [&](double x, double y, double z) {
-      second.begin(still, {identity_quaternion<double>(), {x, y, z}});
-      QueryCounts counts;
-      return collide(first, second, Query::full, counts).size();
-    };
-    return Checked(pairs(2, 0, 0) == 1 && pairs(1, 1, 0) == 1 && pairs(0, 0, 0) == 1 && pairs(0.5, 0, 0) == 1 && pairs(2, 0, 1e-300) == 0 &&
-                       pairs(std::nextafter(2, 3), 0, 0) == 0,
-                   6);
-  });
+  t.example(
+      "two walking men: nothing is bounded or skinned far apart, a part close by, and the pairs are those of the "
+      "sphere trees",
+      {}, [] {
+        const Character man(make_man());
+        const ClusterTree tree(man);
+        const Clip& walk = man.model.clips[0];
+        const Posture early = walk.sample(0.2 * walk.duration), late = walk.sample(0.7 * walk.duration);
+        ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+        Body p(man, refit_variant("spherical_repaired")), q(man, refit_variant("spherical_repaired"));
+        bool ok = true;
+        std::string text;
+        for (const double distance : {5.0, 0.6, 0.1}) {
+          const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
+          a.begin(early, {}), b.begin(late, at), p.begin(early), q.begin(late);
+          QueryCounts counts, unused;
+          const auto pairs = sorted(collide(a, b, Query::full, counts));
+          ok = ok && pairs == sorted(collide({p}, {q, at}, Query::full, unused));
+          const long skinned = a.clusters_skinned() + b.clusters_skinned();
+          const auto all = 2 * static_cast<long>(tree.clusters().size());
+          if (distance == 5.0) ok = ok && a.nodes_bounded() + b.nodes_bounded() == 0;  // their reaches are apart
+          ok = ok && (distance == 5.0 ? skinned == 0 : distance == 0.1 ? pairs.size() > 100 : skinned < all / 2);
+          text += std::to_string(skinned) + " of " + std::to_string(all) + " clusters skinned for " +
+                  std::to_string(pairs.size()) + " pairs; ";
+        }
+        return Checked(ok, 3, text);
+      });
+  t.example(
+      "triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
+        Model m;
+        m.name = "triangle";
+        m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+        m.triangles = {{0, 1, 2}};
+        m.joints = {{"root", -1, {0, 0, 0}}};
+        m.influences.assign(3, {{0, 1.0}});
+        const Character c(std::move(m));
+        const ClusterTree tree(c);
+        ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+        const Posture still = reference_posture(c.model);
+        first.begin(still, {});
+        const auto pairs = [&](double x, double y, double z) {
+          second.begin(still, {identity_quaternion<double>(), {x, y, z}});
+          QueryCounts counts;
+          return collide(first, second, Query::full, counts).size();
+        };
+        return Checked(pairs(2, 0, 0) == 1 && pairs(1, 1, 0) == 1 && pairs(0, 0, 0) == 1 && pairs(0.5, 0, 0) == 1 &&
+                           pairs(2, 0, 1e-300) == 0 && pairs(std::nextafter(2, 3), 0, 0) == 0,
+                       6);
+      });
   t.example("a remembered pair that still touches answers a yes/no query, and no cluster is skinned for it", {}, [] {
     const Character man(make_man());
     const ClusterTree tree(man);
     const Clip& walk = man.model.clips[0];
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-    const RigidTransform<double> at{identity_quaternion<double>(), {0.1, 0, 0}}, away{identity_quaternion<double>(), {1, 0, 0}};
+    const RigidTransform<double> at{identity_quaternion<double>(), {0.1, 0, 0}},
+        away{identity_quaternion<double>(), {1, 0, 0}};
     PairMemory memory;
     QueryCounts counts;
     bool ok = true;
@@ -144,7 +153,8 @@ PROPTEST(cluster_collide) {
     const auto pairs = collide(a, b, Query::full, counts, &memory);
     const auto& kept = memory.pairs();
     for (const TrianglePair& pair : kept) ok = ok && std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
-    return Checked(ok && kept.size() == PairMemory::most, 5, std::to_string(pairs.size()) + " pairs found, " + std::to_string(kept.size()) + " remembered");
+    return Checked(ok && kept.size() == PairMemory::most, 5,
+                   std::to_string(pairs.size()) + " pairs found, " + std::to_string(kept.size()) + " remembered");
   });
   t.example("options out of range, a placement that is not rigid and a posture with a NaN are refused by name", {}, [] {
     const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
@@ -162,14 +172,19 @@ PROPTEST(cluster_collide) {
     ClusterBody body(tree, Skinning::spherical);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Posture still = reference_posture(c.model);
-    const std::string stretched = message([&] { body.begin(still, {{2, 0, 0, 0}, {0, 0, 0}}); }),
-                      lost = message([&] { body.begin(still, {{1, 0, 0, 0}, {nan, 0, 0}}); });
+    const std::string stretched = message([&] {
+      body.begin(still, {{2, 0, 0, 0}, {0, 0, 0}});
+    }),
+                      lost = message([&] {
+                        body.begin(still, {{1, 0, 0, 0}, {nan, 0, 0}});
+                      });
     Posture posture = still;
     posture[1].translation[2] = nan;
     const std::string refused = message([&] { body.begin(posture, {}); });
-    return Checked(small.find("most_triangles is 0") != std::string::npos && narrow.find("most_children is 1") != std::string::npos &&
-                       stretched.find("not rigid") != std::string::npos && lost.find("not finite") != std::string::npos &&
-                       refused.find("joint 1") != std::string::npos,
+    return Checked(small.find("most_triangles is 0") != std::string::npos &&
+                       narrow.find("most_children is 1") != std::string::npos &&
+                       stretched.find("not rigid") != std::string::npos &&
+                       lost.find("not finite") != std::string::npos && refused.find("joint 1") != std::string::npos,
                    5, small + "; " + narrow + "; " + stretched + "; " + lost + "; " + refused);
   });
 }

@@ -24,7 +24,9 @@ bool are_equal(const SkinningPose<double>& a, const SkinningPose<double>& b) {
     const JointSetPose<double> p = a[s], q = b[s];
     if (p.rotation_center != q.rotation_center || p.transforms.size() != q.transforms.size()) return false;
     for (std::size_t i = 0; i < p.transforms.size(); ++i)
-      if (p.transforms[i].rotation != q.transforms[i].rotation || p.transforms[i].translation != q.transforms[i].translation) return false;
+      if (p.transforms[i].rotation != q.transforms[i].rotation ||
+          p.transforms[i].translation != q.transforms[i].translation)
+        return false;
     if (!equal_lists(p.center_images, q.center_images) || !equal_lists(p.duals, q.duals)) return false;
   }
   return true;
@@ -35,24 +37,26 @@ constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Ski
 }  // namespace
 
 PROPTEST(pose_packs) {
-  t.holds("the numbers are those of make_skinning_pose, in every skinning and for every target, one posture after the other",
-          {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            const Model model = gen::make_mesh(plan);
-            const JointSets sets(model);
-            std::mt19937 random(plan.seed);
-            const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.5, 3.0);
-            RC_CLASSIFY(spread < 0.1 || gen::is_degenerate(plan), "degenerate");
-            for (const Skinning skinning : all_skinnings) {
-              const PosePacks packs(model, sets, skinning);
-              SkinningPose<double> pose;
-              for (const Target target : available_targets()) {
-                const Posture posture = gen::random_posture(model, random, spread);
-                packs.make(posture, pose, target);
-                RC_ASSERT(are_equal(pose, make_skinning_pose(model, sets, posture, skinning)));
-              }
-            }
-          });
+  t.holds(
+      "the numbers are those of make_skinning_pose, in every skinning and for every target, one posture after the "
+      "other",
+      {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
+        const auto plan = *gen::mesh_plan();
+        const Model model = gen::make_mesh(plan);
+        const JointSets sets(model);
+        std::mt19937 random(plan.seed);
+        const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.5, 3.0);
+        RC_CLASSIFY(spread < 0.1 || gen::is_degenerate(plan), "degenerate");
+        for (const Skinning skinning : all_skinnings) {
+          const PosePacks packs(model, sets, skinning);
+          SkinningPose<double> pose;
+          for (const Target target : available_targets()) {
+            const Posture posture = gen::random_posture(model, random, spread);
+            packs.make(posture, pose, target);
+            RC_ASSERT(are_equal(pose, make_skinning_pose(model, sets, posture, skinning)));
+          }
+        }
+      });
   t.example("also those of a man who walks, with joint-sets of one to four joints", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);

@@ -57,7 +57,8 @@ PROPTEST(triangles_filter) {
   t.holds("what it says of random triangles is what exact arithmetic says, whatever the order of their corners",
           {.number_type = "rational", .cases = 400}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const TrianglePoints a = random_triangle(random, 1), b = random_triangle(random, *rc::gen::element(1.0, 0.1));
+            const TrianglePoints a = random_triangle(random, 1),
+                                 b = random_triangle(random, *rc::gen::element(1.0, 0.1));
             RC_ASSERT(never_wrong_in_any_order(a, b));
             RC_TAG(filter_triangles(a, b) == Filtered::meet ? "meet" : "apart");
             RC_ASSERT(filter_triangles(a, b) != Filtered::unknown);
@@ -73,7 +74,8 @@ PROPTEST(triangles_filter) {
             if (*rc::gen::arbitrary<bool>()) b[1] = a[1] * 0.5 + a[2] * 0.5;
             const double off = *rc::gen::element(0.0, 1e-16, 1e-15, 1e-14, 1e-13);
             b[0] += Vec<double, 3>(v(random), v(random), v(random)) * off;
-            const double unit = *rc::gen::element(1.0, 1.0, 0x1p-348, 0x1p-352);  // or so small that determinants lose digits
+            const double unit =
+                *rc::gen::element(1.0, 1.0, 0x1p-348, 0x1p-352);  // or so small that determinants lose digits
             TrianglePoints a_unit = a;
             for (int i = 0; i < 3; ++i) a_unit[i] *= unit, b[i] *= unit;
             RC_CLASSIFY(true, "degenerate");
@@ -86,9 +88,10 @@ PROPTEST(triangles_filter) {
     TrianglePoints tiny_a = a, tiny_b = standing, undefined = standing;
     for (int i = 0; i < 3; ++i) tiny_a[i] *= 1e-150, tiny_b[i] *= 1e-150;
     undefined[1][2] = std::numeric_limits<double>::quiet_NaN();
-    for (const auto& [p, q] : {std::pair(a, flat), std::pair(a, beside), std::pair(a, standing), std::pair(tiny_a, tiny_b),
-                               std::pair(a, undefined), std::pair(a, a)})
-      if (filter_triangles(p, q) != Filtered::unknown || filter_triangles(q, p) != Filtered::unknown) return Checked(false, 12);
+    for (const auto& [p, q] : {std::pair(a, flat), std::pair(a, beside), std::pair(a, standing),
+                               std::pair(tiny_a, tiny_b), std::pair(a, undefined), std::pair(a, a)})
+      if (filter_triangles(p, q) != Filtered::unknown || filter_triangles(q, p) != Filtered::unknown)
+        return Checked(false, 12);
     return Checked(true, 12);
   });
 }

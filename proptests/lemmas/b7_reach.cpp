@@ -28,7 +28,8 @@ RationalQuaternion drawn_in(RationalQuaternion q) {
   if (q[0] < 0) q = -q;
   const RationalVec<3> v = imaginary(q) / (Rational(2) * (Rational(1) + q[0]));
   const Rational s = squared_norm(v), scale = Rational(1) / (Rational(1) + s);
-  return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
+  return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale,
+          Rational(2) * v[2] * scale};
 }
 
 // A solution of the normal equations, by elimination; what they leave free is 0.
@@ -109,7 +110,8 @@ PROPTEST(b7_reach) {
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
             const ReachCase c(4);
             const auto found = spherical_reach(c.transforms, Rational(1), c.point, c.point, c.u(), c.vertex);
-            RC_ASSERT(squared_norm(found.strayed) == 0 && squared_norm(found.turned) == squared_distance(c.vertex, c.point));
+            RC_ASSERT(squared_norm(found.strayed) == 0 &&
+                      squared_norm(found.turned) == squared_distance(c.vertex, c.point));
             const RationalVec<3> sum = found.carried + found.turned;
             RC_ASSERT(sum == oracle::spherical(c.transforms, c.w(), c.point, c.vertex));
             const RationalVec<3> left = oracle::linear(c.transforms, c.w(), c.vertex) - found.carried;
@@ -125,7 +127,9 @@ PROPTEST(b7_reach) {
   t.holds("a part of the joints has no more spread and no smaller cosine",
           {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
             const ReachCase c(4);
-            const Transforms part(c.transforms.begin(), c.transforms.begin() + *rc::gen::inRange<int>(1, static_cast<int>(c.transforms.size()) + 1));
+            const Transforms part(
+                c.transforms.begin(),
+                c.transforms.begin() + *rc::gen::inRange<int>(1, static_cast<int>(c.transforms.size()) + 1));
             RC_ASSERT(squared_spread(images_of(part, c.point)) <= squared_spread(images_of(c.transforms, c.point)));
             RC_ASSERT(least_cosine(part) >= least_cosine(c.transforms));
           });
@@ -135,9 +139,8 @@ PROPTEST(b7_reach) {
     const Rational cosine = *rc::gen::element(c.cosine, Rational(1));
     decide_by_all(
         []<class S>(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
-                    const std::vector<S>& u, const Vec<S, 3>& vertex) {
-          return dual_reach<S>(transforms, cosine, point, u, vertex).verdict;
-        },
+                    const std::vector<S>& u,
+                    const Vec<S, 3>& vertex) { return dual_reach<S>(transforms, cosine, point, u, vertex).verdict; },
         c.transforms, cosine, c.point, c.weights, c.vertex);
   });
 
@@ -149,24 +152,27 @@ PROPTEST(b7_reach) {
     };
     auto carried = good, turned = good, strayed = good;
     carried.carried += *gen::nonzero_vector<3>();
-    turned.turned = turned.turned * Rational(2) + *gen::nonzero_vector<3>() * (Rational(8) * (Rational(1) + squared_norm(good.turned)));
-    strayed.strayed += RationalVec<3>(1, 0, 0) * (Rational(8) * (Rational(1) + squared_spread(images_of(c.transforms, c.point))));
+    turned.turned = turned.turned * Rational(2) +
+                    *gen::nonzero_vector<3>() * (Rational(8) * (Rational(1) + squared_norm(good.turned)));
+    strayed.strayed +=
+        RationalVec<3>(1, 0, 0) * (Rational(8) * (Rational(1) + squared_spread(images_of(c.transforms, c.point))));
     RC_ASSERT(rejected(carried) && rejected(strayed));
     RC_ASSERT(rejected(turned) || squared_norm(turned.turned) == squared_norm(good.turned));
   });
 
-  const auto strays_without = [&t](const std::string& hypothesis, const std::string& sentence, const b7::Transforms& transforms,
-                                   const b7::Q& cosine, const std::vector<b7::Q>& u) {
+  const auto strays_without = [&t](const std::string& hypothesis, const std::string& sentence,
+                                   const b7::Transforms& transforms, const b7::Q& cosine, const std::vector<b7::Q>& u) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
       return reach_hypotheses(transforms, cosine, Span(u)) == Verdict::fails &&
              dual_reach(transforms, cosine, b7::y_axis, Span(u), b7::y_axis).verdict == Verdict::fails;
     });
   };
-  strays_without("the quaternions are less than a right angle apart", "on the long way round a point strays too far", b7::long_way,
-                 b7::Q(-24, 25), b7::halves);
-  strays_without("the cosine is no greater than theirs", "a greater cosine promises too much", b7::short_way, b7::Q(1), b7::halves);
-  strays_without("the quaternions are of unit length", "a long quaternion outweighs the others", b7::unequal, b7::Q(24, 25),
+  strays_without("the quaternions are less than a right angle apart", "on the long way round a point strays too far",
+                 b7::long_way, b7::Q(-24, 25), b7::halves);
+  strays_without("the cosine is no greater than theirs", "a greater cosine promises too much", b7::short_way, b7::Q(1),
                  b7::halves);
+  strays_without("the quaternions are of unit length", "a long quaternion outweighs the others", b7::unequal,
+                 b7::Q(24, 25), b7::halves);
   strays_without("the weights are convex", "beyond the joints a point strays too far", b7::short_way, b7::Q(24, 25),
                  b7::beyond_the_first);
   t.example("about a center that is not least-squares a point strays where the joints do not move it",
