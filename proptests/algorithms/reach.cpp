@@ -99,6 +99,27 @@ PROPTEST(reach) {
                                  box_of_vertices(model, sets, posture, skinning, placement)));
             }
           });
+  t.example("a vertex swept about an axis bulges out of its joints' chord, and stays in the box", {}, [] {
+    Model model;
+    model.name = "swept";
+    model.vertices.assign(3, {1, 0, 0});
+    model.triangles = {{0, 1, 2}};
+    model.joints = {{"first", -1, {0, 0, 0}}, {"second", 0, {0, 0, 0}}};
+    model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+    const JointSets sets(model);
+    bool ok = true;
+    double least = infinite;
+    for (const double half : {0.2, 0.6, 1.0}) {  // radians that each joint turns, one this and one that way
+      const Posture posture{{{std::cos(half / 2), 0, 0, std::sin(half / 2)}, {0, 0, 0}},
+                            {{std::cos(half / 2), 0, 0, -std::sin(half / 2)}, {0, 0, 0}}};
+      for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
+        const Box6 box = Reach(model, sets, skinning).box(posture, {});
+        ok = ok && encloses(box, box_of_vertices(model, sets, posture, skinning, {})) && box[3] < 1.6;
+        least = std::min(least, (box[3] - std::cos(half)) / (1 - std::cos(half)));
+      }
+    }
+    return Checked(ok && least > 1, 6, "blown up by at least " + std::to_string(least) + " times the bulge");
+  });
   t.example("a walking man's box is little larger than that of his vertices, in every skinning", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);
