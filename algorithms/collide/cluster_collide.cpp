@@ -148,10 +148,15 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
       memory->remember(*pair);
       return {*pair};
     }
-  ++counts.ball_tests;
-  if (are_apart(first.reach(), second.reach())) return {};
+  if (!memory || !memory->are_near) {  // near bodies are told apart by their fans, if at all
+    ++counts.ball_tests;
+    if (are_apart(first.reach(), second.reach())) return {};
+  }
   auto pairs = ClusterTraversal(first, second, query, counts).run();
-  if (memory) memory->remember(pairs);
+  if (memory) {
+    memory->are_near = !are_apart(first.fan_box(0), second.fan_box(0));
+    memory->remember(pairs);
+  }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return pairs;
 }

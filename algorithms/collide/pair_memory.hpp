@@ -1,5 +1,5 @@
-// PairMemory: pairs of triangles of two bodies that touched in earlier frames. Bodies in contact move little from one
-// frame to the next, and some pair of a few often touches again.
+// PairMemory: what two bodies were to each other in earlier frames. Bodies move little from one frame to the next: of a
+// few pairs of triangles that touched some pair often touches again, and bodies whose bounds met meet again.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ class PairMemory {
  public:
   static constexpr std::size_t most = 8;
 
-  // The latest first.
+  // Pairs that touched, the latest first.
   const std::vector<TrianglePair>& pairs() const { return pairs_; }
 
   // One of the pairs found in a frame; it moves to the front if it is known.
@@ -27,6 +27,9 @@ class PairMemory {
     const std::size_t count = std::min(most, pairs.size());
     for (std::size_t i = 0; i < count; ++i) remember(pairs[i * pairs.size() / count]);
   }
+
+  // Whether bounds of the two met when they were last compared.
+  bool are_near = false;
 
  private:
   std::vector<TrianglePair> pairs_;

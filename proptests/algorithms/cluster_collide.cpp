@@ -153,8 +153,15 @@ PROPTEST(cluster_collide) {
     const auto pairs = collide(a, b, Query::full, counts, &memory);
     const auto& kept = memory.pairs();
     for (const TrianglePair& pair : kept) ok = ok && std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
-    return Checked(ok && kept.size() == PairMemory::most, 5,
-                   std::to_string(pairs.size()) + " pairs found, " + std::to_string(kept.size()) + " remembered");
+    const std::size_t remembered = kept.size();
+    for (const bool was_near : {true, false}) {  // reaches are compared again once the bounds have been found apart
+      a.begin(walk.sample(0.2 * walk.duration), {});
+      b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {5, 0, 0}});
+      ok = ok && memory.are_near == was_near && collide(a, b, Query::full, counts, &memory).empty() &&
+           (a.nodes_bounded() > 0) == was_near;
+    }
+    return Checked(ok && remembered == PairMemory::most, 5,
+                   std::to_string(pairs.size()) + " pairs found, " + std::to_string(remembered) + " remembered");
   });
   t.example("options out of range, a placement that is not rigid and a posture with a NaN are refused by name", {}, [] {
     const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
