@@ -149,6 +149,20 @@ PROPTEST(reach) {
     return Checked(encloses(box, of_vertices) && widths(box) < 1.3 * widths(of_vertices), 1,
                    std::to_string(widths(box) / widths(of_vertices)));
   });
+  t.example("a quaternion and its opposite are one rotation: the box is the same", {}, [] {
+    const Model man = make_man();
+    const JointSets sets(man);
+    const Posture posture = man.clips[0].sample(0.3 * man.clips[0].duration);
+    Posture negated = posture;
+    for (std::size_t j = 0; j < negated.size(); j += 2) negated[j].rotation = -negated[j].rotation;
+    bool ok = true;
+    for (const Skinning skinning : all_skinnings) {
+      const Reach reach(man, sets, skinning);
+      const Box6 box = reach.box(posture, {}), again = reach.box(negated, {});
+      for (int i = 0; i < 6; ++i) ok = ok && std::abs(box[i] - again[i]) < 1e-4;
+    }
+    return Checked(ok, 4);
+  });
   t.example("dual quaternions half a turn apart have no box, and rotation centers help out in spherical skinning", {}, [] {
     Model model = gen::make_mesh({gen::MeshKind::tube, 12, 8, 4, 7});
     const JointSets sets(model);
