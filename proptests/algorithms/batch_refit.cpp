@@ -8,6 +8,7 @@
 #include "algorithms/refit/algorithm1_repaired.hpp"
 #include "algorithms/refit/linear.hpp"
 #include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -142,6 +143,13 @@ PROPTEST(batch_refit) {
     }
     return Checked(true, 5);
   });
+  t.holds("nor is a vertex missed where joints are turned nearly opposite ways, and a cap would be over a half-sphere",
+          {.number_type = "float pack", .cases = 100, .degenerate_at_least = 1}, [] {
+            const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
+            RC_CLASSIFY(true, "degenerate");
+            const auto wrong = what_is_wrong(soup.model, soup.posture, Skinning::spherical);
+            if (!wrong.empty()) RC_FAIL(wrong);
+          });
   t.example("of the built-in man's nodes most are refitted whole and some are merged, in lanes of unlike corners too", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);

@@ -5,8 +5,8 @@
 #include "algorithms/collide/box_kernel.hpp"
 #include "algorithms/collide/cluster_tree.hpp"
 #include "algorithms/model/procedural.hpp"
-#include "algorithms/weights/quantize.hpp"
 #include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -74,28 +74,9 @@ PROPTEST(box_packs) {
   t.holds(
       "nor do they lose a vertex where joints are turned nearly opposite ways, so that blends of them nearly vanish",
       {.number_type = "float", .cases = 300, .degenerate_at_least = 1}, [] {
-        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-        std::uniform_real_distribution<double> u(-1, 1), weight(0, 1);
-        const int joints = *rc::gen::inRange(2, 5);
-        Model m{.name = "soup", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}, .clips = {}};
-        for (int j = 0; j < joints; ++j)
-          m.joints.push_back({"joint " + std::to_string(j), j - 1, {u(random), u(random), u(random)}});
-        for (int v = 0; v < 60; ++v) {
-          m.vertices.push_back({u(random), u(random), u(random)});
-          std::vector<std::pair<int, double>> weights;
-          for (int j = 0; j < joints; ++j) weights.emplace_back(j, 0.02 + std::pow(weight(random), 3));
-          m.influences.emplace_back();
-          for (const auto& [joint, w] : quantize_weights(weights)) m.influences.back().push_back({joint, w});
-          if (v % 3 == 2) m.triangles.push_back({v - 2, v - 1, v});
-        }
-        const Character c(std::move(m));
-        Posture posture = reference_posture(c.model);
-        for (int j = 1; j < joints;
-             ++j) {  // all within 90 degrees (of quaternions) of the first, and some twice as far from each other
-          const double w = *rc::gen::element(0.02, 0.2, 0.6), sign = j % 2 ? 1 : -1;
-          posture[j].rotation = {w, sign * std::sqrt(1 - w * w), 0.1 * u(random), 0.1 * u(random)};
-          posture[j].rotation.normalize();
-        }
+        const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
+        const Character c(soup.model);
+        const Posture& posture = soup.posture;
         RC_CLASSIFY(true, "degenerate");
         std::vector<int> nodes;
         for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);

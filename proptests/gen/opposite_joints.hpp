@@ -1,0 +1,14 @@
+// Triangles anywhere among joints that are turned nearly opposite ways, so that blends of them nearly vanish.
+#pragma once
+
+#include "algorithms/model/model.hpp"
+
+namespace proptests::gen {
+
+struct OppositeJoints {
+  refitlab::Model model;      // 20 triangles, of two to four joints that all influence each vertex
+  refitlab::Posture posture;  // quaternions within a right angle of the first, some twice as far from each other
+};
+OppositeJoints opposite_joints(unsigned seed);
+
+}  // namespace proptests::gen
