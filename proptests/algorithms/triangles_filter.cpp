@@ -4,28 +4,13 @@
 
 #include <random>
 
-#include "lemmas/vocabulary/exact.hpp"
 #include "proptests/harness.hpp"
-#include "proptests/oracles/convex_combination.hpp"
+#include "proptests/oracles/triangles_meet.hpp"
 
 namespace proptests {
 namespace {
 
 using namespace refitlab;
-
-// Two triangles meet if and only if 0 is a convex combination of the nine differences of their corners.
-bool meet_by_oracle(const TrianglePoints& a, const TrianglePoints& b) {
-  std::vector<oracle::Row> rows;
-  for (const auto& p : a)
-    for (const auto& q : b) {
-      oracle::Row row;
-      Rational last(1);
-      for (int i = 0; i < 3; ++i) row.push_back(Rational(p[i]) - Rational(q[i])), last -= row.back();
-      row.push_back(last);
-      rows.push_back(row);
-    }
-  return oracle::as_convex_combination(rows, {Rational(0), Rational(0), Rational(0), Rational(1)}).has_value();
-}
 
 bool never_wrong(const TrianglePoints& a, const TrianglePoints& b, bool meets) {
   const Filtered quick = filter_triangles(a, b);
@@ -34,7 +19,7 @@ bool never_wrong(const TrianglePoints& a, const TrianglePoints& b, bool meets) {
 
 // The six orders of the corners of each and both orders of the two.
 bool never_wrong_in_any_order(const TrianglePoints& a, const TrianglePoints& b) {
-  const bool meets = meet_by_oracle(a, b);
+  const bool meets = oracle::triangles_meet(a, b);
   static constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   for (const auto& i : orders)
     for (const auto& j : orders) {

@@ -3,26 +3,12 @@
 #include <rapidcheck.h>
 
 #include "proptests/harness.hpp"
-#include "proptests/oracles/convex_combination.hpp"
+#include "proptests/oracles/triangles_meet.hpp"
 
 namespace proptests {
 namespace {
 
 using namespace refitlab;
-
-// Two triangles meet if and only if 0 is a convex combination of the nine differences of their corners.
-bool meet_by_oracle(const TrianglePoints& a, const TrianglePoints& b) {
-  std::vector<oracle::Row> rows;
-  for (const auto& p : a)
-    for (const auto& q : b) {
-      oracle::Row row;
-      Rational last(1);
-      for (int i = 0; i < 3; ++i) row.push_back(Rational(p[i]) - Rational(q[i])), last -= row.back();
-      row.push_back(last);
-      rows.push_back(row);
-    }
-  return oracle::as_convex_combination(rows, {Rational(0), Rational(0), Rational(0), Rational(1)}).has_value();
-}
 
 Vec<double, 3> normal(const TrianglePoints& t) { return cross<double>(t[1] - t[0], t[2] - t[0]); }
 bool is_flat(const TrianglePoints& t) { return normal(t).isZero(0); }
@@ -50,7 +36,7 @@ PROPTEST(triangles_meet) {
           {.number_type = "rational", .cases = 3000, .degenerate_at_least = 0.3}, [] {
             const int size = *rc::gen::element(1, 2, 4);
             const TrianglePoints a = grid_triangle(size), b = grid_triangle(size);
-            const bool meets = meet_by_oracle(a, b);
+            const bool meets = oracle::triangles_meet(a, b);
             RC_CLASSIFY(is_flat(a) || is_flat(b) || cross(normal(a), normal(b)).isZero(0), "degenerate");
             RC_CLASSIFY(meets, "meet");
             RC_ASSERT(triangles_meet(a, b) == meets);
@@ -64,7 +50,7 @@ PROPTEST(triangles_meet) {
             const int shift = *rc::gen::inRange(-2, 3);
             b[0] = a[0] * (1 - s) + (a[1] * (1 - t) + a[2] * t) * s;  // on the face but for rounding
             b[0][0] = shift < 0 ? std::nextafter(b[0][0], -100) : shift > 0 ? std::nextafter(b[0][0], 100) : b[0][0];
-            const bool meets = meet_by_oracle(a, b);
+            const bool meets = oracle::triangles_meet(a, b);
             RC_CLASSIFY(true, "degenerate");
             RC_CLASSIFY(meets, "meet");
             RC_ASSERT(triangles_meet(a, b) == meets);
@@ -74,7 +60,7 @@ PROPTEST(triangles_meet) {
             const double unit = *rc::gen::element(0x1p-100, 0x1p100);
             TrianglePoints a = grid_triangle(2), b = grid_triangle(2);
             RC_CLASSIFY(is_flat(a) || is_flat(b), "degenerate");
-            const bool meets = meet_by_oracle(a, b);
+            const bool meets = oracle::triangles_meet(a, b);
             for (int i = 0; i < 3; ++i) a[i] *= unit, b[i] *= unit;
             RC_ASSERT(triangles_meet(a, b) == meets);
           });

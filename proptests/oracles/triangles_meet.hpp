@@ -1,0 +1,11 @@
+// Whether two triangles have a point in common, in exact arithmetic.
+#pragma once
+
+#include "algorithms/collide/triangles_filter.hpp"
+
+namespace proptests::oracle {
+
+// Two triangles meet if and only if 0 is a convex combination of the nine differences of their corners.
+bool triangles_meet(const refitlab::TrianglePoints& a, const refitlab::TrianglePoints& b);
+
+}  // namespace proptests::oracle
