@@ -1,15 +1,8 @@
 #include "algorithms/batch/refit_kernel.hpp"
+#include "algorithms/packs/kernel_table.hpp"
 
 namespace refitlab {
 
-const RefitKernels& refit_kernels(Target target) {
-  switch (target) {
-#ifdef REFITLAB_X86_TARGETS
-    case Target::avx2: return avx2::refit_kernels;
-    case Target::avx512: return avx512::refit_kernels;
-#endif
-    default: return baseline::refit_kernels;
-  }
-}
+const RefitKernels& refit_kernels(Target target) { return REFITLAB_OF_TARGET(target, refit_kernels); }
 
 }  // namespace refitlab

@@ -1,15 +1,8 @@
 #include "algorithms/batch/skin_kernel.hpp"
+#include "algorithms/packs/kernel_table.hpp"
 
 namespace refitlab {
 
-const SkinKernels& skin_kernels(Target target) {
-  switch (target) {
-#ifdef REFITLAB_X86_TARGETS
-    case Target::avx2: return avx2::skin_kernels;
-    case Target::avx512: return avx512::skin_kernels;
-#endif
-    default: return baseline::skin_kernels;
-  }
-}
+const SkinKernels& skin_kernels(Target target) { return REFITLAB_OF_TARGET(target, skin_kernels); }
 
 }  // namespace refitlab

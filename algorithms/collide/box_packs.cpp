@@ -91,17 +91,6 @@ void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose
 
 }  // namespace
 
-const BoxKernels& box_kernels(Target target) {
-  switch (target) {
-    case Target::avx2:
-      return avx2::box_kernels;
-    case Target::avx512:
-      return avx512::box_kernels;
-    default:
-      return baseline::box_kernels;
-  }
-}
-
 BoxPieces make_box_pieces(const Character& c, std::span<const int> nodes) {
   PieceMaker maker(c);
   std::map<int, std::vector<int>> by_set;

@@ -1,19 +1,13 @@
 #include "algorithms/collide/cluster_body.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "algorithms/collide/placement.hpp"
 #include "algorithms/skinning/blend.hpp"
 
 namespace refitlab {
 namespace {
-
-void check(const RigidTransform<double>& placement) {
-  if (!placement.rotation.allFinite() || !placement.translation.allFinite())
-    throw std::invalid_argument("a body's placement is not finite");
-  if (!(std::abs(squared_norm(placement.rotation) - 1) <= 1e-6))
-    throw std::invalid_argument("a body's placement is not rigid: its rotation is no quaternion of unit length");
-}
 
 int blocks_of(int boxes) { return (boxes + 7) / 8; }
 
@@ -39,7 +33,7 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
 }
 
 void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& placement) {
-  check(placement);
+  check_placement(placement, "a body's placement");
   check_posture(tree_.character().model, posture);
   posture_ = posture;
   placement_ = placement;

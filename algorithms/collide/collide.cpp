@@ -1,7 +1,6 @@
 #include "algorithms/collide/collide.hpp"
 
-#include <cmath>
-#include <stdexcept>
+#include "algorithms/collide/placement.hpp"
 
 namespace refitlab {
 namespace {
@@ -9,14 +8,6 @@ namespace {
 // What rounding may do to balls and vertices, relative to the size of the coordinates at hand: a refit is off by some
 // 1e-15 of them, but where a blend is nearly zero, or corners of a piece nearly opposite, by more.
 constexpr double rounding_slack = 1e-11;
-
-void check(const RigidTransform<double>& placement, const char* which) {
-  const std::string start = std::string("collide: the placement of the ") + which + " body ";
-  if (!placement.rotation.allFinite() || !placement.translation.allFinite())
-    throw std::invalid_argument(start + "is not finite");
-  if (!(std::abs(squared_norm(placement.rotation) - 1) <= 1e-6))
-    throw std::invalid_argument(start + "is not rigid: its rotation is no quaternion of unit length");
-}
 
 double size_of(const PlacedBody& b) {
   const Ball3<double>& root = b.body.character().tree.nodes[0].reference;
@@ -94,8 +85,8 @@ TrianglePoints place(const RigidTransform<double>& placement, const TrianglePoin
 }
 
 std::vector<TrianglePair> collide(const PlacedBody& first, const PlacedBody& second, Query query, QueryCounts& counts) {
-  check(first.placement, "first");
-  check(second.placement, "second");
+  check_placement(first.placement, "collide: the placement of the first body");
+  check_placement(second.placement, "collide: the placement of the second body");
   return Traversal(first, second, query, counts).run();
 }
 

@@ -5,29 +5,21 @@
 namespace refitlab {
 namespace {
 
-class Clusters : public Detector {
+class Clusters : public CountingDetector {
  public:
   explicit Clusters(const Character& character)
       : tree_(character), first_(tree_, Skinning::spherical), second_(tree_, Skinning::spherical) {}
 
   void pose(const EncounterFrame& frame) override {
-    add_frame(counts_);
+    keep_frame();
     first_.begin(frame.first, frame.first_at);
     second_.begin(frame.second, frame.second_at);
   }
 
   std::vector<TrianglePair> query(Query query) override { return collide(first_, second_, query, tests_, &memory_); }
 
-  DetectorCounts counts() const override {
-    DetectorCounts all = counts_;
-    add_frame(all);
-    all.volume_tests = tests_.ball_tests;
-    all.triangle_tests = tests_.triangle_tests;
-    return all;
-  }
-
  private:
-  void add_frame(DetectorCounts& counts) const {
+  void add_frame(DetectorCounts& counts) const override {
     for (const ClusterBody* body : {&first_, &second_}) {
       counts.vertices_skinned += body->corners_skinned();
       counts.nodes_refitted += body->nodes_bounded();
@@ -37,8 +29,6 @@ class Clusters : public Detector {
   const ClusterTree tree_;
   ClusterBody first_, second_;
   PairMemory memory_;
-  QueryCounts tests_;
-  DetectorCounts counts_;  // of the frames before this one
 };
 
 }  // namespace

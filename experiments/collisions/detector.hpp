@@ -39,6 +39,28 @@ class Detector {
   }
 };
 
+// What our own detectors have in common: two bodies that count what they did in the frame at hand, and forget it when the
+// next one begins.
+class CountingDetector : public Detector {
+ public:
+  DetectorCounts counts() const override {
+    DetectorCounts all = counts_;
+    add_frame(all);
+    all.volume_tests = tests_.ball_tests;
+    all.triangle_tests = tests_.triangle_tests;
+    return all;
+  }
+
+ protected:
+  // Adds what the bodies know of the frame at hand.
+  virtual void add_frame(DetectorCounts& counts) const = 0;
+  // Before a frame begins.
+  void keep_frame() { add_frame(counts_); }
+
+  QueryCounts tests_;
+  DetectorCounts counts_;  // of the frames before this one
+};
+
 // Where a detector comes from.
 enum class Origin {
   own,     // ours, on demand

@@ -5,7 +5,7 @@
 namespace refitlab {
 namespace {
 
-class OnDemand : public Detector {
+class OnDemand : public CountingDetector {
  public:
   OnDemand(const Character& character, const Contender& contender)
       : first_(character, *contender.variant, contender.options),
@@ -14,7 +14,7 @@ class OnDemand : public Detector {
   }
 
   void pose(const EncounterFrame& frame) override {
-    add_frame(counts_);
+    keep_frame();
     first_.begin(frame.first);
     second_.begin(frame.second);
     first_at_ = frame.first_at, second_at_ = frame.second_at;
@@ -24,17 +24,8 @@ class OnDemand : public Detector {
     return collide({first_, first_at_}, {second_, second_at_}, query, tests_);
   }
 
-  DetectorCounts counts() const override {
-    DetectorCounts all = counts_;
-    add_frame(all);
-    all.volume_tests = tests_.ball_tests;
-    all.triangle_tests = tests_.triangle_tests;
-    return all;
-  }
-
  private:
-  // What the bodies know of the frame at hand.
-  void add_frame(DetectorCounts& counts) const {
+  void add_frame(DetectorCounts& counts) const override {
     for (const Body* body : {&first_, &second_}) {
       counts.vertices_skinned += body->vertices_skinned();
       for (std::size_t l = 0; l < counts.refitted_by_level.size(); ++l) {
@@ -46,8 +37,6 @@ class OnDemand : public Detector {
 
   Body first_, second_;
   RigidTransform<double> first_at_, second_at_;
-  QueryCounts tests_;
-  DetectorCounts counts_;  // of the frames before this one
 };
 
 // The paper's refit, the default one, by itself and from below, and the tightest.

@@ -12,6 +12,7 @@
 #include "algorithms/collide/crowd.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/growth/exponent.hpp"
 
 namespace refitlab {
 namespace {
@@ -133,13 +134,10 @@ std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings)
 }
 
 double exponent(const std::vector<CharacterGrowth>& rows, double CharacterGrowth::*cost) {
-  double x = 0, y = 0, xx = 0, xy = 0;
   constexpr int last = 3;
-  for (std::size_t i = rows.size() - last; i < rows.size(); ++i) {
-    const double a = std::log(rows[i].characters), b = std::log(rows[i].*cost);
-    x += a / last, y += b / last, xx += a * a / last, xy += a * b / last;
-  }
-  return (xy - x * y) / (xx - x * x);
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = rows.size() - last; i < rows.size(); ++i) points.emplace_back(rows[i].characters, rows[i].*cost);
+  return fitted_exponent(points);
 }
 
 void write_character_growth(const std::vector<CharacterGrowth>& rows, const std::string& path) {

@@ -8,6 +8,7 @@
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/model/subdivide.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/growth/exponent.hpp"
 
 namespace refitlab {
 namespace {
@@ -67,13 +68,11 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
 
 double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene,
                          const std::string& detector) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const TriangleGrowth& r : rows) {
-    if (r.result.scene != scene || r.result.detector != detector || r.triangles < 4000) continue;
-    const double a = std::log(r.triangles), b = std::log(r.result.us_per_frame);
-    n += 1, x += a, y += b, xx += a * a, xy += a * b;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
+  std::vector<std::pair<double, double>> points;
+  for (const TriangleGrowth& r : rows)
+    if (r.result.scene == scene && r.result.detector == detector && r.triangles >= 4000)
+      points.emplace_back(r.triangles, r.result.us_per_frame);
+  return fitted_exponent(points);
 }
 
 void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path) {

@@ -9,9 +9,6 @@
 namespace refitlab {
 namespace {
 
-// What rounding may do to vertices, relative to the size of the coordinates.
-constexpr double rounding_slack = 1e-11;
-
 struct Box {
   Point3 low, high;
   bool is_apart(const Box& b) const {
@@ -83,7 +80,7 @@ class AabbTree : public SkinningDetector {
     const auto size = [&](int side) {
       return boxes_[side][0].low.norm() + boxes_[side][0].high.norm() + placement(side).translation.norm();
     };
-    slack_ = Point3::Constant(rounding_slack * (size(0) + size(1)));
+    slack_ = Point3::Constant(double_rounding_slack * (size(0) + size(1)));
     counts_.nodes_refitted += 2 * static_cast<long>(nodes_.size());
   }
 

@@ -5,9 +5,6 @@
 namespace refitlab {
 namespace {
 
-// What rounding may do to balls and vertices, relative to the size of the coordinates.
-constexpr double rounding_slack = 1e-11;
-
 // The smallest ball around two.
 Ball3<double> join(const Ball3<double>& a, const Ball3<double>& b) {
   const Point3 between = b.center - a.center;
@@ -30,7 +27,7 @@ class Brown : public SkinningDetector {
         balls_[side][n] = refitted(side, tree_.nodes[n]);  // children come after parents
     counts_.nodes_refitted += 2 * static_cast<long>(tree_.nodes.size());
     to_first_ = to_first();
-    slack_ = rounding_slack * (norm(placement(0).translation) + norm(placement(1).translation) + size(0) + size(1));
+    slack_ = double_rounding_slack * (norm(placement(0).translation) + norm(placement(1).translation) + size(0) + size(1));
   }
 
   std::vector<TrianglePair> query(Query query) override {

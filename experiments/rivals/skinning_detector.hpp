@@ -11,6 +11,9 @@ namespace refitlab {
 // Triangle pairs are decided on corners in the world. These are placed when first asked for, or all at once.
 enum class Placing { when_asked, all };
 
+// What rounding may do to volumes and vertices in double, relative to the size of the coordinates.
+inline constexpr double double_rounding_slack = 1e-11;
+
 class SkinningDetector : public Detector {
  public:
   void pose(const EncounterFrame& frame) override;

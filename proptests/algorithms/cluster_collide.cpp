@@ -15,11 +15,7 @@ namespace proptests {
 namespace {
 
 using namespace refitlab;
-
-std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
+using oracle::sorted;
 
 Skinning drawn_skinning() {
   return *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);

@@ -15,13 +15,9 @@ namespace proptests {
 namespace {
 
 using namespace refitlab;
+using oracle::sorted;
 using gen::random_posture;
 using gen::random_rotation;
-
-std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
 
 const RefitVariant& drawn_variant() {
   std::vector<const RefitVariant*> sound;

@@ -8,16 +8,13 @@
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/oracles/all_pairs.hpp"
 
 namespace proptests {
 namespace {
 
 using namespace refitlab;
-
-std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
+using oracle::sorted;
 
 }  // namespace
 

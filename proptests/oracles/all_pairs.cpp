@@ -1,5 +1,7 @@
 #include "proptests/oracles/all_pairs.hpp"
 
+#include <algorithm>
+
 #include "algorithms/collide/triangles_meet.hpp"
 #include "algorithms/skinning/skin.hpp"
 
@@ -12,6 +14,11 @@ std::vector<Point3> Posed::vertices(Skinning skinning) const {
                      make_skinning_pose(character.model, character.sets, posture, skinning), skinning);
   for (auto& p : points) p = apply(at, p);
   return points;
+}
+
+std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 std::vector<TrianglePair> all_pairs(const Posed& a, const Posed& b, Skinning skinning) {

@@ -15,6 +15,9 @@ struct Posed {
   std::vector<refitlab::Point3> vertices(refitlab::Skinning skinning) const;
 };
 
+// A query's pairs in increasing order.
+std::vector<refitlab::TrianglePair> sorted(std::vector<refitlab::TrianglePair> pairs);
+
 // In increasing order.
 std::vector<refitlab::TrianglePair> all_pairs(const Posed& a, const Posed& b, refitlab::Skinning skinning);
 
