@@ -1,8 +1,6 @@
 // Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a
 // leaf.
-#include <algorithm>
-#include <numeric>
-
+#include "experiments/rivals/median_split.hpp"
 #include "experiments/rivals/rivals.hpp"
 #include "experiments/rivals/skinning_detector.hpp"
 
@@ -25,36 +23,23 @@ struct Node {
   int triangle;  // of a leaf
 };
 
-// Splits at the median of the centroids along their longest extent, in the reference posture.
 class Builder {
  public:
-  explicit Builder(const Model& model) : order_(model.triangles.size()) {
-    for (const Triangle& t : model.triangles)
-      centroids_.push_back((model.vertices[t[0]] + model.vertices[t[1]] + model.vertices[t[2]]) / 3);
-    std::iota(order_.begin(), order_.end(), 0);
-    build(order_);
-  }
+  explicit Builder(const Model& model) : split_(model) { build(split_.triangles()); }
   std::vector<Node> nodes;
 
  private:
   void build(std::span<int> triangles) {
-    const std::size_t at = nodes.size();
+    const std::size_t at = nodes.size(), half = triangles.size() / 2;
     nodes.push_back({0, triangles[0]});
     if (triangles.size() == 1) return;
-    Box box{centroids_[triangles[0]], centroids_[triangles[0]]};
-    for (const int t : triangles) box = join(box, {centroids_[t], centroids_[t]});
-    int axis;
-    (box.high - box.low).maxCoeff(&axis);
-    const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
-    std::nth_element(triangles.begin(), middle, triangles.end(),
-                     [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
-    build({triangles.begin(), middle});
+    split_.split(triangles, half);
+    build(triangles.first(half));
     nodes[at].right = static_cast<int>(nodes.size());
-    build({middle, triangles.end()});
+    build(triangles.subspan(half));
   }
 
-  std::vector<Point3> centroids_;
-  std::vector<int> order_;
+  MedianSplit split_;
 };
 
 // The boxes of both bodies are in the first one's model space.

@@ -5,9 +5,10 @@
 #include <cstring>
 #include <experimental/simd>
 #include <limits>
-#include <numeric>
 
+#include "algorithms/packs/four.hpp"
 #include "experiments/rivals/float_boxes.hpp"
+#include "experiments/rivals/median_split.hpp"
 #include "experiments/rivals/rivals.hpp"
 #include "experiments/rivals/skinning_detector.hpp"
 
@@ -33,24 +34,15 @@ struct Box : FloatBox {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 const Box no_box{{Eigen::Array4f::Constant(infinity), Eigen::Array4f::Constant(-infinity)}};
 
-using Four = float __attribute__((vector_size(16)));
-
 // The first three columns of four rows.
 void transpose(const Eigen::Array4f& a, const Eigen::Array4f& b, const Eigen::Array4f& c, const Eigen::Array4f& d,
                float* x, float* y, float* z) {
-  const auto load = [](const Eigen::Array4f& row) {
-    Four out;
-    std::memcpy(&out, row.data(), sizeof out);
-    return out;
-  };
-  const Four p = load(a), q = load(b), r = load(c), s = load(d);
-  const Four pq = __builtin_shufflevector(p, q, 0, 4, 1, 5), rs = __builtin_shufflevector(r, s, 0, 4, 1, 5);
-  const Four columns[] = {__builtin_shufflevector(pq, rs, 0, 1, 4, 5), __builtin_shufflevector(pq, rs, 2, 3, 6, 7),
-                          __builtin_shufflevector(__builtin_shufflevector(p, q, 2, 6, 3, 7),
-                                                  __builtin_shufflevector(r, s, 2, 6, 3, 7), 0, 1, 4, 5)};
-  std::memcpy(x, &columns[0], sizeof(Four));
-  std::memcpy(y, &columns[1], sizeof(Four));
-  std::memcpy(z, &columns[2], sizeof(Four));
+  Four rows[4];
+  const Eigen::Array4f* const from[] = {&a, &b, &c, &d};
+  for (int i = 0; i < 4; ++i) std::memcpy(&rows[i], from[i]->data(), sizeof(Four));
+  refitlab::transpose(rows);
+  float* const to[] = {x, y, z};
+  for (int i = 0; i < 3; ++i) std::memcpy(to[i], &rows[i], sizeof(Four));
 }
 
 struct LaneBoxes {
@@ -82,13 +74,10 @@ struct Shape {
 
 class Builder {
  public:
-  explicit Builder(const Model& model) : order_(model.triangles.size()) {
-    for (const Triangle& t : model.triangles)
-      centroids_.push_back((model.vertices[t[0]] + model.vertices[t[1]] + model.vertices[t[2]]) / 3);
-    std::iota(order_.begin(), order_.end(), 0);
+  explicit Builder(const Model& model) : split_(model) {
     std::size_t capacity = width;
-    while (capacity < order_.size()) capacity *= width;
-    build(order_, capacity);
+    while (capacity < split_.triangles().size()) capacity *= width;
+    build(split_.triangles(), capacity);
   }
   std::vector<Shape> shapes;
 
@@ -114,20 +103,13 @@ class Builder {
   // width.
   void split(std::span<int> triangles, std::size_t count, std::vector<std::span<int>>& parts) {
     if (count == 1) return parts.push_back(triangles);
-    Point3 low = centroids_[triangles[0]], high = low;
-    for (const int t : triangles) low = low.cwiseMin(centroids_[t]), high = high.cwiseMax(centroids_[t]);
-    int axis;
-    (high - low).maxCoeff(&axis);
     const std::size_t share = triangles.size() * (count / 2) / count, cut = (share + width - 1) / width * width;
-    const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(cut);
-    std::nth_element(triangles.begin(), middle, triangles.end(),
-                     [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
-    split({triangles.begin(), middle}, count / 2, parts);
-    split({middle, triangles.end()}, count - count / 2, parts);
+    split_.split(triangles, cut);
+    split(triangles.first(cut), count / 2, parts);
+    split(triangles.subspan(cut), count - count / 2, parts);
   }
 
-  std::vector<Point3> centroids_;
-  std::vector<int> order_;
+  MedianSplit split_;
 };
 
 // The boxes of both bodies are in the first one's model space.
