@@ -9,6 +9,7 @@
 #include "experiments/growth/triangles.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
+#include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
@@ -17,7 +18,7 @@
 
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "volumes", "collisions", "growth", "queries"};
+const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "queries"};
 
 struct Options {
   std::vector<std::string> only, files;
@@ -25,6 +26,7 @@ struct Options {
   refitlab::TightnessSettings tightness;
   refitlab::SpeedSettings speed;
   refitlab::VolumeSettings volumes;
+  refitlab::RoundingSettings rounding;
   refitlab::CollisionSettings collisions{.frames = 6, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
   refitlab::TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
   refitlab::QuerySettings queries;
@@ -53,6 +55,8 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
   if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
   if (map.count("full")) o.volumes = {.times_per_clip = 50, .nodes_per_level = 256, .speed = o.speed};
+  if (map.count("quick")) o.rounding = {.postures = 1, .speed = o.speed};
+  if (map.count("full")) o.rounding = {.postures = 80, .vertices_per_node = 16, .speed = o.speed};
   if (map.count("quick")) o.collisions = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}, .first_model_only = true};
   if (map.count("full")) o.collisions = {.frames = 100, .speed = {.seconds_per_run = 0.2, .repetitions = 5}, .all_detectors = true};
   if (map.count("quick")) o.triangles = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};
@@ -71,7 +75,8 @@ int main(int argc, char** argv) try {
   if (!parse(argc, argv, options)) return 0;
 
   DefaultModels models;
-  const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") || options.wants("collisions");
+  const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") || options.wants("rounding") ||
+                            options.wants("collisions");
   if (options.files.empty() && wants_models)
     models = default_models(options.models);
   else
@@ -103,6 +108,11 @@ int main(int argc, char** argv) try {
     if (options.wants("volumes")) {
       run_volumes(character, twist, options.volumes, report.volumes);
       write_volumes(report.volumes, options.out + "/results/volumes.csv");
+    }
+    if (options.wants("rounding")) {
+      const auto results = run_rounding(character, twist, options.rounding);
+      report.rounding.insert(report.rounding.end(), results.begin(), results.end());
+      write_rounding(report.rounding, options.rounding, options.out + "/results/rounding.csv");
     }
     if (options.wants("collisions") && !(options.collisions.first_model_only && !report.collisions.empty())) {
       const auto results = run_collisions(character, options.collisions);

@@ -11,7 +11,8 @@ class PosePacks {
   // model and sets outlive this.
   PosePacks(const Model& model, const JointSets& sets, Skinning skinning);
 
-  // As make_skinning_pose, into pose, whose storage is used again. Throws the same.
+  // As make_skinning_pose, into pose, whose storage is used again. Throws the same. Not measured: if refits of single nodes
+  // follow, pose.measure() must come first.
   void make(const Posture& posture, SkinningPose<double>& pose, Target target = best_target()) const;
 
  private:

@@ -6,6 +6,7 @@ namespace refitlab {
 
 void Body::begin(const Posture& posture) {
   pose_packs_.make(posture, pose_);
+  pose_.measure();
   balls_.begin(pose_);
   vertices_skinned_ = 0;
   made_.begin();

@@ -1,17 +1,24 @@
 #include "algorithms/collide/collide.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "algorithms/collide/placement.hpp"
+#include "lemmas/vocabulary/vector.hpp"
 
 namespace refitlab {
 namespace {
 
-// What rounding may do to balls and vertices, relative to the size of the coordinates at hand: a refit is off by some
-// 1e-15 of them, but where a blend is nearly zero, or corners of a piece nearly opposite, by more.
-constexpr double rounding_slack = 1e-11;
-
-double size_of(const PlacedBody& b) {
-  const Ball3<double>& root = b.body.character().tree.nodes[0].reference;
-  return norm(root.center) + root.radius + norm(b.placement.translation);
+// Balls enclose the vertices of their bodies as these are skinned (rounding.hpp), but triangles are tested as they come out
+// of apply(placement, v). In units of u = epsilon / 2 and of the coordinates' size that is off by 26, to_first of another
+// ball's center by 80: the product of the quaternions by 8, which turns by 16, two rotations by 24 each, and sums. And with
+// ||q||^2 = 1 + e a placement is (1 + e) R - e, which stretches by at most 2 |e|, and whose inverse differs from that of the
+// conjugate by 4 |e|. For both bodies that is less than 160 u + 8 (|e_1| + |e_2|).
+double slack_of(const PlacedBody& first, const PlacedBody& second) {
+  constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+  double defect = 16 * u;
+  for (const PlacedBody* b : {&first, &second}) defect += std::abs(squared_norm(b->placement.rotation) - 1);
+  return 160 * u + 8 * defect;
 }
 
 class Traversal {
@@ -19,7 +26,8 @@ class Traversal {
   Traversal(const PlacedBody& first, const PlacedBody& second, Query query, QueryCounts& counts)
       : first_(first), second_(second), query_(query), counts_(counts),
         to_first_(compose(inverse(first.placement), second.placement)),
-        slack_(rounding_slack * (size_of(first) + size_of(second))) {}
+        slack_(slack_of(first, second)),
+        way_(upper_norm(first.placement.translation) + upper_norm(second.placement.translation)) {}
 
   std::vector<TrianglePair> run() {
     pending_.push_back({0, 0});
@@ -39,7 +47,8 @@ class Traversal {
   bool are_apart(int a, int b) {
     ++counts_.ball_tests;
     const Ball3<double>&p = first_.body.ball(a), &q = second_.body.ball(b);
-    const double reach = p.radius + q.radius + slack_;
+    const double radii = p.radius + q.radius, size = upper_norm(p.center) + upper_norm(q.center) + radii + way_;
+    const double reach = radii + slack_ * size;  // by far more than the rounding here
     return squared_distance<double, 3>(p.center, apply(to_first_, q.center)) > reach * reach;
   }
 
@@ -73,7 +82,7 @@ class Traversal {
   const Query query_;
   QueryCounts& counts_;
   const RigidTransform<double> to_first_;  // from the second body's model space to the first's
-  const double slack_;
+  const double slack_, way_;  // relative to the coordinates' size, and what the placements add to that
   std::vector<std::pair<int, int>> pending_;
   std::vector<TrianglePair> found_;
 };

@@ -3,8 +3,6 @@
 //
 // Against the printed one: the skinning's own quaternion signs; a blend that may vanish or a cap of a half-sphere and more
 // means all rotations; beyond 90 degrees the smallest ball of a cap is the whole sphere's; the angle by its chord.
-// Rounding: a few ulps of the coordinates' size, divided by the length of the shortest blended quaternion of a corner. With
-// consistent signs that is at least the corner's first weight.
 #pragma once
 
 #include "algorithms/refit/ball_policy.hpp"
@@ -22,7 +20,7 @@ RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodeJ
   for (int k = 0; k < set.corner_count; ++k) {
     const Quaternion<S> blend = blend_quaternion(node.pose[set.joint_set], node.corner(set, k));
     const S squared_length = squared_norm(blend);
-    if (!certainly_less(S(0), squared_length)) return all_rotations<S>();
+    if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
     unit.push_back(blend / root(squared_length));
   }
   const std::span<const Quaternion<S>> points(unit);

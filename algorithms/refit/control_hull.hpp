@@ -87,7 +87,8 @@ class ControlHull {
   // As near as the blend asks for, and certainly not 0.
   bool is_near(std::size_t m, std::size_t k, std::size_t l) {
     const S& w = dots(m, k, l);
-    return certainly_less(S(0), w) && certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(Blend::near) * sq(w)));
+    return is_certainly_nonzero(dots(m, k, k)) && is_certainly_nonzero(dots(m, l, l)) && certainly_less(S(0), w) &&
+           certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(Blend::near) * sq(w)));
   }
 
   // The pair of corners with the smallest normalised dot product, compared without roots or quotients. A corner that
@@ -101,7 +102,7 @@ class ControlHull {
     const auto lengths = [&](std::size_t k, std::size_t l) { return S(dots(m, k, k) * dots(m, l, l)); };
     for (std::size_t k = 0; k < m; ++k)
       for (std::size_t l = 0; l < k; ++l) {
-        if (!certainly_less(S(0), lengths(k, l))) return {k, l};
+        if (!is_certainly_nonzero(dots(m, k, k)) || !is_certainly_nonzero(dots(m, l, l))) return {k, l};
         if (prefer_less(S(signed_square(k, l) * lengths(widest.first, widest.second)),
                         S(signed_square(widest.first, widest.second) * lengths(k, l))))
           widest = {k, l};
@@ -164,7 +165,7 @@ class SphericalPiece {
     RotationBound<S> bound = all_rotations<S>();
     for (const Corner& c : corner) {
       const S squared_length = squared_norm(c.rotation);
-      if (certainly_less(S(0), squared_length)) unit.push_back(c.rotation / root(squared_length));
+      if (is_certainly_nonzero(squared_length)) unit.push_back(c.rotation / root(squared_length));
     }
     if (unit.size() == corner.size()) {
       const std::span<const Quaternion<S>> points(unit);
@@ -193,7 +194,7 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
     lists.corners.clear();
     if (set.corner_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
       const BlendedJoints<S> only = blend_joints(pose, node.corner(set, 0));
-      if (const S squared_length = squared_norm(only.rotation); certainly_less(S(0), squared_length)) {
+      if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
         lists.cap.balls.push_back({turn_and_place(only, squared_length, x), reference.radius});
         continue;
       }

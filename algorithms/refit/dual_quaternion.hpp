@@ -31,8 +31,9 @@ class DualQuaternionPiece {
   using Corner = BlendedDuals<S>;
   static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
 
-  // point is p, radius that of the reference ball.
-  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius) : point_(point), radius_(radius) {}
+  // point is p, radius that of the reference ball, translation at least the length of every joint's (for rounding).
+  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& translation)
+      : point_(point), radius_(radius), translation_(translation) {}
 
   MixedCorners<S> mix(const Corner& a, const Corner& b) const {
     const MixedCorners<S> turned = mix_rotations(a.rotation, b.rotation, point_);
@@ -67,16 +68,26 @@ class DualQuaternionPiece {
           c.dual * S(2) + multiply(c.rotation, pure(point_)) - multiply(pure(middle), c.rotation);
       squared_reach = max_of(squared_reach, S(squared_norm(moved) / sq(dot(c.rotation, axis))));
     }
-    lists.cap.balls.push_back({middle, radius_ + root(S(squared_reach * squared_norm(axis)))});
+    const S reach = root(S(squared_reach * squared_norm(axis)));
+    lists.cap.balls.push_back({middle, radius_ + reach + rounding_of(middle, reach)});
   }
 
   bool is_bounded() const { return is_bounded_; }
 
  private:
   static constexpr int axis_steps = 6;
-  static constexpr double least_squared_cosine = 1e-20;  // of an angle to the axis: less may be made by rounding
+  // Of an angle to the axis, and of a corner's squared length. Less may be made by rounding.
+  static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
+  static constexpr double least_squared_corner = std::is_floating_point_v<S> ? 1e-4 : 0;
 
   static Quaternion<S> pure(const Vec<S, 3>& x) { return {S(0), x[0], x[1], x[2]}; }
+
+  // What the corners are off by, and what is computed of them, is (n + 16) u of (t + ||p|| + ||f||) for n joints, divided by
+  // (q'_k, a) / ||a||, which is at least 1e-2 times 1e-4: up to 500 joints, less than 2^-24 of that size in double.
+  S rounding_of(const Vec<S, 3>& middle, const S& reach) const {
+    if constexpr (!std::is_floating_point_v<S>) return S(0);
+    else return S(0x1p-24) * (reach + translation_ + norm(point_) + norm(middle));
+  }
 
   // Im(d q*).
   static Vec<S, 3> scaled_translation(const Corner& dual, const Corner& rotation) {
@@ -90,6 +101,7 @@ class DualQuaternionPiece {
       const S along = dot(c.rotation, axis), lengths = squared_norm(c.rotation) * squared_norm(axis);
       const S least = S(least_squared_cosine) * lengths;
       if (!certainly_less(S(0), along) || !certainly_less(least, sq(along))) return false;
+      if (!certainly_less(S(least_squared_corner), squared_norm(c.rotation))) return false;
     }
     return true;
   }
@@ -113,7 +125,7 @@ class DualQuaternionPiece {
   }
 
   const Vec<S, 3> point_;
-  const S radius_;
+  const S radius_, translation_;
   bool is_bounded_ = true;
 };
 
@@ -129,14 +141,16 @@ std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node
     const Ball3<S>& reference = node.piece_reference(i);
     if (set.corner_count == 1) {  // one rigid transform, unless its blend may be zero
       const BlendedDuals<S> only = blend_duals(pose, node.corner(set, 0));
-      if (const S squared_length = squared_norm(only.rotation); certainly_less(S(0), squared_length)) {
+      if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
         balls.push_back({move_rigidly(only, squared_length, reference.center), reference.radius});
         continue;
       }
     }
     lists.dual_corners.clear();
     for (int k = 0; k < set.corner_count; ++k) lists.dual_corners.push_back(blend_duals(pose, node.corner(set, k)));
-    DualQuaternionPiece<S> piece(reference.center, reference.radius);
+    S translation(0);
+    if constexpr (std::is_floating_point_v<S>) translation = node.pose.scales(set.joint_set).translation;
+    DualQuaternionPiece<S> piece(reference.center, reference.radius, translation);
     ControlHull(piece, lists.dual_corners, lists)
         .cover(lists.dual_corners.size(), set.corner_count == 1 ? 0 : most_halvings);
     if (!piece.is_bounded()) {

@@ -1,8 +1,10 @@
 #include "algorithms/refit/frame_refits.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/balls/round_up.hpp"
 
 namespace refitlab {
 namespace {
@@ -54,6 +56,7 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
 }
 
 void FrameRefits::begin(const SkinningPose<double>& pose) {
+  if (!pose.is_measured()) throw std::invalid_argument("refit: the pose was filled by hand, and not measured");
   pose_ = &pose;
   std::fill(refitted_.begin(), refitted_.end(), 0);
   made_.begin();
@@ -75,8 +78,8 @@ void FrameRefits::refit(int n) {
   else
     balls_[n] = from_below(n);
   if (options_.children_first && are_children_refitted(node)) {
-    const Ball3<double> merged =
-        few_balls_enclosing({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
+    const Ball3<double> merged = rounded_up(
+        few_balls_enclosing({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)}));
     if (merged.radius < balls_[n].radius) balls_[n] = merged;
   }
   made_.mark(n);
@@ -93,7 +96,7 @@ Ball3<double> FrameRefits::from_below(int node) {
   for (const int below : front_[node]) (*this)[below];  // may come here again, and uses the list
   front_balls_.clear();
   for (const int below : front_[node]) front_balls_.push_back(balls_[below]);
-  return few_balls_enclosing(front_balls_);
+  return rounded_up(few_balls_enclosing(front_balls_));
 }
 
 }  // namespace refitlab

@@ -29,7 +29,8 @@ class FrameRefits {
   // character and variant outlive this.
   FrameRefits(const Character& character, const RefitVariant& variant, const FrameOptions& options = {});
 
-  // Starts a frame: all balls are forgotten. pose, made for variant.skinning, outlives the frame.
+  // Starts a frame: all balls are forgotten. pose, made for variant.skinning, outlives the frame. Throws
+  // std::invalid_argument if it is not measured.
   void begin(const SkinningPose<double>& pose);
 
   // Encloses all vertices of the node in this frame's posture, if the variant is sound. The reference holds until begin.

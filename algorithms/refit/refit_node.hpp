@@ -23,13 +23,18 @@ struct RefitNode {
   std::span<const NodeJointSet> joint_sets;  // J: the pieces that together are the node's vertices
   const S* corner_weights;                   // the pool
   const SkinningPose<S>& pose;               // of the frame
-  // A shared pool of balls; that of a piece (NodeJointSet::reference) encloses its vertices alone. Empty: S for all of them.
+  // A shared pool of balls; that of a piece (NodeJointSet::reference) encloses its vertices alone and has its center, up to
+  // rounding, in S. Empty: S for all of them.
   std::span<const Ball3<S>> piece_references = {};
 
   // c_k of one of its pieces, by position in the joint-set.
   std::span<const S> corner(const NodeJointSet& set, int k) const {
     const std::size_t n = pose.joint_count(set.joint_set);
     return {corner_weights + set.first_weight + k * n, n};
+  }
+  // Whether the piece is one vertex: a ball of radius 0 that moves rigidly.
+  bool is_vertex(const NodeJointSet& set) const {
+    return !piece_references.empty() && set.corner_count == 1 && piece_references[set.reference].radius == S(0);
   }
   const Ball3<S>& piece_reference(std::size_t piece) const {
     return piece_references.empty() ? reference : piece_references[joint_sets[piece].reference];

@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "lemmas/vocabulary/quaternion.hpp"
+#include "algorithms/skinning/pose_rounding.hpp"
 
 namespace refitlab {
 
@@ -31,7 +31,7 @@ RotationBound<S> all_rotations() {
 template <class S>
 RotationBound<S> bound_rotations(std::span<const Quaternion<S>> unit, const Quaternion<S>& direction) {
   const S squared_length = squared_norm(direction);
-  if (!certainly_less(S(0), squared_length)) return all_rotations<S>();
+  if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
   const Quaternion<S> apex = direction / root(squared_length);
   S s2(0);
   for (const Quaternion<S>& q : unit) s2 = max_of(s2, squared_distance(q, apex));

@@ -7,6 +7,7 @@
 #include "algorithms/refit/control_hull.hpp"
 #include "algorithms/refit/dual_quaternion.hpp"
 #include "algorithms/refit/linear.hpp"
+#include "algorithms/refit/rounding.hpp"
 
 namespace refitlab {
 namespace {
@@ -43,50 +44,69 @@ template <class Policy>
   return refit_algorithm1_repaired<Policy>(node, lists());
 }
 
+template <Skinning skinning, Refit refit>
+Ball3<double> certified_refit(const RefitNode<double>& node) {
+  return certified<skinning>(refit(node), node);
+}
+
+template <Skinning skinning, Refit refit>
+RefitVariant sound(std::string name, std::string description, Pieces pieces) {
+  return {std::move(name), std::move(description), skinning, true, pieces, certified_refit<skinning, refit>, refit};
+}
+// Of spherical blending, for whole nodes.
+template <Refit refit>
+RefitVariant unsound(std::string name, std::string description) {
+  return {std::move(name), std::move(description), Skinning::spherical, false, Pieces::node, refit, refit};
+}
+
 }  // namespace
 
 const std::vector<RefitVariant>& refit_variants() {
   using enum Skinning;
   using P = Pieces;
   static const std::vector<RefitVariant> variants{
-      {"linear", "linear blending, mean balls [Kavan and Zara 2005a]", linear, true, P::node, refitlab::linear<MeanBalls>},
-      {"linear_pieces", "linear blending, a ball and a weight hull per joint-set, smallest balls", linear, true, P::joint_sets,
-       refitlab::linear<SmallestBalls>},
-      {"linear_pieces_mean", "linear blending, a ball and a weight hull per joint-set, mean balls", linear, true,
-       P::joint_sets, refitlab::linear<MeanBalls>},
-      {"linear_pieces_near", "linear blending, a ball and a weight hull per joint-set, near-smallest balls", linear, true,
-       P::joint_sets, refitlab::linear<NearSmallestBalls>},
-      {"linear_mixed", "linear blending, joint-sets or their vertices as control_mixed has them, near-smallest balls", linear,
-       true, P::mixed, refitlab::linear<NearSmallestBalls>},
-      {"spherical_printed", "Algorithm 1 as printed", spherical, false, P::node, printed<MeanBalls, Signs::of_matrices>},
-      {"spherical_printed_signed", "Algorithm 1 as printed, but with the skinning's quaternion signs", spherical, false, P::node,
-       printed<MeanBalls, Signs::of_skinning>},
-      {"spherical_printed_exact", "the same with smallest balls in R4 and R3", spherical, false, P::node,
-       printed<SmallestBalls, Signs::of_skinning>},
-      {"spherical_repaired", "Algorithm 1 repaired", spherical, true, P::node, repaired<MeanBalls>},
-      {"spherical_exact", "Algorithm 1 repaired, with smallest balls in R4 and R3", spherical, true, P::node,
-       repaired<SmallestBalls>},
-      {"control_mean", "control hull, mean ball", spherical, true, P::node, control<MeanBalls>},
-      {"control_exact", "control hull, smallest ball", spherical, true, P::node, control<SmallestBalls>},
-      {"control_sets_near", "control hull, a ball and a weight hull per joint-set, near-smallest ball", spherical, true,
-       P::joint_sets, control<NearSmallestBalls>},
-      {"control_sets_exact", "control hull, a ball and a weight hull per joint-set, smallest ball", spherical, true,
-       P::joint_sets, control<SmallestBalls>},
-      {"control_mixed", "control hull, or the vertices one by one where that is about as cheap, near-smallest ball",
-       spherical, true, P::mixed, control<NearSmallestBalls>},
-      {"control_clusters", "control hull, up to 512 pieces a node, smallest ball", spherical, true, P::clusters,
-       control<SmallestBalls>},
-      {"dual_quaternion_control_mean", "control hull of dual quaternions, mean ball", dual_quaternion, true, P::node,
-       refitlab::dual_quaternion<MeanBalls>},
-      {"dual_quaternion_control_near",
-       "control hull of dual quaternions, a ball and a weight hull per joint-set, near-smallest ball", dual_quaternion,
-       true, P::joint_sets, refitlab::dual_quaternion<NearSmallestBalls>},
-      {"dual_quaternion_control_exact",
-       "control hull of dual quaternions, a ball and a weight hull per joint-set, smallest ball", dual_quaternion, true,
-       P::joint_sets, refitlab::dual_quaternion<SmallestBalls>},
-      {"dual_quaternion_mixed",
-       "control hull of dual quaternions, or the vertices one by one as control_mixed has them, near-smallest ball",
-       dual_quaternion, true, P::mixed, refitlab::dual_quaternion<NearSmallestBalls>},
+      sound<linear, refitlab::linear<MeanBalls>>("linear", "linear blending, mean balls [Kavan and Zara 2005a]", P::node),
+      sound<linear, refitlab::linear<SmallestBalls>>(
+          "linear_pieces", "linear blending, a ball and a weight hull per joint-set, smallest balls", P::joint_sets),
+      sound<linear, refitlab::linear<MeanBalls>>(
+          "linear_pieces_mean", "linear blending, a ball and a weight hull per joint-set, mean balls", P::joint_sets),
+      sound<linear, refitlab::linear<NearSmallestBalls>>(
+          "linear_pieces_near", "linear blending, a ball and a weight hull per joint-set, near-smallest balls",
+          P::joint_sets),
+      sound<linear, refitlab::linear<NearSmallestBalls>>(
+          "linear_mixed", "linear blending, joint-sets or their vertices as control_mixed has them, near-smallest balls",
+          P::mixed),
+      unsound<printed<MeanBalls, Signs::of_matrices>>("spherical_printed", "Algorithm 1 as printed"),
+      unsound<printed<MeanBalls, Signs::of_skinning>>("spherical_printed_signed",
+                                                      "Algorithm 1 as printed, but with the skinning's quaternion signs"),
+      unsound<printed<SmallestBalls, Signs::of_skinning>>("spherical_printed_exact",
+                                                          "the same with smallest balls in R4 and R3"),
+      sound<spherical, repaired<MeanBalls>>("spherical_repaired", "Algorithm 1 repaired", P::node),
+      sound<spherical, repaired<SmallestBalls>>("spherical_exact", "Algorithm 1 repaired, with smallest balls in R4 and R3",
+                                                P::node),
+      sound<spherical, control<MeanBalls>>("control_mean", "control hull, mean ball", P::node),
+      sound<spherical, control<SmallestBalls>>("control_exact", "control hull, smallest ball", P::node),
+      sound<spherical, control<NearSmallestBalls>>(
+          "control_sets_near", "control hull, a ball and a weight hull per joint-set, near-smallest ball", P::joint_sets),
+      sound<spherical, control<SmallestBalls>>(
+          "control_sets_exact", "control hull, a ball and a weight hull per joint-set, smallest ball", P::joint_sets),
+      sound<spherical, control<NearSmallestBalls>>(
+          "control_mixed", "control hull, or the vertices one by one where that is about as cheap, near-smallest ball",
+          P::mixed),
+      sound<spherical, control<SmallestBalls>>("control_clusters",
+                                               "control hull, up to 512 pieces a node, smallest ball", P::clusters),
+      sound<dual_quaternion, refitlab::dual_quaternion<MeanBalls>>(
+          "dual_quaternion_control_mean", "control hull of dual quaternions, mean ball", P::node),
+      sound<dual_quaternion, refitlab::dual_quaternion<NearSmallestBalls>>(
+          "dual_quaternion_control_near",
+          "control hull of dual quaternions, a ball and a weight hull per joint-set, near-smallest ball", P::joint_sets),
+      sound<dual_quaternion, refitlab::dual_quaternion<SmallestBalls>>(
+          "dual_quaternion_control_exact",
+          "control hull of dual quaternions, a ball and a weight hull per joint-set, smallest ball", P::joint_sets),
+      sound<dual_quaternion, refitlab::dual_quaternion<NearSmallestBalls>>(
+          "dual_quaternion_mixed",
+          "control hull of dual quaternions, or the vertices one by one as control_mixed has them, near-smallest ball",
+          P::mixed),
   };
   return variants;
 }

@@ -28,7 +28,11 @@ struct RefitVariant {
   Skinning skinning;        // whose vertices it bounds
   bool sound;               // proved to enclose; the printed algorithm is not
   Pieces pieces;
+  // If the variant is sound, certified: encloses the node's vertices, whether skinned exactly from the pose's numbers or by
+  // skin(), with the slack for all rounding in the radius (rounding.hpp).
   Refit refit;
+  // The same without that slack: what it costs and how much it adds is measured against this.
+  Refit refit_as_computed;
 };
 
 const std::vector<RefitVariant>& refit_variants();

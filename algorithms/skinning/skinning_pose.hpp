@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/model/model.hpp"
+#include "algorithms/skinning/pose_rounding.hpp"
 #include "algorithms/weights/joint_sets.hpp"
 
 namespace refitlab {
@@ -81,11 +82,17 @@ class SkinningPose {
     return {{transforms_.data() + first, count}, rotation_centers_[joint_set], {center_images_.data() + first, count},
             {duals_.data() + first, count}};
   }
+  const Vec<S, 3>& rotation_center(std::size_t joint_set) const { return rotation_centers_[joint_set]; }
+  // In float and double; of a pose whose arrays were filled by hand, after measure(). For any skinning but Hejl's.
+  const PoseScales<S>& scales(std::size_t joint_set) const { return scales_[joint_set]; }
+  const PoseRounding<S>& rounding(std::size_t joint_set, Skinning skinning) const {
+    return roundings_[joint_set][skinning == Skinning::linear ? 0 : skinning == Skinning::spherical ? 1 : 2];
+  }
 
   // Keeps the storage.
   void clear() {
     first_.resize(1);
-    transforms_.clear(), rotation_centers_.clear(), center_images_.clear(), duals_.clear();
+    transforms_.clear(), rotation_centers_.clear(), center_images_.clear(), duals_.clear(), scales_.clear(), roundings_.clear();
   }
 
   // Appends a joint-set of so many joints, whose transforms the caller sets; then complete() must follow.
@@ -101,6 +108,7 @@ class SkinningPose {
       duals_.push_back(dual_part(transforms_[i]));
     }
     first_.push_back(transforms_.size());
+    measure_last();
   }
 
   // The arrays themselves, joint-set after joint-set, for what fills many of them at a time.
@@ -115,7 +123,15 @@ class SkinningPose {
     first_.assign(first.begin(), first.end());
     rotation_centers_.resize(first.size() - 1);
     transforms_.resize(first.back()), center_images_.resize(first.back()), duals_.resize(first.back());
+    scales_.clear(), roundings_.clear();
     return {rotation_centers_.data(), transforms_.data(), center_images_.data(), duals_.data()};
+  }
+
+  // What refits ask for beyond the arrays; complete and push_back do it by themselves.
+  bool is_measured() const { return roundings_.size() == size(); }
+  void measure() {
+    scales_.clear(), roundings_.clear();
+    for (std::size_t s = 0; s < size(); ++s) measure((*this)[s]);
   }
 
   // Appends a complete joint-set.
@@ -125,14 +141,25 @@ class SkinningPose {
     center_images_.insert(center_images_.end(), pose.center_images.begin(), pose.center_images.end());
     duals_.insert(duals_.end(), pose.duals.begin(), pose.duals.end());
     first_.push_back(transforms_.size());
+    measure_last();
   }
 
  private:
+  void measure(const JointSetPose<S>& set) {
+    if constexpr (std::is_floating_point_v<S>) {
+      scales_.push_back(measure_pose(set.transforms, set.center_images));
+      roundings_.push_back(roundings_of(scales_.back()));
+    }
+  }
+  void measure_last() { measure((*this)[size() - 1]); }
+
   std::vector<std::size_t> first_ = {0};  // by joint-set, and one past the last; of the arrays by joint
   std::vector<Vec<S, 3>> rotation_centers_;
   std::vector<RigidTransform<S>> transforms_;
   std::vector<Vec<S, 3>> center_images_;
   std::vector<Quaternion<S>> duals_;
+  std::vector<PoseScales<S>> scales_;  // by joint-set
+  std::vector<PoseRoundings<S>> roundings_;
 };
 
 // Throws ModelError if posture has the wrong length, a number that is not finite, or a rotation whose squared length differs

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "algorithms/balls/round_up.hpp"
 #include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/tree/sphere_tree.hpp"
 #include "algorithms/weights/corners.hpp"
@@ -53,7 +54,7 @@ class Builder {
     const int index = static_cast<int>(binary_.size());
     std::vector<Point3> points;
     for (const int v : distinct_vertices(model_, triangles(first, count))) points.push_back(model_.vertices[v]);
-    binary_.push_back({as_ball(smallest_ball<double, 3>(points)), first, count});
+    binary_.push_back({rounded_up(as_ball(smallest_ball<double, 3>(points))), first, count});
     if (count <= options_.triangles_per_leaf) return index;
 
     const auto range = triangles(first, count);

@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/balls/round_up.hpp"
 #include "algorithms/weights/weight_hull.hpp"
 
 namespace refitlab {
@@ -25,7 +26,7 @@ class Clustering {
   Cluster make(int joint_set, std::vector<int> vertices) const {
     std::vector<Point3> points;
     for (const int v : vertices) points.push_back(model_.vertices[v]);
-    Cluster c{joint_set, std::move(vertices), as_ball(smallest_ball<double, 3>(points)), 0};
+    Cluster c{joint_set, std::move(vertices), rounded_up(as_ball(smallest_ball<double, 3>(points))), 0};
     c.spread = c.ball.radius + extent_ * weight_range(c).second;
     return c;
   }

@@ -11,6 +11,7 @@
 #include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
 #include "experiments/report/pareto.hpp"
+#include "experiments/report/rounding_section.hpp"
 #include "experiments/report/triangle_growth.hpp"
 #include "experiments/scenes/contenders.hpp"
 
@@ -233,7 +234,7 @@ void write_report(const Report& report, const std::string& path) {
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);
-  out << batch_section(report.batches);
+  out << batch_section(report.batches) << rounding_section(report.rounding);
   write_volumes_section(out, report.volumes);
   out << collisions_section(report.collisions, report.speed);
   out << triangle_growth_section(report.triangle_growth);

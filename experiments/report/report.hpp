@@ -10,6 +10,7 @@
 #include "experiments/growth/triangles.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/pictures.hpp"
+#include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/tightness.hpp"
@@ -24,6 +25,7 @@ struct Report {
   std::vector<SpeedResult> speed;
   std::vector<BatchSpeed> batches;
   VolumeResults volumes;
+  std::vector<RoundingResult> rounding;
   std::vector<CollisionResult> collisions;
   std::vector<TriangleGrowth> triangle_growth;
   std::vector<JointGrowth> joint_growth;

@@ -1,0 +1,46 @@
+// ExactSkin: the vertices of one posture as exact arithmetic skins them, to check balls against.
+//
+// The numbers of a pose (quaternions, rotation centers, images of the centers, dual parts) are taken as they stand. Equation
+// (1) and the dual quaternions' divide by the squared norm, so their rotations are exact although quaternions in double
+// are not quite of unit length; in linear blending the slight stretch of such rotations is part of what is skinned.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/model/model.hpp"
+#include "algorithms/skinning/skinning_pose.hpp"
+#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/vocabulary/interval.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab {
+
+class ExactSkin {
+ public:
+  // model, sets and pose outlive this.
+  ExactSkin(const Model& model, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning);
+
+  // The vertex in rationals, computed when first asked for.
+  const Vec<Rational, 3>& exact(int vertex);
+
+  // Whether the ball, its numbers as they stand, has the vertex: decided in intervals, and where they do not know in
+  // rationals. A ball that is not finite has it only if the radius is infinite.
+  bool is_in(const Ball3<double>& ball, int vertex);
+
+  // How far a vertex that is not in the ball is outside, rounded.
+  double excess(const Ball3<double>& ball, int vertex);
+
+ private:
+  template <class S>
+  Vec<S, 3> skinned(int vertex) const;
+
+  const Model& model_;
+  const JointSets& sets_;
+  const SkinningPose<double>& pose_;
+  const Skinning skinning_;
+  std::vector<std::optional<Vec<Interval, 3>>> quick_;  // by vertex
+  std::vector<std::optional<Vec<Rational, 3>>> exact_;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,148 @@
+// PoseRounding: how far rounding may carry what is computed with a joint-set's blends from what is true.
+//
+// Truth is exact arithmetic on the numbers of the node and of the pose as they stand: quaternions that are of unit length
+// only nearly, rotation centers, their images and dual parts as they were rounded. The weights are multiples of 2^-24, so
+// corners have no error. u is half of epsilon; n joints; kappa >= 1 / ||q|| for all blends q = sum w_i q_i; T and t bound
+// the C_j r_c and the t_j (PoseScales); x = p - r_c. Errors are vectors, in units of u, to first order: the constants below
+// are some tenths larger than what they are derived from, which leaves room for the terms in u^2.
+//
+// Elementary, for vectors of length at most 1 (proptests/gappa/ has a proof of each):
+//   dot product of 3 or 4:  3, 4     product of a vector and a number: 1 for its rounding
+//   cross product: 2.4               squared length of 4: 4, its inverse: 5
+//   rotate_scaled: 21                mix_rotations: weight 4, numerator 24
+//   rotate, by a unit quaternion that is 4 off that length: 40
+// A blend of n: n, of what its terms are at most. A quaternion off by e in place of one of length 1/kappa or more turns x to
+// a place off by at most 2 kappa e ||x||.
+//
+// A vertex under spherical blending: x is off by 1, the turned x by 21 + 6 (for dividing), 2 n kappa from the blend; the
+// center's image by n T; the sum by 1 of both:   (29 + 2 n kappa) ||x|| + (n + 1) T.
+//
+// A corner's ball. After h <= 4 halvings corners are off by n + h. The hull of control points of the corners as they are
+// holds the blends of these, so the corners' own errors count once: 2 (n + h) kappa ||x|| + (n + h) T. A control point is
+// N / D; near corners have ||q'_k|| ||q'_l|| < 2 W_kl, so the products P are at most 2 D ||x||, off by 48 of D ||x|| in their
+// sum and by 4 for adding; the moved centers, at most D T, by 8 for the W, 3 for products and sums; adding both: 2 and 1;
+// D by 8 + 2, its inverse and the product by one each, of at most 2 ||x|| + T: 24 and 12. With the error of x that is
+//   (79 + 2 (n + 4) kappa) ||x|| + (28 + n) T.
+// A cap: unit quaternions are off by n kappa + 4, the apex by 4; half of that is the chord s's error, with 3 s for its own
+// rounding, and as the image's angle is 4 arcsin s and s^2 < 1/2, the angle's is 4 sqrt 2 times as much: 35 + 2.9 n kappa;
+// the ratios and ||x|| 10; the rotation 40; sums 2:  (88 + 3 (n + 4) kappa) ||x|| + (n + 5) T. One formula for both:
+//   (90 + 3 (n + 4) kappa) ||x|| + (28 + n) T.
+//
+// Linear blending of a point p: rotate 23 (its quaternions are what they are), the sum 1, the blend n, which makes
+//   (24 + n) ||p|| + (n + 1) t.
+// But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which stretches r by at most
+// 2 |e| r.
+//
+// Dual quaternions: as spherical with p for x, and with 2 ||d_j|| <= t, translations of at most kappa t. A vertex:
+// (27 + 2 n kappa) ||p||, and Im(d q*) off by 7, doubled, 1 for the sum, 5 for dividing, n for d, n kappa for q. A corner:
+// near ones have ||q'_k|| ||q'_l|| < sqrt 2 W_kl; mix_rotations 34, the sums 2, the quotient 10; T_kl 7 and 7, and 3 for
+// sums, times sqrt 2; the quotient 10; corners 2 (n + 4) kappa of each. Beyond a right angle the ball of
+// b6_dual_quaternion_ball rounds itself (dual_quaternion.hpp).
+//
+// Skinning in double is off as a vertex is, ||x|| + r in place of ||x||. The certified ball encloses its vertices too; pieces
+// that are a vertex are skinned as it is, to the last bit, and pay once.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "lemmas/vocabulary/rigid.hpp"
+
+namespace refitlab {
+
+// A blended quaternion whose squared length is not certainly above this may be 0 in truth: what is left of it may be
+// rounding. Exact numbers and intervals know.
+template <class S>
+constexpr double least_squared_length() {
+  if constexpr (std::is_same_v<S, double>) return 0x1p-40;
+  else if constexpr (std::is_same_v<S, float>) return 0x1p-16;
+  else return 0;
+}
+
+// Whether a quaternion of this squared length is a rotation beyond doubt.
+template <class S>
+bool is_certainly_nonzero(const S& squared_length) {
+  return certainly_less(S(least_squared_length<S>()), squared_length);
+}
+
+// Of a joint-set in one posture, in float or double, each rounded up by far more than its own rounding.
+template <class S>
+struct PoseScales {
+  S joints;         // n
+  S center_image;   // T, the longest C_j r_c
+  S translation;    // t, the longest t_j
+  S inverse_blend;  // kappa: at least 1 / ||sum w_i q_i|| for all convex weights, but at most 1 / sqrt(least_squared_length)
+  S unit_defect;    // the greatest | ||q_j||^2 - 1 |
+};
+
+// With d the least ||q_i||^2 and c the least (q_i, q_j) of all pairs, or d if that is less,
+//   ||sum w_i q_i||^2 >= d sum w_i^2 + c (1 - sum w_i^2) >= c + (d - c) / n.
+template <class S>
+PoseScales<S> measure_pose(std::span<const RigidTransform<S>> transforms, std::span<const Vec<S, 3>> center_images) {
+  static_assert(std::is_floating_point_v<S>);
+  constexpr S up = S(1) + S(64) * std::numeric_limits<S>::epsilon(), rounding = S(64) * std::numeric_limits<S>::epsilon();
+  S image(0), translation(0), defect(0), shortest = std::numeric_limits<S>::infinity(), dot_product = shortest;
+  for (std::size_t i = 0; i < transforms.size(); ++i) {
+    const Quaternion<S>& q = transforms[i].rotation;
+    const S squared_length = squared_norm(q);
+    image = max_of(image, squared_norm(center_images[i]));
+    translation = max_of(translation, squared_norm(transforms[i].translation));
+    defect = max_of(defect, S(std::abs(squared_length - S(1))));
+    shortest = min_of(shortest, squared_length);
+    for (std::size_t j = 0; j < i; ++j) dot_product = min_of(dot_product, dot(q, transforms[j].rotation));
+  }
+  dot_product = min_of(dot_product, shortest);
+  const S n(static_cast<double>(transforms.size()));
+  const S squared_blend = max_of(S(dot_product + (shortest - dot_product) / n - rounding), S(least_squared_length<S>()));
+  return {n, root(image) * up, root(translation) * up, up / root(squared_blend), defect + rounding};
+}
+
+// Errors of this joint-set are at most per_length (||x|| + r) + per_radius r + offset.
+template <class S>
+struct RoundingRates {
+  S per_length, per_radius, offset;
+};
+
+// Of one kind of skinning.
+template <class S>
+struct PoseRounding {
+  RoundingRates<S> vertex;   // as skinned, and as a piece of its own
+  RoundingRates<S> corners;  // of a piece's control balls, and of its skinned vertices
+};
+
+template <class S>
+PoseRounding<S> rounding_linear(const PoseScales<S>& pose) {
+  constexpr S u = std::numeric_limits<S>::epsilon() / 2;
+  const S n = pose.joints, t = pose.translation;
+  const RoundingRates<S> vertex{u * (24 + n), S(0), u * (n + 1) * t};
+  return {vertex, {2 * vertex.per_length, 2 * pose.unit_defect, 2 * vertex.offset}};
+}
+template <class S>
+PoseRounding<S> rounding_spherical(const PoseScales<S>& pose) {
+  constexpr S u = std::numeric_limits<S>::epsilon() / 2;
+  const S n = pose.joints, kappa = pose.inverse_blend, t = pose.center_image;
+  const RoundingRates<S> vertex{u * (29 + 2 * n * kappa), S(0), u * (n + 1) * t};
+  return {vertex, {vertex.per_length + u * (90 + 3 * (n + 4) * kappa), S(0), vertex.offset + u * (28 + n) * t}};
+}
+template <class S>
+PoseRounding<S> rounding_dual_quaternion(const PoseScales<S>& pose) {
+  constexpr S u = std::numeric_limits<S>::epsilon() / 2;
+  const S n = pose.joints, kappa = pose.inverse_blend, t = pose.translation * pose.inverse_blend;
+  const RoundingRates<S> vertex{u * (27 + 2 * n * kappa), S(0), u * (22 + 2 * n * kappa) * t};
+  return {vertex,
+          {vertex.per_length + u * (48 + 2 * (n + 4) * kappa), S(0), vertex.offset + u * (36 + 2 * (n + 4) * kappa) * t}};
+}
+
+// By kind of skinning: linear, spherical (Hejl's too), by dual quaternions.
+template <class S>
+using PoseRoundings = std::array<PoseRounding<S>, 3>;
+
+template <class S>
+PoseRoundings<S> roundings_of(const PoseScales<S>& pose) {
+  return {rounding_linear(pose), rounding_spherical(pose), rounding_dual_quaternion(pose)};
+}
+
+}  // namespace refitlab

@@ -1,0 +1,153 @@
+#include "experiments/rounding/rounding.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <random>
+
+#include "algorithms/balls/round_up.hpp"
+#include "algorithms/queries/exact_skin.hpp"
+#include "algorithms/results/result_file.hpp"
+#include "algorithms/skinning/skin.hpp"
+
+namespace refitlab {
+namespace {
+
+std::vector<Posture> sampled_postures(const Model& model, int count) {
+  std::vector<Posture> out;
+  const auto clips = static_cast<int>(model.clips.size());
+  if (clips == 0) return {reference_posture(model)};
+  for (int i = 0; i < count; ++i) {
+    const Clip& clip = model.clips[i % clips];
+    const double share = (i / clips + 0.3718) / ((count + clips - 1) / clips);  // no key times, where postures are simple
+    out.push_back(clip.sample(share * clip.duration));
+  }
+  return out;
+}
+
+// One variant's checks in one posture after the other.
+class VariantChecks {
+ public:
+  VariantChecks(const Character& c, const RefitVariant& variant, const RoundingSettings& settings)
+      : c_(c), variant_(variant), vertices_(settings.vertices_per_node), random_(settings.seed) {
+    result_.model = c.model.name, result_.variant = variant.name;
+    c.prepare(variant.pieces);
+  }
+
+  void add(const SkinningPose<double>& pose, std::span<const Point3> skinned, ExactSkin& exact) {
+    for (std::size_t i = 0; i < c_.tree.nodes.size(); ++i) {
+      const int n = static_cast<int>(i);
+      const RefitNode<double> node = c_.refit_node(n, pose, variant_.pieces);
+      const Ball3<double> ball = variant_.refit(node), bare = variant_.refit_as_computed(node);
+      const Ball3<float> small = rounded_outward(ball);
+      const Ball3<double> of_floats{small.center.cast<double>(), small.radius};
+      if (std::isfinite(ball.radius)) {
+        inflations_.push_back(static_cast<float>((ball.radius - bare.radius) / bare.radius));
+        float_inflations_.push_back(static_cast<float>((of_floats.radius - bare.radius) / bare.radius));
+      }
+      for (const int v : some_vertices(ball, c_.vertices[n], skinned)) {
+        ++result_.checks;
+        result_.misses += !exact.is_in(ball, v);
+        result_.float_misses += !exact.is_in(of_floats, v);
+        result_.misses_as_computed += !exact.is_in(bare, v);
+      }
+    }
+  }
+
+  RoundingResult result() {
+    result_.inflation = median(inflations_);
+    result_.float_inflation = median(float_inflations_);
+    return result_;
+  }
+
+ private:
+  static double median(std::vector<float>& values) {
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+  }
+
+  const std::vector<int>& some_vertices(const Ball3<double>& ball, std::span<const int> all, std::span<const Point3> skinned) {
+    const auto farther = [&](int a, int b) {
+      return squared_distance(skinned[a], ball.center) < squared_distance(skinned[b], ball.center);
+    };
+    some_.assign(1, *std::max_element(all.begin(), all.end(), farther));
+    std::sample(all.begin(), all.end(), std::back_inserter(some_), vertices_ - 1, random_);
+    return some_;
+  }
+
+  const Character& c_;
+  const RefitVariant& variant_;
+  const int vertices_;
+  std::mt19937_64 random_;
+  RoundingResult result_;
+  std::vector<float> inflations_, float_inflations_;
+  std::vector<int> some_;
+};
+
+// Of all nodes, with the slack over without.
+double cost_of(const Character& c, const RefitVariant& variant, const SkinningPose<double>& pose, const SpeedSettings& settings) {
+  const auto all_nodes = [&](Refit refit) {
+    return [&c, &variant, &pose, refit] {
+      for (std::size_t n = 0; n < c.tree.nodes.size(); ++n)
+        benchmark::DoNotOptimize(refit(c.refit_node(static_cast<int>(n), pose, variant.pieces)));
+    };
+  };
+  const int count = static_cast<int>(c.tree.nodes.size());
+  const auto times = ns_per_item({{"certified", count, all_nodes(variant.refit)},
+                                  {"as computed", count, all_nodes(variant.refit_as_computed)}}, settings);
+  return median_ratio(times.at("certified"), times.at("as computed"));
+}
+
+}  // namespace
+
+std::vector<RoundingResult> run_rounding(const Character& c, const NamedPosture& timed, const RoundingSettings& settings) {
+  const auto postures = sampled_postures(c.model, settings.postures);
+  std::vector<RoundingResult> results;
+  for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+    std::vector<VariantChecks> checks;
+    std::vector<const RefitVariant*> variants;
+    for (const RefitVariant& v : refit_variants())
+      if (v.sound && v.skinning == skinning) variants.push_back(&v), checks.emplace_back(c, v, settings);
+    for (std::size_t i = 0; i < postures.size(); ++i) {
+      std::cout << "\r[rounding] " << c.model.name << ", " << variants.size() << " variants, posture " << i + 1 << " of "
+                << postures.size() << "   " << std::flush;
+      const auto pose = make_skinning_pose(c.model, c.sets, postures[i], skinning);
+      const auto skinned = skin(c.model, c.sets, pose, skinning);
+      ExactSkin exact(c.model, c.sets, pose, skinning);
+      for (VariantChecks& v : checks) v.add(pose, skinned, exact);
+    }
+    const auto pose = make_skinning_pose(c.model, c.sets, timed.posture, skinning);
+    for (std::size_t v = 0; v < variants.size(); ++v) {
+      results.push_back(checks[v].result());
+      results.back().cost = cost_of(c, *variants[v], pose, settings.speed);
+    }
+  }
+  std::cout << '\n';
+  for (const RoundingResult& r : results)
+    std::printf("  %-30s %9ld exact checks, %ld misses (float %ld; without slack %ld), inflation %.1e (float %.1e), cost %.2f\n",
+                r.variant.c_str(), r.checks, r.misses, r.float_misses, r.misses_as_computed, r.inflation, r.float_inflation,
+                r.cost);
+  return results;
+}
+
+void write_rounding(const std::vector<RoundingResult>& results, const RoundingSettings& settings, const std::string& path) {
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  for (const RoundingResult& r : results) {
+    const auto add = [&](const char* quantity, double value) {
+      file.add({"rounding", r.model, "all", r.variant, "all", quantity, format_number(value), "1"}, settings.seed);
+    };
+    add("exact_checks", static_cast<double>(r.checks));
+    add("misses", static_cast<double>(r.misses));
+    add("float_misses", static_cast<double>(r.float_misses));
+    add("misses_as_computed", static_cast<double>(r.misses_as_computed));
+    add("inflation_median", r.inflation);
+    add("float_inflation_median", r.float_inflation);
+    add("cost_ratio", r.cost);
+  }
+  file.write(path);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,36 @@
+// The rounding experiment: what certifying a refit in floating point adds to its radius and costs, and whether any vertex,
+// skinned exactly, is outside a ball: with the slack for rounding none may be; without it, how many are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/refit/character.hpp"
+#include "experiments/scenes/scenes.hpp"
+#include "experiments/speed/timing.hpp"
+
+namespace refitlab {
+
+struct RoundingSettings {
+  int postures = 6;           // of all clips together
+  int vertices_per_node = 4;  // the one that comes out farthest from the center, and others at random
+  SpeedSettings speed;
+  std::uint64_t seed = 2006;
+};
+
+struct RoundingResult {
+  std::string model, variant;
+  // Of vertices against balls, exactly: all of them; those outside the ball, outside the same rounded to float, and outside
+  // the ball without the slack.
+  long checks = 0, misses = 0, float_misses = 0, misses_as_computed = 0;
+  // What the slack, and what rounding to float after it, adds to the radius; relative to it, median over nodes and postures.
+  double inflation = 0, float_inflation = 0;
+  double cost = 0;  // processor time with the slack over that without, in one posture
+};
+
+// Every sound variant. Progress on stdout.
+std::vector<RoundingResult> run_rounding(const Character& character, const NamedPosture& timed, const RoundingSettings& settings);
+
+void write_rounding(const std::vector<RoundingResult>& results, const RoundingSettings& settings, const std::string& path);
+
+}  // namespace refitlab
