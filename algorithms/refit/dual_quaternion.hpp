@@ -32,7 +32,7 @@ class DualQuaternionPiece {
   static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
 
   // point is p, radius that of the reference ball, translation at least the length of every joint's (for rounding).
-  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& translation)
+  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& translation = S(0))
       : point_(point), radius_(radius), translation_(translation) {}
 
   MixedCorners<S> mix(const Corner& a, const Corner& b) const {

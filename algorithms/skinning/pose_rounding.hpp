@@ -3,40 +3,34 @@
 // Truth is exact arithmetic on the numbers of the node and of the pose as they stand: quaternions that are of unit length
 // only nearly, rotation centers, their images and dual parts as they were rounded. The weights are multiples of 2^-24, so
 // corners have no error. u is half of epsilon; n joints; kappa >= 1 / ||q|| for all blends q = sum w_i q_i; T and t bound
-// the C_j r_c and the t_j (PoseScales); x = p - r_c. Errors are vectors, in units of u, to first order: the constants below
-// are some tenths larger than what they are derived from, which leaves room for the terms in u^2.
+// the C_j r_c and the t_j (PoseScales); x = p - r_c. Errors are vectors, in units of u, to first order; the constants are
+// some tenths larger than what they are derived from, which leaves room for the terms in u^2.
 //
-// Elementary, for vectors of length at most 1 (proptests/gappa/ has a proof of each):
-//   dot product of 3 or 4:  3, 4     product of a vector and a number: 1 for its rounding
-//   cross product: 2.4               squared length of 4: 4, its inverse: 5
-//   rotate_scaled: 21                mix_rotations: weight 4, numerator 24
-//   rotate, by a unit quaternion that is 4 off that length: 40
-// A blend of n: n, of what its terms are at most. A quaternion off by e in place of one of length 1/kappa or more turns x to
-// a place off by at most 2 kappa e ||x||.
+// Elementary errors stand in namespace rounding below, relative to the lengths of the operands; a blend of n is off by n, of
+// what its terms are at most; and a quaternion off by e in place of one of length 1/kappa or more turns x to a place off by at
+// most 2 kappa e ||x||.
 //
-// A vertex under spherical blending: x is off by 1, the turned x by 21 + 6 (for dividing), 2 n kappa from the blend; the
-// center's image by n T; the sum by 1 of both:   (29 + 2 n kappa) ||x|| + (n + 1) T.
+// A vertex under spherical blending: x is off by 1, the turned x by rotate_scaled, and by the squared length, its inverse and
+// the product; 2 n kappa from the blend; the center's image by n T; the sum by 1 of both.
 //
 // A corner's ball. After h <= 4 halvings corners are off by n + h. The hull of control points of the corners as they are
 // holds the blends of these, so the corners' own errors count once: 2 (n + h) kappa ||x|| + (n + h) T. A control point is
-// N / D; near corners have ||q'_k|| ||q'_l|| < 2 W_kl, so the products P are at most 2 D ||x||, off by 48 of D ||x|| in their
-// sum and by 4 for adding; the moved centers, at most D T, by 8 for the W, 3 for products and sums; adding both: 2 and 1;
-// D by 8 + 2, its inverse and the product by one each, of at most 2 ||x|| + T: 24 and 12. With the error of x that is
-//   (79 + 2 (n + 4) kappa) ||x|| + (28 + n) T.
-// A cap: unit quaternions are off by n kappa + 4, the apex by 4; half of that is the chord s's error, with 3 s for its own
-// rounding, and as the image's angle is 4 arcsin s and s^2 < 1/2, the angle's is 4 sqrt 2 times as much: 35 + 2.9 n kappa;
-// the ratios and ||x|| 10; the rotation 40; sums 2:  (88 + 3 (n + 4) kappa) ||x|| + (n + 5) T. One formula for both:
-//   (90 + 3 (n + 4) kappa) ||x|| + (28 + n) T.
+// N / D; near corners have ||q'_k|| ||q'_l|| < 2 W_kl, so the products P are at most 2 D ||x||, off by twice mix_numerator of
+// D ||x|| in their sum and by 4 for adding; the moved centers, at most D T, by twice mix_weight and 3 for products and sums;
+// adding both: 2 and 1; D by twice mix_weight and 2, its inverse and the product by one each, of at most 2 ||x|| + T.
+// With the error of x that is 93 and 32 + n + h, and 2 (n + h) kappa.
+// A cap: unit quaternions are off by n kappa + 5, the apex by 5; half of that is the chord s's error, with 3 s for its own
+// rounding, and as the image's angle is 4 arcsin s and s^2 < 1/2, the angle's is 4 sqrt 2 times as much: 41 + 2.9 n kappa;
+// the ratios and ||x|| 10; the rotation 24 and, for an apex off unit length, 20; sums 2: that is 97 + 2.9 n kappa, and n + 5.
+// One formula for both: (100 + 3 (n + 4) kappa) ||x|| + (36 + n) T.
 //
-// Linear blending of a point p: rotate 23 (its quaternions are what they are), the sum 1, the blend n, which makes
-//   (24 + n) ||p|| + (n + 1) t.
-// But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which stretches r by at most
-// 2 |e| r.
+// Linear blending of a point p: rotate (its quaternions are what they are), the sum 1, the blend n of both. But R_j is not
+// quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which stretches r by at most 2 |e| r.
 //
-// Dual quaternions: as spherical with p for x, and with 2 ||d_j|| <= t, translations of at most kappa t. A vertex:
-// (27 + 2 n kappa) ||p||, and Im(d q*) off by 7, doubled, 1 for the sum, 5 for dividing, n for d, n kappa for q. A corner:
-// near ones have ||q'_k|| ||q'_l|| < sqrt 2 W_kl; mix_rotations 34, the sums 2, the quotient 10; T_kl 7 and 7, and 3 for
-// sums, times sqrt 2; the quotient 10; corners 2 (n + 4) kappa of each. Beyond a right angle the ball of
+// Dual quaternions: as spherical with p for x, and with 2 ||d_j|| <= t, translations of at most kappa t. A vertex: as a
+// spherical one, and Im(d q*) off by 7, doubled, 1 for the sum, squared length and quotient, n for d, n kappa for q. A corner:
+// near ones have ||q'_k|| ||q'_l|| < sqrt 2 W_kl; the numerator sqrt 2 mix_numerator, sums 2, the quotient 11; T_kl 7 and 7, and
+// 3 for sums, times sqrt 2, the quotient 11; corners 2 (n + 4) kappa of each. Beyond a right angle the ball of
 // b6_dual_quaternion_ball rounds itself (dual_quaternion.hpp).
 //
 // Skinning in double is off as a vertex is, ||x|| + r in place of ||x||. The certified ball encloses its vertices too; pieces
@@ -52,6 +46,15 @@
 #include "lemmas/vocabulary/rigid.hpp"
 
 namespace refitlab {
+
+// Of what the operations are off by, in u and relative to the lengths of vectors and quaternions: proptests/gappa has a proof
+// of each, by component and at unit length, and proptests/algorithms/pose_rounding.cpp compares them with running errors.
+namespace rounding {
+inline constexpr int squared_length = 5;  // of a quaternion
+inline constexpr int rotate = 24;         // by a quaternion taken to be of unit length
+inline constexpr int rotate_scaled = 24;
+inline constexpr int mix_weight = 6, mix_numerator = 27;  // mix_rotations
+}  // namespace rounding
 
 // A blended quaternion whose squared length is not certainly above this may be 0 in truth: what is left of it may be
 // rounding. Exact numbers and intervals know.
@@ -117,23 +120,31 @@ template <class S>
 PoseRounding<S> rounding_linear(const PoseScales<S>& pose) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   const S n = pose.joints, t = pose.translation;
-  const RoundingRates<S> vertex{u * (24 + n), S(0), u * (n + 1) * t};
+  const RoundingRates<S> vertex{u * (S(rounding::rotate + 1) + n), S(0), u * (n + 1) * t};
   return {vertex, {2 * vertex.per_length, 2 * pose.unit_defect, 2 * vertex.offset}};
 }
 template <class S>
 PoseRounding<S> rounding_spherical(const PoseScales<S>& pose) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
+  constexpr S turned(1 + rounding::rotate_scaled + (rounding::squared_length + 2) + 1);
+  constexpr S cap(100), control(1 + 2 * rounding::mix_numerator + 4 + 2 + 2 * (2 * rounding::mix_weight + 2 + 2));
+  constexpr S centers(4 * rounding::mix_weight + 2 + 2 + 3 + 1 + 4);
+  static_assert(control <= cap);
   const S n = pose.joints, kappa = pose.inverse_blend, t = pose.center_image;
-  const RoundingRates<S> vertex{u * (29 + 2 * n * kappa), S(0), u * (n + 1) * t};
-  return {vertex, {vertex.per_length + u * (90 + 3 * (n + 4) * kappa), S(0), vertex.offset + u * (28 + n) * t}};
+  const RoundingRates<S> vertex{u * (turned + 2 * n * kappa), S(0), u * (n + 1) * t};
+  return {vertex, {vertex.per_length + u * (cap + 3 * (n + 4) * kappa), S(0), vertex.offset + u * (centers + n) * t}};
 }
 template <class S>
 PoseRounding<S> rounding_dual_quaternion(const PoseScales<S>& pose) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
+  constexpr S turned(rounding::rotate_scaled + (rounding::squared_length + 1) + 1);
+  constexpr S moved(2 * 7 + 1 + (rounding::squared_length + 1) + 1);
+  constexpr S control(1.42 * rounding::mix_numerator + 2 + 11 + 1), translations(1.42 * 17 + 2 + 11 + 1);
   const S n = pose.joints, kappa = pose.inverse_blend, t = pose.translation * pose.inverse_blend;
-  const RoundingRates<S> vertex{u * (27 + 2 * n * kappa), S(0), u * (22 + 2 * n * kappa) * t};
+  const RoundingRates<S> vertex{u * (turned + 2 * n * kappa), S(0), u * (moved + 2 * n * kappa) * t};
   return {vertex,
-          {vertex.per_length + u * (48 + 2 * (n + 4) * kappa), S(0), vertex.offset + u * (36 + 2 * (n + 4) * kappa) * t}};
+          {vertex.per_length + u * (control + 2 * (n + 4) * kappa), S(0),
+           vertex.offset + u * (translations + 2 * (n + 4) * kappa) * t}};
 }
 
 // By kind of skinning: linear, spherical (Hejl's too), by dual quaternions.

@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "algorithms/balls/round_up.hpp"
 #include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
@@ -136,7 +137,7 @@ PROPTEST(frame_refits) {
               double expected = d.own(n).radius;
               std::vector<Ball3<double>> children;
               for (int c = 0; c < node.child_count; ++c) children.push_back(frame[node.first_child + c]);
-              if (!children.empty()) expected = std::min(expected, few_balls_ball(children).ball.radius);
+              if (!children.empty()) expected = std::min(expected, rounded_up(few_balls_ball(children).ball).radius);
               RC_ASSERT(frame[n].radius == expected);
               RC_ASSERT(d.encloses(frame[n], n));
             }
