@@ -6,6 +6,7 @@
 
 #include "algorithms/balls/round_up.hpp"
 #include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
