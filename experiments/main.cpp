@@ -9,6 +9,7 @@
 #include "experiments/growth/triangles.hpp"
 #include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
+#include "experiments/resume/resume.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
@@ -30,6 +31,7 @@ struct Options {
   refitlab::CollisionSettings collisions{.frames = 6, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
   refitlab::TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
   refitlab::QuerySettings queries;
+  bool anew = false;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
   }
@@ -45,11 +47,13 @@ bool parse(int argc, char** argv, Options& o) {
       "model", po::value(&o.files)->multitoken(), "rigged files of one's own, in place of the default models")(
       "only", po::value(&o.only)->multitoken(), ("experiments to run, of: " + names).c_str())(
       "quick", "few sampled times per clip, short timings: a smoke run")("full", "many sampled times per clip, long timings")(
+      "anew", "run everything, also what an earlier run of this very program finished with the same options and models")(
       "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, description), map);
   po::notify(map);
   if (map.count("help")) return std::cout << description, false;
+  o.anew = map.count("anew");
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
   if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3}, o.queries.count = 2000;
   if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
@@ -65,6 +69,82 @@ bool parse(int argc, char** argv, Options& o) {
     if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
       throw po::error("--only " + name + ": no such experiment; there are: " + names);
   return true;
+}
+
+void append(auto& all, const auto& results) { all.insert(all.end(), results.begin(), results.end()); }
+
+// All that is wanted of one model.
+void run_on(refitlab::Model&& model, const Options& options, const refitlab::RunFolder& run, refitlab::Report& report) {
+  using namespace refitlab;
+  std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
+            << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
+  const std::string identity = identify(model), of_model = " of " + model.name;
+  const Character character(std::move(model));
+  const NamedPosture twist = figure_twist(character.model);
+  if (report.pictures.empty())
+    report.pictures = twist_pictures(character, twist.name, twist.posture, options.out + "/report/pictures");
+  if (options.wants("tightness"))
+    append(report.tightness, resumed_or(run, "tightness" + of_model, options.tightness, identity,
+                                        [&] { return run_tightness(character, options.tightness); }));
+  if (options.wants("speed")) {
+    append(report.speed, resumed_or(run, "speed" + of_model, options.speed, identity,
+                                    [&] { return run_speed(character, twist, options.speed); }));
+    append(report.batches, resumed_or(run, "batch speed" + of_model, options.speed, identity,
+                                      [&] { return run_batch_speed(character, twist, options.speed); }));
+  }
+  if (options.wants("volumes")) {
+    const VolumeResults results = resumed_or(run, "volumes" + of_model, options.volumes, identity, [&] {
+      VolumeResults of_this;
+      run_volumes(character, twist, options.volumes, of_this);
+      return of_this;
+    });
+    append(report.volumes.tightness, results.tightness);
+    append(report.volumes.costs, results.costs);
+  }
+  if (options.wants("rounding"))
+    append(report.rounding, resumed_or(run, "rounding" + of_model, options.rounding, identity,
+                                       [&] { return run_rounding(character, twist, options.rounding); }));
+  if (options.wants("collisions") && !(options.collisions.first_model_only && !report.collisions.empty()))
+    append(report.collisions, resumed_or(run, "collisions" + of_model, options.collisions, identity,
+                                         [&] { return run_collisions(character, options.collisions); }));
+}
+
+// Each file once all of its rows are there: until then the one of the last whole run stays.
+void write_results_by_model(const Options& options, const refitlab::Report& report) {
+  const std::string folder = options.out + "/results/";
+  if (options.wants("tightness")) write_tightness(report.tightness, folder + "tightness.csv");
+  if (options.wants("speed")) {
+    write_speed(report.speed, folder + "speed.csv");
+    write_batch_speed(report.batches, folder + "batch_speed.csv");
+  }
+  if (options.wants("volumes")) write_volumes(report.volumes, folder + "volumes.csv");
+  if (options.wants("rounding")) write_rounding(report.rounding, options.rounding, folder + "rounding.csv");
+  if (options.wants("collisions")) write_collisions(report.collisions, folder + "collision.csv");
+}
+
+// What has nothing to do with a model.
+void run_without_model(const Options& options, const refitlab::RunFolder& run, refitlab::Report& report) {
+  using namespace refitlab;
+  const std::string folder = options.out + "/results/";
+  if (options.wants("growth")) {
+    const SpeedSettings speed{options.speed.seconds_per_run / 5, options.speed.repetitions};
+    report.joint_growth =
+        resumed_or(run, "growth with the joints", speed, "", [&] { return run_joint_growth(speed); });
+    write_joint_growth(report.joint_growth, folder + "joint_growth.csv");
+    report.character_growth =
+        resumed_or(run, "growth with the characters", speed, "", [&] { return run_character_growth(speed); });
+    write_character_growth(report.character_growth, folder + "character_growth.csv");
+    report.triangle_growth = resumed_or(run, "growth with the triangles", options.triangles, "",
+                                        [&] { return run_triangle_growth(options.triangles); });
+    write_triangle_growth(report.triangle_growth, folder + "triangle_growth.csv");
+  }
+  if (options.wants("speed"))
+    write_ball_speed(resumed_or(run, "ball speed", options.speed, "", [&] { return run_ball_speed(options.speed); }),
+                     folder + "ball_speed.csv");
+  if (options.wants("queries")) {
+    report.queries = resumed_or(run, "queries", options.queries, "", [&] { return run_queries(options.queries); });
+    write_queries(report.queries, options.queries, options.out + "/results");
+  }
 }
 
 }  // namespace
@@ -83,58 +163,13 @@ int main(int argc, char** argv) try {
     for (const auto& file : options.files) models.models.push_back(load_named(file));
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
+  const RunFolder run(options.out + "/units", options.anew);
   Report report;
   report.absent_models = models.absent;
-  for (Model& model : models.models) {
-    std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
-              << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
-    const Character character(std::move(model));
-    const NamedPosture twist = figure_twist(character.model);
-    if (report.pictures.empty())
-      report.pictures = twist_pictures(character, twist.name, twist.posture, options.out + "/report/pictures");
-    if (options.wants("tightness")) {
-      const auto results = run_tightness(character, options.tightness);
-      report.tightness.insert(report.tightness.end(), results.begin(), results.end());
-      write_tightness(report.tightness, options.out + "/results/tightness.csv");
-    }
-    if (options.wants("speed")) {
-      const auto results = run_speed(character, twist, options.speed);
-      report.speed.insert(report.speed.end(), results.begin(), results.end());
-      write_speed(report.speed, options.out + "/results/speed.csv");
-      const auto batches = run_batch_speed(character, twist, options.speed);
-      report.batches.insert(report.batches.end(), batches.begin(), batches.end());
-      write_batch_speed(report.batches, options.out + "/results/batch_speed.csv");
-    }
-    if (options.wants("volumes")) {
-      run_volumes(character, twist, options.volumes, report.volumes);
-      write_volumes(report.volumes, options.out + "/results/volumes.csv");
-    }
-    if (options.wants("rounding")) {
-      const auto results = run_rounding(character, twist, options.rounding);
-      report.rounding.insert(report.rounding.end(), results.begin(), results.end());
-      write_rounding(report.rounding, options.rounding, options.out + "/results/rounding.csv");
-    }
-    if (options.wants("collisions") && !(options.collisions.first_model_only && !report.collisions.empty())) {
-      const auto results = run_collisions(character, options.collisions);
-      report.collisions.insert(report.collisions.end(), results.begin(), results.end());
-      write_collisions(report.collisions, options.out + "/results/collision.csv");
-    }
-  }
-  // These have nothing to do with a model given: on one's own models they run only if they are asked for.
-  if (options.wants("growth") && (options.files.empty() || !options.only.empty())) {
-    report.joint_growth = run_joint_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
-    write_joint_growth(report.joint_growth, options.out + "/results/joint_growth.csv");
-    report.character_growth = run_character_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
-    write_character_growth(report.character_growth, options.out + "/results/character_growth.csv");
-    report.triangle_growth = run_triangle_growth(options.triangles);
-    write_triangle_growth(report.triangle_growth, options.out + "/results/triangle_growth.csv");
-  }
-  if (options.wants("speed") && (options.files.empty() || !options.only.empty()))
-    write_ball_speed(run_ball_speed(options.speed), options.out + "/results/ball_speed.csv");
-  if (options.wants("queries") && (options.files.empty() || !options.only.empty())) {
-    report.queries = run_queries(options.queries);
-    write_queries(report.queries, options.queries, options.out + "/results");
-  }
+  for (Model& model : models.models) run_on(std::move(model), options, run, report);
+  if (!models.models.empty()) write_results_by_model(options, report);
+  // On one's own models these run only if they are asked for.
+  if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report);
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
 } catch (const std::exception& e) {

@@ -5,8 +5,8 @@
 
 namespace refitlab {
 
-// Whether f ends, by returning or throwing, rather than bring the process down. It runs in a forked copy, of which
-// nothing but this is left. Throws std::system_error where there can be no copy.
-bool survives(const std::function<void()>& f);
+// Whether f ends, by returning or throwing, within so many seconds, rather than bring the process down. It runs in a
+// forked copy, of which nothing but this is left. Throws std::system_error where there can be no copy.
+bool survives(const std::function<void()>& f, unsigned seconds = 600);
 
 }  // namespace refitlab

@@ -19,8 +19,12 @@ using nlohmann::json;
 
 constexpr int ushort_component = 5123, uint_component = 5125, float_component = 5126;
 
+// Of a file that ends: a device or a pipe need not.
 std::string read_bytes(const std::filesystem::path& path, const std::string& file, const std::string& thing) {
-  std::ifstream in(path, std::ios::binary);
+  std::error_code error;
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);
+  if (!in.is_open()) throw ModelError(file, thing, "cannot be read");
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in) throw ModelError(file, thing, "cannot be read");
   return bytes;
@@ -46,7 +50,7 @@ std::string decode_base64(const std::string& text) {
 
 class Audit {
  public:
-  explicit Audit(const std::string& path) : file_(path) { read(); }
+  Audit(const std::string& bytes, const std::string& file) : file_(file) { read(bytes); }
 
   void run() const {
     for (std::size_t i = 0; i < list("skins").size(); ++i) check_skin(i);
@@ -80,8 +84,7 @@ class Audit {
     }
   };
 
-  void read() {
-    const std::string bytes = read_bytes(file_, file_, "file");
+  void read(const std::string& bytes) {
     std::string text = bytes;
     std::optional<std::string> binary;
     if (bytes.starts_with("glTF")) {
@@ -137,7 +140,10 @@ class Audit {
                                                                                              : 1;
     t.stride = view.value("byteStride", t.width * size);
     const std::size_t start = view.value("byteOffset", std::size_t{0}) + a.value("byteOffset", std::size_t{0});
-    const std::string& buffer = buffers_.at(view.at("buffer").get<std::size_t>());
+    const std::size_t index = view.at("buffer");
+    if (index >= buffers_.size())
+      throw ModelError(file_, thing, "accessor " + std::to_string(accessor) + " is in a buffer that there is not");
+    const std::string& buffer = buffers_[index];
     const std::size_t room = start <= buffer.size() ? buffer.size() - start : 0;
     const std::size_t row = t.width * size;
     if (t.count > 0 && (row > room || (t.stride > 0 && t.count - 1 > (room - row) / t.stride)))
@@ -242,12 +248,14 @@ class Audit {
 
 void audit_gltf(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension != ".glb" && extension != ".gltf" && extension != ".GLB" && extension != ".GLTF") return;
-  try {
-    Audit(path).run();
-  } catch (const json::exception& e) {
-    throw ModelError(path, "glTF description", e.what());
-  }
+  if (extension == ".glb" || extension == ".gltf" || extension == ".GLB" || extension == ".GLTF")
+    audit_gltf_bytes(read_bytes(path, path, "file"), path);
+}
+
+void audit_gltf_bytes(const std::string& bytes, const std::string& path) try {
+  Audit(bytes, path).run();
+} catch (const json::exception& e) {
+  throw ModelError(path, "glTF description", e.what());
 }
 
 }  // namespace refitlab

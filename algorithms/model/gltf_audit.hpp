@@ -12,4 +12,7 @@ namespace refitlab {
 // skin or animation, and the reason.
 void audit_gltf(const std::string& path);
 
+// The same of a file's bytes, be it binary or text; path: for errors, and where other files that it refers to are.
+void audit_gltf_bytes(const std::string& bytes, const std::string& path);
+
 }  // namespace refitlab

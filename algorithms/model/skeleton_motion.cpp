@@ -79,8 +79,10 @@ std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nod
 
 Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motion, double time) {
   std::vector<double> scales;  // negative for a mirror
-  for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time))
-    if (m.allFinite()) scales.push_back(std::cbrt(m.topLeftCorner<3, 3>().determinant()));
+  for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time)) {
+    const double determinant = m.topLeftCorner<3, 3>().determinant();
+    if (std::isfinite(determinant)) scales.push_back(std::cbrt(determinant));
+  }
   if (scales.empty()) return Eigen::Matrix4d::Identity();  // pose() has more to say
   const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
   std::nth_element(scales.begin(), middle, scales.end());

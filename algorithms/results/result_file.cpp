@@ -1,10 +1,6 @@
 #include "algorithms/results/result_file.hpp"
 
-#include <unistd.h>
-
 #include <charconv>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -44,24 +40,6 @@ std::string format_number(double value) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};
-}
-
-void write_whole(const std::string& path, const std::string& text) {
-  namespace fs = std::filesystem;
-  const fs::path target(path);
-  std::error_code error;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
-  const fs::path temporary = target.string() + ".tmp" + std::to_string(::getpid());
-  std::ofstream out(temporary, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) {
-    const std::string reason = std::strerror(errno);
-    fs::remove(temporary, error);
-    throw std::runtime_error(path + ": cannot write: " + reason);
-  }
-  fs::rename(temporary, target, error);
-  if (error) throw std::runtime_error(path + ": cannot replace: " + error.message());
 }
 
 void ResultFile::add(std::vector<std::string> row, std::uint64_t seed) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/results/write_whole.hpp"
+
 namespace refitlab {
 
 // What every result row carries after its own columns: commit, dirty flag, compiler, flags, CPU.
@@ -15,10 +17,6 @@ struct Provenance {
 
 // The shortest decimal text that reads back as the same double; "nan", "inf" and "-inf" for what is no number.
 std::string format_number(double value);
-
-// Writes text to path by way of a temporary file of the same folder (made if missing) and a rename, so that a run killed
-// at any moment leaves the last good file. Throws std::runtime_error that names the path and the reason.
-void write_whole(const std::string& path, const std::string& text);
 
 class ResultFile {
  public:

@@ -4,9 +4,8 @@
 #include <random>
 #include <set>
 
+#include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/balls/round_up.hpp"
-#include "algorithms/balls/few_balls_ball.hpp"
-#include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "proptests/gen/skinned_mesh.hpp"

@@ -1,14 +1,13 @@
 // Loading rigged files: what they pose, against assimp's own matrices, and what is refused.
 #include "algorithms/model/load.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "proptests/gen/broken_rigs.hpp"
 #include "proptests/gen/random_rig.hpp"
+#include "proptests/gen/temporary_folder.hpp"
 #include "proptests/gen/two_bone_x.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/file_skinning.hpp"
@@ -18,21 +17,7 @@ namespace {
 
 using namespace refitlab;
 using gen::RiggedGltf;
-
-// A folder that goes away with its owner.
-class Folder {
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("refitlab-load-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string file(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using Folder = gen::TemporaryFolder;
 
 Model load(const RiggedGltf& scene) {
   const Folder folder;

@@ -2,7 +2,6 @@
 
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <sstream>
 
@@ -48,7 +47,10 @@ QuerySet read_set(const Fields& f, const Ball3<Rational>& reference) {
   if (set.bounds.low.size() != n)
     f.fail("bounds",
            "are of " + std::to_string(set.bounds.low.size()) + " weights, the transforms of " + std::to_string(n));
-  set.corners = *enumerate_corners(set.bounds, std::numeric_limits<std::size_t>::max() / 2);
+  constexpr std::size_t most_corners = 100000;
+  auto corners = enumerate_corners(set.bounds, most_corners);
+  if (!corners) f.fail("bounds", "have more than " + std::to_string(most_corners) + " corners");
+  set.corners = std::move(*corners);
   if (set.corners.empty()) f.fail("bounds", "let no weights through");
   return set;
 }
@@ -197,7 +199,11 @@ std::vector<Case> read_cases(const std::string& file, const StatementCheck& chec
 std::vector<Case> parse_cases(const std::string& text, const std::string& file, const StatementCheck& check) {
   Json whole;
   try {
-    whole = Json::parse(text);
+    whole = Json::parse(text, [&](int depth, Json::parse_event_t, const Json&) {
+      constexpr int most_levels = 32;
+      if (depth > most_levels) throw CaseError(file + ": nested more than " + std::to_string(most_levels) + " deep");
+      return true;
+    });
   } catch (const Json::parse_error& e) {
     throw CaseError(file + ": malformed JSON: " + e.what());
   }

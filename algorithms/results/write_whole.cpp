@@ -1,0 +1,81 @@
+#include "algorithms/results/write_whole.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace refitlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const char* what, int error) {
+  throw std::runtime_error(path + ": cannot " + what + ": " + std::strerror(error));
+}
+
+// A new file beside path that no other process or thread has.
+int open_temporary(const std::string& path, std::string& name) {
+  for (int attempt = 0;; ++attempt) {
+    name = path + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0 || errno != EEXIST) return file;
+  }
+}
+
+bool write_all(int file, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t written = ::write(file, text.data() + done, text.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    done += static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+// Without it the new name may not survive a power failure. Some file systems cannot; the file is whole nevertheless.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+void write_whole(const std::string& path, const std::string& text) {
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  std::string temporary;
+  const int file = open_temporary(path, temporary);
+  if (file < 0) fail(path, "write", errno);
+  const bool written = write_all(file, text) && ::fsync(file) == 0;
+  const int reason = errno;
+  const bool closed = ::close(file) == 0;
+  if (!written || !closed) {
+    ::unlink(temporary.c_str());
+    fail(path, "write", written ? errno : reason);
+  }
+  if (::rename(temporary.c_str(), path.c_str()) != 0) {
+    const int refused = errno;
+    ::unlink(temporary.c_str());
+    fail(path, "replace", refused);
+  }
+  sync_folder(folder);
+}
+
+std::string read_whole(const std::string& path) try {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) fail(path, "read", errno);
+  return {std::istreambuf_iterator<char>(in), {}};
+} catch (const std::ios_base::failure& e) {  // of a folder, or a broken disk
+  throw std::runtime_error(path + ": cannot read: " + e.what());
+}
+
+}  // namespace refitlab

@@ -1,0 +1,17 @@
+// Files that are written whole or not at all.
+#pragma once
+
+#include <string>
+
+namespace refitlab {
+
+// Writes text to path: to a temporary file of the same folder (made if missing), which is forced to the disk and then
+// takes the name. A reader, or a run killed at any moment, finds the old file or the new one, complete; of two writers
+// the last one wins. A killed writer may leave its temporary file, named path + ".tmp" and numbers.
+// Throws std::runtime_error that names the path and the reason.
+void write_whole(const std::string& path, const std::string& text);
+
+// All bytes of a file. Throws std::runtime_error that names the path and the reason.
+std::string read_whole(const std::string& path);
+
+}  // namespace refitlab

@@ -1,0 +1,105 @@
+// The fields of every result and setting, in order, so that finished units can be kept and found again.
+//
+// A structured binding names all members or does not compile: none can be forgotten here.
+#pragma once
+
+#include <tuple>
+
+#include "experiments/report/report.hpp"
+#include "experiments/speed/balls.hpp"
+
+namespace refitlab {
+
+inline auto fields(SpeedSettings& v) {
+  auto& [seconds, repetitions] = v;
+  return std::tie(seconds, repetitions);
+}
+inline auto fields(TightnessSettings& v) {
+  auto& [times] = v;
+  return std::tie(times);
+}
+inline auto fields(VolumeSettings& v) {
+  auto& [times, nodes, speed] = v;
+  return std::tie(times, nodes, speed);
+}
+inline auto fields(RoundingSettings& v) {
+  auto& [postures, vertices, speed, seed] = v;
+  return std::tie(postures, vertices, speed, seed);
+}
+inline auto fields(CollisionSettings& v) {
+  auto& [frames, speed, all, first] = v;
+  return std::tie(frames, speed, all, first);
+}
+inline auto fields(TriangleGrowthSettings& v) {
+  auto& [frames, million, speed] = v;
+  return std::tie(frames, million, speed);
+}
+inline auto fields(QuerySettings& v) {
+  auto& [count, seed] = v;
+  return std::tie(count, seed);
+}
+
+inline auto fields(LevelTightness& v) {
+  auto& [nodes, undefined, least, greatest, sum, optimal, misses, worst] = v;
+  return std::tie(nodes, undefined, least, greatest, sum, optimal, misses, worst);
+}
+inline auto fields(TightnessResult& v) {
+  auto& [model, posture, postures, tightness] = v;
+  return std::tie(model, posture, postures, tightness);
+}
+inline auto fields(SpeedResult& v) {
+  auto& [model, posture, variant, level, ns, ratio] = v;
+  return std::tie(model, posture, variant, level, ns, ratio);
+}
+inline auto fields(BatchSpeed& v) {
+  auto& [model, posture, what, how, item, ns, ratio, to_linear] = v;
+  return std::tie(model, posture, what, how, item, ns, ratio, to_linear);
+}
+inline auto fields(BallSpeed& v) {
+  auto& [clouds, space, variant, points, ns, ratio] = v;
+  return std::tie(clouds, space, variant, points, ns, ratio);
+}
+inline auto fields(LevelVolumes& v) {
+  auto& [nodes, misses, size, optimal, ball, solid, ratio] = v;
+  return std::tie(nodes, misses, size, optimal, ball, solid, ratio);
+}
+inline auto fields(VolumeResult& v) {
+  auto& [model, posture, postures, volumes] = v;
+  return std::tie(model, posture, postures, volumes);
+}
+inline auto fields(VolumeCost& v) {
+  auto& [model, posture, variant, ns, ratio] = v;
+  return std::tie(model, posture, variant, ns, ratio);
+}
+inline auto fields(VolumeResults& v) {
+  auto& [tightness, costs] = v;
+  return std::tie(tightness, costs);
+}
+inline auto fields(RoundingResult& v) {
+  auto& [model, variant, checks, misses, float_misses, as_computed, inflation, float_inflation, cost] = v;
+  return std::tie(model, variant, checks, misses, float_misses, as_computed, inflation, float_inflation, cost);
+}
+inline auto fields(CollisionResult& v) {
+  auto& [model, scene, detector, origin, query, differing, pairs, volumes, triangles, nodes, vertices, share, us,
+         stages, to_engine, to_skin_all, to_repaired] = v;
+  return std::tie(model, scene, detector, origin, query, differing, pairs, volumes, triangles, nodes, vertices, share,
+                  us, stages, to_engine, to_skin_all, to_repaired);
+}
+inline auto fields(TriangleGrowth& v) {
+  auto& [triangles, result] = v;
+  return std::tie(triangles, result);
+}
+inline auto fields(JointGrowth& v) {
+  auto& [joints, sets, many, own, below, own_root, root_below, root_known, ratio, ratio_below] = v;
+  return std::tie(joints, sets, many, own, below, own_root, root_below, root_known, ratio, ratio_below);
+}
+inline auto fields(CharacterGrowth& v) {
+  auto& [characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all] = v;
+  return std::tie(characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all);
+}
+inline auto fields(QueryResult& v) {
+  auto& [variant, share, queries, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns] = v;
+  return std::tie(variant, share, queries, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,52 @@
+// Resuming: an experiment on a model that an earlier run finished with the same program, options and model is not run
+// again.
+#pragma once
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "algorithms/results/run_folder.hpp"
+#include "experiments/resume/fields.hpp"
+
+namespace refitlab {
+
+template <class T>
+concept HasFields = requires(T& value) {
+  fields(value);
+};
+
+template <HasFields T>
+void to_json(nlohmann::json& json, const T& value) {
+  json = nlohmann::json::array();
+  const auto add = [&](const auto&... field) { (json.push_back(nlohmann::json(field)), ...); };
+  std::apply(add, fields(const_cast<T&>(value)));  // which are only read
+}
+
+template <HasFields T>
+void from_json(const nlohmann::json& json, T& value) {
+  std::size_t i = 0;
+  std::apply([&](auto&... field) { (json.at(i++).get_to(field), ...); }, fields(value));
+}
+
+// The result of make(), or of the run that made it before. options: settings of the experiment; model: what identify()
+// says of it, or nothing.
+template <class Make, class Options>
+auto resumed_or(const RunFolder& run, const std::string& unit, const Options& options, const std::string& model,
+                const Make& make) {
+  using Result = decltype(make());
+  const std::string inputs = nlohmann::json(options).dump() + (model.empty() ? "" : ", model " + model);
+  if (const auto kept = run.find(unit, inputs)) {
+    std::cout << "resumed: " << unit << " was finished before" << std::endl;
+    return nlohmann::json::from_cbor(*kept).get<Result>();
+  }
+  Result result = make();
+  std::string bytes;
+  nlohmann::json::to_cbor(nlohmann::json(result), bytes);  // unlike text it has numbers that are not finite
+  run.keep(unit, inputs, bytes);
+  return result;
+}
+
+// A fingerprint of a model: everything that it has, clips at 4096 times each (all frames of a minute at 60 a second).
+std::string identify(const Model& model);
+
+}  // namespace refitlab

@@ -1,0 +1,68 @@
+// One run at a time in a folder, however the last one ended.
+#include "algorithms/results/folder_lock.hpp"
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "algorithms/results/write_whole.hpp"
+#include "proptests/gen/child_process.hpp"
+#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+// Why the folder cannot be had; empty if it can.
+std::string refusal(const std::string& folder) {
+  try {
+    const FolderLock lock(folder);
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// A run that holds the folder until it is killed.
+void hold(const std::string& folder) {
+  const FolderLock lock(folder);
+  write_whole(folder + "/held", "");
+  for (;;) pause();
+}
+
+}  // namespace
+
+PROPTEST(folder_lock) {
+  t.example("a folder that is held is refused, with its name and the process that holds it", {}, [] {
+    const gen::TemporaryFolder folder;
+    std::optional<FolderLock> lock(folder.file("units"));
+    const std::string held = refusal(folder.file("units"));
+    const bool other_is_free = refusal(folder.file("other")).empty();
+    lock.reset();
+    const std::string mine = folder.file("units") + ": in use by another run, process " + std::to_string(getpid());
+    return Checked(held == mine && other_is_free && refusal(folder.file("units")).empty(), 3, held);
+  });
+  t.example("a run killed by kill -9 holds its folder no longer", {}, [] {
+    const gen::TemporaryFolder folder;
+    for (int i = 0; i < 20; ++i) {
+      gen::ChildProcess run([&] { hold(folder.path()); });
+      while (!std::filesystem::exists(folder.file("held"))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      const std::string held = refusal(folder.path());
+      run.kill_now();
+      std::filesystem::remove(folder.file("held"));
+      if (held.find("process " + std::to_string(run.id())) == std::string::npos || !refusal(folder.path()).empty())
+        return Checked(false, i, held);
+    }
+    return Checked(true, 20);
+  });
+  t.example("refused, with the path and the reason: a folder that cannot be made", {}, [] {
+    const gen::TemporaryFolder folder;
+    write_whole(folder.file("file"), "");
+    const std::string message = refusal(folder.file("file"));
+    return Checked(message == folder.file("file/lock") + ": cannot lock: Not a directory", 1, message);
+  });
+}
+
+}  // namespace proptests

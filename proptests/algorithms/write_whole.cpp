@@ -1,0 +1,140 @@
+// Files that are written whole or not at all, under kill -9 and by several writers at once.
+#include "algorithms/results/write_whole.hpp"
+
+#include <chrono>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "proptests/gen/child_process.hpp"
+#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/session.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::ChildProcess;
+using gen::TemporaryFolder;
+
+// Texts that differ in every byte and in length: no part of one is another.
+std::set<std::string> texts_of(char first, int count) {
+  std::set<std::string> out;
+  for (int i = 0; i < count; ++i) out.insert(std::string(100000 + 5000 * i, static_cast<char>(first + i)));
+  return out;
+}
+
+// Writes the texts one after the other, again and again.
+void write_forever(const std::string& path, const std::set<std::string>& texts, std::size_t start = 0) {
+  const std::vector<std::string> list(texts.begin(), texts.end());
+  for (std::size_t i = start;; ++i) write_whole(path, list[i % list.size()]);
+}
+
+std::string message_of(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+Checked killed_at_random_moments() {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("results.csv");
+  const std::set<std::string> texts = texts_of('a', 5);
+  std::mt19937_64 random(Session::get().seed());
+  const auto start = std::chrono::steady_clock::now();
+  for (const std::string& text : texts) write_whole(path, text);
+  const auto some_writes = std::chrono::steady_clock::now() - start;  // disks differ
+  std::set<std::string> seen;
+  const int kills = 200;
+  for (int i = 0; i < kills; ++i) {
+    ChildProcess writer([&] { write_forever(path, texts, i); });
+    std::this_thread::sleep_for(some_writes * static_cast<double>(random() % 1000) / 2000);
+    writer.kill_now();
+    const std::string found = read_whole(path);
+    if (!texts.contains(found)) return {false, i, "a file of " + std::to_string(found.size()) + " bytes"};
+    seen.insert(found);
+  }
+  return {seen.size() == texts.size(), kills, std::to_string(seen.size()) + " texts seen"};
+}
+
+Checked two_writers_and_a_reader() {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("results.csv");
+  const std::set<std::string> mine = texts_of('a', 3), yours = texts_of('p', 3);
+  std::set<std::string> all = mine, seen;
+  all.insert(yours.begin(), yours.end());
+  write_whole(path, *mine.begin());
+  ChildProcess first([&] { write_forever(path, mine); }), second([&] { write_forever(path, yours); });
+  const auto start = std::chrono::steady_clock::now();
+  long reads = 0;
+  for (; std::chrono::steady_clock::now() - start < std::chrono::seconds(20) && seen.size() < all.size(); ++reads) {
+    const std::string found = read_whole(path);
+    if (!all.contains(found)) return {false, reads, "a file of " + std::to_string(found.size()) + " bytes"};
+    seen.insert(found);
+  }
+  return {seen.size() == all.size(), reads, std::to_string(seen.size()) + " texts seen"};
+}
+
+Checked threads_of_one_process() {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("results.csv");
+  const std::set<std::string> texts = texts_of('a', 4);
+  std::vector<std::thread> threads;
+  std::atomic<bool> failed = false;
+  for (const std::string& text : texts)
+    threads.emplace_back([&, text] {
+      for (int i = 0; i < 20; ++i) try {
+          write_whole(path, text);
+          if (!texts.contains(read_whole(path))) failed = true;
+        } catch (const std::runtime_error&) {
+          failed = true;
+        }
+    });
+  for (auto& thread : threads) thread.join();
+  return {!failed, 80};
+}
+
+}  // namespace
+
+PROPTEST(write_whole) {
+  t.holds("what is written is read back, byte by byte, in place of what was there", {.cases = 50}, [] {
+    const TemporaryFolder folder;
+    const auto first = *rc::gen::arbitrary<std::string>(), second = *rc::gen::arbitrary<std::string>();
+    const std::string path = folder.file("new/folder/results.csv");
+    write_whole(path, first);
+    RC_ASSERT(read_whole(path) == first);
+    write_whole(path, second);
+    RC_ASSERT(read_whole(path) == second);
+    const std::filesystem::directory_iterator files(folder.file("new/folder"));
+    RC_ASSERT(std::distance(begin(files), end(files)) == 1);  // no temporary file is left
+  });
+  t.example("a writer killed at random moments leaves the old file or the new one, complete", {},
+            killed_at_random_moments);
+  t.example("a reader finds one of two writers' files, complete, whatever they do at once", {},
+            two_writers_and_a_reader);
+  t.example("threads of one process do not write into each other's temporary files", {}, threads_of_one_process);
+  t.example("refused, with the path and the reason: a folder in place of the file, a file in place of the folder", {},
+            [] {
+              const TemporaryFolder folder;
+              write_whole(folder.file("file"), "x");
+              std::filesystem::create_directories(folder.file("folder/inside"));
+              const std::string in_file = message_of([&] { write_whole(folder.file("file/results.csv"), "y"); });
+              const std::string on_folder = message_of([&] { write_whole(folder.file("folder"), "y"); });
+              const std::string no_file = message_of([&] { read_whole(folder.file("missing")); });
+              const std::string no_text = message_of([&] { read_whole(folder.file("folder")); });
+              const std::filesystem::directory_iterator files(folder.path());
+              const bool good = in_file == folder.file("file/results.csv") + ": cannot write: Not a directory" &&
+                                on_folder == folder.file("folder") + ": cannot replace: Is a directory" &&
+                                no_file == folder.file("missing") + ": cannot read: No such file or directory" &&
+                                no_text.starts_with(folder.file("folder") + ": cannot read: ") &&
+                                no_text.ends_with("Is a directory") && std::distance(begin(files), end(files)) == 2 &&
+                                read_whole(folder.file("file")) == "x";
+              return Checked(good, 4, in_file + "; " + on_folder + "; " + no_file + "; " + no_text);
+            });
+}
+
+}  // namespace proptests
