@@ -1,8 +1,10 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
 #include <boost/program_options.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
+#include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
@@ -20,6 +22,7 @@ namespace {
 const char* const experiments[] = {"tightness", "speed", "volumes", "collisions", "growth", "queries"};
 
 struct Options {
+  std::string effort = "default";
   std::vector<std::string> only, files;
   std::string models = "out/models", out = "out";
   refitlab::TightnessSettings tightness;
@@ -31,6 +34,27 @@ struct Options {
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
   }
+};
+
+// The files in out/results that a run wrote, and how long it measured: run.csv, which is there once a run is done.
+class RunFile {
+ public:
+  explicit RunFile(const Options& options) : options_(options) { std::filesystem::remove(path()); }
+  // The path of a result file of this run.
+  std::string operator()(const std::string& name) {
+    if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+    return options_.out + "/results/" + name;
+  }
+  void write() const {
+    refitlab::ResultFile file({"file", "effort", "models"});
+    for (const auto& name : names_) file.add({name, options_.effort, options_.files.empty() ? "default" : "own"});
+    file.write(path());
+  }
+
+ private:
+  std::string path() const { return options_.out + "/results/run.csv"; }
+  const Options& options_;
+  std::vector<std::string> names_;
 };
 
 // False if only help was asked for.
@@ -49,6 +73,8 @@ bool parse(int argc, char** argv, Options& o) {
   po::notify(map);
   if (map.count("help")) return std::cout << description, false;
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
+  if (map.count("quick")) o.effort = "quick";
+  if (map.count("full")) o.effort = "full";
   if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3}, o.queries.count = 2000;
   if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
   if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
@@ -78,6 +104,7 @@ int main(int argc, char** argv) try {
     for (const auto& file : options.files) models.models.push_back(load_named(file));
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
+  RunFile result(options);
   Report report;
   report.absent_models = models.absent;
   for (Model& model : models.models) {
@@ -90,41 +117,42 @@ int main(int argc, char** argv) try {
     if (options.wants("tightness")) {
       const auto results = run_tightness(character, options.tightness);
       report.tightness.insert(report.tightness.end(), results.begin(), results.end());
-      write_tightness(report.tightness, options.out + "/results/tightness.csv");
+      write_tightness(report.tightness, result("tightness.csv"));
     }
     if (options.wants("speed")) {
       const auto results = run_speed(character, twist, options.speed);
       report.speed.insert(report.speed.end(), results.begin(), results.end());
-      write_speed(report.speed, options.out + "/results/speed.csv");
+      write_speed(report.speed, result("speed.csv"));
       const auto batches = run_batch_speed(character, twist, options.speed);
       report.batches.insert(report.batches.end(), batches.begin(), batches.end());
-      write_batch_speed(report.batches, options.out + "/results/batch_speed.csv");
+      write_batch_speed(report.batches, result("batch_speed.csv"));
     }
     if (options.wants("volumes")) {
       run_volumes(character, twist, options.volumes, report.volumes);
-      write_volumes(report.volumes, options.out + "/results/volumes.csv");
+      write_volumes(report.volumes, result("volumes.csv"));
     }
     if (options.wants("collisions") && !(options.collisions.first_model_only && !report.collisions.empty())) {
       const auto results = run_collisions(character, options.collisions);
       report.collisions.insert(report.collisions.end(), results.begin(), results.end());
-      write_collisions(report.collisions, options.out + "/results/collision.csv");
+      write_collisions(report.collisions, result("collision.csv"));
     }
   }
   // These have nothing to do with a model given: on one's own models they run only if they are asked for.
   if (options.wants("growth") && (options.files.empty() || !options.only.empty())) {
     report.joint_growth = run_joint_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
-    write_joint_growth(report.joint_growth, options.out + "/results/joint_growth.csv");
+    write_joint_growth(report.joint_growth, result("joint_growth.csv"));
     report.character_growth = run_character_growth({options.speed.seconds_per_run / 5, options.speed.repetitions});
-    write_character_growth(report.character_growth, options.out + "/results/character_growth.csv");
+    write_character_growth(report.character_growth, result("character_growth.csv"));
     report.triangle_growth = run_triangle_growth(options.triangles);
-    write_triangle_growth(report.triangle_growth, options.out + "/results/triangle_growth.csv");
+    write_triangle_growth(report.triangle_growth, result("triangle_growth.csv"));
   }
   if (options.wants("speed") && (options.files.empty() || !options.only.empty()))
-    write_ball_speed(run_ball_speed(options.speed), options.out + "/results/ball_speed.csv");
+    write_ball_speed(run_ball_speed(options.speed), result("ball_speed.csv"));
   if (options.wants("queries") && (options.files.empty() || !options.only.empty())) {
     report.queries = run_queries(options.queries);
     write_queries(report.queries, options.queries, options.out + "/results");
   }
+  result.write();
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
 } catch (const std::exception& e) {

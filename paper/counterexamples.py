@@ -87,8 +87,7 @@ def algorithm_1(case):
     image = rotate(blend(vertex["weights"], units), vertex["position"])
     away = minus(image, scaled(rotate(c, p), cosine))
     return {"r_E2": r2, "d_H2": n * n / (4 * dot(c, c)), "cos": cosine, "radius2": (1 - cosine * cosine) * dot(p, p),
-            "distance2": dot(away, away), "quaternion": units[-1], "weights": vertex["weights"], "n": n,
-            "repaired2": dot(p, p), "image2": dot(image, image)}
+            "distance2": dot(away, away), "quaternion": units[-1], "weights": vertex["weights"]}
 
 
 def of_cases(cases):
@@ -105,7 +104,7 @@ def of_cases(cases):
 
     cancel = cases["three quaternions that cancel, printed"]
     put("l2", second=cancel["vectors"][1], third=cancel["vectors"][2], weights=cancel["weights"],
-        blend=blend(cancel["weights"], cancel["vectors"]))
+        blend=blend(cancel["weights"], cancel["vectors"])[0])
 
     inside, beyond = (cases[f"disc {where} the circle, printed"]["ball"] for where in ("inside", "beyond"))
     put("l3", inside=inside["center"], inside_r2=inside["squared_radius"], beyond=beyond["center"],
