@@ -1,8 +1,10 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
 #include <boost/program_options.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
+#include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
@@ -22,6 +24,7 @@ namespace {
 const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "queries"};
 
 struct Options {
+  std::string effort = "default";
   std::vector<std::string> only, files;
   std::string models = "out/models", out = "out";
   refitlab::TightnessSettings tightness;
@@ -35,6 +38,27 @@ struct Options {
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
   }
+};
+
+// The files in out/results that a run wrote, and how long it measured: run.csv, which is there once a run is done.
+class RunFile {
+ public:
+  explicit RunFile(const Options& options) : options_(options) { std::filesystem::remove(path()); }
+  // The path of a result file of this run.
+  std::string operator()(const std::string& name) {
+    if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+    return options_.out + "/results/" + name;
+  }
+  void write() const {
+    refitlab::ResultFile file({"file", "effort", "models"});
+    for (const auto& name : names_) file.add({name, options_.effort, options_.files.empty() ? "default" : "own"});
+    file.write(path());
+  }
+
+ private:
+  std::string path() const { return options_.out + "/results/run.csv"; }
+  const Options& options_;
+  std::vector<std::string> names_;
 };
 
 // False if only help was asked for.
@@ -55,6 +79,8 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("help")) return std::cout << description, false;
   o.anew = map.count("anew");
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
+  if (map.count("quick")) o.effort = "quick";
+  if (map.count("full")) o.effort = "full";
   if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3}, o.queries.count = 2000;
   if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
   if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
@@ -110,37 +136,35 @@ void run_on(refitlab::Model&& model, const Options& options, const refitlab::Run
 }
 
 // Each file once all of its rows are there: until then the one of the last whole run stays.
-void write_results_by_model(const Options& options, const refitlab::Report& report) {
-  const std::string folder = options.out + "/results/";
-  if (options.wants("tightness")) write_tightness(report.tightness, folder + "tightness.csv");
+void write_results_by_model(const Options& options, const refitlab::Report& report, RunFile& result) {
+  if (options.wants("tightness")) write_tightness(report.tightness, result("tightness.csv"));
   if (options.wants("speed")) {
-    write_speed(report.speed, folder + "speed.csv");
-    write_batch_speed(report.batches, folder + "batch_speed.csv");
+    write_speed(report.speed, result("speed.csv"));
+    write_batch_speed(report.batches, result("batch_speed.csv"));
   }
-  if (options.wants("volumes")) write_volumes(report.volumes, folder + "volumes.csv");
-  if (options.wants("rounding")) write_rounding(report.rounding, options.rounding, folder + "rounding.csv");
-  if (options.wants("collisions")) write_collisions(report.collisions, folder + "collision.csv");
+  if (options.wants("volumes")) write_volumes(report.volumes, result("volumes.csv"));
+  if (options.wants("rounding")) write_rounding(report.rounding, options.rounding, result("rounding.csv"));
+  if (options.wants("collisions")) write_collisions(report.collisions, result("collision.csv"));
 }
 
 // What has nothing to do with a model.
-void run_without_model(const Options& options, const refitlab::RunFolder& run, refitlab::Report& report) {
+void run_without_model(const Options& options, const refitlab::RunFolder& run, refitlab::Report& report, RunFile& result) {
   using namespace refitlab;
-  const std::string folder = options.out + "/results/";
   if (options.wants("growth")) {
     const SpeedSettings speed{options.speed.seconds_per_run / 5, options.speed.repetitions};
     report.joint_growth =
         resumed_or(run, "growth with the joints", speed, "", [&] { return run_joint_growth(speed); });
-    write_joint_growth(report.joint_growth, folder + "joint_growth.csv");
+    write_joint_growth(report.joint_growth, result("joint_growth.csv"));
     report.character_growth =
         resumed_or(run, "growth with the characters", speed, "", [&] { return run_character_growth(speed); });
-    write_character_growth(report.character_growth, folder + "character_growth.csv");
+    write_character_growth(report.character_growth, result("character_growth.csv"));
     report.triangle_growth = resumed_or(run, "growth with the triangles", options.triangles, "",
                                         [&] { return run_triangle_growth(options.triangles); });
-    write_triangle_growth(report.triangle_growth, folder + "triangle_growth.csv");
+    write_triangle_growth(report.triangle_growth, result("triangle_growth.csv"));
   }
   if (options.wants("speed"))
     write_ball_speed(resumed_or(run, "ball speed", options.speed, "", [&] { return run_ball_speed(options.speed); }),
-                     folder + "ball_speed.csv");
+                     result("ball_speed.csv"));
   if (options.wants("queries")) {
     report.queries = resumed_or(run, "queries", options.queries, "", [&] { return run_queries(options.queries); });
     write_queries(report.queries, options.queries, options.out + "/results");
@@ -164,12 +188,14 @@ int main(int argc, char** argv) try {
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
   const RunFolder run(options.out + "/units", options.anew);
+  RunFile result(options);
   Report report;
   report.absent_models = models.absent;
   for (Model& model : models.models) run_on(std::move(model), options, run, report);
-  if (!models.models.empty()) write_results_by_model(options, report);
+  if (!models.models.empty()) write_results_by_model(options, report, result);
   // On one's own models these run only if they are asked for.
-  if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report);
+  if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report, result);
+  result.write();
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
 } catch (const std::exception& e) {

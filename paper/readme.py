@@ -1,0 +1,78 @@
+"""The README's measured blocks: <!-- measured: NAME --> ... <!-- /measured -->, each with the commit it was measured at."""
+import re
+
+import content
+from formats import digits, whole_number
+from results import ResultError
+
+BLOCK = re.compile(r"(<!-- measured: (\w+) -->\n)(.*?)(<!-- /measured -->\n)", re.DOTALL)
+COMMIT = re.compile(r"commit\s[0-9a-f]{7,40}\b")
+
+
+def span(found):
+    """From the least to the largest."""
+    return f"{digits(min(found), 2)} to {digits(max(found), 2)}"
+
+
+def commit_of(results, *files):
+    for name in files:
+        results.rows(name)
+    return ", ".join(sorted({results.provenance[name]["commit"] for name in files}))
+
+
+def variants_block(results):
+    commit = commit_of(results, "tightness", "speed", "collision", "batch_speed")
+    worst = {v: digits(content.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_clusters")}
+    twist = digits(content.worst_ratio(results, "control_mixed", content.is_figure_twist))
+    missed = content.total(results, "tightness", quantity="misses", variant=lambda v: v in content.SPHERICAL)
+    gains = content.batch_gains(results)
+    return f"""\
+Measured on six characters with `experiments/run` (commit {commit}); {whole_number(missed)} balls of these miss a vertex. Average radius
+over that of the smallest ball of the deformed vertices, on the worst level of the worst clip: `spherical_repaired` {worst['spherical_repaired']},
+`control_mixed` {worst['control_mixed']}, `control_clusters` {worst['control_clusters']}; in a joint twisted by 170 degrees or more `control_mixed` has at most {twist} on a
+level. Cost of a sphere against `spherical_repaired` in the same run: `control_mixed` {span(content.cost_ratios(results, 'control_mixed'))},
+`control_clusters` {span(content.cost_ratios(results, 'control_clusters'))}. Where anything is near, queries refit {span(content.fewer_spheres(results))} times fewer spheres
+with `control_mixed`. In batches of SIMD packs (`algorithms/batch`), all spheres of a tree by Algorithm 1 repaired cost 1/{min(gains):.0f} to
+1/{max(gains):.0f} of the same one by one.
+"""
+
+
+def queries_block(results):
+    commit = commit_of(results, "collision", "triangle_growth")
+    scenes = ["far", "near", "light", "heavy"]
+    most = content.largest_growth(results)
+    cpu = results.provenance["collision"]["cpu"]
+    rows = []
+    for name, detector in [("`collide(ClusterBody, …)`", "clusters"), ("skin everything in SIMD, boxes bottom-up", "skin_all_simd"),
+                           ("the fastest of Embree, FCL and Bullet", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
+        times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
+        times.append(content.grown_time(results, most, "near", detector or "embree"))
+        rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2) for t in times) + " |")
+    heads = [s if s in ("far", "near") else f"{s}, {digits(content.pairs_of(results, s))} pairs" for s in scenes]
+    return f"""\
+Two walking men of 8270 triangles, all touching pairs, microseconds a frame from posture to pairs (`experiments/run --only collisions growth`; commit
+{commit}, {cpu}, one thread; every pair set is checked against all pairs by brute force; Embree alone in the last column):
+
+| | {' | '.join(heads)} | near, {most:,} triangles each |
+|---|---|---|---|---|---|
+""" + "\n".join(rows) + "\n"
+
+
+BLOCKS = {"variants": variants_block, "queries": queries_block}
+
+
+def blocks(text, path):
+    """{name: text} of the measured blocks. Raises ResultError if one is missing, unknown, or does not name its commit."""
+    found = {name: body for _, name, body, _ in BLOCK.findall(text)}
+    for name in [*BLOCKS, *found]:
+        if name not in found or name not in BLOCKS:
+            raise ResultError(f"{path}: the block <!-- measured: {name} --> is {'missing' if name in BLOCKS else 'unknown'}")
+        if not COMMIT.search(found[name]):
+            raise ResultError(f"{path}: the block <!-- measured: {name} --> does not say from which commit it is")
+    return found
+
+
+def renewed(text, results, path):
+    """The README with its blocks from these results."""
+    blocks(text, path)
+    return BLOCK.sub(lambda m: m[1] + BLOCKS[m[2]](results) + m[4], text)

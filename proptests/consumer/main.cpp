@@ -1,0 +1,40 @@
+// A twisted man, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not.
+#include <cstdio>
+
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/refit/character.hpp"
+#include "algorithms/refit/variants.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
+#include "lemmas/vocabulary/exact.hpp"
+
+// What comes with the package and must hold for any target that a project is compiled for: its types are laid out as the
+// library's, and a square is rounded before it is added to.
+static_assert(alignof(refitlab::RigidTransform<double>) <= 16);
+static bool products_are_rounded() {
+  const volatile double x = 1 + 0x1p-30, minus_rounded_square = -(1 + 0x1p-29);
+  return x * x + minus_rounded_square == 0;
+}
+
+int main() {
+  using namespace refitlab;
+  const Character man(make_man(1034));
+  const RefitVariant& variant = default_variant(Skinning::spherical);
+  const Posture posture = man.model.clips[1].sample(man.model.clips[1].duration);
+  const SkinningPose<double> pose = make_skinning_pose(man.model, man.sets, posture, variant.skinning);
+  const int node = man.tree.nodes[0].first_child;
+  const Ball3<double> ball = variant.refit(man.refit_node(node, pose, variant.pieces));
+
+  const std::vector<Point3> deformed = skin(man.model, man.sets, pose, variant.skinning);
+  int outside = 0;
+  for (const int v : man.vertices[node]) outside += (deformed[v] - ball.center).norm() > ball.radius * (1 + 1e-12);
+  std::printf("%s: radius %.3f, %zu vertices, %d outside\n", variant.name.c_str(), ball.radius, man.vertices[node].size(),
+              outside);
+  if (outside || man.vertices[node].empty() || !(ball.radius > 0)) return 1;
+  if (!products_are_rounded()) return std::puts("compiled with fused multiply-add"), 1;
+
+  // Lemma 5 in exact numbers: the printed ball of half a sphere and more misses the apex, the repaired one does not.
+  const Cap<Rational, 2> cap{{Rational(0), Rational(0)}, {Rational(1), Rational(0)}, Rational(-3, 5)};
+  const bool refuted = cap_ball_encloses_printed(cap, cap.apex) == Verdict::fails;
+  return refuted && cap_ball_encloses_repaired(cap, cap.apex) == Verdict::holds ? 0 : 1;
+}
