@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <iostream>
 
+#include "algorithms/model/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
@@ -35,6 +37,7 @@ struct Options {
   refitlab::TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
   refitlab::QuerySettings queries;
   bool anew = false;
+  refitlab::CertificateRequest certificate;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
   }
@@ -72,12 +75,22 @@ bool parse(int argc, char** argv, Options& o) {
       "only", po::value(&o.only)->multitoken(), ("experiments to run, of: " + names).c_str())(
       "quick", "few sampled times per clip, short timings: a smoke run")("full", "many sampled times per clip, long timings")(
       "anew", "run everything, also what an earlier run of this very program finished with the same options and models")(
-      "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated");
+      "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated")(
+      "certificate", po::value(&o.certificate.file),
+      "write why a refitted ball holds its vertices to this file, and do nothing else; of the model given, or the procedural man")(
+      "node", po::value(&o.certificate.node), "of the certificate: in the sphere tree, 0 being its root")(
+      "clip", po::value(&o.certificate.clip), "of the certificate: the first unless given")(
+      "time", po::value(&o.certificate.seconds), "of the certificate: seconds into the clip")(
+      "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, description), map);
   po::notify(map);
   if (map.count("help")) return std::cout << description, false;
   o.anew = map.count("anew");
+  for (const char* name : {"node", "clip", "time", "variant"})
+    if (map.count(name) && !map.count("certificate")) throw po::error(std::string("--") + name + " is for --certificate");
+  if (map.count("certificate") && o.certificate.file.empty()) throw po::error("--certificate takes a file to write");
+  if (map.count("certificate") && o.files.size() > 1) throw po::error("--certificate is of one --model");
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
   if (map.count("quick")) o.effort = "quick";
   if (map.count("full")) o.effort = "full";
@@ -177,6 +190,10 @@ int main(int argc, char** argv) try {
   using namespace refitlab;
   Options options;
   if (!parse(argc, argv, options)) return 0;
+  if (!options.certificate.file.empty()) {
+    write_certificate(options.certificate, options.files.empty() ? make_man() : load_named(options.files[0]));
+    return 0;
+  }
 
   DefaultModels models;
   const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") || options.wants("rounding") ||

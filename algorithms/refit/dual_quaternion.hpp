@@ -74,6 +74,24 @@ class DualQuaternionPiece {
 
   bool is_bounded() const { return is_bounded_; }
 
+  // The corners' mean, and while a corner is behind it a few steps towards the point of their hull that is nearest to 0
+  // [Gilbert 1966], which all corners are ahead of unless it is 0.
+  static Quaternion<S> axis_of(std::span<const Corner> corner) {
+    Quaternion<S> axis = Quaternion<S>::Constant(S(0));
+    for (const Corner& c : corner) axis = axis + c.rotation;
+    axis = axis / S(static_cast<double>(corner.size()));
+    for (int step = 0; step < axis_steps && !is_ahead(corner, axis); ++step) {
+      const Corner* last = &corner[0];
+      for (const Corner& c : corner)
+        if (prefer_less(S(dot(c.rotation, axis)), S(dot(last->rotation, axis)))) last = &c;
+      const Quaternion<S> edge = last->rotation - axis;
+      const S squared_length = squared_norm(edge);
+      if (!certainly_less(S(0), squared_length)) break;
+      axis = axis + edge * min_of(S(-dot(edge, axis) / squared_length), S(1));
+    }
+    return axis;
+  }
+
  private:
   static constexpr int axis_steps = 6;
   // Of an angle to the axis, and of a corner's squared length. Less may be made by rounding.
@@ -104,24 +122,6 @@ class DualQuaternionPiece {
       if (!certainly_less(S(least_squared_corner), squared_norm(c.rotation))) return false;
     }
     return true;
-  }
-
-  // The corners' mean, and while a corner is behind it a few steps towards the point of their hull that is nearest to 0
-  // [Gilbert 1966], which all corners are ahead of unless it is 0.
-  static Quaternion<S> axis_of(std::span<const Corner> corner) {
-    Quaternion<S> axis = Quaternion<S>::Constant(S(0));
-    for (const Corner& c : corner) axis = axis + c.rotation;
-    axis = axis / S(static_cast<double>(corner.size()));
-    for (int step = 0; step < axis_steps && !is_ahead(corner, axis); ++step) {
-      const Corner* last = &corner[0];
-      for (const Corner& c : corner)
-        if (prefer_less(S(dot(c.rotation, axis)), S(dot(last->rotation, axis)))) last = &c;
-      const Quaternion<S> edge = last->rotation - axis;
-      const S squared_length = squared_norm(edge);
-      if (!certainly_less(S(0), squared_length)) break;
-      axis = axis + edge * min_of(S(-dot(edge, axis) / squared_length), S(1));
-    }
-    return axis;
   }
 
   const Vec<S, 3> point_;

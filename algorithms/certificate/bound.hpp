@@ -1,0 +1,35 @@
+// Bound: how it can be proved that a ball holds all that skinning makes of a piece, found by trying exactly.
+//
+// A refit's own bound is always among those tried (its axes, and its simplices halved at the same edges), so a ball that a
+// refit proves is found a bound. Balls from elsewhere (of batches, of descendants, of deformed vertices with a margin) are
+// found one too where these bounds are tight enough.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "algorithms/refit/refit_node.hpp"
+
+namespace refitlab {
+
+struct Bound {
+  enum class By {
+    control,        // the control points of all corners (b1, b2; s42 of linear blending)
+    cap,            // the rotations' cap about an axis (t3, b4), spherical blending only
+    all_rotations,  // the whole sphere of them (b4), spherical blending only
+    reach,          // b6, dual quaternions only
+    halves          // two simplices (b3): the middle of an edge stands in place of its first corner, and of its second
+  };
+  By by;
+  Quaternion<double> axis = identity_quaternion<double>();  // of cap and reach, of any length
+  Vec<double, 3> center = {0, 0, 0};                        // of reach
+  std::array<std::size_t, 2> edge = {0, 0};                 // of halves, whose bounds follow
+  std::vector<Bound> halves = {};
+};
+
+// Nothing if none of those tried proves it. All numbers are taken as exact rationals; they must be finite.
+std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning,
+                                const Ball3<double>& ball);
+
+}  // namespace refitlab

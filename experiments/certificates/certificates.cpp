@@ -1,0 +1,51 @@
+#include "experiments/certificates/certificates.hpp"
+
+#include <iostream>
+
+#include "algorithms/certificate/certificate.hpp"
+#include "algorithms/refit/character.hpp"
+#include "algorithms/results/result_file.hpp"
+
+namespace refitlab {
+namespace {
+
+const Clip* find_clip(const Model& model, const std::string& name) {
+  if (name.empty()) return model.clips.empty() ? nullptr : &model.clips[0];
+  std::string known;
+  for (const Clip& clip : model.clips) {
+    if (clip.name == name) return &clip;
+    known += (known.empty() ? "; there are: " : ", ") + clip.name;
+  }
+  throw std::invalid_argument(model.name + ": no clip named '" + name + "'" + known);
+}
+
+// A posture and its name in a sentence.
+std::pair<Posture, std::string> posture_of(const Model& model, const CertificateRequest& request) {
+  const Clip* clip = find_clip(model, request.clip);
+  if (!clip) return {reference_posture(model), "the reference posture"};
+  if (!(request.seconds >= 0 && request.seconds <= clip->duration))
+    throw std::invalid_argument(model.name + ", clip " + clip->name + ": it takes " + format_number(clip->duration) +
+                                " s, without a posture at " + format_number(request.seconds) + " s");
+  return {clip->sample(request.seconds), clip->name + " at " + format_number(request.seconds) + " s"};
+}
+
+}  // namespace
+
+void write_certificate(const CertificateRequest& request, Model model) {
+  const RefitVariant& variant = refit_variant(request.variant);
+  const auto [posture, name] = posture_of(model, request);
+  const Character character(std::move(model));
+  const auto nodes = character.tree.nodes.size();
+  if (request.node < 0 || static_cast<std::size_t>(request.node) >= nodes)
+    throw std::invalid_argument(character.model.name + ": no node " + std::to_string(request.node) + "; there are 0 to " +
+                                std::to_string(nodes - 1));
+  const std::string about =
+      "node " + std::to_string(request.node) + " of " + character.model.name + ", " + name + ", by " + variant.name;
+  const auto pose = make_skinning_pose(character.model, character.sets, posture, variant.skinning);
+  const auto node = character.refit_node(request.node, pose, variant.pieces);
+  write_whole(request.file, certificate(node, variant.skinning, variant.refit(node), about));
+  std::cout << "certificate of " << about << ": " << request.file << "\ncheck it: proptests/certificate/check "
+            << request.file << '\n';
+}
+
+}  // namespace refitlab

@@ -1,0 +1,546 @@
+// Certificates of refitted balls and their checker, proptests/certificate/check: what is true is accepted, whatever is
+// changed is noticed, and no bound proves what is false.
+#include "algorithms/certificate/certificate.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "algorithms/certificate/sha256.hpp"
+#include "algorithms/model/load.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/queries/refit_query.hpp"
+#include "algorithms/refit/algorithm1_printed.hpp"
+#include "algorithms/refit/character.hpp"
+#include "algorithms/skinning/blend.hpp"
+#include "proptests/counterexamples/algorithm1.hpp"
+#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/checked_folder.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using nlohmann::json;
+using oracle::CheckedFolder;
+using Numbers = std::vector<Rational>;
+
+// --- Documents ---
+
+// With the digest that fits: a forger can do that too.
+std::string sealed(json document) {
+  const auto text = [&] { return document.dump(1, ' ', true) + "\n"; };
+  document["digest"] = "";
+  document["digest"] = sha256(text());
+  return text();
+}
+
+Rational number(const json& x) { return Rational(x.get<std::string>()); }
+template <int D>
+Vec<Rational, D> vector(const json& x) {
+  Vec<Rational, D> out;
+  for (int i = 0; i < D; ++i) out[i] = number(x.at(i));
+  return out;
+}
+template <int D>
+json as_json(const Vec<Rational, D>& v) {
+  json out;
+  for (int i = 0; i < D; ++i) out.push_back(as_text(v[i]));
+  return out;
+}
+
+Skinning skinning_of(const json& document) {
+  return document["skinning"] == "linear"            ? Skinning::linear
+         : document["skinning"] == "dual_quaternion" ? Skinning::dual_quaternion
+                                                     : Skinning::spherical;
+}
+
+// What a document says of a joint-set.
+OwnedJointSetPose<Rational> pose_of(const json& set) {
+  OwnedJointSetPose<Rational> out;
+  for (std::size_t i = 0; i < set["rotations"].size(); ++i) {
+    out.transforms.push_back({vector<4>(set["rotations"][i]), {0, 0, 0}});
+    if (set.contains("translations")) out.transforms[i].translation = vector<3>(set["translations"][i]);
+    if (set.contains("center_images")) out.center_images.push_back(vector<3>(set["center_images"][i]));
+    if (set.contains("duals")) out.duals.push_back(vector<4>(set["duals"][i]));
+  }
+  if (set.contains("rotation_center")) out.rotation_center = vector<3>(set["rotation_center"]);
+  return out;
+}
+
+Ball3<Rational> ball_of(const json& ball) { return {vector<3>(ball["center"]), number(ball["radius"])}; }
+
+Ball3<Rational> exactly(const Ball3<double>& b) { return {convert<Rational>(b.center), Rational(b.radius)}; }
+
+bool same(const Ball3<Rational>& a, const Ball3<Rational>& b) { return a.center == b.center && a.radius == b.radius; }
+
+// The document is about this ball and these inputs, to the last bit.
+bool is_about(const json& document, const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball) {
+  bool all = skinning_of(document) == skinning && same(ball_of(document["ball"]), exactly(ball)) &&
+             document["pieces"].size() == node.joint_sets.size();
+  for (std::size_t i = 0; all && i < node.joint_sets.size(); ++i) {
+    const json& piece = document["pieces"][i];
+    const NodeJointSet& set = node.joint_sets[i];
+    const auto stated = pose_of(document["joint_sets"].at(piece["joint_set"].get<std::size_t>()));
+    const JointSetPose<double> pose = node.pose[set.joint_set];
+    all = same(ball_of(piece["reference"]), exactly(node.piece_reference(i))) &&
+          piece["corners"].size() == std::size_t(set.corner_count) && stated.transforms.size() == pose.transforms.size();
+    for (int k = 0; all && k < set.corner_count; ++k)
+      for (std::size_t j = 0; j < pose.transforms.size(); ++j)
+        all = all && number(piece["corners"][k].at(j)) == Rational(node.corner(set, k)[j]);
+    for (std::size_t j = 0; all && j < pose.transforms.size(); ++j) {
+      all = stated.transforms[j].rotation == convert<Rational>(pose.transforms[j].rotation);
+      if (skinning == Skinning::linear)
+        all = all && stated.transforms[j].translation == convert<Rational>(pose.transforms[j].translation);
+      if (skinning == Skinning::dual_quaternion) all = all && stated.duals[j] == convert<Rational>(pose.duals[j]);
+      if (skinning == Skinning::spherical) all = all && stated.center_images[j] == convert<Rational>(pose.center_images[j]);
+    }
+    if (skinning == Skinning::spherical) all = all && stated.rotation_center == convert<Rational>(pose.rotation_center);
+  }
+  return all;
+}
+
+// --- What is true ---
+
+// A refit in double may be short by rounding, relative to the coordinates' size.
+Ball3<double> enlarged(const Ball3<double>& ball, const RefitNode<double>& node) {
+  double size = ball.center.norm() + ball.radius;
+  for (const auto& set : node.joint_sets) {
+    const auto pose = node.pose[set.joint_set];
+    size = std::max(size, pose.rotation_center.norm() + node.reference.center.norm());
+  }
+  return {ball.center, ball.radius + 1e-12 * size};
+}
+
+// Puts the certificate of a variant's ball into the folder and returns it; a null document if the ball is all of space.
+json certify(CheckedFolder& folder, const RefitVariant& variant, const RefitNode<double>& node) {
+  const Ball3<double> ball = enlarged(variant.refit(node), node);
+  if (std::isinf(ball.radius)) return {};
+  const std::string text = certificate(node, variant.skinning, ball, variant.name);
+  folder.add(text);
+  const json document = json::parse(text);
+  if (!is_about(document, node, variant.skinning, ball)) throw std::logic_error("the certificate is about something else");
+  return document;
+}
+
+void check_random_nodes() {
+  CheckedFolder folder;
+  for (int i = 0; i < 6; ++i) {
+    const auto c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
+    RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
+    const gen::NodeOf<double> node(c);
+    for (const RefitVariant& variant : refit_variants())
+      if (variant.sound) certify(folder, variant, node.node());
+  }
+  for (const auto& line : folder.check()) RC_ASSERT(line.is_accepted());
+}
+
+// Some nodes of a character in a posture, by every sound variant.
+Checked check_nodes(const Character& c, const Posture& posture, std::mt19937& random, int nodes) {
+  CheckedFolder folder;
+  for (int i = 0; i < nodes; ++i) {
+    const int n = i == 0 ? 0 : std::uniform_int_distribution<int>(0, static_cast<int>(c.tree.nodes.size()) - 1)(random);
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+      const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
+      for (const RefitVariant& variant : refit_variants())
+        if (variant.sound && variant.skinning == skinning) certify(folder, variant, c.refit_node(n, pose, variant.pieces));
+    }
+  }
+  long accepted = 0;
+  std::string reason;
+  const auto lines = folder.check();
+  for (const auto& line : lines) line.is_accepted() ? void(++accepted) : void(reason = line.text);
+  return Checked(accepted == long(lines.size()), accepted, reason);
+}
+
+Checked check_model(const Character& c) {
+  std::mt19937 random(2006);
+  const Clip& clip = c.model.clips.at(0);
+  return check_nodes(c, clip.sample(0.3718 * clip.duration), random, 5);
+}
+
+// --- What is changed ---
+
+// One change of some bytes, none of which is without effect.
+std::string with_other_bytes(const std::string& text, std::mt19937& random) {
+  const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  for (;;) {
+    std::string out = text;
+    const std::size_t at = pick(text.size());
+    switch (pick(6)) {
+      case 0: out[at] = static_cast<char>(pick(256)); break;
+      case 1: out[at] = static_cast<char>(out[at] ^ 1 << pick(8)); break;
+      case 2: out.erase(at, 1 + pick(40)); break;
+      case 3: out.insert(at, 1, "0123456789\"-/,[]{} \n"[pick(20)]); break;
+      case 4: out.resize(at); break;
+      default: out.insert(at, out.substr(pick(text.size()), 1 + pick(40)));
+    }
+    if (out != text) return out;
+  }
+}
+
+// Every value of a document, from the document itself down.
+void all_values(json& value, std::vector<json*>& out) {
+  out.push_back(&value);
+  if (value.is_structured())
+    for (json& v : value) all_values(v, out);
+}
+
+// One value becomes something else, by whatever shape it has.
+json with_other_value(json document, std::mt19937& random) {
+  const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  const json before = document;
+  while (document == before) {
+    std::vector<json*> values;
+    all_values(document, values);
+    json& value = *values[pick(values.size())];
+    const json others[] = {nullptr, true, 0, -1, 1.5, "", "1/0", "0/1", "-1", "1e3", "nan", json::array(), json::object(),
+                           std::string(5000, '7'), {"1", "2", "3"}, *values[pick(values.size())]};
+    if (pick(2) == 0 || !value.is_structured() || value.empty()) {
+      value = json(others[pick(std::size(others))]);
+    } else if (value.is_object()) {
+      const std::string key = std::next(value.begin(), static_cast<std::ptrdiff_t>(pick(value.size()))).key();
+      if (pick(2) == 0) value[key + "s"] = json(value[key]);
+      if (pick(2) == 0) value.erase(key);
+    } else {
+      const auto item = value.begin() + static_cast<std::ptrdiff_t>(pick(value.size()));
+      if (pick(2) == 0) value.push_back(json(*item));
+      else value.erase(item);
+    }
+  }
+  return document;
+}
+
+// --- What is false ---
+
+// The weights at which a piece is looked at: corners, points between two, the middle of all.
+std::vector<Numbers> sampled(const json& corners) {
+  std::vector<Numbers> out;
+  for (const json& corner : corners) {
+    out.emplace_back();
+    for (const json& w : corner) out.back().push_back(number(w));
+  }
+  const std::size_t m = out.size(), n = out[0].size();
+  Numbers middle(n, Rational(0));
+  for (std::size_t k = 0; k < m; ++k) {
+    for (std::size_t i = 0; i < n; ++i) middle[i] += out[k][i] / Rational(int(m));
+    for (std::size_t l = 0; l < k; ++l)
+      for (const int eighths : {1, 4, 6}) {
+        Numbers between;
+        for (std::size_t i = 0; i < n; ++i) between.push_back((out[k][i] * eighths + out[l][i] * (8 - eighths)) / 8);
+        out.push_back(between);
+      }
+  }
+  out.push_back(middle);
+  return out;
+}
+
+// Points of the reference ball whose images tell whether all of it is inside: of a rigid blend the image is a ball, and the
+// center's distance and r are enough; of a linear one its center and the six ends of its axes are looked at.
+struct Image {
+  Vec<Rational, 3> position;
+  Rational margin;
+};
+
+std::vector<Image> images_of(const json& document, const json& piece) {
+  const Skinning skinning = skinning_of(document);
+  const auto pose = pose_of(document["joint_sets"][piece["joint_set"].get<std::size_t>()]);
+  const auto reference = ball_of(piece["reference"]);
+  std::vector<Image> out;
+  for (const Numbers& w : sampled(piece["corners"])) {
+    if (skinning != Skinning::linear) {
+      if (squared_norm(blend_quaternion<Rational>(pose, w)) == 0) continue;
+      out.push_back({blend<Rational>(skinning, pose, w, reference.center), reference.radius});
+    } else {
+      for (int end = 0; end < 7; ++end) {
+        Vec<Rational, 3> v = reference.center;
+        if (end < 6) v[end / 2] += end % 2 ? reference.radius : -reference.radius;
+        out.push_back({blend_linear<Rational>(pose, w, v), Rational(0)});
+      }
+    }
+  }
+  return out;
+}
+
+// Some vertex is outside, decided exactly.
+bool is_false(const json& document) {
+  const auto ball = ball_of(document["ball"]);
+  for (const json& piece : document["pieces"])
+    for (const Image& image : images_of(document, piece))
+      if (encloses(ball, Ball3<Rational>{image.position, image.margin}) != Verdict::holds) return true;
+  return false;
+}
+
+// The least radius that the images seen allow, up to rounding.
+double needed_radius(const json& document) {
+  const auto center = vector<3>(document["ball"]["center"]);
+  double needed = 0;
+  for (const json& piece : document["pieces"])
+    for (const Image& image : images_of(document, piece)) {
+      const double apart = CGAL::to_double(squared_distance<Rational, 3>(center, image.position));
+      needed = std::max(needed, std::sqrt(apart) + CGAL::to_double(image.margin));
+    }
+  return needed;
+}
+
+class Forger {
+ public:
+  explicit Forger(std::mt19937& random) : random_(random) {}
+
+  // Inputs and bounds are changed or not, and then the radius is a little less than is needed.
+  json forge(json document) {
+    json& piece = document["pieces"][pick(document["pieces"].size())];
+    json& set = document["joint_sets"][piece["joint_set"].get<std::size_t>()];
+    const std::size_t joint = pick(set["rotations"].size());
+    switch (pick(8)) {
+      case 0: set["rotations"][joint] = as_json<4>(some_vector<4>()); break;  // a joint is turned
+      case 1: set["rotations"][joint] = negated(set["rotations"][joint]); break;
+      case 2: move(set, joint); break;
+      case 3: widen(piece["corners"]); break;
+      case 4: piece["reference"]["radius"] = as_text(number(piece["reference"]["radius"]) + Rational(int(pick(3)), 8)); break;
+      case 5: piece["reference"]["center"] = as_json<3>(some_vector<3>()); break;
+      case 6: document["ball"]["center"] = as_json<3>(vector<3>(document["ball"]["center"]) + some_vector<3>() / 64); break;
+      default: break;
+    }
+    for (json& p : document["pieces"])
+      if (pick(2) == 0) p["bound"] = some_bound(document, p, 3);
+    const double gap = std::pow(10., -3. - double(pick(6)));
+    document["ball"]["radius"] = as_text(Rational(needed_radius(document) * (1 - gap)));
+    return document;
+  }
+
+ private:
+  std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+
+  template <int D>
+  Vec<Rational, D> some_vector() {
+    Vec<Rational, D> v;
+    for (int i = 0; i < D; ++i) v[i] = Rational(int(pick(17)) - 8, 8);
+    return v;
+  }
+  static json negated(const json& q) { return as_json<4>(-vector<4>(q)); }
+
+  void move(json& set, std::size_t joint) {
+    if (set.contains("duals")) {
+      set["duals"][joint] = as_json<4>(some_vector<4>());
+    } else {
+      const char* data = set.contains("translations") ? "translations" : "center_images";
+      set[data][joint] = as_json<3>(vector<3>(set[data][joint]) + some_vector<3>());
+    }
+  }
+  // A corner becomes a corner of the whole simplex.
+  void widen(json& corners) {
+    json& corner = corners[pick(corners.size())];
+    const std::size_t n = corner.size(), one = pick(n);
+    for (std::size_t i = 0; i < n; ++i) corner[i] = i == one ? "1" : "0";
+  }
+
+  // Any bound that has the shape of one: also a kept one whose halves are cut.
+  json some_bound(const json& document, const json& piece, int depth) {
+    const std::size_t m = piece["corners"].size();
+    if (pick(4) == 0 && piece["bound"].contains("halves")) return piece["bound"]["halves"][pick(2)];
+    if (depth > 0 && pick(3) == 0 && document["skinning"] != "linear")
+      return {{"by", "halves"}, {"edge", {pick(m), pick(m)}},
+              {"halves", {some_bound(document, piece, depth - 1), some_bound(document, piece, depth - 1)}}};
+    const auto& rotations = document["joint_sets"][piece["joint_set"].get<std::size_t>()]["rotations"];
+    const json axis = pick(2) ? as_json<4>(some_vector<4>()) : rotations[pick(rotations.size())];
+    switch (document["skinning"] == "linear" ? 0 : pick(document["skinning"] == "spherical" ? 4 : 2)) {
+      case 0: return {{"by", "control"}};
+      case 1:
+        if (document["skinning"] == "dual_quaternion") return {{"by", "reach"}, {"axis", axis}, {"center", document["ball"]["center"]}};
+        return {{"by", "all_rotations"}};
+      default: return {{"by", "cap"}, {"axis", axis}};
+    }
+  }
+
+  std::mt19937& random_;
+};
+
+// Certificates of random nodes, small ones.
+std::vector<json> some_certificates() {
+  CheckedFolder folder;
+  std::vector<json> out;
+  const auto c = gen::rounded_to_double(*gen::refit_case(*rc::gen::element(gen::Turns::any, gen::Turns::moderate)));
+  const gen::NodeOf<double> node(c);
+  for (const char* name : {"linear", "spherical_repaired", "control_exact", "dual_quaternion_control_near"})
+    if (json document = certify(folder, refit_variant(name), node.node()); !document.is_null()) out.push_back(document);
+  return out;
+}
+
+struct Malformed {
+  const char* what;
+  std::function<std::string(const json&)> made;
+  const char* reason;
+};
+
+Checked check_malformed() {
+  const auto c = gen::rounded_to_double(counterexamples::algorithm1()[0].input);
+  const gen::NodeOf<double> node(c);
+  CheckedFolder whole;
+  const json good = certify(whole, refit_variant("control_exact"), node.node());
+  const auto with = [](const char* pointer, const json& value) {
+    return [=](const json& document) {
+      json changed = document;
+      changed[json::json_pointer(pointer)] = value;
+      return sealed(changed);
+    };
+  };
+  const auto without = [](const char* owner, const char* key) {
+    return [=](const json& document) {
+      json changed = document;
+      changed[json::json_pointer(owner)].erase(key);
+      return sealed(changed);
+    };
+  };
+  const auto text = [](const std::string& text) { return [=](const json&) { return text; }; };
+  const Malformed list[] = {
+      {"an empty file", text(""), "Expecting value"},
+      {"no JSON", text("{\"about\": "), "Expecting value"},
+      {"no object", text("[]\n"), "canonical"},
+      {"no ASCII", text("\xc3\xa4"), "ascii"},
+      {"NaN", text("{\n \"ball\": NaN\n}\n"), "digest"},
+      {"lists in lists without end", text(std::string(100000, '[')), "recursion"},
+      {"other white space", [](const json& d) { return sealed(d) + "\n"; }, "canonical"},
+      {"a key twice", [](const json& d) { return "{\n \"about\": \"\"," + sealed(d).substr(1); }, "canonical"},
+      {"a digest left out", [](const json& d) { json e = d; e.erase("digest"); return e.dump(1) + "\n"; }, "digest"},
+      {"a change without its digest", [](const json& d) { json e = d; e["about"] = ""; return e.dump(1) + "\n"; }, "digest"},
+      {"a skinning of another kind", with("/skinning", "hejl"), "skinning is none"},
+      {"a skinning that is no text", with("/skinning", {"linear"}), "skinning is none"},
+      {"no ball", without("", "ball"), "certificate has not the members"},
+      {"something more", with("/more", 1), "certificate has not the members"},
+      {"pieces that are none", with("/pieces", json::array()), "certificate.pieces is no list"},
+      {"a ball that is a list", with("/ball", {"0", "0", "0", "1"}), "certificate.ball has not the members"},
+      {"a number without quotes", with("/ball/radius", 2), "certificate.ball.radius is no"},
+      {"a decimal", with("/ball/radius", "1.5"), "certificate.ball.radius is no"},
+      {"a zero denominator", with("/ball/radius", "1/0"), "certificate.ball.radius is no"},
+      {"a number too long to read", with("/ball/radius", std::string(4001, '1')), "certificate.ball.radius is no"},
+      {"digits that are not ASCII", with("/ball/radius", "\xd9\xa3"), "certificate.ball.radius is no"},
+      {"a center in the plane", with("/ball/center", {"0", "0"}), "certificate.ball.center has 2 items, not 3"},
+      {"a joint-set without rotations", without("/joint_sets/0", "rotations"), "joint_sets[0] has not the members"},
+      {"a joint-set number that is true", with("/pieces/0/joint_set", true), "joint_set is no int"},
+      {"a joint-set that is not there", with("/pieces/0/joint_set", 1), "pieces[0]: joint_set is none of them"},
+      {"a joint-set counted from the end", with("/pieces/0/joint_set", -1), "pieces[0]: joint_set is none of them"},
+      {"more images than joints", with("/joint_sets/0/center_images/4", {"0", "0", "0"}), "lists differ in length"},
+      {"a corner of one weight", with("/pieces/0/corners/0", {"1"}), "weights are not convex"},
+      {"a weight below 0", with("/pieces/0/corners/0", {"2", "-1", "0", "0"}), "weights are not convex"},
+      {"weights of sum 2", with("/pieces/0/corners/0", {"1", "1", "0", "0"}), "weights are not convex"},
+      {"a reference ball of radius -1", with("/pieces/0/reference/radius", "-1"), "reference.radius is negative"},
+      {"a ball of radius -1", with("/ball/radius", "-1"), "smaller than the reference"},
+      {"a bound that is a text", with("/pieces/0/bound", "control"), "bound is no dict"},
+      {"a bound by nothing", with("/pieces/0/bound", json::object()), "bound.by is no bound"},
+      {"a bound by a list", with("/pieces/0/bound", {{"by", {"control"}}}), "bound.by is no bound"},
+      {"a bound of another skinning", with("/pieces/0/bound", {{"by", "reach"}}), "bound.by is no bound"},
+      {"a cap without axis", with("/pieces/0/bound", {{"by", "cap"}}), "bound has not the members"},
+      {"a cap about 0", with("/pieces/0/bound", {{"by", "cap"}, {"axis", {"0", "0", "0", "0"}}}), "not ahead"},
+      {"halves of no edge", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 99}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}), "edge ends at no corner"},
+      {"one half", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 1}}, {"halves", {good["pieces"][0]["bound"]}}}), "has 1 items, not 2"},
+  };
+  CheckedFolder folder;
+  folder.add(sealed(good));
+  for (const Malformed& m : list) folder.add(m.made(good));
+  const auto lines = folder.check();
+  if (!lines[0].is_accepted()) return Checked(false, 0, lines[0].text);
+  for (std::size_t i = 0; i < std::size(list); ++i)
+    if (!lines[i + 1].is_rejected_for(list[i].reason)) return Checked(false, long(i), list[i].what + (": " + lines[i + 1].text));
+  return Checked(true, std::size(list));
+}
+
+}  // namespace
+
+PROPTEST(certificate) {
+  const Options exact{.form = "", .number_type = "double against rational"};
+  t.holds("random nodes have certificates by every sound variant, and all are accepted",
+          {.number_type = "double against rational", .cases = 15, .degenerate_at_least = 0.3}, check_random_nodes);
+  t.holds("nodes of random meshes have certificates by every sound variant, and all are accepted",
+          {.number_type = "double against rational", .cases = 12, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Character c(gen::make_mesh(plan));
+            std::mt19937 random(plan.seed);
+            const auto posture = gen::random_posture(c.model, random, *rc::gen::element(0.0, 0.3, 1.0));
+            const auto checked = check_nodes(c, posture, random, 2);
+            if (!checked.passed) RC_FAIL(checked.detail);
+          });
+  t.example("five nodes of the procedural man have certificates by every sound variant, and all are accepted", exact,
+            [] { return check_model(Character(make_man())); });
+  t.example("five nodes of the procedural creature have certificates by every sound variant, and all are accepted", exact,
+            [] { return check_model(Character(make_creature())); });
+  for (const char* file : {"BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"})
+    t.example("five nodes have certificates by every sound variant, and all are accepted: " + std::string(file), exact, [=] {
+      const std::string path = std::string("out/models/") + file;
+      return std::filesystem::exists(path) ? check_model(Character(load_model(path)))
+                                           : Checked(true, 0, "skipped: " + path + " is not there");
+    });
+
+  t.example("Algorithm 1's balls as printed have no proof on its pinned counterexamples, and forged ones are rejected", {}, [] {
+    CheckedFolder folder;
+    long refused = 0;
+    for (const auto& pinned : counterexamples::algorithm1()) {
+      const auto c = gen::rounded_to_double(pinned.input);
+      const gen::NodeOf<double> storage(c);
+      const auto node = storage.node();
+      RefitLists<double> lists;
+      const auto ball = refit_algorithm1_printed<MeanBalls>(node, Signs::of_matrices, lists);
+      try {
+        certificate(node, Skinning::spherical, ball, pinned.finding);
+        return Checked(false, refused, pinned.finding);
+      } catch (const NoProof&) {
+        CheckedFolder sound;
+        json forged = certify(sound, refit_variant("control_exact"), node);
+        forged["ball"] = {{"center", as_json<3>(convert<Rational>(ball.center))}, {"radius", as_text(Rational(ball.radius))}};
+        folder.add(sealed(forged));
+      } catch (const std::invalid_argument&) {  // not a number
+      }
+      ++refused;
+    }
+    for (const auto& line : folder.check())
+      if (!line.is_rejected()) return Checked(false, refused, line.text);
+    return Checked(refused == 5 && folder.size() > 0, refused, std::to_string(folder.size()) + " forged");
+  });
+  t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);
+  t.example("an unreadable file and none at all are told from rejected ones by the exit status", {}, [] {
+    CheckedFolder folder;
+    return oracle::run_checker("").status == 2 && oracle::run_checker(folder.path() + "/absent.json").status == 2 &&
+           oracle::run_checker(folder.path()).status == 2;
+  });
+
+  static long changed = 0, forged = 0;
+  t.holds("whatever bytes or values are changed, the certificate is rejected, with a reason", {.cases = 25}, [] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    CheckedFolder folder;
+    for (const json& document : some_certificates())
+      for (int i = 0; i < 8; ++i) {
+        folder.add(with_other_bytes(sealed(document), random));
+        folder.add(with_other_value(document, random).dump(1, ' ', true) + "\n");
+      }
+    for (const auto& line : folder.check()) RC_ASSERT(line.is_rejected());
+    changed += static_cast<long>(folder.size());
+  });
+  t.holds("with a new digest, changed values are accepted or rejected, with a reason", {.cases = 25}, [] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    CheckedFolder folder;
+    std::vector<json> documents;
+    for (const json& document : some_certificates())
+      for (int i = 0; i < 10; ++i) folder.add(sealed(documents.emplace_back(with_other_value(document, random))));
+    const auto lines = folder.check();
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      RC_ASSERT(lines[i].is_rejected() || (lines[i].is_accepted() && !is_false(documents[i])));
+  });
+  t.holds("no bound proves a ball a little too small, whatever else is forged", {.cases = 40}, [] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    CheckedFolder folder;
+    Forger forger(random);
+    for (const json& document : some_certificates())
+      for (int i = 0; i < 10; ++i)
+        if (const json false_one = forger.forge(document); is_false(false_one)) folder.add(sealed(false_one));
+    for (const auto& line : folder.check()) RC_ASSERT(line.is_rejected());
+    forged += static_cast<long>(folder.size());
+  });
+  t.example("that were 1000 changes and 1000 forgeries at least", {}, [] {
+    return Checked(changed >= 1000 && forged >= 1000, changed + forged,
+                   std::to_string(changed) + " changes, " + std::to_string(forged) + " forgeries");
+  });
+}
+
+}  // namespace proptests

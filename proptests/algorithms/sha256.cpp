@@ -1,0 +1,25 @@
+// SHA-256 on the examples of its standard and at the borders of its blocks.
+#include "algorithms/certificate/sha256.hpp"
+
+#include "proptests/harness.hpp"
+
+namespace proptests {
+
+using refitlab::sha256;
+
+PROPTEST(sha256) {
+  t.example("the examples of FIPS 180-4", {}, [] {
+    return sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad" &&
+           sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+               "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1" &&
+           sha256(std::string(1000000, 'a')) == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0";
+  });
+  t.example("nothing, and messages whose padding just fits into the last block and just does not", {}, [] {
+    return sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855" &&
+           sha256(std::string(55, 'a')) == "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318" &&
+           sha256(std::string(56, 'a')) == "b35439a4ac6f0948b6d6f9e3c6af0f5f590ce20f1bde7090ef7970686ec6738a" &&
+           sha256(std::string(64, 'a')) == "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb";
+  });
+}
+
+}  // namespace proptests

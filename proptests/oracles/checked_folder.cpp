@@ -1,0 +1,65 @@
+#include "proptests/oracles/checked_folder.hpp"
+
+#include <stdlib.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace proptests::oracle {
+
+namespace fs = std::filesystem;
+
+CheckerRun run_checker(const std::string& path) {
+  std::FILE* pipe = ::popen(("python3 proptests/certificate/check " + path + " 2>&1").c_str(), "r");
+  if (!pipe) throw std::runtime_error("cannot run proptests/certificate/check");
+  std::string text;
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);
+  const int status = ::pclose(pipe);
+  CheckerRun run{WIFEXITED(status) ? WEXITSTATUS(status) : -1, {}};
+  for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+    end = std::min(text.find('\n', at), text.size());
+    run.lines.push_back(text.substr(at, end - at));
+  }
+  return run;
+}
+
+CheckedFolder::CheckedFolder() : path_((fs::temp_directory_path() / "certificates-XXXXXX").string()) {
+  if (!::mkdtemp(path_.data())) throw std::runtime_error(path_ + ": cannot make the folder");
+}
+
+CheckedFolder::~CheckedFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string CheckedFolder::file(std::size_t number) const {
+  std::string name = std::to_string(number);
+  name.insert(0, 6 - name.size(), '0');
+  return path_ + "/" + name + ".json";
+}
+
+void CheckedFolder::add(const std::string& text) { std::ofstream(file(count_++), std::ios::binary) << text; }
+
+std::vector<CheckedLine> CheckedFolder::check() const {
+  if (count_ == 0) return {};
+  const CheckerRun run = run_checker(path_);
+  std::vector<CheckedLine> out;
+  bool all_accepted = true;
+  for (const std::string& line : run.lines) {
+    const std::string start = file(out.size()) + ": ";
+    if (out.size() == count_ || !line.starts_with(start)) throw std::runtime_error("the checker says: " + line);
+    out.push_back({line.substr(start.size())});
+    if (!out.back().is_accepted() && !out.back().is_rejected()) throw std::runtime_error("the checker says: " + line);
+    all_accepted = all_accepted && out.back().is_accepted();
+  }
+  if (out.size() != count_ || run.status != (all_accepted ? 0 : 1))
+    throw std::runtime_error("the checker ends with status " + std::to_string(run.status) + " after " +
+                             std::to_string(out.size()) + " of " + std::to_string(count_) + " files");
+  return out;
+}
+
+}  // namespace proptests::oracle

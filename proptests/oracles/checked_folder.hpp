@@ -1,0 +1,48 @@
+// Running proptests/certificate/check on certificates in a folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace proptests::oracle {
+
+struct CheckerRun {
+  int status;
+  std::vector<std::string> lines;  // of both its streams
+};
+// From the root of the repository, as the tests are run.
+CheckerRun run_checker(const std::string& path);
+
+// What the checker says of a file.
+struct CheckedLine {
+  std::string text;
+  bool is_accepted() const { return text.starts_with("accepted: "); }
+  bool is_rejected() const { return text.starts_with("rejected: "); }
+  bool is_rejected_for(const std::string& reason) const {
+    return is_rejected() && text.find(reason) != std::string::npos;
+  }
+};
+
+// A folder of its own, gone afterwards.
+class CheckedFolder {
+ public:
+  CheckedFolder();
+  CheckedFolder(const CheckedFolder&) = delete;
+  ~CheckedFolder();
+
+  void add(const std::string& text);
+  std::size_t size() const { return count_; }
+  const std::string& path() const { return path_; }
+
+  // A line for each file, in the order in which they were added. Throws std::runtime_error if the checker says anything
+  // else, such as a traceback, or if its exit status is not that of its lines.
+  std::vector<CheckedLine> check() const;
+
+ private:
+  std::string file(std::size_t number) const;
+
+  std::string path_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace proptests::oracle
