@@ -139,9 +139,9 @@ void Reach::add_about_centers(const Group& g, const Posture& posture, const Quat
 
 Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
   ReachBounds bounds;
-  reach_kernels(target).bound(posture[0].rotation.data(), static_cast<int>(posture.size()), placement.rotation.data(), packs_.data(),
-                              static_cast<int>(packs_.size()), strays(), numbers_.data()->lane.data(), joint_room_,
-                              bounds, unbounded_.data());
+  reach_kernels(target).bound(posture[0].rotation.data(), static_cast<int>(posture.size()), placement.rotation.data(),
+                              packs_.data(), static_cast<int>(packs_.size()), strays(), numbers_.data()->lane.data(),
+                              joint_room_, bounds, unbounded_.data());
   const float defect = bounds.high[3], squared_farthest = -bounds.low[3];
   const bool is_finite = squared_farthest < infinite;
   is_rigid = is_finite && defect <= surely_rigid;

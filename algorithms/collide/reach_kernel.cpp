@@ -98,8 +98,7 @@ void place(const Joints<few>& joints, const double* rotation, Bounds& bounds) {
 
 // The lanes from first on; which of them are unbounded.
 template <int slots, bool strays, bool few>
-typename S::mask_type add(const ReachPack& pack, int first, const Joints<few>& joints,
-                          Bounds& bounds) {
+typename S::mask_type add(const ReachPack& pack, int first, const Joints<few>& joints, Bounds& bounds) {
   const Point f(load(pack.center[0] + first), load(pack.center[1] + first), load(pack.center[2] + first));
   const Transform joint = joints.of_lanes(pack.joint[0] + first);
   const Point image = apply(joint, f);
@@ -140,14 +139,13 @@ typename S::mask_type add(const ReachPack& pack, int first, const Joints<few>& j
 }
 
 template <bool strays, bool few>
-void add_all(const Joints<few>& joints, const ReachPack* packs, int pack_count,
-             std::uint32_t* unbounded, Bounds& bounds) {
+void add_all(const Joints<few>& joints, const ReachPack* packs, int pack_count, std::uint32_t* unbounded,
+             Bounds& bounds) {
   for (int p = 0; p < pack_count; ++p) {
     unbounded[p] = 0;
     for (int first = 0; first < reach_lanes; first += width) {
-      const auto lanes = packs[p].slot_count <= 4
-                             ? add<4, strays>(packs[p], first, joints, bounds)
-                             : add<most_reach_joints, strays>(packs[p], first, joints, bounds);
+      const auto lanes = packs[p].slot_count <= 4 ? add<4, strays>(packs[p], first, joints, bounds)
+                                                  : add<most_reach_joints, strays>(packs[p], first, joints, bounds);
       if (any_of(lanes))
         for (int lane = 0; lane < width; ++lane)
           unbounded[p] |= static_cast<std::uint32_t>(lanes[lane]) << (first + lane);
@@ -170,7 +168,8 @@ void fold(const S (&rows)[4], float* out) {
     }
   }
   transpose(folded);
-  for (int i = 1; i < 4; ++i) folded[0] = (least ? folded[i] < folded[0] : folded[i] > folded[0]) ? folded[i] : folded[0];
+  for (int i = 1; i < 4; ++i)
+    folded[0] = (least ? folded[i] < folded[0] : folded[i] > folded[0]) ? folded[i] : folded[0];
   std::memcpy(out, &folded[0], sizeof(Four));
 }
 

@@ -1,16 +1,16 @@
 // The kernel of Reach: sixteen groups of joint-sets side by side, and before that all joints side by side.
 //
-// Rounding. u = 2^-24. A joint's quaternion and the placement's are off by u a component when they come as floats, their
-// product by 6 u a component, 12 u in all. With it a point f, itself off by 2 u ||f||, is turned wrongly by at most 4 * 12 u
-// ||f|| and by 20 u ||f|| in turning; the joint's translation t likewise, and the sum of both by u: below 80 u (||f|| +
-// ||t||). Quaternions whose squared lengths are off by 1e-6 each turn by what is off by 2e-6 = 34 u of f and t, the joint's,
-// the placement's and, in blending, the skinning's: an image is off by e < 182 u (||f|| + ||t||). A, of n images, is off by
-// at most sqrt(n (n - 1) / 2) 2 e, and what it is multiplied by is less than 0.82: all that is lost of a bound is below
-// (1 + 1.16 n [n > 1]) e < 512 u n (||f|| + ||t||) = lost n (||f|| + ||t||).
-// A^2 = n sum ||y_k||^2 - ||sum y_k||^2, with y_k = x_k - x_1 the images seen from the first. n sum ||y_k||^2 is at most n A^2,
-// since A^2 has the squares among its summands: A comes out within n (n + 8) u / 2 of itself. A dot product is off by 30 u,
-// which is less than `positive`, and the root of 1 - c by 2e-3. Both are a small part of off_unit A. Products and sums
-// that are fused (CMakeLists.txt) lose less.
+// Rounding. u = 2^-24. A joint's quaternion and the placement's are off by u a component when they come as floats,
+// their product by 6 u a component, 12 u in all. With it a point f, itself off by 2 u ||f||, is turned wrongly by at
+// most 4 * 12 u ||f||, and by 20 u ||f|| in turning; the joint's translation t likewise, and the sum of both by u: below
+// 80 u (||f|| + ||t||). Quaternions whose squared lengths are off by 1e-6 each turn by what is off by 2e-6 = 34 u of f
+// and t, the joint's, the placement's and, in blending, the skinning's: an image is off by e < 182 u (||f|| + ||t||).
+// A, of n images, is off by at most sqrt(n (n - 1) / 2) 2 e, and what it is multiplied by is less than 0.82: all that is
+// lost of a bound is below (1 + 1.16 n [n > 1]) e < 512 u n (||f|| + ||t||) = lost n (||f|| + ||t||).
+// A^2 = n sum ||y_k||^2 - ||sum y_k||^2, with y_k = x_k - x_1 the images seen from the first. n sum ||y_k||^2 is at most
+// n A^2, since A^2 has the squares among its summands: A comes out within n (n + 8) u / 2 of itself. A dot product is off
+// by 30 u, which is less than `positive`, and the root of 1 - c by 2e-3. Both are a small part of off_unit A. Products
+// and sums that are fused (CMakeLists.txt) lose less.
 #pragma once
 
 #include <cstdint>
