@@ -34,17 +34,16 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
 
 void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& placement) {
   check_placement(placement, "a body's placement");
-  check_posture(tree_.character().model, posture);
+  const Model& model = tree_.character().model;
+  bool is_rigid = posture.size() == model.joints.size();
+  const Box6 reach = is_rigid ? reach_.box(posture, placement, is_rigid) : no_box;
+  if (!is_rigid) check_posture(model, posture);
   posture_ = posture;
   placement_ = placement;
-  is_reach_made_ = is_pose_made_ = are_floats_filled_ = false;
+  reach_box_ = reach;
+  is_pose_made_ = are_floats_filled_ = false;
   fans_made_.begin(), clusters_made_.begin(), groups_made_.begin();
   nodes_bounded_ = clusters_skinned_ = corners_skinned_ = 0;
-}
-
-const Box6& ClusterBody::reach() {
-  if (!is_reach_made_) reach_box_ = reach_.box(posture_, placement_), is_reach_made_ = true;
-  return reach_box_;
 }
 
 const SkinningPose<double>& ClusterBody::pose() {

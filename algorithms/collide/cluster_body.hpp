@@ -23,7 +23,7 @@ class ClusterBody {
   const ClusterTree& tree() const { return tree_; }
 
   // A box in the world around all of it, from the joints alone; see Reach.
-  const Box6& reach();
+  const Box6& reach() const { return reach_box_; }
 
   // Boxes in the world around all vertices below: of a fan's children, in blocks, and of one of them.
   const BoxBlock* fan_boxes(int fan);
@@ -68,14 +68,14 @@ class ClusterBody {
   const ClusterTree& tree_;
   const Skinning skinning_;
   const BoxKernels& kernels_;
-  const Reach reach_;
+  Reach reach_;
   const PosePacks pose_packs_;
   Posture posture_;
   RigidTransform<double> placement_;
   Box6 reach_box_;
   SkinningPose<double> pose_;
   JointFloats joints_;
-  bool is_reach_made_ = false, is_pose_made_ = false, are_floats_filled_ = false;
+  bool is_pose_made_ = false, are_floats_filled_ = false;
   FrameStamps fans_made_, clusters_made_, groups_made_;
   std::vector<int> first_block_of_fan_;
   std::vector<BoxBlock> fan_blocks_;

@@ -1,34 +1,35 @@
 #include "algorithms/collide/reach.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/packs/look_up.hpp"
 #include "algorithms/skinning/rotation_center.hpp"
 
 namespace refitlab {
 namespace {
 
-// Of one group: more are bounded about their rotation centers.
-constexpr int most_straying_joints = 8;
-
-// What is between the lemma and the numbers here. Squared lengths of 1 +- 1e-6 turn by matrices that are off by 2e-6: a
-// joint's, the placement's, their product's; with what float loses, an image is off by less than this share of all
-// sizes, for each of the joints that A has.
-constexpr double lost = 0x1p-15;
-// The lemma wants a least-squares solution for a rotation center. Where rotation_center takes a direction as
-// undetermined, A lacks up to 2e-3 of f's distance from the prior for each joint. And the center itself may be 3e4 A
-// away, where 2e-6 of it are the most of this share of A.
-constexpr float off_unit = 0x1p-4f;
-// A dot product that is greater is positive in exact numbers too.
-constexpr float positive = 1e-5f;
+// Of all sizes, for each joint of a group: see reach_kernel.hpp.
+constexpr float lost = 0x1p-15;
+// Of what is greater squares may overflow.
+constexpr double largest = 1e15;
+// What float leaves of 1e-6 when it finds the squared length of a quaternion.
+constexpr float surely_rigid = 5e-7f, surely_not_rigid = 2e-6f;
 
 Box6 everything() { return {-infinite, -infinite, -infinite, infinite, infinite, infinite}; }
 
 }  // namespace
 
 Reach::Reach(const Model& model, const JointSets& sets, Skinning skinning)
-    : model_(model), sets_(sets), skinning_(skinning), groups_(make_groups()) {}
+    : model_(model),
+      sets_(sets),
+      skinning_(skinning),
+      joint_room_(look_up_room(static_cast<int>(model.joints.size()))),
+      groups_(make_groups()) {
+  pack();
+}
 
 std::vector<Reach::Group> Reach::make_groups() const {
   std::vector<std::vector<Point3>> vertices(sets_.count());
@@ -57,7 +58,7 @@ std::vector<Reach::Group> Reach::make_groups() const {
     bool is_other = false;
     for (int t = 0; t < sets_.count(); ++t) is_other = is_other || is_within(s, t);
     if (is_other) others.push_back(s);
-    else groups.push_back({{s}, ball_of({s}), {sets_.joints(s).begin(), sets_.joints(s).end()}, Four::Zero(), 0, 0});
+    else groups.push_back({{s}, ball_of({s}), {sets_.joints(s).begin(), sets_.joints(s).end()}, 0, 0});
   }
   // Each joins the group whose ball grows least.
   for (const int s : others) {
@@ -79,45 +80,47 @@ std::vector<Reach::Group> Reach::make_groups() const {
     const Point3& f = g.reference.center;
     double to_prior = 0;
     for (const int s : g.sets) to_prior = std::max(to_prior, (f - priors[s]).norm());
-    g.center << f.cast<float>().array(), 0.f;
     g.radius = static_cast<float>(g.reference.radius * (1 + lost) + lost * joints * f.norm());
-    g.unsolved = skinning_ == Skinning::spherical ? static_cast<float>(to_prior * joints / 64) : 0.f;
+    g.unsolved = skinning_ == Skinning::spherical && joints > 1 ? static_cast<float>(to_prior * joints / 64) : 0.f;
   }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.joints.size() > b.joints.size(); });
   return groups;
 }
 
-// False if nothing is known.
-template <bool strays>
-bool Reach::add(const Group& g, const Turned* turned, Bounds& bounds) {
-  const int n = static_cast<int>(g.joints.size());
-  if (strays && n > most_straying_joints) return false;
-  Four images[most_straying_joints], rotations[most_straying_joints];
-  Four low = Four::Constant(std::numeric_limits<float>::infinity()), high = -low, squared_a = Four::Zero();
-  float c = 1;
-  for (int k = 0; k < n; ++k) {
-    const Turned& t = turned[g.joints[k]];
-    const Four image = t.axes[0] * g.center[0] + t.axes[1] * g.center[1] + t.axes[2] * g.center[2] + t.origin;
-    low = low.min(image), high = high.max(image);
-    if constexpr (strays) {
-      images[k] = image, rotations[k] = t.rotation;
-      for (int l = 0; l < k; ++l) {
-        const float cosine = (rotations[l] * rotations[k]).sum();
-        if (l == 0 && cosine < 0) rotations[k] = -rotations[k];  // the skinning's sign
-        c = std::min(c, l == 0 ? std::abs(cosine) : cosine);
-        squared_a += (images[l] - image).square();
-      }
-    }
-  }
-  float reach = g.radius;
-  if (strays && n > 1) {
-    if (!(c > positive)) return false;
-    const float a = std::sqrt(squared_a.sum()) + g.unsolved;
-    reach += (0.75f * std::sqrt(std::max(1 - c, 0.f)) + off_unit) * a;
-  }
-  bounds.add(low - reach, high + reach);
-  return true;
-}
+bool Reach::strays() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion; }
 
+// What does not stray is in the hull of its joints' images, a few joints at a time.
+void Reach::pack() {
+  int lane = 0;
+  const auto add = [&](const Group& g, std::span<const int> joints) {
+    if (lane == 0) packs_.emplace_back().slot_count = static_cast<int>(joints.size());
+    ReachPack& pack = packs_.back();
+    for (int to = lane; to < reach_lanes; ++to) {  // the lanes behind are overwritten by the groups to come
+      for (int k = 0; k < most_reach_joints; ++k)
+        pack.joint[k][to] = joints[k < static_cast<int>(joints.size()) ? k : 0];
+      for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(g.reference.center[i]);
+      pack.radius[to] = g.radius, pack.unsolved[to] = g.unsolved;
+      pack.joint_count[to] = static_cast<float>(joints.size());
+      pack.group[to] = static_cast<std::int32_t>(&g - groups_.data());
+    }
+    lane = (lane + 1) % reach_lanes;
+  };
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const Group& g = groups_[i];
+    const std::span<const int> joints = g.joints;
+    most_joints_ = std::max(most_joints_, static_cast<int>(joints.size()));
+    is_bounded_ = is_bounded_ && g.reference.center.cwiseAbs().maxCoeff() < largest && g.reference.radius < largest;
+    if (strays() && joints.size() > most_reach_joints) {
+      others_.push_back(static_cast<int>(i));
+      continue;
+    }
+    for (std::size_t first = 0; first < joints.size(); first += most_reach_joints)
+      add(g, joints.subspan(first, std::min<std::size_t>(most_reach_joints, joints.size() - first)));
+  }
+  unbounded_.resize(packs_.size());
+  numbers_.resize(8 * joint_room_ / Lanes<float>::count);
+}
 // A vertex is within its distance to the rotation center of the hull of the center's images, whatever the rotations.
 void Reach::add_about_centers(const Group& g, const Posture& posture, const Quaternion<double>& rotation,
                               Box6& box) const {
@@ -134,50 +137,30 @@ void Reach::add_about_centers(const Group& g, const Posture& posture, const Quat
   }
 }
 
-Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement) const {
-  Four matrix[3];  // of the placement's rotation, its columns
-  for (int i = 0; i < 3; ++i)
-    matrix[i] << rotate<double>(placement.rotation, Point3::Unit(i)).cast<float>().array(), 0.f;
-  std::vector<Turned> turned(posture.size());
-  Four squared_rotations = Four::Zero(), squared_origins = Four::Zero();
-  for (std::size_t j = 0; j < posture.size(); ++j) {
-    Turned& t = turned[j];
-    const Quaternion<float> q = posture[j].rotation.cast<float>();
-    const Vec<float, 3> at = posture[j].translation.cast<float>();
-    const float w = q[0], x = q[1], y = q[2], z = q[3];
-    t.axes[0] =
-        matrix[0] * (1 - 2 * (y * y + z * z)) + matrix[1] * (2 * (x * y + w * z)) + matrix[2] * (2 * (x * z - w * y));
-    t.axes[1] =
-        matrix[0] * (2 * (x * y - w * z)) + matrix[1] * (1 - 2 * (x * x + z * z)) + matrix[2] * (2 * (y * z + w * x));
-    t.axes[2] =
-        matrix[0] * (2 * (x * z + w * y)) + matrix[1] * (2 * (y * z - w * x)) + matrix[2] * (1 - 2 * (x * x + y * y));
-    t.origin = matrix[0] * at[0] + matrix[1] * at[1] + matrix[2] * at[2];
-    t.rotation = q.array();
-    squared_rotations += t.rotation.square(), squared_origins += t.origin.square();
-  }
-  const float farthest = std::sqrt(squared_origins.sum());
-  // False for a NaN too, which minima would drop.
-  if (!(farthest < 1e15f && squared_rotations.sum() < infinite)) return everything();
-
-  Bounds bounds{Four::Constant(std::numeric_limits<float>::infinity()),
-                Four::Constant(-std::numeric_limits<float>::infinity())};
-  Box6 about_centers = no_box;
-  std::size_t most_joints = 1;
-  const bool strays = skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion;
-  for (const Group& g : groups_) {
-    most_joints = std::max(most_joints, g.joints.size());
-    if (strays ? add<true>(g, turned.data(), bounds) : add<false>(g, turned.data(), bounds)) continue;
-    if (skinning_ == Skinning::dual_quaternion) return everything();
-    add_about_centers(g, posture, placement.rotation, about_centers);
-  }
-  Box6 box;
+Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
+  ReachBounds bounds;
+  reach_kernels(target).bound(posture[0].rotation.data(), static_cast<int>(posture.size()), placement.rotation.data(),
+                              packs_.data(), static_cast<int>(packs_.size()), strays(), numbers_.data()->lane.data(),
+                              joint_room_, bounds, unbounded_.data());
+  const float defect = bounds.high[3], squared_farthest = -bounds.low[3];
+  const bool is_finite = squared_farthest < infinite;
+  is_rigid = is_finite && defect <= surely_rigid;
+  if (!(is_finite && defect <= surely_not_rigid && is_bounded_)) return everything();
+  Box6 box{bounds.low[0], bounds.low[1], bounds.low[2], bounds.high[0], bounds.high[1], bounds.high[2]};
+  const auto add_unbounded = [&](int group) {
+    if (skinning_ == Skinning::dual_quaternion) box = everything();
+    else add_about_centers(groups_[group], posture, placement.rotation, box);
+  };
+  for (const int group : others_) add_unbounded(group);
+  for (std::size_t p = 0; p < packs_.size(); ++p)
+    for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1)
+      add_unbounded(packs_[p].group[std::countr_zero(lanes)]);
+  const double farthest = std::sqrt(static_cast<double>(squared_farthest));
   for (int i = 0; i < 3; ++i) {
     const double at = placement.translation[i];
-    const double low = std::min<double>(bounds.low[i], about_centers[i]),
-                 high = std::max<double>(bounds.high[i], about_centers[3 + i]);
-    const double off = lost * static_cast<double>(most_joints) * farthest +
-                       1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
-    box[i] = low + at - off, box[3 + i] = high + at + off;
+    const double off =
+        lost * most_joints_ * farthest + 1e-14 * (std::max(std::abs(box[i]), std::abs(box[3 + i])) + std::abs(at));
+    box[i] += at - off, box[3 + i] += at + off;
   }
   return box;
 }

@@ -7,9 +7,9 @@
 // its f, and few groups are left.
 #pragma once
 
-#include <Eigen/Core>
-
 #include "algorithms/collide/box_kernel.hpp"
+#include "algorithms/collide/reach_kernel.hpp"
+#include "algorithms/packs/lanes.hpp"
 #include "algorithms/weights/joint_sets.hpp"
 
 namespace refitlab {
@@ -20,40 +20,43 @@ class Reach {
   Reach(const Model& model, const JointSets& sets, Skinning skinning);
 
   // In the world, around all that apply(placement, skin()) yields. posture and placement are rigid, as check_posture
-  // has it. Infinite where nothing is known: for dual quaternions more than half a turn apart, and for numbers that are
-  // not finite or beyond 1e15.
-  Box6 box(const Posture& posture, const RigidTransform<double>& placement) const;
+  // has it. Infinite where nothing is known: for dual quaternions more than half a turn apart, for numbers that are not
+  // finite or beyond 1e15, and for rotations that are not of unit length.
+  Box6 box(const Posture& posture, const RigidTransform<double>& placement, Target target = best_target()) {
+    bool is_rigid;
+    return box(posture, placement, is_rigid, target);
+  }
+  // The same; is_rigid says that check_posture has nothing against the posture. If not, only check_posture knows.
+  Box6 box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid,
+           Target target = best_target());
 
  private:
-  using Four = Eigen::Array4f;  // x, y, z and an unused fourth; or a quaternion
-
   // Joint-sets within one of them.
   struct Group {
     std::vector<int> sets;    // the largest first
     Ball3<double> reference;  // around their vertices: about f, which is the rotation center for Skinning::hejl
     std::vector<int> joints;
-    Four center;             // f
     float radius, unsolved;  // with what may be lost; what A may lack, see reach.cpp
-  };
-  // A joint's transform and then the placement's rotation.
-  struct Turned {
-    Four axes[3], origin, rotation;
-  };
-  struct Bounds {
-    Four low, high;
-    void add(const Four& l, const Four& h) { low = low.min(l), high = high.max(h); }
   };
 
   std::vector<Group> make_groups() const;
-  template <bool strays>
-  static bool add(const Group& group, const Turned* turned, Bounds& bounds);
+  void pack();
+  bool strays() const;
   void add_about_centers(const Group& group, const Posture& posture, const Quaternion<double>& rotation,
                          Box6& box) const;
 
   const Model& model_;
   const JointSets& sets_;
   const Skinning skinning_;
-  const std::vector<Group> groups_;
+  const int joint_room_;
+  std::vector<Group> groups_;  // those of most joints first
+  std::vector<ReachPack> packs_;
+  std::vector<int> others_;  // groups that have too many joints for a pack
+  int most_joints_ = 1;
+  bool is_bounded_ = true;
+  // Of the frame in work.
+  std::vector<Lanes<float>> numbers_;
+  std::vector<std::uint32_t> unbounded_;
 };
 
 }  // namespace refitlab

@@ -64,7 +64,7 @@ PROPTEST(reach) {
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.1, 0.5, 3.0);
             for (const Skinning skinning : all_skinnings) {
-              const Reach reach(model, sets, skinning);
+              Reach reach(model, sets, skinning);
               for (int frame = 0; frame < 4; ++frame) {
                 Posture posture = gen::random_posture(model, random, spread);
                 if (frame == 1) spoil_lengths(posture, random);
@@ -72,8 +72,10 @@ PROPTEST(reach) {
                 if (frame == 2)
                   for (auto& joint : posture) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
                 const auto placement = random_placement(random);
-                const Box6 box = reach.box(posture, placement);
-                RC_ASSERT(encloses(box, box_of_vertices(model, sets, posture, skinning, placement)));
+                const Box6 box = reach.box(posture, placement),
+                           of_vertices = box_of_vertices(model, sets, posture, skinning, placement);
+                for (const Target target : available_targets())
+                  RC_ASSERT(encloses(reach.box(posture, placement, target), of_vertices));
                 if (skinning != Skinning::dual_quaternion) RC_ASSERT(std::isfinite(widths(box)));
                 if (frame == 0) RC_TAG(std::isfinite(widths(box)) ? "bounded" : "unbounded");
               }
@@ -120,13 +122,58 @@ PROPTEST(reach) {
     }
     return Checked(ok && least > 1, 6, "blown up by at least " + std::to_string(least) + " times the bulge");
   });
+  t.example("a posture counts as rigid by itself only where check_posture has nothing against it", {}, [] {
+    const Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    const JointSets sets(model);
+    Reach reach(model, sets, Skinning::spherical);
+    long wrong = 0, tried = 0;
+    for (const double off : {0.0, 1e-7, -1e-7, 1e-6, -1e-6, 1.01e-6, -1.01e-6, 1e-5, -1e-5, 0.1, -0.1, -1.0})
+      for (std::size_t joint = 0; joint < model.joints.size(); ++joint)
+        for (const Target target : available_targets()) {
+          Posture posture = reference_posture(model);
+          posture[joint].rotation *= std::sqrt(1 + off);
+          bool is_rigid = false;
+          const Box6 box = reach.box(posture, {}, is_rigid, target);
+          ++tried;
+          if (is_rigid != (std::abs(off) < 5e-7)) ++wrong;
+          if (is_everything(box) != (std::abs(off) > 2e-6)) ++wrong;
+        }
+    return Checked(wrong == 0, tried);
+  });
+  t.example("vertices whose squares float does not hold reach everywhere", {}, [] {
+    Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    for (Point3& v : model.vertices) v *= 1e25;
+    const JointSets sets(model);
+    bool ok = true;
+    for (const Skinning skinning : all_skinnings)
+      ok = ok && is_everything(Reach(model, sets, skinning).box(reference_posture(model), {}));
+    return Checked(ok, 4);
+  });
+  t.example("more joints than a table of the widest pack holds, each where it belongs", {}, [] {
+    const Model creature = make_creature();  // 56 joints
+    const JointSets sets(creature);
+    bool ok = true;
+    for (const Skinning skinning : all_skinnings) {
+      Reach reach(creature, sets, skinning);
+      for (std::size_t joint = 0; joint < creature.joints.size(); ++joint) {
+        Posture posture = reference_posture(creature);
+        posture[joint].translation += Point3(0.3, 0.2, 0.1);
+        const Box6 of_vertices = box_of_vertices(creature, sets, posture, skinning, {});
+        for (const Target target : available_targets()) {
+          const Box6 box = reach.box(posture, {}, target);
+          ok = ok && encloses(box, of_vertices) && widths(box) < 1.5 * widths(of_vertices);
+        }
+      }
+    }
+    return Checked(ok, 4 * 56);
+  });
   t.example("a walking man's box is little larger than that of his vertices, in every skinning", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);
     bool ok = true;
     std::string text = "sum of widths over that of the vertices' box: ";
     for (const Skinning skinning : all_skinnings) {
-      const Reach reach(man, sets, skinning);
+      Reach reach(man, sets, skinning);
       double bounded = 0, exact = 0;
       for (int i = 0; i < 20; ++i) {
         const Posture posture = man.clips[0].sample(i / 20.0 * man.clips[0].duration);
@@ -157,7 +204,7 @@ PROPTEST(reach) {
     for (std::size_t j = 0; j < negated.size(); j += 2) negated[j].rotation = -negated[j].rotation;
     bool ok = true;
     for (const Skinning skinning : all_skinnings) {
-      const Reach reach(man, sets, skinning);
+      Reach reach(man, sets, skinning);
       const Box6 box = reach.box(posture, {}), again = reach.box(negated, {});
       for (int i = 0; i < 6; ++i) ok = ok && std::abs(box[i] - again[i]) < 1e-4;
     }
@@ -179,7 +226,7 @@ PROPTEST(reach) {
     const JointSets sets(model);
     long wrong = 0, tried = 0;
     for (const Skinning skinning : all_skinnings) {
-      const Reach reach(model, sets, skinning);
+      Reach reach(model, sets, skinning);
       for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e200, 1e30})
         for (int joint = 0; joint < 3; ++joint)
           for (int i = 0; i < 7; ++i) {
