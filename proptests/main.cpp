@@ -5,9 +5,12 @@
 #include <cstdio>
 #include <iostream>
 #include <random>
+#include <set>
 
 #include "proptests/cases/case_file.hpp"
+#include "proptests/error_list.hpp"
 #include "proptests/session.hpp"
+#include "proptests/thrown.hpp"
 #include "proptests/verdict_table.hpp"
 
 namespace {
@@ -57,6 +60,7 @@ int main(int argc, char** argv) try {
   std::cout << "proptests: seed " << seed << (cases ? ", " + std::to_string(cases) + " cases of each property" : "") << '\n';
   const auto start = std::chrono::steady_clock::now();
   std::size_t done = 0;
+  std::set<std::string> run;
   for (const auto& [stem, suites] : session.suites()) {
     ++done;
     bool wanted = only.empty();
@@ -64,8 +68,17 @@ int main(int argc, char** argv) try {
     if (!wanted) continue;
     std::cout << "[" << done << "/" << session.suites().size() << "] " << stem << '\n';
     proptests::Suite suite(stem);
+    proptests::record_errors_of(stem);
+    run.insert(stem);
     for (const auto function : suites) function(suite);
   }
+  if (!run.empty())
+    proptests::Suite("errors").example("the suites that ran provoked every error that is listed of them", {}, [&] {
+      std::string unseen;
+      const auto list = proptests::read_error_list("proptests/errors.md");
+      for (const auto& error : proptests::unseen_errors(list, run, proptests::recorded_errors())) unseen += error + "; ";
+      return proptests::Checked(unseen.empty(), static_cast<long>(list.size()), unseen);
+    });
   const std::string table = proptests::verdict_table(session.outcomes());
   const bool is_the_fixed_run = only.empty() && seed == fixed_seed && cases == 0;
   if (!readme.empty() && is_the_fixed_run) {

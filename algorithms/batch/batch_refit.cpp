@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "algorithms/batch/single_precision.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -23,7 +25,7 @@ const PackedBalls& BatchRefit::spherical(const SkinningPose<double>& pose, Targe
     double size = 0;
     for (const auto& image : set.center_images) size = std::max(size, squared_norm(image));
     append(numbers_, set.rotation_center);
-    numbers_.push_back(static_cast<float>(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center))));
+    numbers_.push_back(static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))));
     for (std::size_t i = 0; i < set.transforms.size(); ++i) {
       // Of a single joint the kernel takes it to be of unit length, which a posture's is up to 1e-6.
       const Quaternion<double>& q = set.transforms[i].rotation;
@@ -43,7 +45,7 @@ const PackedBalls& BatchRefit::linear(const SkinningPose<double>& pose, Target t
     double size = 0;
     for (const auto& t : set.transforms) size = std::max(size, squared_norm(t.translation));
     const auto joints = static_cast<float>(set.transforms.size());
-    numbers_.push_back(epsilon * (8 + joints) * (static_cast<float>(1.001 * std::sqrt(size)) + packed_.largest_reference()));
+    numbers_.push_back(epsilon * (8 + joints) * (static_cast<float>(checked_single(1.001 * std::sqrt(size))) + packed_.largest_reference()));
     for (const auto& t : set.transforms) {
       Point3 column[3];
       for (int i = 0; i < 3; ++i) column[i] = rotate<double>(t.rotation, Point3::Unit(i));
@@ -56,6 +58,7 @@ const PackedBalls& BatchRefit::linear(const SkinningPose<double>& pose, Target t
 }
 
 const PackedBalls& BatchRefit::refit(RefitNodes nodes, RefitPieces pieces, MergeNodes merge) {
+  checked_single(packed_.largest_reference());
   const FrameNumbers frame{numbers_.data(), first_number_.data()};
   nodes(packed_.nodes(), frame, balls_.data());
   pieces(packed_.pieces(), frame, records_.data());

@@ -34,7 +34,8 @@ class BatchRefit {
   BatchRefit& operator=(const BatchRefit&) = delete;
 
   // By node, until the next call. Each encloses the node's vertices, deformed by spherical blending with exactly this pose:
-  // the slack for all rounding is in the radius (refit_kernel.hpp).
+  // the slack for all rounding is in the radius (refit_kernel.hpp). Throws std::range_error for lengths that single
+  // precision cannot square (single_precision.hpp).
   const PackedBalls& spherical(const SkinningPose<double>& pose, Target target = best_target());
   // The same for linear blending.
   const PackedBalls& linear(const SkinningPose<double>& pose, Target target = best_target());

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/batch/refit_kernel.hpp"
+#include "algorithms/batch/single_precision.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -46,6 +49,7 @@ NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tr
   for (const double w : tree.corner_weights) weights_.push_back(static_cast<float>(w));  // exact
   int most_corners = 0, most_pieces = 0;
   for (const TreeNode& n : tree.nodes) {
+    checked_single(norm(n.reference.center) + n.reference.radius);
     nodes_.push_back({four(n.reference.center), round_up(n.reference.radius), n.first_joint_set, n.joint_set_count});
     int corners = 0;
     for (int i = 0; i < n.joint_set_count; ++i) corners += pieces_[n.first_joint_set + i].corner_count;
@@ -62,7 +66,7 @@ void NodeRefit::begin(const SkinningPose<double>& pose) {
     const JointSetPose<double> set = pose[s];
     double size = 0;
     for (const auto& image : set.center_images) size = std::max(size, squared_norm(image));
-    sets_[s] = {four(set.rotation_center), static_cast<float>(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center))),
+    sets_[s] = {four(set.rotation_center), static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))),
                 static_cast<int>(joints_.size()), static_cast<int>(set.transforms.size())};
     for (std::size_t i = 0; i < set.transforms.size(); ++i)
       joints_.push_back({four(set.transforms[i].rotation), four(set.center_images[i])});
@@ -127,7 +131,7 @@ Ball3<float> NodeRefit::operator()(int node) {
     for (int k = 0; k < pieces[i].corner_count; ++k, ++corner) far = std::max(far, squared_length(corner->center - center));
     radius = std::max(radius, std::sqrt(far) + radii_[i]);
   }
-  return {{center[0], center[1], center[2]}, (radius + n.radius) * (1 + 8 * epsilon)};
+  return {{center[0], center[1], center[2]}, (radius + n.radius) * (1 + 8 * epsilon) + underflow_slack};
 }
 
 }  // namespace refitlab

@@ -9,7 +9,8 @@ namespace refitlab {
 
 class NodeRefit {
  public:
-  // tree and sets are of one model.
+  // tree and sets are of one model. Throws std::range_error, as begin does, for lengths that single precision cannot
+  // square (single_precision.hpp).
   NodeRefit(const SphereTree& tree, const JointSets& sets);
 
   // Starts a frame. pose need not outlive the call.

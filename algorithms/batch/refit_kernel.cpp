@@ -187,7 +187,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
         }
       }
       store(center, out, first);
-      store(S((radius + r) * S(1 + 8 * epsilon)), out[3], first);
+      store(S((radius + r) * S(1 + 8 * epsilon) + S(underflow_slack)), out[3], first);
     }
 }
 
@@ -238,7 +238,7 @@ REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const 
     }
     float* ball = balls + node->place;
     for (int i = 0; i < 3; ++i) ball[i * Lanes<float>::count] = center[i];
-    ball[3 * Lanes<float>::count] = (hmax(radius) + node->radius) * (1 + 8 * epsilon);
+    ball[3 * Lanes<float>::count] = (hmax(radius) + node->radius) * (1 + 8 * epsilon) + underflow_slack;
   }
 }
 

@@ -8,6 +8,7 @@
 //     epsilon (64 + 2 n) (||x|| / min ||q'_k|| + size),     epsilon = 2 u, size = max ||r_i|| + 2 ||r_c||,
 // which is added to the radius, and the sums of radii are less than 8 epsilon times the radius off. The means need no
 // bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||).
+// Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few of them.
 #pragma once
 
 #include "algorithms/packs/four.hpp"
@@ -15,6 +16,8 @@
 #include "algorithms/packs/targets.hpp"
 
 namespace refitlab {
+
+inline constexpr float underflow_slack = 0x1p-70f;  // of each radius
 
 // Numbers of one joint-set in one frame. Spherical: r_c (3), size (1), then q_i (4) and r_i (3) of each joint. Linear: slack
 // (1), then the rows of R_i and t_i, (3 + 1) x 3, of each joint.

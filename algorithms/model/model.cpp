@@ -3,7 +3,11 @@
 namespace refitlab {
 namespace {
 
-bool is_finite(const Point3& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+// Why a point can be none of a model; empty if it can.
+std::string reason_against(const Point3& p) {
+  if (!p.allFinite()) return "is not finite";
+  return p.lpNorm<Eigen::Infinity>() <= largest_coordinate ? "" : "is out of range, beyond 1e40";
+}
 
 void validate_influences(const Model& m, std::size_t vertex) {
   const std::string thing = "vertex " + std::to_string(vertex);
@@ -34,10 +38,12 @@ void validate(const Model& m) {
     const std::string thing = "joint " + std::to_string(j) + " (" + m.joints[j].name + ")";
     if (m.joints[j].parent < -1 || m.joints[j].parent >= static_cast<int>(j))
       throw ModelError(m.name, thing, "its parent does not come before it");
-    if (!is_finite(m.joints[j].origin)) throw ModelError(m.name, thing, "its origin is not finite");
+    if (const auto reason = reason_against(m.joints[j].origin); !reason.empty())
+      throw ModelError(m.name, thing, "its origin " + reason);
   }
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
-    if (!is_finite(m.vertices[v])) throw ModelError(m.name, "vertex " + std::to_string(v), "its position is not finite");
+    if (const auto reason = reason_against(m.vertices[v]); !reason.empty())
+      throw ModelError(m.name, "vertex " + std::to_string(v), "its position " + reason);
     validate_influences(m, v);
   }
   const int vertex_count = static_cast<int>(m.vertices.size());

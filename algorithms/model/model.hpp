@@ -19,6 +19,9 @@ using Point3 = Vec<double, 3>;
 using Triangle = std::array<int, 3>;  // indices of vertices, counter-clockwise seen from outside
 using Posture = std::vector<RigidTransform<double>>;
 
+// Of a coordinate of a model or a posture: sixth powers, which determinants have, are in the range of double up to here.
+inline constexpr double largest_coordinate = 1e40;
+
 struct Joint {
   std::string name;
   int parent;     // index of a joint that comes before this one, or -1
@@ -56,7 +59,7 @@ class ModelError : public std::runtime_error {
       : std::runtime_error(file + ": " + thing + ": " + reason) {}
 };
 
-// Throws ModelError unless the model fits the comments above: indices in range, at least one triangle, finite numbers,
+// Throws ModelError unless the model fits the comments above: indices in range, at least one triangle, coordinates in range,
 // weights as stated. Every source of models ends with it.
 void validate(const Model& model);
 

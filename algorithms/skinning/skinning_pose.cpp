@@ -33,6 +33,8 @@ void check_posture(const Model& model, const Posture& posture) {
       throw ModelError(model.name, "posture, joint " + std::to_string(j) + " (" + model.joints[j].name + ")", reason);
     };
     if (!posture[j].rotation.allFinite() || !posture[j].translation.allFinite()) refuse("its transform is not finite");
+    if (posture[j].translation.lpNorm<Eigen::Infinity>() > largest_coordinate)
+      refuse("its translation is out of range, beyond 1e40");
     if (!(std::abs(squared_norm(posture[j].rotation) - 1) <= 1e-6))  // loose enough for rotations read from floats
       refuse("its rotation is not a quaternion of unit length");
   }

@@ -162,7 +162,7 @@ class SkinningPose {
   std::vector<PoseRoundings<S>> roundings_;
 };
 
-// Throws ModelError if posture has the wrong length, a number that is not finite, or a rotation whose squared length differs
+// Throws ModelError if posture has the wrong length, a number that is not finite, a translation beyond largest_coordinate, or a rotation whose squared length differs
 // from 1 by more than 1e-6.
 void check_posture(const Model& model, const Posture& posture);
 

@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "algorithms/results/write_whole.hpp"
 #include "proptests/cases/statements.hpp"
 #include "proptests/harness.hpp"
 
@@ -103,6 +104,19 @@ std::string error_of(const std::string& text) {
   }
 }
 
+// The first case of a claim, changed, as the only one of a file.
+std::string changed_case(const std::string& claim, const std::function<void(Json&)>& change) {
+  Json whole = Json::parse(read_whole(file));
+  for (Json c : Json(whole["cases"]))
+    if (c["claim"] == claim && c["statement"] != "algorithm1") {
+      c["name"] = "a";
+      change(c["inputs"]);
+      whole["cases"] = Json::array({c});
+      return whole.dump();
+    }
+  return "";
+}
+
 Checked check_refusals() {
   const std::string in_case = "bad.json: case 'a'";
   const std::vector<Spoiled> list{
@@ -148,6 +162,15 @@ Checked check_refusals() {
        {in_case, "'position'", "outside the reference ball"}},
       {refit_case, "\"radius\": \"0\"", "\"radius\": \"-1\"", {in_case, "'reference'", "negative radius"}},
       {refit_case, "\"joint_sets\": [", "\"joint_sets\": [1, ", {in_case, "joint_sets[0]", "not an object"}},
+      {refit_case, "\"joint_sets\": [{", "\"joint_sets\": [], \"x\": [{", {in_case, "'joint_sets'", "one or more objects"}},
+      {refit_case, "\"low\": [\"0\", \"0\"]", "\"low\": \"0\"", {in_case, "'low'", "not a list of numbers"}},
+      {refit_case, "\"low\": [\"0\", \"0\"], \"high\": [\"1\", \"1\"]", "\"low\": [\"0\"], \"high\": [\"1\"]",
+       {in_case, "'bounds' are of 1 weights, the transforms of 2"}},
+      {refit_case, "[\"3/4\", \"1/4\"]", "[\"1\"]", {in_case, "'weights'", "needs 2 weights, has 1"}},
+      {refit_case, "ball_encloses_vertex", "ball_is_empty", {in_case, "algorithm1 has no repaired claim 'ball_is_empty'"}},
+      {lemma_case, "\"note\": \"n\"", "\"note\": 1", {in_case, "'note' is not a text"}},
+      {lemma_case, "[[\"1\", \"0\", \"0\", \"0\"], [\"1\", \"1\", \"0\", \"0\"]]", "[]", {in_case, "'quaternions'", "lists of numbers"}},
+      {lemma_case, "\"axis\": [", "\"deep\": " + std::string(40, '[') + std::string(40, ']') + ", \"axis\": [", {"bad.json", "nested more than 32 deep"}},
   };
   std::string wrong;
   for (const Spoiled& s : list) {
@@ -159,6 +182,28 @@ Checked check_refusals() {
       if (error.find(word) == std::string::npos)
         wrong += s.from + " -> " + s.to + ": no '" + word + "' in '" + error + "'; ";
   }
+  std::string many = refit_case;  // 24 joints with weights in [0, 1/12]: 24 choose 12 corners
+  const auto repeat = [](const std::string& part, int times) {
+    std::string out = part;
+    for (int i = 1; i < times; ++i) out += ", " + part;
+    return out;
+  };
+  const auto put = [&](const std::string& from, const std::string& to) { many.replace(many.find(from), from.size(), to); };
+  put("{\"rotation\": [\"1\"", repeat("{\"rotation\": [\"1\", \"0\", \"0\", \"0\"], \"translation\": [\"0\", \"0\", \"0\"]}", 22) + ", {\"rotation\": [\"1\"");
+  put("[\"0\", \"0\"], \"high\": [\"1\", \"1\"]", "[" + repeat("\"0\"", 24) + "], \"high\": [" + repeat("\"1/12\"", 24) + "]");
+  if (error_of(many).find("'bounds' have more than 100000 corners") == std::string::npos) wrong += error_of(many) + "; ";
+  const auto drop_last = [](Json& list) { list.erase(list.size() - 1); };
+  const std::string few_points = error_of(changed_case("linear_part_in_hull", [&](Json& inputs) {
+    drop_last(inputs["points"]), drop_last(inputs["weights"]);
+  }));
+  if (few_points.find("'points' are not one for each weight") == std::string::npos) wrong += few_points + "; ";
+  const std::string few_joints = error_of(changed_case("ball_encloses_vertex", [&](Json& inputs) {
+    Json& sets = inputs["joint_sets"];
+    sets.push_back(sets[0]);
+    drop_last(sets.back()["transforms"]);
+    for (Json& corner : sets.back()["corners"]) drop_last(corner);
+  }));
+  if (few_joints.find("'transforms' are not as many as those of the first") == std::string::npos) wrong += few_joints + "; ";
   const std::string double_name =
       lemma_case.substr(0, lemma_case.size() - 2) + ", " + lemma_case.substr(lemma_case.find("[{") + 1);
   if (error_of(double_name).find("not the only one") == std::string::npos)

@@ -2,6 +2,7 @@
 #include "algorithms/model/load.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -332,6 +333,34 @@ PROPTEST(load) {
     };
     const bool version = refuses(edited("\"2.0\"", "\"1.0\""), {"version 1.0"}).passed;
     return Checked(version && refuses(edited("5126", "5121"), {"not of floats"}).passed, 2);
+  });
+  t.example("refused: a glTF file whose description refers to what is not there", {}, [] {
+    const struct {
+      const char *old, *fresh, *word;
+    } changes[] = {
+        {"\"uri\":\"data:application/octet-stream;base64,", "\"uri\":\"other", "buffer 0 (other"},
+        {"\"uri\":\"data:application/octet-stream;base64,", "\"uri\":\"/dev/zero\",\"not\":\"", "buffer 0 (/dev/zero): cannot"},
+        {"\"uri\"", "\"url\"", "buffer 0: has no bytes"},
+        {"\"bufferView\"", "\"sparse\"", "is sparse, compressed or without data"},
+        {"\"buffer\":0", "\"buffer\":1", "is in a buffer that there is not"},
+        {"\"byteOffset\":0,", "\"byteOffset\":99999,", "reaches past the end of its buffer"},
+        {"\"inverseBindMatrices\"", "\"matrices\"", "no inverse bind matrices"},
+        {"\"componentType\"", "\"type\"", "glTF description"},
+    };
+    const Folder folder;
+    write_gltf(gen::bending_tube(3), folder.file("rig.gltf"));
+    const std::string whole = read_all(folder.file("rig.gltf"));
+    std::string wrong;
+    for (const auto& change : changes) {
+      std::string text = whole;
+      const std::string old = change.old;
+      for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += std::strlen(change.fresh))
+        text.replace(at, old.size(), change.fresh);
+      write_all(folder.file("changed.gltf"), text);
+      const Checked refused = refuses(folder.file("changed.gltf"), {change.word});
+      if (!refused.passed) wrong += old + ": " + refused.detail + "; ";
+    }
+    return Checked(wrong.empty(), std::size(changes), wrong);
   });
   t.example("refused: an X file that crashes assimp, by weights of a vertex far out of range", {}, [] {
     const Folder folder;

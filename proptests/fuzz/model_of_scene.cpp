@@ -22,7 +22,7 @@ bool is_rigid(const Posture& posture) {
 FUZZ_TARGET(model_of_scene, bytes) try {
   const auto scene = scene_of_bytes(bytes);
   check_scene(*scene, "fuzz");
-  const Model model = model_of_scene(*scene, "fuzz");
+  const Model model = refitlab::model_of_scene(*scene, "fuzz");
   try {
     validate(model);
   } catch (const ModelError&) {

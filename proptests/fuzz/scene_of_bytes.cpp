@@ -15,6 +15,12 @@ float number(ByteStream& in) {
   return in.one_in(32) ? in.any_float() : static_cast<float>(static_cast<int>(in.below(65)) - 32) / 8;
 }
 
+// Nothing of no elements: assimp would not free it.
+template <class T>
+T* array(unsigned count) {
+  return count > 0 ? new T[count] : nullptr;
+}
+
 aiVector3D vector(ByteStream& in) {
   const float x = number(in), y = number(in), z = number(in);
   return {x, y, z};
@@ -43,7 +49,7 @@ aiNode* node(ByteStream& in, unsigned index, unsigned meshes) {
   out->mTransformation = matrix(in);
   out->mNumMeshes = in.below(3);
   if (index == 0 && out->mNumMeshes == 0) out->mNumMeshes = 1;
-  out->mMeshes = new unsigned[out->mNumMeshes];
+  out->mMeshes = array<unsigned>(out->mNumMeshes);
   for (unsigned m = 0; m < out->mNumMeshes; ++m) out->mMeshes[m] = in.one_in(16) ? in.byte() : in.below(meshes);
   return out;
 }
@@ -61,7 +67,7 @@ aiNode* tree(ByteStream& in, unsigned meshes) {
   }
   for (unsigned n = 0; n < count; ++n) {
     nodes[n]->mNumChildren = static_cast<unsigned>(children[n].size());
-    nodes[n]->mChildren = new aiNode*[children[n].size()];
+    nodes[n]->mChildren = array<aiNode*>(children[n].size());
     std::copy(children[n].begin(), children[n].end(), nodes[n]->mChildren);
   }
   return nodes[0];
@@ -72,7 +78,7 @@ aiBone* bone(ByteStream& in, unsigned vertices) {
   out->mName = names[in.below(8)];
   out->mOffsetMatrix = matrix(in);
   out->mNumWeights = in.one_in(8) ? in.below(16) : vertices;
-  out->mWeights = new aiVertexWeight[out->mNumWeights];
+  out->mWeights = array<aiVertexWeight>(out->mNumWeights);
   const bool whole = in.one_in(2);
   for (unsigned w = 0; w < out->mNumWeights; ++w) {
     const unsigned vertex = in.one_in(32) ? in.byte() : vertices > 0 ? w % vertices : w;
@@ -85,19 +91,19 @@ aiMesh* mesh(ByteStream& in) {
   auto* out = new aiMesh;
   out->mName = "mesh";
   out->mNumVertices = in.below(13);
-  out->mVertices = new aiVector3D[out->mNumVertices];
+  out->mVertices = array<aiVector3D>(out->mNumVertices);
   for (unsigned v = 0; v < out->mNumVertices; ++v) out->mVertices[v] = vector(in);
   out->mNumFaces = in.below(17);
-  out->mFaces = new aiFace[out->mNumFaces];
+  out->mFaces = array<aiFace>(out->mNumFaces);
   for (unsigned f = 0; f < out->mNumFaces; ++f) {
     aiFace& face = out->mFaces[f];
     face.mNumIndices = in.one_in(8) ? 1 + in.below(4) : 3;
-    face.mIndices = new unsigned[face.mNumIndices];
+    face.mIndices = array<unsigned>(face.mNumIndices);
     for (unsigned i = 0; i < face.mNumIndices; ++i)
       face.mIndices[i] = in.one_in(32) || out->mNumVertices == 0 ? in.byte() : in.below(out->mNumVertices);
   }
   out->mNumBones = in.below(5);
-  out->mBones = new aiBone*[out->mNumBones];
+  out->mBones = array<aiBone*>(out->mNumBones);
   for (unsigned b = 0; b < out->mNumBones; ++b) out->mBones[b] = bone(in, out->mNumVertices);
   return out;
 }
@@ -105,7 +111,7 @@ aiMesh* mesh(ByteStream& in) {
 template <class Keys, class Value>
 void keys(ByteStream& in, unsigned& count, Keys*& list, const Value& value) {
   count = in.below(4);
-  list = new Keys[count];
+  list = array<Keys>(count);
   double time = 0;
   for (unsigned k = 0; k < count; ++k) {
     time += in.one_in(16) ? static_cast<double>(number(in)) : in.below(8);
@@ -120,7 +126,7 @@ aiAnimation* clip(ByteStream& in) {
   out->mDuration = in.one_in(16) ? static_cast<double>(number(in)) : in.below(32);
   out->mTicksPerSecond = in.one_in(8) ? static_cast<double>(number(in)) : in.below(4);
   out->mNumChannels = in.below(5);
-  out->mChannels = new aiNodeAnim*[out->mNumChannels];
+  out->mChannels = array<aiNodeAnim*>(out->mNumChannels);
   for (unsigned c = 0; c < out->mNumChannels; ++c) {
     auto* channel = out->mChannels[c] = new aiNodeAnim;
     channel->mNodeName = names[in.below(8)];
@@ -137,11 +143,11 @@ std::unique_ptr<aiScene> scene_of_bytes(const std::string& bytes) {
   ByteStream in(bytes);
   auto scene = std::make_unique<aiScene>();
   scene->mNumMeshes = 1 + in.below(3);
-  scene->mMeshes = new aiMesh*[scene->mNumMeshes];
+  scene->mMeshes = array<aiMesh*>(scene->mNumMeshes);
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) scene->mMeshes[m] = mesh(in);
   scene->mRootNode = tree(in, scene->mNumMeshes);
   scene->mNumAnimations = in.below(3);
-  scene->mAnimations = new aiAnimation*[scene->mNumAnimations];
+  scene->mAnimations = array<aiAnimation*>(scene->mNumAnimations);
   for (unsigned a = 0; a < scene->mNumAnimations; ++a) scene->mAnimations[a] = clip(in);
   return scene;
 }

@@ -1,0 +1,231 @@
+// Models at the ends of what a model may be, through everything that looks at one: right, or refused with a clear error.
+#include <cmath>
+
+#include "algorithms/batch/batch_refit.hpp"
+#include "algorithms/batch/node_refit.hpp"
+#include "algorithms/collide/cluster_collide.hpp"
+#include "algorithms/collide/collide.hpp"
+#include "algorithms/model/load.hpp"
+#include "algorithms/refit/variants.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/extreme_models.hpp"
+#include "proptests/gen/rigged_gltf.hpp"
+#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/all_pairs.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using gen::ExtremeModel;
+using gen::RiggedGltf;
+using oracle::sorted;
+
+constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
+
+// A character in a posture, by one skinning, and how large its numbers are.
+struct Posed {
+  Posed(const Character& c, const Posture& posture, Skinning skinning)
+      : pose(make_skinning_pose(c.model, c.sets, posture, skinning)), deformed(skin(c.model, c.sets, pose, skinning)) {
+    for (const Point3& p : deformed) size = std::max(size, p.norm());
+    for (const Point3& p : c.model.vertices) size = std::max(size, p.norm());
+    for (const auto& t : posture) size = std::max(size, t.translation.norm());
+  }
+  SkinningPose<double> pose;
+  std::vector<Point3> deformed;
+  double size = 0;
+};
+
+// What is wrong with the balls of all nodes; empty if nothing is. An infinite radius is right.
+template <class Balls>
+std::string complaint(const Character& c, const Posed& posed, const Balls& ball_of) {
+  for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
+    const auto ball = ball_of(n);
+    const Point3 center = ball.center.template cast<double>();
+    const double radius = ball.radius;
+    for (const int v : c.vertices[n])
+      if (radius != INFINITY && !((posed.deformed[v] - center).norm() <= radius + 1e-12 * posed.size))
+        return "node " + std::to_string(n) + " misses vertex " + std::to_string(v) + " with radius " +
+               std::to_string(radius / posed.size) + " of its size; ";
+  }
+  return "";
+}
+
+std::string refit_complaints(const Character& c, const Posture& posture) {
+  std::string out;
+  for (const Skinning skinning : skinnings) {
+    const Posed posed(c, posture, skinning);
+    for (const RefitVariant& variant : refit_variants()) {
+      if (variant.skinning != skinning) continue;
+      const auto balls = c.refit_all(variant, posed.pose);
+      const std::string wrong = complaint(c, posed, [&](int n) { return balls[n]; });
+      if (variant.sound && !wrong.empty()) out += variant.name + ": " + wrong;
+    }
+  }
+  return out;
+}
+
+// "" too for lengths that are refused for being too large.
+template <class Work>
+std::string complaint_or_refusal(const Character& c, const Posture& posture, const Work& work) {
+  try {
+    return work();
+  } catch (const std::range_error& e) {
+    const Posed posed(c, posture, Skinning::linear);
+    const bool is_clear = std::string(e.what()).starts_with("refit in single precision: a length of ");
+    return posed.size > 1e17 && is_clear ? "" : std::string("refused: ") + e.what();
+  }
+}
+
+std::string batch_complaints(const Character& c, const Posture& posture) {
+  BatchRefit batch(c.tree, c.sets);
+  NodeRefit one(c.tree, c.sets);
+  const Posed linear(c, posture, Skinning::linear), spherical(c, posture, Skinning::spherical);
+  std::string out;
+  for (const Target target : available_targets()) {
+    const PackedBalls& balls = batch.linear(linear.pose, target);
+    out += complaint(c, linear, [&](int n) { return balls[n]; });
+    const PackedBalls& again = batch.spherical(spherical.pose, target);
+    out += complaint(c, spherical, [&](int n) { return again[n]; });
+  }
+  one.begin(spherical.pose);
+  return out + complaint(c, spherical, [&](int n) { return one(n); });
+}
+
+// The second one stands a little beside the first, and so in contact.
+std::string collision_complaints(const Character& c, const Posture& posture) {
+  std::string out;
+  for (const Skinning skinning : skinnings) {
+    const Posed posed(c, posture, skinning);
+    const RigidTransform<double> beside{{0.6, 0.8, 0, 0}, {0.01 * posed.size, 0, 0}};
+    const auto expected = oracle::all_pairs({c, posture, {}}, {c, posture, beside}, skinning);
+    QueryCounts counts;
+    if (skinning != Skinning::hejl) {
+      const RefitVariant& variant = default_variant(skinning);
+      Body body(c, variant);
+      body.begin(posture);
+      if (sorted(collide({body}, {body, beside}, Query::full, counts)) != expected)
+        out += variant.name + ": other pairs; ";
+    }
+    const ClusterTree tree(c, {.most_triangles = 8, .most_children = 4});
+    ClusterBody first(tree, skinning), second(tree, skinning);
+    first.begin(posture, {}), second.begin(posture, beside);
+    if (sorted(collide(first, second, Query::full, counts)) != expected) out += "clusters: other pairs; ";
+  }
+  return out;
+}
+
+Checked all_right(const Model& model, const Posture& posture) {
+  const Character c(model);
+  const std::string wrong = refit_complaints(c, posture) +
+                            complaint_or_refusal(c, posture, [&] { return batch_complaints(c, posture); }) +
+                            collision_complaints(c, posture);
+  return {wrong.empty(), static_cast<long>(c.tree.nodes.size()), wrong};
+}
+
+// --- From files ---
+
+struct ExtremeFile {
+  const char* what;
+  std::function<void(RiggedGltf&)> change;  // of bending_tube(3)
+  std::vector<std::string> words;           // of the refusal; none if it is to load
+};
+
+void scale_lengths(RiggedGltf& s, float factor) {
+  for (auto& p : s.meshes[0].positions)
+    for (float& x : p) x *= factor;
+  for (auto& node : s.nodes)
+    for (float& x : node.translation) x *= factor;
+  for (auto& bind : s.skins[0].inverse_bind)
+    for (int i = 12; i < 15; ++i) bind[i] *= factor;
+  for (float& x : s.clips[0].tracks.back().values) x *= factor;
+}
+
+// Over four joints of each set.
+void spread_weights(RiggedGltf& s, int sets) {
+  s = gen::bending_tube(4 * sets);
+  auto& mesh = s.meshes[0];
+  mesh.joints.assign(sets, {}), mesh.weights.assign(sets, {});
+  const float weight = 0.25f / static_cast<float>(sets);
+  for (int set = 0; set < sets; ++set) {
+    std::array<std::uint16_t, 4> joints;
+    for (int i = 0; i < 4; ++i) joints[i] = static_cast<std::uint16_t>(4 * set + i);
+    mesh.joints[set].assign(mesh.positions.size(), joints);
+    mesh.weights[set].assign(mesh.positions.size(), {weight, weight, weight, weight});
+  }
+}
+
+std::vector<ExtremeFile> extreme_files() {
+  return {
+      {"coordinates of 1e30", [](auto& s) { scale_lengths(s, 1e30f); }, {}},
+      {"coordinates of 1e-30", [](auto& s) { scale_lengths(s, 1e-30f); }, {}},
+      {"1000 joints", [](auto& s) { s = gen::bending_tube(1000); }, {}},
+      {"40 influences of each vertex", [](auto& s) { spread_weights(s, 10); }, {}},
+      {"64 influences of each vertex", [](auto& s) { spread_weights(s, 16); }, {"assimp cannot read it", "JOINTS_10"}},
+      {"all weights on one joint",
+       [](auto& s) {
+         s.meshes[0].joints[0].assign(s.meshes[0].positions.size(), {1, 0, 0, 0});
+         s.meshes[0].weights[0].assign(s.meshes[0].positions.size(), {1, 0, 0, 0});
+       },
+       {}},
+      {"all vertices in one point",
+       [](auto& s) { s.meshes[0].positions.assign(s.meshes[0].positions.size(), {1, 2, 3}); },
+       {"no triangles"}},
+      {"triangles without area",
+       [](auto& s) {
+         for (auto& p : s.meshes[0].positions) p = {0, p[1] + 0.1f * p[0] + 0.01f * p[2], 0};
+       },
+       {}},
+      {"a NaN in a single frame",
+       [](auto& s) {
+         auto& track = s.clips[0].tracks[0];
+         track.times = {0, 0.25f, 0.5f, 1};
+         track.values = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, NAN, 1, 0, 0, 0, 1};
+       },
+       {"clip 'bend'", "joint 'j0'", "0.500000 s", "not finite"}},
+      {"an infinite coordinate", [](auto& s) { s.meshes[0].positions[3][1] = INFINITY; }, {"vertex 3", "not finite"}},
+      {"an infinite joint", [](auto& s) { s.skins[0].inverse_bind[1][12] = INFINITY; }, {"'j1'", "not finite"}},
+      {"coordinates that are too large only when they are scaled",
+       [](auto& s) {
+         scale_lengths(s, 1e30f);
+         s.nodes[0].scale = {1e20f, 1e20f, 1e20f};
+       },
+       {"out of range"}},
+      {"no mesh", [](auto& s) { s.meshes.clear(), s.nodes.back().mesh = s.nodes.back().skin = -1; }, {"no mesh"}},
+      {"no triangle", [](auto& s) { s.meshes[0].indices.assign(3, 0); }, {"no triangles"}},
+  };
+}
+
+Checked check_file(const ExtremeFile& file) {
+  const gen::TemporaryFolder folder;
+  RiggedGltf scene = gen::bending_tube(3);
+  file.change(scene);
+  write_glb(scene, folder.file("rig.glb"));
+  try {
+    const Model model = load_model(folder.file("rig.glb"));
+    if (!file.words.empty()) return {false, 1, "it loads"};
+    const Character c(model);
+    const Posture posture = model.clips[0].sample(0.7);
+    const std::string wrong = refit_complaints(c, posture);
+    return {wrong.empty(), static_cast<long>(c.tree.nodes.size()), wrong};
+  } catch (const ModelError& e) {
+    const std::string message = e.what();
+    bool good = !file.words.empty() && message.starts_with(folder.file("rig.glb") + ": ");
+    for (const auto& word : file.words) good = good && message.find(word) != std::string::npos;
+    return {good, 1, message};
+  }
+}
+
+}  // namespace
+
+PROPTEST(extremes) {
+  for (const ExtremeModel& extreme : gen::extreme_models())
+    t.example(extreme.what + ": no ball misses a vertex, and queries find all pairs", {.number_type = "double"},
+              [&] { return all_right(extreme.model, extreme.posture); });
+  for (const ExtremeFile& file : extreme_files())
+    t.example("a file: " + std::string(file.what) + (file.words.empty() ? " load" : ": refused"), {},
+              [&] { return check_file(file); });
+}
+
+}  // namespace proptests

@@ -1,0 +1,120 @@
+// What is refused of scenes that no file of the other tests can bring about.
+#include "algorithms/model/model_of_scene.hpp"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+aiNode* node(const char* name, aiNode* parent) {
+  auto* out = new aiNode(name);
+  if (parent) parent->addChildren(1, &out);
+  return out;
+}
+
+aiMesh* triangle(const char* bone) {
+  auto* mesh = new aiMesh;
+  mesh->mName = "skin";
+  mesh->mNumVertices = 3;
+  mesh->mVertices = new aiVector3D[3]{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh->mNumFaces = 1;
+  mesh->mFaces = new aiFace[1];
+  mesh->mFaces[0].mNumIndices = 3;
+  mesh->mFaces[0].mIndices = new unsigned[3]{0, 1, 2};
+  if (!bone) return mesh;
+  mesh->mNumBones = 1;
+  mesh->mBones = new aiBone*[1]{new aiBone};
+  mesh->mBones[0]->mName = bone;
+  mesh->mBones[0]->mNumWeights = 3;
+  mesh->mBones[0]->mWeights = new aiVertexWeight[3]{{0, 1}, {1, 1}, {2, 1}};
+  return mesh;
+}
+
+aiNodeAnim* still(const char* name) {
+  auto* channel = new aiNodeAnim;
+  channel->mNodeName = name;
+  channel->mNumPositionKeys = 1;
+  channel->mPositionKeys = new aiVectorKey[1]{{0, {0, 0, 0}}};
+  return channel;
+}
+
+// A root that has the two meshes, a skinned triangle and one without bones on the node "plain"; a clip of two channels.
+std::unique_ptr<aiScene> scene() {
+  auto out = std::make_unique<aiScene>();
+  out->mRootNode = node("root", nullptr);
+  aiNode* const plain = node("plain", out->mRootNode);
+  out->mRootNode->mNumMeshes = plain->mNumMeshes = 1;
+  out->mRootNode->mMeshes = new unsigned[1]{0};
+  plain->mMeshes = new unsigned[1]{1};
+  out->mNumMeshes = 2;
+  out->mMeshes = new aiMesh*[2]{triangle("root"), triangle(nullptr)};
+  out->mNumAnimations = 1;
+  out->mAnimations = new aiAnimation*[1]{new aiAnimation};
+  out->mAnimations[0]->mName = "clip";
+  out->mAnimations[0]->mDuration = 1;
+  out->mAnimations[0]->mNumChannels = 2;
+  out->mAnimations[0]->mChannels = new aiNodeAnim*[2]{still("root"), still("plain")};
+  return out;
+}
+
+std::string refusal(const aiScene& of) {
+  try {
+    check_scene(of, "file");
+    model_of_scene(of, "file");
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+struct Broken {
+  std::function<void(aiScene&)> break_it;
+  std::string message;
+};
+
+std::vector<Broken> broken_scenes() {
+  return {
+      {[](aiScene& s) { s.mMeshes[0]->mNumFaces = 0; }, "mesh 'skin': is empty"},
+      {[](aiScene& s) { s.mMeshes[0]->mFaces[0].mIndices[2] = 3; }, "mesh 'skin': face 0 names a vertex out of range"},
+      {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mWeights[1].mVertexId = 3; },
+       "mesh 'skin', vertex 3: a bone names a vertex out of range"},
+      {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mWeights[1].mWeight = NAN; },
+       "mesh 'skin', vertex 1: a weight is not a finite number"},
+      {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mWeights[1].mWeight = -1; },
+       "mesh 'skin', vertex 1: weight -1.000000 is negative"},
+      {[](aiScene& s) { s.mRootNode->mMeshes[0] = 2; }, "node 'root': names a mesh out of range"},
+      {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mName = "nobody"; }, "bone 'nobody': no node has this name"},
+      {[](aiScene& s) { s.mRootNode->mChildren[0]->mTransformation.a1 = 0; }, "node 'plain': its transform is singular"},
+      {[](aiScene& s) { s.mRootNode->mTransformation.a1 = NAN; }, "node 'root': its transform is not finite"},
+      {[](aiScene& s) { s.mAnimations[0]->mDuration = -1; }, "clip 'clip': its duration is not a time"},
+      {[](aiScene& s) { s.mAnimations[0]->mChannels[1]->mNodeName = "root"; },
+       "clip 'clip', joint 'root': two channels move it"},
+      {[](aiScene& s) {
+         aiMatrix4x4::Scaling({0, 0, 0}, s.mRootNode->mTransformation);
+       },
+       "clip 'clip', joint 'root', time 0 s: the skin matrix is not finite; only rotations with one constant scale are supported"},
+  };
+}
+
+}  // namespace
+
+PROPTEST(model_of_scene) {
+  t.example("a scene with one thing wrong is refused with the file, the thing and the reason", {}, [] {
+    std::string wrong = refusal(*scene());
+    for (const Broken& broken : broken_scenes()) {
+      const auto s = scene();
+      broken.break_it(*s);
+      const std::string message = refusal(*s);
+      if (message != "file: " + broken.message) wrong += "'" + message + "', not '" + broken.message + "'; ";
+    }
+    return Checked(wrong.empty(), static_cast<long>(broken_scenes().size()), wrong);
+  });
+}
+
+}  // namespace proptests

@@ -1,0 +1,22 @@
+// Models at the ends of what a model may be, each in a posture.
+#pragma once
+
+#include "algorithms/model/model.hpp"
+
+namespace proptests::gen {
+
+struct ExtremeModel {
+  std::string what;
+  refitlab::Model model;
+  refitlab::Posture posture;
+};
+
+// Valid ones: huge, tiny, both at once, far away, of 1000 joints, of 64 influences, of one joint that moves, all vertices
+// in one point or on one line.
+std::vector<ExtremeModel> extreme_models();
+
+// The model and all of its lengths times a factor.
+refitlab::Model scaled(refitlab::Model model, double factor);
+refitlab::Posture scaled(refitlab::Posture posture, double factor);
+
+}  // namespace proptests::gen
