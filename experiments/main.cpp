@@ -1,7 +1,9 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
 #include <boost/program_options.hpp>
 #include <algorithm>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/characters.hpp"
@@ -21,7 +23,7 @@ const char* const experiments[] = {"tightness", "speed", "volumes", "collisions"
 
 struct Options {
   std::vector<std::string> only, files;
-  std::string models = "out/models", out = "out";
+  std::string models = "out/models", out = "out", explorer;
   refitlab::TightnessSettings tightness;
   refitlab::SpeedSettings speed;
   refitlab::VolumeSettings volumes;
@@ -43,7 +45,8 @@ bool parse(int argc, char** argv, Options& o) {
       "model", po::value(&o.files)->multitoken(), "rigged files of one's own, in place of the default models")(
       "only", po::value(&o.only)->multitoken(), ("experiments to run, of: " + names).c_str())(
       "quick", "few sampled times per clip, short timings: a smoke run")("full", "many sampled times per clip, long timings")(
-      "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated");
+      "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated")(
+      "explorer", po::value(&o.explorer), "HTML to put into the report (of experiments/explorer/build)");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, description), map);
   po::notify(map);
@@ -63,6 +66,12 @@ bool parse(int argc, char** argv, Options& o) {
   return true;
 }
 
+std::string read_text(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error(path + ": cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -80,6 +89,7 @@ int main(int argc, char** argv) try {
 
   Report report;
   report.absent_models = models.absent;
+  if (!options.explorer.empty()) report.explorer = read_text(options.explorer);
   for (Model& model : models.models) {
     std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
               << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
