@@ -1,120 +1,25 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
-#include <boost/program_options.hpp>
-#include <algorithm>
-#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "algorithms/model/procedural.hpp"
-#include "algorithms/results/result_file.hpp"
-#include "experiments/certificates/certificates.hpp"
-#include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
-#include "experiments/growth/triangles.hpp"
-#include "experiments/queries/queries.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/resume/resume.hpp"
-#include "experiments/rounding/rounding.hpp"
+#include "experiments/run_file.hpp"
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
-#include "experiments/tightness/tightness.hpp"
-#include "experiments/tightness/volumes.hpp"
 
+namespace refitlab {
 namespace {
-
-const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "queries"};
-
-struct Options {
-  std::string effort = "default";
-  std::vector<std::string> only, files;
-  std::string models = "out/models", out = "out";
-  refitlab::TightnessSettings tightness;
-  refitlab::SpeedSettings speed;
-  refitlab::VolumeSettings volumes;
-  refitlab::RoundingSettings rounding;
-  refitlab::CollisionSettings collisions{.frames = 6, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
-  refitlab::TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
-  refitlab::QuerySettings queries;
-  bool anew = false;
-  refitlab::CertificateRequest certificate;
-  bool wants(const std::string& name) const {
-    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
-  }
-};
-
-// The files in out/results that a run wrote, and how long it measured: run.csv, which is there once a run is done.
-class RunFile {
- public:
-  explicit RunFile(const Options& options) : options_(options) { std::filesystem::remove(path()); }
-  // The path of a result file of this run.
-  std::string operator()(const std::string& name) {
-    if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
-    return options_.out + "/results/" + name;
-  }
-  void write() const {
-    refitlab::ResultFile file({"file", "effort", "models"});
-    for (const auto& name : names_) file.add({name, options_.effort, options_.files.empty() ? "default" : "own"});
-    file.write(path());
-  }
-
- private:
-  std::string path() const { return options_.out + "/results/run.csv"; }
-  const Options& options_;
-  std::vector<std::string> names_;
-};
-
-// False if only help was asked for.
-bool parse(int argc, char** argv, Options& o) {
-  namespace po = boost::program_options;
-  std::string names;
-  for (const char* name : experiments) names += std::string(names.empty() ? "" : ", ") + name;
-  po::options_description description("experiments: refit variants compared on skinned characters");
-  description.add_options()("help", "this text")(
-      "model", po::value(&o.files)->multitoken(), "rigged files of one's own, in place of the default models")(
-      "only", po::value(&o.only)->multitoken(), ("experiments to run, of: " + names).c_str())(
-      "quick", "few sampled times per clip, short timings: a smoke run")("full", "many sampled times per clip, long timings")(
-      "anew", "run everything, also what an earlier run of this very program finished with the same options and models")(
-      "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated")(
-      "certificate", po::value(&o.certificate.file),
-      "write why a refitted ball holds its vertices to this file, and do nothing else; of the model given, or the procedural man")(
-      "node", po::value(&o.certificate.node), "of the certificate: in the sphere tree, 0 being its root")(
-      "clip", po::value(&o.certificate.clip), "of the certificate: the first unless given")(
-      "time", po::value(&o.certificate.seconds), "of the certificate: seconds into the clip")(
-      "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given");
-  po::variables_map map;
-  po::store(po::parse_command_line(argc, argv, description), map);
-  po::notify(map);
-  if (map.count("help")) return std::cout << description, false;
-  o.anew = map.count("anew");
-  for (const char* name : {"node", "clip", "time", "variant"})
-    if (map.count(name) && !map.count("certificate")) throw po::error(std::string("--") + name + " is for --certificate");
-  if (map.count("certificate") && o.certificate.file.empty()) throw po::error("--certificate takes a file to write");
-  if (map.count("certificate") && o.files.size() > 1) throw po::error("--certificate is of one --model");
-  if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
-  if (map.count("quick")) o.effort = "quick";
-  if (map.count("full")) o.effort = "full";
-  if (map.count("quick")) o.tightness.times_per_clip = 5, o.speed = {.seconds_per_run = 0.01, .repetitions = 3}, o.queries.count = 2000;
-  if (map.count("full")) o.tightness.times_per_clip = 200, o.speed = {.seconds_per_run = 0.5, .repetitions = 15}, o.queries.count = 100000;
-  if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
-  if (map.count("full")) o.volumes = {.times_per_clip = 50, .nodes_per_level = 256, .speed = o.speed};
-  if (map.count("quick")) o.rounding = {.postures = 1, .speed = o.speed};
-  if (map.count("full")) o.rounding = {.postures = 80, .vertices_per_node = 16, .speed = o.speed};
-  if (map.count("quick")) o.collisions = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}, .first_model_only = true};
-  if (map.count("full")) o.collisions = {.frames = 100, .speed = {.seconds_per_run = 0.2, .repetitions = 5}, .all_detectors = true};
-  if (map.count("quick")) o.triangles = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};
-  if (map.count("full")) o.triangles = {.frames = 20, .up_to_a_million = true, .speed = {.seconds_per_run = 0.2, .repetitions = 5}};
-  for (const auto& name : o.only)
-    if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
-      throw po::error("--only " + name + ": no such experiment; there are: " + names);
-  return true;
-}
 
 void append(auto& all, const auto& results) { all.insert(all.end(), results.begin(), results.end()); }
 
 // All that is wanted of one model.
-void run_on(refitlab::Model&& model, const Options& options, const refitlab::RunFolder& run, refitlab::Report& report) {
-  using namespace refitlab;
+void run_on(Model&& model, const Options& options, const RunFolder& run, Report& report) {
   std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
             << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
   const std::string identity = identify(model), of_model = " of " + model.name;
@@ -149,7 +54,7 @@ void run_on(refitlab::Model&& model, const Options& options, const refitlab::Run
 }
 
 // Each file once all of its rows are there: until then the one of the last whole run stays.
-void write_results_by_model(const Options& options, const refitlab::Report& report, RunFile& result) {
+void write_results_by_model(const Options& options, const Report& report, RunFile& result) {
   if (options.wants("tightness")) write_tightness(report.tightness, result("tightness.csv"));
   if (options.wants("speed")) {
     write_speed(report.speed, result("speed.csv"));
@@ -161,8 +66,7 @@ void write_results_by_model(const Options& options, const refitlab::Report& repo
 }
 
 // What has nothing to do with a model.
-void run_without_model(const Options& options, const refitlab::RunFolder& run, refitlab::Report& report, RunFile& result) {
-  using namespace refitlab;
+void run_without_model(const Options& options, const RunFolder& run, Report& report, RunFile& result) {
   if (options.wants("growth")) {
     const SpeedSettings speed{options.speed.seconds_per_run / 5, options.speed.repetitions};
     report.joint_growth =
@@ -184,7 +88,14 @@ void run_without_model(const Options& options, const refitlab::RunFolder& run, r
   }
 }
 
+std::string read_text(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error(path + ": cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 }  // namespace
+}  // namespace refitlab
 
 int main(int argc, char** argv) try {
   using namespace refitlab;
@@ -213,6 +124,7 @@ int main(int argc, char** argv) try {
   // On one's own models these run only if they are asked for.
   if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report, result);
   result.write();
+  if (!options.explorer.empty()) report.explorer = read_text(options.explorer);
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
 } catch (const std::exception& e) {

@@ -1,7 +1,7 @@
 #include "algorithms/balls/smallest_ball_of_balls.hpp"
 
 #include <CGAL/Cartesian.h>
-#include <CGAL/Gmpq.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/Min_sphere_of_spheres_d_traits_3.h>
 
@@ -15,7 +15,8 @@ namespace {
 template <class S, class UseRoots>
 using SmallestOf = CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_spheres_d_traits_3<CGAL::Cartesian<S>, S, UseRoots>>;
 using Quick = SmallestOf<double, CGAL::Tag_true>;
-using Exact = SmallestOf<CGAL::Gmpq, CGAL::Tag_false>;
+using Number = CGAL::Exact_rational;
+using Exact = SmallestOf<Number, CGAL::Tag_false>;
 
 template <class Solver>
 Solver solve(std::span<const Ball3<double>> balls) {
@@ -32,8 +33,8 @@ Ball3<double> ball_about(const Vec<double, 3>& center, std::span<const Ball3<dou
 }
 
 // In rationals, to far more digits than a double has: the solver's results are differences a + b sqrt(x) of large numbers.
-CGAL::Gmpq square_root(const CGAL::Gmpq& x) {
-  CGAL::Gmpq root = std::sqrt(CGAL::to_double(x));
+Number square_root(const Number& x) {
+  Number root(std::sqrt(CGAL::to_double(x)));
   for (int step = 0; step < 2 && root != 0; ++step) root = (root + x / root) / 2;
   return root;
 }
@@ -41,10 +42,10 @@ CGAL::Gmpq square_root(const CGAL::Gmpq& x) {
 // Slow, and right in degenerate cases too.
 Ball3<double> solve_exactly(std::span<const Ball3<double>> balls) {
   auto smallest = solve<Exact>(balls);
-  const CGAL::Gmpq root = square_root(smallest.discriminant());
+  const Number root = square_root(smallest.discriminant());
   Vec<double, 3> center;
   auto c = smallest.center_cartesian_begin();
-  for (int i = 0; i < 3; ++i, ++c) center[i] = CGAL::to_double(CGAL::Gmpq(c->first + c->second * root));
+  for (int i = 0; i < 3; ++i, ++c) center[i] = CGAL::to_double(Number(c->first + c->second * root));
   return ball_about(center, balls);
 }
 

@@ -231,6 +231,7 @@ void write_report(const Report& report, const std::string& path) {
   for (const auto& absent : report.absent_models)
     out << "<p class=\"bad\">The model " << escape_html(absent) << " was absent from this run: it could not be fetched.</p>\n";
   write_pictures(out, report.pictures);
+  out << report.explorer;
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/refit/character.hpp"
+#include "experiments/scenes/twist.hpp"
 
 namespace refitlab {
 
@@ -33,12 +34,5 @@ struct NamedPosture {
   Posture posture;
 };
 NamedPosture figure_twist(const Model& model);
-
-// The posture that turns one joint and all below it about the joint's bone axis, from the reference posture.
-Posture twist_posture(const Model& model, int joint, double radians);
-
-// The joint whose twist shows the paper's Figure 5: a neck, else a head, spine or wrist by name, else the one in the
-// middle of the hierarchy.
-int twist_joint(const Model& model);
 
 }  // namespace refitlab

@@ -1,0 +1,166 @@
+#include "experiments/explorer/explorer.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "experiments/scenes/twist.hpp"
+#include "experiments/tightness/measure.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr int snake_joints = 24;
+
+struct Maker {
+  std::string name;
+  Model (*make)();
+};
+const Maker makers[] = {{"man", [] { return make_man(); }},
+                        {"creature", [] { return make_creature(); }},
+                        {"snake", [] { return make_snake(snake_joints); }}};
+
+bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
+
+Posture posture_of(const Model& model, const ExplorerSettings& s) {
+  if (s.joint < 0 || s.joint >= static_cast<int>(model.joints.size())) throw std::invalid_argument("no such joint");
+  Posture posture = reference_posture(model);
+  if (!s.clip.empty()) {
+    const auto clip = std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == s.clip; });
+    if (clip == model.clips.end()) throw std::invalid_argument("no clip named '" + s.clip + "'");
+    posture = clip->sample(std::clamp(s.time, 0., clip->duration));
+  }
+  return twisted(model, std::move(posture), s.joint, s.twist);
+}
+
+std::vector<int> nodes_of_level(const SphereTree& tree, int level) {
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
+    if (tree.nodes[n].level == level) nodes.push_back(static_cast<int>(n));
+  return nodes;
+}
+
+// A skinning of the posture, and the smallest balls of the level's nodes under it.
+struct Frame {
+  SkinningPose<double> pose;
+  std::vector<Point3> vertices;
+  std::vector<double> optimal_radii;
+};
+
+class LevelView {
+ public:
+  LevelView(const Character& character, const Posture& posture, int level)
+      : c_(character), posture_(posture), nodes_(nodes_of_level(character.tree, level)) {}
+
+  const std::vector<int>& nodes() const { return nodes_; }
+
+  const Frame& frame(Skinning skinning) {
+    if (const auto known = frames_.find(skinning); known != frames_.end()) return known->second;
+    Frame& f = frames_[skinning];
+    f.pose = make_skinning_pose(c_.model, c_.sets, posture_, skinning);
+    f.vertices = skin(c_.model, c_.sets, f.pose, skinning);
+    std::vector<Point3> points;
+    for (const int node : nodes_) {
+      points.clear();
+      for (const int v : c_.vertices[node]) points.push_back(f.vertices[v]);
+      f.optimal_radii.push_back(std::sqrt(smallest_ball<double, 3>(points).squared_radius));
+    }
+    return f;
+  }
+
+  std::vector<Ball3<double>> balls(const RefitVariant& variant) {
+    const Frame& f = frame(variant.skinning);
+    std::vector<Ball3<double>> out;
+    for (const int node : nodes_) out.push_back(variant.refit(c_.refit_node(node, f.pose, variant.pieces)));
+    return out;
+  }
+
+  // Marks what is outside in view, if there is one.
+  VariantSummary summarise(const RefitVariant& variant, const std::vector<Ball3<double>>& balls, ExplorerView* view) {
+    const Frame& f = frame(variant.skinning);
+    const double tolerance = miss_tolerance * c_.tree.nodes[0].reference.radius;
+    VariantSummary out{variant.name, static_cast<int>(balls.size())};
+    std::vector<bool> outside(f.vertices.size()), misses(balls.size());
+    double radii = 0, optimal = 0;
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+      misses[b] = !is_defined(balls[b]);
+      if (misses[b]) {
+        ++out.undefined;
+        continue;
+      }
+      radii += balls[b].radius, optimal += f.optimal_radii[b];
+      for (const int v : c_.vertices[nodes_[b]]) {
+        const double miss = norm<double, 3>(f.vertices[v] - balls[b].center) - balls[b].radius;
+        if (miss <= tolerance) continue;
+        misses[b] = outside[v] = true;
+        out.worst_miss = std::max(out.worst_miss, miss);
+      }
+    }
+    out.vertices_outside = static_cast<int>(std::count(outside.begin(), outside.end(), true));
+    out.mean_radius = radii / (out.balls - out.undefined);
+    out.mean_over_optimal = radii / optimal;
+    if (view) view->outside = std::move(outside), view->misses = std::move(misses);
+    return out;
+  }
+
+ private:
+  const Character& c_;
+  const Posture& posture_;
+  std::vector<int> nodes_;
+  std::map<Skinning, Frame> frames_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& explorer_models() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> out;
+    for (const Maker& m : makers) out.push_back(m.name);
+    return out;
+  }();
+  return names;
+}
+
+const std::vector<std::string>& compared_variants() {
+  static const std::vector<std::string> names{"linear",          "spherical_printed", "spherical_printed_signed", "spherical_repaired",
+                                              "spherical_exact", "control_mean",      "control_mixed"};
+  return names;
+}
+
+const Character& Explorer::character(const std::string& model) {
+  if (const auto known = characters_.find(model); known != characters_.end()) return known->second;
+  for (const Maker& m : makers)
+    if (m.name == model) return characters_.emplace(model, m.make()).first->second;
+  throw std::invalid_argument("no model named '" + model + "'");
+}
+
+ExplorerView Explorer::view(const ExplorerSettings& s) {
+  const Character& c = character(s.model);
+  const RefitVariant& chosen = refit_variant(s.variant);
+  const Posture posture = posture_of(c.model, s);
+  LevelView level(c, posture, std::clamp(s.level, 1, c.tree.level_count()));
+
+  ExplorerView view;
+  view.level_count = c.tree.level_count();
+  view.vertices = level.frame(chosen.skinning).vertices;
+  for (std::size_t j = 0; j < posture.size(); ++j) view.joints.push_back(apply(posture[j], c.model.joints[j].origin));
+  view.axis = rotate<double>(posture[s.joint].rotation, bone_axis(c.model, s.joint));
+  view.balls = level.balls(chosen);
+  view.ball = std::clamp(s.ball, 0, static_cast<int>(view.balls.size()) - 1);
+  view.ball_vertices = static_cast<int>(c.vertices[level.nodes()[view.ball]].size());
+  view.ball_optimal = level.frame(chosen.skinning).optimal_radii[view.ball];
+
+  std::vector<std::string> names = compared_variants();
+  if (std::find(names.begin(), names.end(), s.variant) == names.end()) names.push_back(s.variant);
+  for (const std::string& name : names) {
+    const RefitVariant& variant = refit_variant(name);
+    const auto balls = name == s.variant ? view.balls : level.balls(variant);
+    view.summaries.push_back(level.summarise(variant, balls, name == s.variant ? &view : nullptr));
+    view.summaries.back().ball_radius = balls[view.ball].radius;
+  }
+  return view;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,76 @@
+// explorer_numbers: what the library itself, compiled for this machine, says to what the explorer shows in a browser.
+//
+// Reads a JSON list from standard input: settings as the page sends them (see ExplorerSettings), or {"page", "values"} of a
+// lemma's page. Writes the list of answers. The character's are by the library's own whole-tree functions and its exact
+// predicates, a lemma's in another exact number type than the browser's.
+#include <iostream>
+#include <set>
+
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/refit/deformed.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "experiments/explorer/pages/all.hpp"
+#include "experiments/scenes/twist.hpp"
+#include "experiments/tightness/measure.hpp"
+#include "lemmas/vocabulary/exact.hpp"
+
+namespace {
+
+using nlohmann::json;
+using namespace refitlab;
+
+const Character& character(const std::string& name) {
+  static std::map<std::string, Character> made;
+  if (const auto known = made.find(name); known != made.end()) return known->second;
+  return made.emplace(name, name == "man" ? make_man() : name == "creature" ? make_creature() : make_snake(24)).first->second;
+}
+
+Posture posture_of(const Model& model, const json& settings) {
+  Posture posture = reference_posture(model);
+  for (const Clip& clip : model.clips)
+    if (clip.name == settings.at("clip")) posture = clip.sample(settings.at("time"));
+  return twisted(model, posture, settings.at("joint"), settings.at("twist"));
+}
+
+json character_numbers(const json& settings) {
+  const Character& c = character(settings.at("model"));
+  const RefitVariant& variant = refit_variant(settings.at("variant"));
+  const auto pose = make_skinning_pose(c.model, c.sets, posture_of(c.model, settings), variant.skinning);
+  const auto deformed = skin(c.model, c.sets, pose, variant.skinning);
+  const auto balls = c.refit_all(variant, pose);
+  const auto optimal = optimal_balls(c.tree, c.vertices, deformed);
+  const double slack = miss_tolerance * c.tree.nodes[0].reference.radius;
+
+  std::set<int> outside;
+  int count = 0, undefined = 0, ball = settings.at("ball");
+  double radii = 0, optimal_radii = 0;
+  json out;
+  for (std::size_t n = 0; n < balls.size(); ++n) {
+    if (c.tree.nodes[n].level != settings.at("level")) continue;
+    if (count++ == ball) out["ball_radius"] = balls[n].radius, out["ball_optimal"] = optimal[n].radius;
+    if (!(balls[n].radius >= 0)) {
+      ++undefined;
+      continue;
+    }
+    radii += balls[n].radius, optimal_radii += optimal[n].radius;
+    for (const int v : c.vertices[static_cast<int>(n)])
+      if (encloses(inflate(balls[n], slack), deformed[v]) != Verdict::holds) outside.insert(v);
+  }
+  out["balls"] = count, out["undefined"] = undefined, out["vertices_outside"] = outside.size();
+  out["mean_radius"] = radii / (count - undefined), out["mean_over_optimal"] = radii / optimal_radii;
+  return out;
+}
+
+}  // namespace
+
+int main() try {
+  json answers = json::array();
+  for (const json& question : json::parse(std::cin))
+    answers.push_back(question.contains("page") ? explorer::page_scene<Rational>(question.at("page"), question.at("values").get<std::vector<int>>(),
+                                                                                 [](const Rational& x) { return CGAL::to_double(x); })
+                                                : character_numbers(question));
+  std::cout << answers.dump(1) << '\n';
+} catch (const std::exception& e) {
+  std::cerr << "explorer_numbers: " << e.what() << '\n';
+  return 1;
+}

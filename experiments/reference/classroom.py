@@ -1,0 +1,71 @@
+"""What is not in the sources: the order of a class of two hours, and the pages for the programmer and the researcher."""
+
+# When, what, why, and the lemmas' stems.
+CLASS = [
+    ("0:00", "The picture", "Look at the report's first pictures: linear blending collapses, spherical blending does not, and the spheres follow without a vertex being "
+     "touched. In the explorer, twist the waist of the man by 170 degrees on level 13 and choose variants.", []),
+    ("0:15", "A cap and its ball: what breaks the algorithm", "Read the statement, then the erratum, then break a line. Everything else has the same form.",
+     ["lemma5_cap_enclosing_sphere"]),
+    ("0:40", "From quaternions to a cap", "Why a ball around a few quaternions bounds all of their blends.",
+     ["lemma1_cap_definitions", "lemma3_sphere_surface_intersection", "lemma2_normalization", "lemma4_quaternion_hull"]),
+    ("1:10", "From a cap of rotations to a ball of points", "The angle doubles; and when nothing but the whole sphere will do.",
+     ["s43_rotated_cap", "s43_distance_range", "s43_whole_sphere_fallback"]),
+    ("1:25", "Weights", "A box of weights has corners, and what is linear in the weights is in the hull of what the corners make.",
+     ["s41_corners_span", "s42_linear_part_hull", "s43_minkowski_sum"]),
+    ("1:40", "Beyond the paper", "Blending is a rational Bezier simplex: one hull of control points for everything.",
+     ["b1_rational_bezier_simplex", "b2_control_hull_encloses"]),
+    ("1:55", "An exercise to take home", "Three pages have exercises of which no test can see the error. Which, and why?", []),
+]
+
+FURTHER = [
+    ("All joint-sets of a node", ["s44_sum_of_bounds", "s44_joint_sets"]),
+    ("Simplifications that are theorems", ["t3_min_dot_distance", "t3_one_cap", "t3_smallest_ball_smallest_cap"]),
+    ("Beyond the paper, on", ["b3_subdivision", "b4_cap_fallback", "b5_rotation_axis", "b6_dual_quaternion_ball", "b7_reach"]),
+]
+
+PROGRAMMER = """
+<section id="example"><h2>The refit in an engine</h2>
+<p>A character is loaded once; each frame has joint transforms; a query asks for the sphere of a node when it reaches the node.
+No vertex is touched. This file is compiled and run by <code>experiments/run</code>; what stands here is the file.</p>
+[[include experiments/examples/engine_refit.cpp]]
+<p>Build it in the repository, and run it:</p>
+<pre><code>cmake --preset release
+cmake --build build/release --target engine_refit
+build/release/experiments/engine_refit</code></pre></section>
+<section id="parts"><h2>What to change</h2><ul>
+<li>The model: <code>algorithms/model/load.hpp</code> reads glTF, FBX, X and Collada; <code>algorithms/model/model.hpp</code> says what a model of one's own must hold.</li>
+<li>The skinning: <code>default_variant</code> names the refit to take for linear, spherical and dual quaternion blending (<code>algorithms/refit/variants.hpp</code>).</li>
+<li>Many nodes of one frame: <code>algorithms/refit/frame_refits.hpp</code>; all nodes at once in SIMD: <code>algorithms/batch/batch_refit.hpp</code>.</li>
+<li>Boxes, k-DOPs and oriented boxes in place of spheres: <code>algorithms/refit/volume_variants.hpp</code>.</li>
+<li>Which triangles of two characters touch: <code>algorithms/collide/collide.hpp</code>.</li></ul></section>
+"""
+
+RESEARCHER = """
+<section id="variant"><h2>Add a refit variant</h2><ol>
+<li>A refit is a function of a <code>RefitNode</code> (<code>algorithms/refit/refit_node.hpp</code>): a template over the number type if it is new, or a known
+one with another policy for its balls (<code>algorithms/refit/ball_policy.hpp</code>).</li>
+<li>Add a row to the table in <code>algorithms/refit/variants.cpp</code>: name, description, skinning, whether it is proved, which pieces it needs, the function. For example
+<pre><code>{"control_near", "control hull, near-smallest ball", spherical, true, P::node, control&lt;NearSmallestBalls&gt;},</code></pre></li>
+<li><code>proptests/run --only refit_end_to_end queries</code>: every variant of the table that says it is sound must enclose every vertex of random rigs and of the models
+(<code>proptests/algorithms/refit_end_to_end.cpp</code>). No test has to be written for that.</li>
+<li><code>experiments/run --only tightness speed</code>: it appears in the tables, plots and the explorer by itself.</li>
+<li>Of a new template, say in a suite of its own that intervals and exact numbers agree; <code>proptests/algorithms/control_hull.cpp</code> is one to follow.</li></ol></section>
+<section id="volume"><h2>Add a volume</h2><ol>
+<li>A class with <code>around(balls)</code>, a convex volume that encloses the balls: <code>algorithms/volumes/k_dop.hpp</code> and <code>algorithms/volumes/obb.hpp</code> are two.</li>
+<li>Add it to the type <code>Volume</code> in <code>algorithms/refit/volume_variants.hpp</code> and a row to the table in <code>algorithms/refit/volume_variants.cpp</code>. A k-DOP of
+another k needs its directions alone. The number of volumes stands in <code>proptests/algorithms/volume_refit.cpp</code> too.</li>
+<li><code>proptests/run --only volume_refit</code> checks every row against skinned vertices; a new class gets a suite with its own stem, as in <code>proptests/algorithms/obb.cpp</code>.</li>
+<li><code>experiments/run --only volumes</code> measures it.</li></ol></section>
+<section id="lemma"><h2>Add a lemma</h2><ol>
+<li><code>lemmas/lemma5_cap_enclosing_sphere.hpp</code> shows the order: statement, hypotheses as predicates, conclusion with a witness, a check of the witness that does not
+call the solver, erratum, sources. Templates over the number type; verdicts are combined with <code>&amp;</code>.</li>
+<li>Its pinned cases: a file of the same stem, like <code>proptests/counterexamples/lemma5_cap_enclosing_sphere.hpp</code>.</li>
+<li>Its suite: a file of the same stem, like <code>proptests/lemmas/lemma5_cap_enclosing_sphere.cpp</code>, with <code>PROPTEST(stem)</code>: it holds exactly, intervals never
+contradict, a mutated witness is rejected, and an example for each hypothesis that is dropped.</li>
+<li><code>proptests/run --only STEM</code>; then a full <code>proptests/run --update-readme</code>, which puts it into the verdict table.</li>
+<li>Two or three mutants in <code>proptests/mutants/list.toml</code>, and <code>proptests/mutants/run --only STEM</code>.</li>
+<li>Its place in the class in <code>experiments/reference/classroom.py</code>, and a picture in <code>experiments/reference/pictures.cpp</code>. Its page is then made by itself; the
+reference is not, until both are there.</li></ol></section>
+"""
+
+ROLES = [("programmer", "For the programmer: the refit in an engine", PROGRAMMER), ("researcher", "For the researcher: add a variant, a volume, a lemma", RESEARCHER)]
