@@ -6,6 +6,7 @@
 
 #include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/balls/round_up.hpp"
+#include "algorithms/batch/pose_packs.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -157,6 +158,20 @@ PROPTEST(frame_refits) {
               RC_TAG(expected.size() > 1 ? "from below" : "by itself");
             }
           });
+  t.example("a pose whose arrays were filled by hand is refused until it is measured", {}, [] {
+    const Character snake(make_snake(5));
+    FrameRefits frame(snake, default_variant(Skinning::spherical));
+    SkinningPose<double> pose;
+    PosePacks(snake.model, snake.sets, Skinning::spherical).make(reference_posture(snake.model), pose);
+    try {
+      frame.begin(pose);
+      return false;
+    } catch (const std::invalid_argument&) {
+    }
+    pose.measure();
+    frame.begin(pose);
+    return frame[0].radius > 0;
+  });
   t.example("of the built-in man's inner nodes some are bounded from below, some by their children, some by themselves", {}, [] {
     static const Drawn man(make_man(), 2006);
     FrameRefits plain(man.character, man.variant), below(man.character, man.variant, {.most_joint_sets = 16}),
