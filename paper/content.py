@@ -260,7 +260,7 @@ def verdict_table(results, lemmas):
             raise ResultError(f"verdicts.csv: a test of {stem} failed")
         printed = [r for r in rows if r["form"] == "printed"]
         refuted = [int(r["cases"]) for r in printed if r["verdict"] == "refuted"]
-        as_printed = f"refuted after {min(refuted)}" if refuted else "holds" if printed else ""
+        as_printed = f"refuted after {min(refuted)}" if refuted else f"holds ({cell(printed, 'holds')[0]})" if printed else ""
         held, degenerate = cell([r for r in rows if r["form"] != "printed"], "holds")
         out.append([f"\\texttt{{{escaped(stem)}}}", as_printed, held, degenerate])
     return table("llrr", ["statement", "as printed", "repaired or new: cases", "degenerate"], out)
@@ -295,12 +295,11 @@ def growth_plot(results, scene):
 
 
 def pareto_plot(results, model):
-    """Cost and tightness of each variant: the mean over the levels of the walk or first clip."""
-    posture = "walk"
+    """Cost of each variant in the model's twist and its tightness in the walk, mean over the levels."""
     lines = ["cost ratio label"]
-    for variant in ["spherical_repaired", "spherical_exact", "control_mean", "control_exact", "control_sets_near",
-                    "control_sets_exact", "control_mixed", "control_clusters"]:
-        ratio = values(results.select("tightness", model=model, posture=posture, variant=variant, quantity="ratio_to_optimal"))
+    for variant in SPHERICAL:
+        ratio = values(results.select("tightness", model=model, posture="walk", variant=variant,
+                                      quantity="ratio_to_optimal"))
         cost = results.number("speed", model=model, variant=variant, level="all", quantity="ratio_to_repaired")
         lines.append(f"{cost} {sum(ratio) / len(ratio)} {variant.replace('_', '-')}")
     return "\n".join(lines) + "\n"

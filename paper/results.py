@@ -50,18 +50,25 @@ class Results:
         self.complaints = []
         self.provenance = {}  # by file
         self._rows = {}
+        self._by_variant = {}  # by file, variant and quantity: the tightness file alone has a hundred thousand rows
 
     def rows(self, name):
         if name not in self._rows:
             self._rows[name] = self._read(name)
             self._judge(name)
+            index = self._by_variant[name] = {}
+            for row in self._rows[name]:
+                index.setdefault((row.get("variant"), row.get("quantity")), []).append(row)
         return self._rows[name]
 
     def select(self, name, **where):
         """The rows with these values; a value may be a function that says which ones. Raises ResultError for none."""
         def fits(row):
             return all(v(row[k]) if callable(v) else row[k] == v for k, v in where.items())
-        found = [row for row in self.rows(name) if fits(row)]
+        rows = self.rows(name)
+        if isinstance(where.get("variant"), str) and "quantity" in where:
+            rows = self._by_variant[name].get((where["variant"], where["quantity"]), [])
+        found = [row for row in rows if fits(row)]
         if not found:
             raise ResultError(f"{self._path(name)}: has no row of " + self._text(where))
         return found
