@@ -45,7 +45,7 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("quick")) o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = o.speed};
   if (map.count("full")) o.volumes = {.times_per_clip = 50, .nodes_per_level = 256, .speed = o.speed};
   if (map.count("quick")) o.rounding = {.postures = 1, .speed = o.speed};
-  if (map.count("full")) o.rounding = {.postures = 80, .vertices_per_node = 16, .speed = o.speed};
+  if (map.count("full")) o.rounding = {.postures = 80, .vertices_per_node = 16};
   if (map.count("quick")) o.collisions = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}, .first_model_only = true};
   if (map.count("full")) o.collisions = {.frames = 100, .speed = {.seconds_per_run = 0.2, .repetitions = 5}, .all_detectors = true};
   if (map.count("quick")) o.triangles = {.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};

@@ -1,5 +1,6 @@
 #include "algorithms/queries/exact_skin.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/skinning/blend.hpp"
@@ -37,19 +38,28 @@ const Vec<Rational, 3>& ExactSkin::exact(int vertex) {
   return *known;
 }
 
-bool ExactSkin::is_in(const Ball3<double>& ball, int vertex) {
-  if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return ball.radius == HUGE_VAL;
-  auto& quick = quick_[vertex];
-  if (!quick) quick = skinned<Interval>(vertex);
-  const Verdict v = encloses(Ball3<Interval>{convert<Interval>(ball.center), Interval(ball.radius)}, *quick);
-  if (v != Verdict::undecided) return v == Verdict::holds;
-  return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, exact(vertex)) == Verdict::holds;
+const ExactSkin::Enclosure& ExactSkin::enclosure(int vertex) {
+  auto& known = quick_[vertex];
+  if (!known) {
+    const Vec<Interval, 3> v = skinned<Interval>(vertex);
+    known.emplace();
+    known->error = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double about = known->about[i] = (v[i].inf() + v[i].sup()) / 2;
+      known->error += std::max(v[i].sup() - about, about - v[i].inf());
+    }
+  }
+  return *known;
 }
 
-double ExactSkin::excess(const Ball3<double>& ball, int vertex) {
-  const Rational squared = squared_distance<Rational, 3>(exact(vertex), convert<Rational>(ball.center));
-  const double beyond = CGAL::to_double(Rational(squared - sq(Rational(ball.radius))));
-  return beyond / (std::sqrt(CGAL::to_double(squared)) + ball.radius);  // a difference of roots would have no digits left
+bool ExactSkin::is_in(const Ball3<double>& ball, int vertex) {
+  if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return ball.radius == HUGE_VAL;
+  const Enclosure& quick = enclosure(vertex);
+  const double distance = norm<double, 3>(quick.about - ball.center);
+  const double unsure = 2 * quick.error + 1e-14 * (distance + ball.radius) + 1e-150;  // far more than is rounded here
+  if (distance + unsure < ball.radius) return true;
+  if (distance - unsure > ball.radius) return false;
+  return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, exact(vertex)) == Verdict::holds;
 }
 
 }  // namespace refitlab

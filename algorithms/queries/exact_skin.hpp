@@ -24,12 +24,9 @@ class ExactSkin {
   // The vertex in rationals, computed when first asked for.
   const Vec<Rational, 3>& exact(int vertex);
 
-  // Whether the ball, its numbers as they stand, has the vertex: decided in intervals, and where they do not know in
-  // rationals. A ball that is not finite has it only if the radius is infinite.
+  // Whether the ball, its numbers as they stand, has the vertex: decided in double if it is in or out by more than the
+  // vertex, skinned in intervals, is uncertain; else in rationals. A ball that is not finite has it only if the radius is infinite.
   bool is_in(const Ball3<double>& ball, int vertex);
-
-  // How far a vertex that is not in the ball is outside, rounded.
-  double excess(const Ball3<double>& ball, int vertex);
 
  private:
   template <class S>
@@ -39,7 +36,14 @@ class ExactSkin {
   const JointSets& sets_;
   const SkinningPose<double>& pose_;
   const Skinning skinning_;
-  std::vector<std::optional<Vec<Interval, 3>>> quick_;  // by vertex
+  // The vertex is within error of about.
+  struct Enclosure {
+    Point3 about;
+    double error;
+  };
+  const Enclosure& enclosure(int vertex);
+
+  std::vector<std::optional<Enclosure>> quick_;  // by vertex
   std::vector<std::optional<Vec<Rational, 3>>> exact_;
 };
 
