@@ -47,8 +47,8 @@ def queries_block(results):
                            ("the fastest of Embree, FCL and Bullet", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
         times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
         times.append(content.grown_time(results, most, "near", detector or "embree"))
-        rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2) for t in times) + " |")
-    heads = [s if s in ("far", "near") else f"{s}, {digits(content.pairs_of(results, s))} pairs" for s in scenes]
+        rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
+    heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):g} pairs" for s in scenes]
     return f"""\
 Two walking men of 8270 triangles, all touching pairs, microseconds a frame from posture to pairs (`experiments/run --only collisions growth`; commit
 {commit}, {cpu}, one thread; every pair set is checked against all pairs by brute force; Embree alone in the last column):
