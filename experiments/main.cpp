@@ -1,6 +1,7 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
 #include <boost/program_options.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -135,6 +136,7 @@ int main(int argc, char** argv) try {
     report.queries = run_queries(options.queries);
     write_queries(report.queries, options.queries, options.out + "/results");
   }
+  if (std::filesystem::exists(options.out + "/report/reference/index.html")) report.reference = "reference/index.html";
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
 } catch (const std::exception& e) {
