@@ -1,4 +1,5 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -125,6 +126,7 @@ int main(int argc, char** argv) try {
   if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report, result);
   result.write();
   if (!options.explorer.empty()) report.explorer = read_text(options.explorer);
+  if (std::filesystem::exists(options.out + "/report/reference/index.html")) report.reference = "reference/index.html";
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
 } catch (const std::exception& e) {

@@ -14,7 +14,7 @@ CLASS = [
      ["s41_corners_span", "s42_linear_part_hull", "s43_minkowski_sum"]),
     ("1:40", "Beyond the paper", "Blending is a rational Bezier simplex: one hull of control points for everything.",
      ["b1_rational_bezier_simplex", "b2_control_hull_encloses"]),
-    ("1:55", "An exercise to take home", "Three pages have exercises of which no test can see the error. Which, and why?", []),
+    ("1:55", "An exercise to take home", "Plant an error of your own that is not in proptests/mutants/list.toml. Does a test die? If none does: is the error one that no test can see, or is a test missing?", []),
 ]
 
 FURTHER = [

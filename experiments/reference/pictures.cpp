@@ -105,7 +105,7 @@ void lemma5(Plane& p) {
   p.ball("ball", cap_ball_repaired(cap));
   p.ball("printed", cap_ball_printed(cap));
   p.cap(cap);
-  p.dot("dot_out", cap.apex, "apex: outside the printed ball"), p.dot("dot", cap_ball_printed(cap).center, "printed"), p.dot("dot_in", {0, 0}, "repaired");
+  p.dot("dot_out", cap.apex, "apex"), p.dot("dot", cap_ball_printed(cap).center, "printed"), p.dot("dot_in", {0, 0}, "repaired");
 }
 
 // The weights of three joints as a triangle.
@@ -172,7 +172,7 @@ void s43_whole_sphere(Plane& p) { draw_hull_in_cap(p, {{1, 0}, {1, 0}, {1, 0}, {
 
 void draw_balls_and_theirs(Plane& p, const std::vector<Ball3<double>>& balls) {
   for (const auto& b : balls) p.ball("ball", flat(b)), p.dot("dot", flat(b.center));
-  p.ball("printed", flat(few_balls_enclosing(balls)));
+  p.ball("outer", flat(few_balls_enclosing(balls)));
 }
 void s44_sum(Plane& p) {
   std::vector<Ball3<double>> balls;
@@ -211,7 +211,7 @@ void t3_one_cap(Plane& p) {
 void t3_smallest(Plane& p) {
   const std::vector<Point> units{on_circle(-10), on_circle(0), on_circle(8), on_circle(100)};
   const auto ball = smallest_ball<double, 2>(units);
-  p.ball("printed", mean_ball_of(units));
+  p.ball("outer", mean_ball_of(units));
   const SquaredBall<double, 2> smallest{ball.center, ball.squared_radius};
   draw_surface_and_cap(p, smallest);
   p.ball("ball", smallest);
@@ -273,7 +273,7 @@ void b5(Plane& p) {
   const Point3D x(0.5, 0, 1.5);
   const auto side = [](const Point3D& v) { return Point(v[0], v[2]); };
   const auto whole = fallback_ball(cap, x), twist = twist_ball(cap, split_at_axis<double>({0, 0, 1}, x));
-  p.ball("printed", {side(whole.center), whole.squared_radius});
+  p.ball("outer", {side(whole.center), whole.squared_radius});
   p.ball("ball", {side(twist.center), twist.squared_radius});
   p.path("plane", {{0, -0.2}, {0, 2}});
   std::vector<Point> path;
@@ -301,26 +301,69 @@ void b7(Plane& p) {
   p.path("curve", curve_of(dual_blend(joints, point)));
 }
 
-const std::map<std::string, void (*)(Plane&)> pictures{
-    {"lemma1_cap_definitions", lemma1}, {"lemma2_normalization", lemma2}, {"lemma3_sphere_surface_intersection", lemma3},
-    {"lemma4_quaternion_hull", lemma4}, {"lemma5_cap_enclosing_sphere", lemma5}, {"s41_corners_span", s41},
-    {"s42_linear_part_hull", s42}, {"s43_distance_range", s43_distance_range}, {"s43_minkowski_sum", s43_minkowski_sum},
-    {"s43_rotated_cap", s43_rotated_cap}, {"s43_whole_sphere_fallback", s43_whole_sphere}, {"s44_sum_of_bounds", s44_sum},
-    {"s44_joint_sets", s44_joint_sets}, {"t3_min_dot_distance", t3_min_dot}, {"t3_one_cap", t3_one_cap},
-    {"t3_smallest_ball_smallest_cap", t3_smallest}, {"b1_rational_bezier_simplex", b1}, {"b2_control_hull_encloses", b2},
-    {"b3_subdivision", b3}, {"b4_cap_fallback", b4}, {"b5_rotation_axis", b5}, {"b6_dual_quaternion_ball", b6}, {"b7_reach", b7}};
+struct Picture {
+  void (*draw)(Plane&);
+  const char* caption;
+};
+const std::map<std::string, Picture> pictures{
+    {"b1_rational_bezier_simplex",
+     {b1, "A vertex between two joints that turn apart by 140 degrees: its way as the weight changes, and the four control points of degree 3."}},
+    {"b2_control_hull_encloses",
+     {b2, "Balls about the control points, and the smallest ball (dashed) around them: it holds every vertex that is as near to the curve."}},
+    {"b3_subdivision",
+     {b3, "The weights halved: two control polygons that are together far closer to the curve than the one."}},
+    {"b4_cap_fallback",
+     {b4, "Where control weights are not positive: a ball about each corner’s image, of the cap that holds all rotations."}},
+    {"b5_rotation_axis",
+     {b5, "From the side: a twist moves x about the axis alone. The ball of the cap (dashed) does not know the axis; the small one does."}},
+    {"b6_dual_quaternion_ball",
+     {b6, "The way of a vertex under dual quaternions, and the ball about its middle, from the two joints alone."}},
+    {"b7_reach",
+     {b7, "From the images of a point by two joints alone: the hull of these balls holds the way of the dual quaternion blend."}},
+    {"lemma1_cap_definitions",
+     {lemma1, "The half-space (its border green) cuts the cap (yellow) with apex a from the circle about c."}},
+    {"lemma2_normalization",
+     {lemma2, "The hull of the q (filled) and that of the same vectors at length 1: the blend a and its partner b are on one ray from 0."}},
+    {"lemma3_sphere_surface_intersection",
+     {lemma3, "The ball about b cuts the cap (yellow) from the circle; its half-space is at the distance d from 0."}},
+    {"lemma4_quaternion_hull",
+     {lemma4, "Three unit vectors, their mean ball about c and its cap (yellow): the blend b, brought back to the circle, is in the cap."}},
+    {"lemma5_cap_enclosing_sphere",
+     {lemma5, "A cap (yellow) with cos α = −0.6: its apex is outside the printed ball (dashed); the repaired one is the whole circle’s."}},
+    {"s41_corners_span",
+     {s41, "The weights of three joints as points of a triangle: what the bounds admit (filled), and its corners."}},
+    {"s42_linear_part_hull",
+     {s42, "Where three joints carry the rotation center (C r), and where the corners of the weights do (r'): the hull of these holds what admissible weights can reach."}},
+    {"s43_distance_range",
+     {s43_distance_range, "A ball that meets the circle has a distance in [0, 1]. The dashed one passes the printed conditions and has 13/8."}},
+    {"s43_minkowski_sum",
+     {s43_minkowski_sum, "A ball turned about r by blends: its center moves, its size does not."}},
+    {"s43_rotated_cap",
+     {s43_rotated_cap, "Left, a cap of rotations up to the angle 40° about 1 (the half angle of the turn). Right, what they make of v: up to twice that."}},
+    {"s43_whole_sphere_fallback",
+     {s43_whole_sphere, "Three equal quaternions and one at (−7/25, 24/25): the mean ball has the radius 6/5, and its cap (yellow) is good."}},
+    {"s44_joint_sets",
+     {s44_joint_sets, "The balls of two joint-sets, each about images of its own corners, and the ball (dashed) around all of them."}},
+    {"s44_sum_of_bounds",
+     {s44_sum, "Equal balls about the images of the corners, and the smallest ball (dashed) around them."}},
+    {"t3_min_dot_distance",
+     {t3_min_dot, "The cap’s half-space is as far from 0 as the least of the dot products with the center’s direction."}},
+    {"t3_one_cap",
+     {t3_one_cap, "Quaternions of different lengths, not normalised: the cap about c (yellow) holds the directions of their whole hull."}},
+    {"t3_smallest_ball_smallest_cap",
+     {t3_smallest, "The smallest ball of the units makes the smallest cap (yellow). Three that are close drag the mean ball (dashed) along."}}};
 
 }  // namespace
 
 int main(int argc, char** argv) try {
   if (argc != 2) throw std::invalid_argument("usage: reference_pictures FOLDER");
   std::filesystem::create_directories(argv[1]);
-  for (const auto& [stem, draw] : pictures) {
+  for (const auto& [stem, picture] : pictures) {
     Plane plane;
-    draw(plane);
+    picture.draw(plane);
     const std::string path = (std::filesystem::path(argv[1]) / (stem + ".svg")).string();
     std::ofstream file(path);
-    if (!(file << plane.svg(stem))) throw std::runtime_error(path + ": cannot be written");
+    if (!(file << plane.svg(picture.caption))) throw std::runtime_error(path + ": cannot be written");
   }
 } catch (const std::exception& e) {
   std::cerr << "reference_pictures: " << e.what() << '\n';

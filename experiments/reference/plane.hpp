@@ -53,6 +53,7 @@ class Plane {
     return {c * v[0] - s * v[1], s * v[0] + c * v[1]};
   }
 
+  // The title is the picture's caption, for who does not see it.
   std::string svg(const std::string& title) const {
     std::ostringstream out;
     const double margin = 20, width = high_[0] - low_[0], height = high_[1] - low_[1];

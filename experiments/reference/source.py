@@ -10,7 +10,7 @@ def inline(text):
     """A line of a comment: its ASCII formulas in Unicode, with sub- and superscripts."""
     text = html.escape(text, quote=False)
     text = text.replace("||", "‖").replace("&gt;=", "≥").replace("&lt;=", "≤").replace("!=", "≠").replace("-&gt;", "→")
-    text = re.sub(r"\bsum(?=_| [a-z]_| \()", "Σ", text)
+    text = re.sub(r"\bsum(?=_| [a-z]_| \(| ‖)", "Σ", text)
     text = re.sub(r"\b(" + "|".join(GREEK) + r")\b", lambda m: GREEK[m[1]], text)
     text = re.sub(r"((?<![A-Za-z0-9_])[A-Za-zΣα-ω]'{0,2})_(?:\{([^}]*)\}|([A-Za-z0-9]{1,3}(?![A-Za-z0-9_])))", lambda m: f"{m[1]}<sub>{m[2] or m[3]}</sub>", text)
     text = re.sub(r"\^(-?[0-9]+|[A-Za-z](?![A-Za-z]))", r"<sup>\1</sup>", text)
@@ -26,6 +26,9 @@ def paragraphs(lines, stems):
             out.append("<p>" + " ".join(inline(x) for x in block) + "</p>")
             block.clear()
     for line in lines:
+        line = re.sub(r"^(Statement|Proof)\. ", "", line)
+        if re.match(r"(Paper|Notation|Replaces|Sources|Used by): ", line):
+            flush()
         if not line.strip():
             flush()
         elif line.startswith("   ") or line.startswith("\t"):
@@ -70,7 +73,8 @@ def read_lemma(path):
     lines = path.read_text().split("\n")
     end = lines.index("#pragma once")
     comment = [l[3:] for l in lines[:end]]
-    title = comment[0].rstrip(".").removeprefix("Beyond the paper: ").strip()
+    blank = next(i for i, l in enumerate(comment) if not l.strip())
+    title = " ".join(comment[:blank]).rstrip(".").removeprefix("Beyond the paper: ").strip()
     at = next((i for i, l in enumerate(comment) if l.startswith("Proof")), len(comment))
     last = next(i for i, l in enumerate(lines) if l.startswith("}  // namespace refitlab"))
     first = lines.index("namespace refitlab {")
@@ -85,18 +89,7 @@ def read_lemma(path):
             block.append(line)
     sections.append((heading, "\n".join(block)))
     sources = [l[3:] for l in lines[last + 1:] if l.startswith("//")]
-    statement = comment[1:at]
-    return Lemma(title[0].upper() + title[1:], statement, comment[at:], sections, separate(sources))
-
-
-def separate(lines):
-    """Sources and used-by are paragraphs of their own."""
-    out = []
-    for line in lines:
-        if line.startswith("Used by"):
-            out.append("")
-        out.append(line)
-    return out
+    return Lemma(title[0].upper() + title[1:], comment[blank:at], comment[at:], sections, sources)
 
 
 @dataclasses.dataclass

@@ -230,6 +230,8 @@ void write_report(const Report& report, const std::string& path) {
       << style << "</head><body>\n<h1>refitlab: bounding what skinning does to vertices, without touching them</h1>\n";
   for (const auto& absent : report.absent_models)
     out << "<p class=\"bad\">The model " << escape_html(absent) << " was absent from this run: it could not be fetched.</p>\n";
+  if (!report.reference.empty())
+    out << "<p>Lemma by lemma, with exercises, and how to build on it: <a href=\"" << report.reference << "\">the reference</a>.</p>\n";
   write_pictures(out, report.pictures);
   out << report.explorer;
   write_tightness_section(out, report.tightness);

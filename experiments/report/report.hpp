@@ -22,6 +22,7 @@ struct Report {
   std::vector<std::string> absent_models;
   std::vector<Picture> pictures;
   std::string explorer;  // the HTML of explorer/build; empty: none
+  std::string reference;  // the address of the teaching reference, from the page; empty: none
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
   std::vector<BatchSpeed> batches;

@@ -1,6 +1,6 @@
 // The character: its skin, the balls of a level of its tree, the vertices that they miss, and joints to drag.
 import * as THREE from 'three';
-import {Stage, colors, isDark} from './stage.js';
+import {Stage, colors, disc, isDark} from './stage.js';
 import {rows, say} from './dom.js';
 
 const degrees = Math.PI / 180;
@@ -76,13 +76,15 @@ export class CharacterView {
     const skin = new THREE.BufferGeometry();
     skin.setIndex(new THREE.BufferAttribute(this.character.triangles, 1));
     const outline = new THREE.BufferGeometry();
+    // Over everything: what is transparent is drawn last, in the order that is asked for.
+    const marks = {map: disc(), alphaTest: 0.5, transparent: true, sizeAttenuation: false, depthTest: false};
     this.meshes = {
       skin: new THREE.Mesh(skin, new THREE.MeshStandardMaterial({color: 0xb9c2ca, roughness: 0.75})),
-      outside: new THREE.Points(outline, new THREE.PointsMaterial({size: 8, sizeAttenuation: false, color: colors.orange, depthTest: false})),
-      halo: new THREE.Points(outline, new THREE.PointsMaterial({size: 12, sizeAttenuation: false, color: 0x000000, depthTest: false})),
+      outside: new THREE.Points(outline, new THREE.PointsMaterial({...marks, size: 9, color: colors.orange})),
+      halo: new THREE.Points(outline, new THREE.PointsMaterial({...marks, size: 13})),
       joints: new THREE.InstancedMesh(new THREE.SphereGeometry(1, 12, 8),
                                       new THREE.MeshBasicMaterial({depthTest: false, transparent: true, opacity: 0.75}), this.character.joints.length),
-      ring: new THREE.Mesh(new THREE.TorusGeometry(1, 0.06, 8, 48), new THREE.MeshBasicMaterial({color: colors.pink, depthTest: false})),
+      ring: new THREE.Mesh(new THREE.TorusGeometry(1, 0.06, 8, 48), new THREE.MeshBasicMaterial({color: colors.pink, depthTest: false, transparent: true})),
     };
     this.meshes.halo.renderOrder = 8, this.meshes.outside.renderOrder = 9, this.meshes.joints.renderOrder = 10, this.meshes.ring.renderOrder = 10;
     this.stage.scene.add(...Object.values(this.meshes));

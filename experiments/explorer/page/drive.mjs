@@ -105,7 +105,7 @@ for (const {id, sliders, presets} of pages) {
   await page.locator(`#tab-${id}`).click();
   for (const [i, {label}] of presets.entries()) {
     await page.locator('#explorer .presets button').nth(i).click();
-    seen.push({name: `${id}, ${label}`, marks: await page.locator('#explorer .verdicts .mark').allTextContents()});
+    seen.push({name: `${id}, ${label}`, question: questions.length, marks: await page.locator('#explorer .verdicts .mark').allTextContents()});
     questions.push({page: id, values: presets[i].values});
   }
   for (let s = 0; s < sliders.length; ++s)
@@ -118,8 +118,8 @@ for (const {id, sliders, presets} of pages) {
 const scenes = library(questions);
 const live = await page.evaluate(list => list.map(q => window.refitlabExplorer.geometry.scene(q.page, q.values)), questions);
 check(live.every((scene, i) => same(scene, scenes[i])), `${questions.length} scenes of lemmas are the library's`);
-seen.forEach(({name, marks}, i) => check(marks.length > 0 && marks.length === scenes[i].verdicts.length &&
-    marks.every((m, k) => m.startsWith(scenes[i].verdicts[k].verdict === 'holds' ? '✓' : '✗')), `${name}: ${marks.join(' ')}`));
+seen.forEach(({name, question, marks}) => check(marks.length > 0 && marks.length === scenes[question].verdicts.length &&
+    marks.every((m, k) => m.startsWith(scenes[question].verdicts[k].verdict === 'holds' ? '✓' : '✗')), `${name}: ${marks.join(' ')}`));
 check(scenes.every(s => s.verdicts.every(v => v.form !== 'repaired' || v.verdict === 'holds')), 'no repaired statement fails anywhere');
 check(pages.every(p => scenes.some((s, i) => questions[i].page === p.id && s.verdicts.some(v => v.form === 'printed' && v.verdict === 'fails'))),
       'each printed statement can be seen to fail');
@@ -132,7 +132,8 @@ for (const [width, height, name] of [[1200, 900, 'desktop'], [390, 844, 'phone']
     await view.locator('#explorer .presets button').nth(2).click();
     check(await view.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${name}, ${scheme}: nothing is wider than the page`);
     await view.waitForTimeout(500);
-    await view.locator('#explorer').screenshot({path: `${folder}/explorer_${name}_${scheme}.png`});
+    const clip = await view.evaluate(() => (({x, y, width, height}) => ({x: x + scrollX, y: y + scrollY, width, height}))(document.getElementById('explorer').getBoundingClientRect()));
+    await view.screenshot({path: `${folder}/explorer_${name}_${scheme}.png`, fullPage: true, clip});
     await view.close();
   }
 check(errors.length === 0, `no errors in the console${errors.length ? `: ${errors.slice(0, 3).join('; ')}` : ''}`);

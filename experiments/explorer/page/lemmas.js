@@ -8,7 +8,7 @@ const roles = {
   ball: {color: () => colors.sky, opacity: 0.22},
   printed: {color: () => colors.orange, opacity: 0.2, grid: true},
   repaired: {color: () => colors.blue, opacity: 0.2},
-  cap: {color: () => colors.yellow, opacity: 0.6},
+  cap: {color: () => colors.yellow, opacity: 0.45},
   half_space: {color: () => colors.green, opacity: 0.22},
   normal: {color: () => colors.green}, foot: {color: () => colors.green, size: 0.03},
   hull: {color: () => (isDark() ? 0xdfe6ea : 0x33404a)}, other_hull: {color: () => colors.blue}, rim: {color: () => colors.blue},

@@ -92,6 +92,15 @@ export function label(text, size, color = isDark() ? '#f0f2f4' : '#15181b') {
   return sprite;
 }
 
+// A round mark for points.
+export function disc() {
+  const canvas = Object.assign(document.createElement('canvas'), {width: 32, height: 32}), pen = canvas.getContext('2d');
+  pen.fillStyle = '#fff';
+  pen.arc(16, 16, 15, 0, 2 * Math.PI);
+  pen.fill();
+  return new THREE.CanvasTexture(canvas);
+}
+
 export function dispose(group) {
   group.traverse(object => {
     object.geometry?.dispose();

@@ -19,7 +19,7 @@ inline Page lemma4_page() {
            {"copies of 1", 1, 3, 1, plain_text},
            {"weight of the first", 0, 10, 4, plain_text},
            {"weight of the second", 0, 10, 3, plain_text}},
-          {{"a cap", {12, 10, 1, 4, 3}}, {"r = 6/5 and a good cap", {16, 0, 3, 8, 0}}, {"a blend outside the cap", {30, 30, 1, 9, 9}}}};
+          {{"a cap", {12, 10, 1, 4, 3}}, {"r = 6/5 and a good cap", {16, 0, 2, 8, 0}}, {"a blend outside the cap", {24, 24, 3, 5, 5}}}};
 }
 
 template <class S>

@@ -19,7 +19,7 @@ inline Page whole_sphere_page() {
           {{"turn of the last quaternion", 0, half_turn, 8, circle_text},
            {"copies of 1", 1, 3, 1, plain_text},
            {"blend", 0, 10, 5, [](int k) { return std::to_string(10 * k) + " %"; }}},
-          {{"a small turn", {8, 1, 5}}, {"the ball misses v", {10, 1, 0}}, {"r = 6/5, still a cap", {16, 3, 8}}, {"a negative radius", {36, 3, 10}}}};
+          {{"a small turn", {8, 1, 5}}, {"the ball misses it", {7, 3, 3}}, {"r = 6/5, still a cap", {16, 3, 8}}, {"a negative radius", {36, 3, 10}}}};
 }
 
 template <class S>
