@@ -187,7 +187,7 @@ void all_values(json& value, std::vector<json*>& out) {
     for (json& v : value) all_values(v, out);
 }
 
-// One value becomes something else, by whatever shape it has.
+// One value becomes something else, by whatever shape it has; the document itself stays an object.
 json with_other_value(json document, std::mt19937& random) {
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   const json before = document;
@@ -197,7 +197,7 @@ json with_other_value(json document, std::mt19937& random) {
     json& value = *values[pick(values.size())];
     const json others[] = {nullptr, true, 0, -1, 1.5, "", "1/0", "0/1", "-1", "1e3", "nan", json::array(), json::object(),
                            std::string(5000, '7'), {"1", "2", "3"}, *values[pick(values.size())]};
-    if (pick(2) == 0 || !value.is_structured() || value.empty()) {
+    if (&value != &document && (pick(2) == 0 || !value.is_structured() || value.empty())) {
       value = json(others[pick(std::size(others))]);
     } else if (value.is_object()) {
       const std::string key = std::next(value.begin(), static_cast<std::ptrdiff_t>(pick(value.size()))).key();
@@ -499,6 +499,12 @@ PROPTEST(certificate) {
     return Checked(refused == 5 && folder.size() > 0, refused, std::to_string(folder.size()) + " forged");
   });
   t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);
+  t.example("the checker has at most 200 lines", {}, [] {
+    std::ifstream file(oracle::checker());
+    long lines = 0;
+    for (std::string line; std::getline(file, line);) ++lines;
+    return Checked(lines > 0 && lines <= 200, lines, "");
+  });
   t.example("an unreadable file and none at all are told from rejected ones by the exit status", {}, [] {
     CheckedFolder folder;
     return oracle::run_checker("").status == 2 && oracle::run_checker(folder.path() + "/absent.json").status == 2 &&
