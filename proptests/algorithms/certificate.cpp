@@ -288,21 +288,23 @@ class Forger {
  public:
   explicit Forger(std::mt19937& random) : random_(random) {}
 
-  // Inputs and bounds are changed or not, and then the radius is a little less than is needed.
+  // Inputs and bounds are changed or not, and then the radius is a little less than is needed. The center is moved little
+  // or far: seen from afar, any image may be the farthest, not only those of corners.
   json forge(json document) {
     json& piece = document["pieces"][pick(document["pieces"].size())];
     json& set = document["joint_sets"][piece["joint_set"].get<std::size_t>()];
     const std::size_t joint = pick(set["rotations"].size());
-    switch (pick(8)) {
+    switch (pick(7)) {
       case 0: set["rotations"][joint] = as_json<4>(some_vector<4>()); break;  // a joint is turned
       case 1: set["rotations"][joint] = negated(set["rotations"][joint]); break;
       case 2: move(set, joint); break;
       case 3: widen(piece["corners"]); break;
       case 4: piece["reference"]["radius"] = as_text(number(piece["reference"]["radius"]) + Rational(int(pick(3)), 8)); break;
       case 5: piece["reference"]["center"] = as_json<3>(some_vector<3>()); break;
-      case 6: document["ball"]["center"] = as_json<3>(vector<3>(document["ball"]["center"]) + some_vector<3>() / 64); break;
       default: break;
     }
+    const Rational far[] = {0, Rational(1, 64), 1, 64};
+    document["ball"]["center"] = as_json<3>(vector<3>(document["ball"]["center"]) + some_vector<3>() * far[pick(4)]);
     for (json& p : document["pieces"])
       if (pick(2) == 0) p["bound"] = some_bound(document, p, 3);
     const double gap = std::pow(10., -3. - double(pick(6)));
