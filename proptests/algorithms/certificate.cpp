@@ -187,7 +187,7 @@ void all_values(json& value, std::vector<json*>& out) {
     for (json& v : value) all_values(v, out);
 }
 
-// One value becomes something else, by whatever shape it has.
+// One value becomes something else, by whatever shape it has; the document itself stays an object.
 json with_other_value(json document, std::mt19937& random) {
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   const json before = document;
@@ -197,7 +197,7 @@ json with_other_value(json document, std::mt19937& random) {
     json& value = *values[pick(values.size())];
     const json others[] = {nullptr, true, 0, -1, 1.5, "", "1/0", "0/1", "-1", "1e3", "nan", json::array(), json::object(),
                            std::string(5000, '7'), {"1", "2", "3"}, *values[pick(values.size())]};
-    if (pick(2) == 0 || !value.is_structured() || value.empty()) {
+    if (&value != &document && (pick(2) == 0 || !value.is_structured() || value.empty())) {
       value = json(others[pick(std::size(others))]);
     } else if (value.is_object()) {
       const std::string key = std::next(value.begin(), static_cast<std::ptrdiff_t>(pick(value.size()))).key();
@@ -288,21 +288,23 @@ class Forger {
  public:
   explicit Forger(std::mt19937& random) : random_(random) {}
 
-  // Inputs and bounds are changed or not, and then the radius is a little less than is needed.
+  // Inputs and bounds are changed or not, and then the radius is a little less than is needed. The center is moved little
+  // or far: seen from afar, any image may be the farthest, not only those of corners.
   json forge(json document) {
     json& piece = document["pieces"][pick(document["pieces"].size())];
     json& set = document["joint_sets"][piece["joint_set"].get<std::size_t>()];
     const std::size_t joint = pick(set["rotations"].size());
-    switch (pick(8)) {
+    switch (pick(7)) {
       case 0: set["rotations"][joint] = as_json<4>(some_vector<4>()); break;  // a joint is turned
       case 1: set["rotations"][joint] = negated(set["rotations"][joint]); break;
       case 2: move(set, joint); break;
       case 3: widen(piece["corners"]); break;
       case 4: piece["reference"]["radius"] = as_text(number(piece["reference"]["radius"]) + Rational(int(pick(3)), 8)); break;
       case 5: piece["reference"]["center"] = as_json<3>(some_vector<3>()); break;
-      case 6: document["ball"]["center"] = as_json<3>(vector<3>(document["ball"]["center"]) + some_vector<3>() / 64); break;
       default: break;
     }
+    const Rational far[] = {0, Rational(1, 64), 1, 64};
+    document["ball"]["center"] = as_json<3>(vector<3>(document["ball"]["center"]) + some_vector<3>() * far[pick(4)]);
     for (json& p : document["pieces"])
       if (pick(2) == 0) p["bound"] = some_bound(document, p, 3);
     const double gap = std::pow(10., -3. - double(pick(6)));
@@ -499,6 +501,12 @@ PROPTEST(certificate) {
     return Checked(refused == 5 && folder.size() > 0, refused, std::to_string(folder.size()) + " forged");
   });
   t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);
+  t.example("the checker has at most 200 lines", {}, [] {
+    std::ifstream file(oracle::checker());
+    long lines = 0;
+    for (std::string line; std::getline(file, line);) ++lines;
+    return Checked(lines > 0 && lines <= 200, lines, "");
+  });
   t.example("an unreadable file and none at all are told from rejected ones by the exit status", {}, [] {
     CheckedFolder folder;
     return oracle::run_checker("").status == 2 && oracle::run_checker(folder.path() + "/absent.json").status == 2 &&

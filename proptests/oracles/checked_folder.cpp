@@ -12,9 +12,11 @@ namespace proptests::oracle {
 
 namespace fs = std::filesystem;
 
+std::string checker() { return PROPTESTS_CHECKER; }
+
 CheckerRun run_checker(const std::string& path) {
-  std::FILE* pipe = ::popen(("python3 proptests/certificate/check " + path + " 2>&1").c_str(), "r");
-  if (!pipe) throw std::runtime_error("cannot run proptests/certificate/check");
+  std::FILE* pipe = ::popen(("python3 '" + checker() + "' " + path + " 2>&1").c_str(), "r");
+  if (!pipe) throw std::runtime_error("cannot run " + checker());
   std::string text;
   std::array<char, 4096> buffer;
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);

@@ -10,7 +10,8 @@ struct CheckerRun {
   int status;
   std::vector<std::string> lines;  // of both its streams
 };
-// From the root of the repository, as the tests are run.
+std::string checker();  // the path of its program
+// path: a file or folder without spaces, or nothing.
 CheckerRun run_checker(const std::string& path);
 
 // What the checker says of a file.
