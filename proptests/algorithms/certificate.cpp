@@ -436,6 +436,7 @@ Checked check_malformed() {
       {"a cap without axis", with("/pieces/0/bound", {{"by", "cap"}}), "bound has not the members"},
       {"a cap about 0", with("/pieces/0/bound", {{"by", "cap"}, {"axis", {"0", "0", "0", "0"}}}), "not ahead"},
       {"halves of no edge", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 99}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}), "edge ends at no corner"},
+      {"halves of an edge counted from the end", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {-1, 0}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}), "edge ends at no corner"},
       {"one half", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 1}}, {"halves", {good["pieces"][0]["bound"]}}}), "has 1 items, not 2"},
   };
   CheckedFolder folder;
