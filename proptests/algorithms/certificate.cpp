@@ -103,19 +103,9 @@ bool is_about(const json& document, const RefitNode<double>& node, Skinning skin
 
 // --- What is true ---
 
-// A refit in double may be short by rounding, relative to the coordinates' size.
-Ball3<double> enlarged(const Ball3<double>& ball, const RefitNode<double>& node) {
-  double size = ball.center.norm() + ball.radius;
-  for (const auto& set : node.joint_sets) {
-    const auto pose = node.pose[set.joint_set];
-    size = std::max(size, pose.rotation_center.norm() + node.reference.center.norm());
-  }
-  return {ball.center, ball.radius + 1e-12 * size};
-}
-
 // Puts the certificate of a variant's ball into the folder and returns it; a null document if the ball is all of space.
 json certify(CheckedFolder& folder, const RefitVariant& variant, const RefitNode<double>& node) {
-  const Ball3<double> ball = enlarged(variant.refit(node), node);
+  const Ball3<double> ball = variant.refit(node);
   if (std::isinf(ball.radius)) return {};
   const std::string text = certificate(node, variant.skinning, ball, variant.name);
   folder.add(text);
