@@ -343,7 +343,7 @@ PROPTEST(load) {
         {"\"uri\"", "\"url\"", "buffer 0: has no bytes"},
         {"\"bufferView\"", "\"sparse\"", "is sparse, compressed or without data"},
         {"\"buffer\":0", "\"buffer\":1", "is in a buffer that there is not"},
-        {"\"byteOffset\":0,", "\"byteOffset\":99999,", "reaches past the end of its buffer"},
+        {"\"byteOffset\":0}", "\"byteOffset\":99999}", "reaches past the end of its buffer"},
         {"\"inverseBindMatrices\"", "\"matrices\"", "no inverse bind matrices"},
         {"\"componentType\"", "\"type\"", "glTF description"},
     };
