@@ -491,6 +491,29 @@ PROPTEST(certificate) {
       if (!line.is_rejected()) return Checked(false, refused, line.text);
     return Checked(refused == 5 && folder.size() > 0, refused, std::to_string(folder.size()) + " forged");
   });
+  t.example("numbers that are not finite, and weights that are not convex, have no certificate", {}, [] {
+    const auto pinned = counterexamples::algorithm1().front();
+    const gen::NodeOf<double> storage(gen::rounded_to_double(pinned.input));
+    const RefitNode<double> node = storage.node();
+    const Ball3<double> ball = refit_variant("control_exact").refit(node);
+    const auto is_refused = [&](const RefitNode<double>& of, const Ball3<double>& by) {
+      try {
+        certificate(of, Skinning::spherical, by, "");
+        return false;
+      } catch (const std::invalid_argument&) {
+        return true;
+      }
+    };
+    const auto with_first_weight = [&](double weight) {
+      const auto n = node.pose.joint_count(node.joint_sets[0].joint_set);
+      std::vector<double> pool(node.corner_weights, node.corner_weights + node.joint_sets[0].first_weight +
+                                                        n * node.joint_sets[0].corner_count);
+      pool[node.joint_sets[0].first_weight] = weight;
+      const RefitNode<double> changed{node.reference, node.joint_sets.first(1), pool.data(), node.pose};
+      return is_refused(changed, ball);
+    };
+    return is_refused(node, {ball.center, std::nan("")}) && with_first_weight(-0.5) && with_first_weight(0.375);
+  });
   t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);
   t.example("the checker has at most 200 lines", {}, [] {
     std::ifstream file(oracle::checker());
