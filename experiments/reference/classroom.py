@@ -68,4 +68,26 @@ contradict, a mutated witness is rejected, and an example for each hypothesis th
 reference is not, until both are there.</li></ol></section>
 """
 
-ROLES = [("programmer", "For the programmer: the refit in an engine", PROGRAMMER), ("researcher", "For the researcher: add a variant, a volume, a lemma", RESEARCHER)]
+ROUNDING = """
+<section><p>The lemmas hold over the reals; the refits run in <code>double</code>. Every ball carries a slack that makes up for all rounding: of the
+refit, and of the skinning it is compared with. It is derived before any number is known, from elementary bounds and a few lengths of the posture:
+the derivation is the comment of this file, and its numbers are constants that the refits use.</p>
+[[include algorithms/skinning/pose_rounding.hpp]]</section>
+<section><h2>What checks it</h2><p>Gappa proves each elementary bound, by component and at unit length (<code>proptests/gappa</code>); the suite
+<code>pose_rounding</code> puts the code's own constants in place of <code>BOUND</code>, and asks that three quarters of them are not proved. That they hold at
+any length, and compose as the comment says, is compared with running error bounds of the very templates: the allowance must be enough, and at least half
+of it must be used by some case, so that a lost factor of two shows. At last, vertices are skinned in exact rationals, and no ball may miss one by the last bit.</p>
+[[include proptests/gappa/rotate_scaled.g]]
+<p>Exercise: halve the slack in <code>algorithms/refit/rounding.hpp</code>; does any exact comparison notice? Which property does? The answer:
+<code>proptests/mutants/run --only "rounding: the slack is halved"</code>.</p></section>
+"""
+
+ERRORS = """
+<section><p>Whatever the library and the readers of the tests refuse, where, and the suite that provokes it. The tests fail if the sources throw
+something that is not here, or if a suite does not provoke what is listed of it.</p>
+[[table proptests/errors.md]]</section>
+"""
+
+ROLES = [("programmer", "For the programmer: the refit in an engine", PROGRAMMER),
+         ("researcher", "For the researcher: add a variant, a volume, a lemma", RESEARCHER),
+         ("rounding", "Rounding: from the reals to double", ROUNDING), ("errors", "Errors", ERRORS)]
