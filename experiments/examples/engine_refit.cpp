@@ -18,7 +18,8 @@ int leaves_hit(int node, const SkinningPose<double>& pose, const Point3& from, c
   if (along < 0 || squared_norm<double, 3>(to_center - direction * along) > sq(ball.radius)) return 0;
   const TreeNode& n = character.tree.nodes[node];
   int hits = n.child_count == 0;
-  for (int child = n.first_child; child < n.first_child + n.child_count; ++child) hits += leaves_hit(child, pose, from, direction);
+  for (int child = n.first_child; child < n.first_child + n.child_count; ++child)
+    hits += leaves_hit(child, pose, from, direction);
   return hits;
 }
 

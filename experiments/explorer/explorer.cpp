@@ -28,7 +28,8 @@ Posture posture_of(const Model& model, const ExplorerSettings& s) {
   if (s.joint < 0 || s.joint >= static_cast<int>(model.joints.size())) throw std::invalid_argument("no such joint");
   Posture posture = reference_posture(model);
   if (!s.clip.empty()) {
-    const auto clip = std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == s.clip; });
+    const auto clip =
+        std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == s.clip; });
     if (clip == model.clips.end()) throw std::invalid_argument("no clip named '" + s.clip + "'");
     posture = clip->sample(std::clamp(s.time, 0., clip->duration));
   }
@@ -124,8 +125,9 @@ const std::vector<std::string>& explorer_models() {
 }
 
 const std::vector<std::string>& compared_variants() {
-  static const std::vector<std::string> names{"linear",          "spherical_printed", "spherical_printed_signed", "spherical_repaired",
-                                              "spherical_exact", "control_mean",      "control_mixed"};
+  static const std::vector<std::string> names{
+      "linear",       "spherical_printed", "spherical_printed_signed", "spherical_repaired", "spherical_exact",
+      "control_mean", "control_mixed"};
   return names;
 }
 

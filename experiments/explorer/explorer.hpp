@@ -15,9 +15,9 @@ struct ExplorerSettings {
   std::string clip;            // empty: the reference posture
   double time = 0;             // of the clip, in seconds; beyond its ends they are taken
   int joint = 0;
-  double twist = 0;            // of the joint about its bone, in radians, before the clip's posture
-  int level = 1;               // of the tree, from 1 (the root); beyond the last it is the last
-  int ball = 0;                // the one of the level that is looked at closely; beyond the last it is the last
+  double twist = 0;  // of the joint about its bone, in radians, before the clip's posture
+  int level = 1;     // of the tree, from 1 (the root); beyond the last it is the last
+  int ball = 0;      // the one of the level that is looked at closely; beyond the last it is the last
 };
 
 // What a variant's balls on the level do with the vertices that they are to bound.
@@ -27,19 +27,19 @@ struct VariantSummary {
   int vertices_outside = 0;      // outside a ball of theirs, by more than miss_tolerance of the root's reference radius
   double worst_miss = 0;         // how far outside, model units
   double mean_radius = 0, mean_over_optimal = 0;  // of the balls that are defined
-  double ball_radius = 0;        // of the one that is looked at
+  double ball_radius = 0;                         // of the one that is looked at
 };
 
 struct ExplorerView {
   std::vector<Point3> vertices, joints;  // deformed, and the joints' posed origins
   Point3 axis;                           // of the twisted joint's bone, posed; of unit length
   int level_count = 0;
-  std::vector<Ball3<double>> balls;      // of the level, by the variant
-  std::vector<bool> misses;              // by ball: undefined, or a vertex of its node is outside
-  std::vector<bool> outside;             // by vertex: outside a ball of its node
+  std::vector<Ball3<double>> balls;  // of the level, by the variant
+  std::vector<bool> misses;          // by ball: undefined, or a vertex of its node is outside
+  std::vector<bool> outside;         // by vertex: outside a ball of its node
   int ball = 0;
-  int ball_vertices = 0;                 // of the one that is looked at
-  double ball_optimal = 0;               // the radius of the smallest ball of these
+  int ball_vertices = 0;                  // of the one that is looked at
+  double ball_optimal = 0;                // the radius of the smallest ball of these
   std::vector<VariantSummary> summaries;  // of compared_variants, and the chosen one
 };
 
@@ -51,7 +51,8 @@ const std::vector<std::string>& compared_variants();
 
 class Explorer {
  public:
-  // Made when it is first asked for, which may take seconds. Throws std::invalid_argument for a name that is not a model's.
+  // Made when it is first asked for, which may take seconds. Throws std::invalid_argument for a name that is not a
+  // model's.
   const Character& character(const std::string& model);
 
   // Throws std::invalid_argument for an unknown name or joint.

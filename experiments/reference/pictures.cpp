@@ -1,4 +1,5 @@
-// reference_pictures: a picture for each lemma, of what the lemma's own code computes in double.   usage: reference_pictures FOLDER
+// reference_pictures: a picture for each lemma, of what the lemma's own code computes in double.   usage:
+// reference_pictures FOLDER
 //
 // Lemmas of R^d are drawn for d = 2. Those of rotations have all joints turn about z: points stay in the plane, and a
 // quaternion is its (w, z).
@@ -42,7 +43,9 @@ Quat turn(double degrees) {
 }
 Point slice(const Quat& q) { return {q[0], q[3]}; }
 
-SquaredBall<double, 2> mean_ball_of(const std::vector<Point>& points) { return squared(mean_ball<double, 2>(std::span<const Point>(points))); }
+SquaredBall<double, 2> mean_ball_of(const std::vector<Point>& points) {
+  return squared(mean_ball<double, 2>(std::span<const Point>(points)));
+}
 
 void draw_surface_and_cap(Plane& plane, const SquaredBall<double, 2>& ball) {
   plane.circle("surface", {0, 0}, 1);
@@ -95,7 +98,8 @@ void draw_hull_in_cap(Plane& p, const std::vector<Point>& units) {
   const auto element = hull_element(ball, units, w);
   p.path("curve", {{0, 0}, direction_by_root(element.blend)});
   for (const Point& n : units) p.dot("dot", n);
-  p.dot("dot_in", element.blend, "b"), p.dot("dot_in", direction_by_root(element.blend)), p.dot("dot", ball.center, "c");
+  p.dot("dot_in", element.blend, "b"), p.dot("dot_in", direction_by_root(element.blend)),
+      p.dot("dot", ball.center, "c");
 }
 void lemma4(Plane& p) { draw_hull_in_cap(p, {on_circle(-35), on_circle(20), on_circle(70)}); }
 
@@ -105,11 +109,14 @@ void lemma5(Plane& p) {
   p.ball("ball", cap_ball_repaired(cap));
   p.ball("printed", cap_ball_printed(cap));
   p.cap(cap);
-  p.dot("dot_out", cap.apex, "apex"), p.dot("dot", cap_ball_printed(cap).center, "printed"), p.dot("dot_in", {0, 0}, "repaired");
+  p.dot("dot_out", cap.apex, "apex"), p.dot("dot", cap_ball_printed(cap).center, "printed"),
+      p.dot("dot_in", {0, 0}, "repaired");
 }
 
 // The weights of three joints as a triangle.
-Point in_triangle(const std::vector<double>& w) { return on_circle(90) * w[2] + on_circle(210) * w[0] + on_circle(330) * w[1]; }
+Point in_triangle(const std::vector<double>& w) {
+  return on_circle(90) * w[2] + on_circle(210) * w[0] + on_circle(330) * w[1];
+}
 const WeightBounds<double> box{{0.1, 0.15, 0.05}, {0.6, 0.5, 0.55}};
 std::vector<Point> around_their_middle(std::vector<Point> points) {
   const Point middle = mean_center(std::span<const Point>(points));
@@ -124,11 +131,14 @@ void s41(Plane& p) {
   for (const auto& c : corners_or_simplex(box)) corners.push_back(in_triangle(c));
   p.path("hull", around_their_middle(corners), true);
   for (const Point& c : corners) p.dot("dot_in", c);
-  p.text(in_triangle({1, 0, 0}), "w1 = 1"), p.text(in_triangle({0, 1, 0}), "w2 = 1"), p.text(in_triangle({0, 0, 1}), "w3 = 1");
+  p.text(in_triangle({1, 0, 0}), "w1 = 1"), p.text(in_triangle({0, 1, 0}), "w2 = 1"),
+      p.text(in_triangle({0, 0, 1}), "w3 = 1");
 }
 
 std::vector<Point> deformed_centers() { return {{0, 0}, {1.6, 0.2}, {0.7, 1.3}}; }
-std::vector<Point> corner_images_of_box() { return corner_images<double, 2>(corners_or_simplex(box), deformed_centers()); }
+std::vector<Point> corner_images_of_box() {
+  return corner_images<double, 2>(corners_or_simplex(box), deformed_centers());
+}
 void s42(Plane& p) {
   p.path("line", deformed_centers(), true);
   p.path("hull", around_their_middle(corner_images_of_box()), true);
@@ -147,7 +157,8 @@ void s43_distance_range(Plane& p) {
 void s43_minkowski_sum(Plane& p) {
   const Point3D center(1.2, 0, 0);
   std::vector<Point> path;
-  for (int i = 0; i <= 20; ++i) path.push_back(flat(rotate_by<double>(turn(0) * (1 - i / 20.) + turn(120) * (i / 20.), center)));
+  for (int i = 0; i <= 20; ++i)
+    path.push_back(flat(rotate_by<double>(turn(0) * (1 - i / 20.) + turn(120) * (i / 20.), center)));
   for (int i = 0; i <= 20; i += 5) p.circle("ball", path[i], 0.35);
   p.path("curve", path);
   p.dot("dot", {0, 0}, "r_c"), p.dot("dot", path[0], "p");
@@ -263,13 +274,17 @@ CapFallback<double> wide_cap() {
 void b4(Plane& p) {
   const auto cap = wide_cap();
   const auto ball = fallback_ball(cap, bend().x);
-  for (const auto& r : cap.center_images) p.ball("ball", {flat(Point3D(r + ball.center)), ball.squared_radius}), p.dot("dot", flat(r), "r'");
+  for (const auto& r : cap.center_images)
+    p.ball("ball", {flat(Point3D(r + ball.center)), ball.squared_radius}), p.dot("dot", flat(r), "r'");
   p.path("curve", curve_of(bend()));
 }
 
 // Seen from the side: the axis stands upright, and what turns keeps its height.
 void b5(Plane& p) {
-  const CapFallback<double> cap{{turn(0), turn(80)}, {{0, 0, 0}, {0, 0, 0}}, turn(40), squared_cap_cosine<double>(std::vector<Quat>{turn(0), turn(80)}, turn(40))};
+  const CapFallback<double> cap{{turn(0), turn(80)},
+                                {{0, 0, 0}, {0, 0, 0}},
+                                turn(40),
+                                squared_cap_cosine<double>(std::vector<Quat>{turn(0), turn(80)}, turn(40))};
   const Point3D x(0.5, 0, 1.5);
   const auto side = [](const Point3D& v) { return Point(v[0], v[2]); };
   const auto whole = fallback_ball(cap, x), twist = twist_ball(cap, split_at_axis<double>({0, 0, 1}, x));
@@ -307,51 +322,80 @@ struct Picture {
 };
 const std::map<std::string, Picture> pictures{
     {"b1_rational_bezier_simplex",
-     {b1, "A vertex between two joints that turn apart by 140 degrees: its way as the weight changes, and the four control points of degree 3."}},
+     {b1,
+      "A vertex between two joints that turn apart by 140 degrees: its way as the weight changes, and the four control "
+      "points of degree 3."}},
     {"b2_control_hull_encloses",
-     {b2, "Balls about the control points, and the smallest ball (dashed) around them: it holds every vertex that is as near to the curve."}},
+     {b2,
+      "Balls about the control points, and the smallest ball (dashed) around them: it holds every vertex that is as "
+      "near to the curve."}},
     {"b3_subdivision",
      {b3, "The weights halved: two control polygons that are together far closer to the curve than the one."}},
     {"b4_cap_fallback",
-     {b4, "Where control weights are not positive: a ball about each corner’s image, of the cap that holds all rotations."}},
+     {b4,
+      "Where control weights are not positive: a ball about each corner’s image, of the cap that holds all "
+      "rotations."}},
     {"b5_rotation_axis",
-     {b5, "From the side: a twist moves x about the axis alone. The ball of the cap (dashed) does not know the axis; the small one does."}},
+     {b5,
+      "From the side: a twist moves x about the axis alone. The ball of the cap (dashed) does not know the axis; the "
+      "small one does."}},
     {"b6_dual_quaternion_ball",
      {b6, "The way of a vertex under dual quaternions, and the ball about its middle, from the two joints alone."}},
     {"b7_reach",
-     {b7, "From the images of a point by two joints alone: the hull of these balls holds the way of the dual quaternion blend."}},
+     {b7,
+      "From the images of a point by two joints alone: the hull of these balls holds the way of the dual quaternion "
+      "blend."}},
     {"lemma1_cap_definitions",
      {lemma1, "The half-space (its border green) cuts the cap (yellow) with apex a from the circle about c."}},
     {"lemma2_normalization",
-     {lemma2, "The hull of the q (filled) and that of the same vectors at length 1: the blend a and its partner b are on one ray from 0."}},
+     {lemma2,
+      "The hull of the q (filled) and that of the same vectors at length 1: the blend a and its partner b are on one "
+      "ray from 0."}},
     {"lemma3_sphere_surface_intersection",
      {lemma3, "The ball about b cuts the cap (yellow) from the circle; its half-space is at the distance d from 0."}},
     {"lemma4_quaternion_hull",
-     {lemma4, "Three unit vectors, their mean ball about c and its cap (yellow): the blend b, brought back to the circle, is in the cap."}},
+     {lemma4,
+      "Three unit vectors, their mean ball about c and its cap (yellow): the blend b, brought back to the circle, is "
+      "in the cap."}},
     {"lemma5_cap_enclosing_sphere",
-     {lemma5, "A cap (yellow) with cos α = −0.6: its apex is outside the printed ball (dashed); the repaired one is the whole circle’s."}},
+     {lemma5,
+      "A cap (yellow) with cos α = −0.6: its apex is outside the printed ball (dashed); the repaired one is the whole "
+      "circle’s."}},
     {"s41_corners_span",
      {s41, "The weights of three joints as points of a triangle: what the bounds admit (filled), and its corners."}},
     {"s42_linear_part_hull",
-     {s42, "Where three joints carry the rotation center (C r), and where the corners of the weights do (r'): the hull of these holds what admissible weights can reach."}},
+     {s42,
+      "Where three joints carry the rotation center (C r), and where the corners of the weights do (r'): the hull of "
+      "these holds what admissible weights can reach."}},
     {"s43_distance_range",
-     {s43_distance_range, "A ball that meets the circle has a distance in [0, 1]. The dashed one passes the printed conditions and has 13/8."}},
-    {"s43_minkowski_sum",
-     {s43_minkowski_sum, "A ball turned about r by blends: its center moves, its size does not."}},
+     {s43_distance_range,
+      "A ball that meets the circle has a distance in [0, 1]. The dashed one passes the printed conditions and has "
+      "13/8."}},
+    {"s43_minkowski_sum", {s43_minkowski_sum, "A ball turned about r by blends: its center moves, its size does not."}},
     {"s43_rotated_cap",
-     {s43_rotated_cap, "Left, a cap of rotations up to the angle 40° about 1 (the half angle of the turn). Right, what they make of v: up to twice that."}},
+     {s43_rotated_cap,
+      "Left, a cap of rotations up to the angle 40° about 1 (the half angle of the turn). Right, what they make of v: "
+      "up to twice that."}},
     {"s43_whole_sphere_fallback",
-     {s43_whole_sphere, "Three equal quaternions and one at (−7/25, 24/25): the mean ball has the radius 6/5, and its cap (yellow) is good."}},
+     {s43_whole_sphere,
+      "Three equal quaternions and one at (−7/25, 24/25): the mean ball has the radius 6/5, and its cap (yellow) is "
+      "good."}},
     {"s44_joint_sets",
-     {s44_joint_sets, "The balls of two joint-sets, each about images of its own corners, and the ball (dashed) around all of them."}},
+     {s44_joint_sets,
+      "The balls of two joint-sets, each about images of its own corners, and the ball (dashed) around all of them."}},
     {"s44_sum_of_bounds",
      {s44_sum, "Equal balls about the images of the corners, and the smallest ball (dashed) around them."}},
     {"t3_min_dot_distance",
-     {t3_min_dot, "The cap’s half-space is as far from 0 as the least of the dot products with the center’s direction."}},
+     {t3_min_dot,
+      "The cap’s half-space is as far from 0 as the least of the dot products with the center’s direction."}},
     {"t3_one_cap",
-     {t3_one_cap, "Quaternions of different lengths, not normalised: the cap about c (yellow) holds the directions of their whole hull."}},
+     {t3_one_cap,
+      "Quaternions of different lengths, not normalised: the cap about c (yellow) holds the directions of their whole "
+      "hull."}},
     {"t3_smallest_ball_smallest_cap",
-     {t3_smallest, "The smallest ball of the units makes the smallest cap (yellow). Three that are close drag the mean ball (dashed) along."}}};
+     {t3_smallest,
+      "The smallest ball of the units makes the smallest cap (yellow). Three that are close drag the mean ball "
+      "(dashed) along."}}};
 
 }  // namespace
 

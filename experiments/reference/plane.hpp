@@ -16,13 +16,17 @@ using Point = Vec<double, 2>;
 class Plane {
  public:
   void circle(const char* kind, const Point& center, double radius) {
-    out_ << "<circle class=\"" << kind << "\" cx=\"" << x(center) << "\" cy=\"" << y(center) << "\" r=\"" << scale * radius << "\"/>\n";
+    out_ << "<circle class=\"" << kind << "\" cx=\"" << x(center) << "\" cy=\"" << y(center) << "\" r=\""
+         << scale * radius << "\"/>\n";
     grow(center, radius);
   }
-  void ball(const char* kind, const SquaredBall<double, 2>& b) { circle(kind, b.center, std::sqrt(std::max(0., b.squared_radius))); }
+  void ball(const char* kind, const SquaredBall<double, 2>& b) {
+    circle(kind, b.center, std::sqrt(std::max(0., b.squared_radius)));
+  }
   void path(const char* kind, const std::vector<Point>& points, bool closed = false) {
     out_ << "<path class=\"" << kind << "\" d=\"";
-    for (std::size_t i = 0; i < points.size(); ++i) out_ << (i ? "L" : "M") << x(points[i]) << ' ' << y(points[i]), grow(points[i], 0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      out_ << (i ? "L" : "M") << x(points[i]) << ' ' << y(points[i]), grow(points[i], 0);
     out_ << (closed ? "Z" : "") << "\"" << (closed ? "" : " fill=\"none\"") << "/>\n";
   }
   void dot(const char* kind, const Point& at, const std::string& label = "") {
@@ -43,7 +47,8 @@ class Plane {
     path("cap", arc);
   }
   void border(const HalfSpace<double, 2>& h) {
-    const Point foot = h.normal * (h.offset / squared_norm(h.normal)), along = turned(h.normal.normalized(), 1.5707963267948966);
+    const Point foot = h.normal * (h.offset / squared_norm(h.normal)),
+                along = turned(h.normal.normalized(), 1.5707963267948966);
     path("plane", {foot - along * 1.3, foot + along * 1.3});
     path("plane", {foot, foot + h.normal.normalized() * 0.2});
   }
@@ -57,8 +62,9 @@ class Plane {
   std::string svg(const std::string& title) const {
     std::ostringstream out;
     const double margin = 20, width = high_[0] - low_[0], height = high_[1] - low_[1];
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"" << title << "\" viewBox=\"" << scale * low_[0] - margin << ' '
-        << -scale * high_[1] - margin << ' ' << scale * width + 3 * margin << ' ' << scale * height + 2 * margin << "\">\n"
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"" << title << "\" viewBox=\""
+        << scale * low_[0] - margin << ' ' << -scale * high_[1] - margin << ' ' << scale * width + 3 * margin << ' '
+        << scale * height + 2 * margin << "\">\n"
         << out_.str() << labels_.str() << "</svg>\n";
     return out.str();
   }

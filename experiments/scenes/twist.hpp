@@ -5,8 +5,8 @@
 
 namespace refitlab {
 
-// The unit vector along the joint's bone in the reference posture: from its origin towards the mean of its children's, or
-// away from its parent's where it has none.
+// The unit vector along the joint's bone in the reference posture: from its origin towards the mean of its children's,
+// or away from its parent's where it has none.
 Point3 bone_axis(const Model& model, int joint);
 
 // Turns one joint and all below it about the joint's bone axis as it is in the reference posture, before the posture.

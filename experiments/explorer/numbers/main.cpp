@@ -1,8 +1,8 @@
 // explorer_numbers: what the library itself, compiled for this machine, says to what the explorer shows in a browser.
 //
-// Reads a JSON list from standard input: settings as the page sends them (see ExplorerSettings), or {"page", "values"} of a
-// lemma's page. Writes the list of answers. The character's are by the library's own whole-tree functions and its exact
-// predicates, a lemma's in another exact number type than the browser's.
+// Reads a JSON list from standard input: settings as the page sends them (see ExplorerSettings), or {"page", "values"}
+// of a lemma's page. Writes the list of answers. The character's are by the library's own whole-tree functions and its
+// exact predicates, a lemma's in another exact number type than the browser's.
 #include <iostream>
 #include <set>
 
@@ -22,7 +22,10 @@ using namespace refitlab;
 const Character& character(const std::string& name) {
   static std::map<std::string, Character> made;
   if (const auto known = made.find(name); known != made.end()) return known->second;
-  return made.emplace(name, name == "man" ? make_man() : name == "creature" ? make_creature() : make_snake(24)).first->second;
+  return made.emplace(name, name == "man"        ? make_man()
+                            : name == "creature" ? make_creature()
+                                                 : make_snake(24))
+      .first->second;
 }
 
 Posture posture_of(const Model& model, const json& settings) {
@@ -66,9 +69,11 @@ json character_numbers(const json& settings) {
 int main() try {
   json answers = json::array();
   for (const json& question : json::parse(std::cin))
-    answers.push_back(question.contains("page") ? explorer::page_scene<Rational>(question.at("page"), question.at("values").get<std::vector<int>>(),
-                                                                                 [](const Rational& x) { return CGAL::to_double(x); })
-                                                : character_numbers(question));
+    answers.push_back(question.contains("page")
+                          ? explorer::page_scene<Rational>(question.at("page"),
+                                                           question.at("values").get<std::vector<int>>(),
+                                                           [](const Rational& x) { return CGAL::to_double(x); })
+                          : character_numbers(question));
   std::cout << answers.dump(1) << '\n';
 } catch (const std::exception& e) {
   std::cerr << "explorer_numbers: " << e.what() << '\n';

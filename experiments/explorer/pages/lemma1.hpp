@@ -10,8 +10,10 @@ inline Page lemma1_page() {
   return {"lemma1",
           "Lemma 1: two definitions of a cap",
           "lemma1_cap_definitions",
-          "A half-space (x, d) ≥ D cuts a cap from the sphere; an apex and an angle describe the same cap. Push the plane until the "
-          "half-space holds the whole sphere: no angle has the cosine that the printed lemma asks for. Or let the scalar be negative: "
+          "A half-space (x, d) ≥ D cuts a cap from the sphere; an apex and an angle describe the same cap. Push the "
+          "plane until the "
+          "half-space holds the whole sphere: no angle has the cosine that the printed lemma asks for. Or let the "
+          "scalar be negative: "
           "the printed “any non-zero scalar” turns the cap round.",
           {{"offset D", -20, 20, 5, tenths_text},
            {"length of d", 1, 20, 10, tenths_text},
@@ -47,8 +49,10 @@ void lemma1_scene(const Values& k, Scene<S>& scene) {
   scene.verdict("", "the half-space meets the sphere", meets_it);
   scene.verdict("", "x is in the half-space", contains(h, x));
   scene.verdict("", "x is within the angle of the apex", within_angle(made.cap, x));
-  scene.verdict("printed", "the scalar gives an angle, and both definitions agree on x", half_space_is_cap_printed(surface, h, scalar, x));
-  scene.verdict("repaired", "if they meet, the cap exists and both definitions agree on x", half_space_is_cap_repaired(surface, h, scale, x));
+  scene.verdict("printed", "the scalar gives an angle, and both definitions agree on x",
+                half_space_is_cap_printed(surface, h, scalar, x));
+  scene.verdict("repaired", "if they meet, the cap exists and both definitions agree on x",
+                half_space_is_cap_repaired(surface, h, scale, x));
 }
 
 }  // namespace refitlab::explorer

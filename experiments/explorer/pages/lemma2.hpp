@@ -10,8 +10,10 @@ inline Page lemma2_page() {
   return {"lemma2",
           "Lemma 2: normalising keeps the rotations of a hull",
           "lemma2_normalization",
-          "Three quaternions of different lengths, and the same on the sphere. A blend a of the first has a partner b on the same ray "
-          "in the hull of the second: the same rotation. Unless the hull holds 0, which is no rotation at all, as the printed lemma "
+          "Three quaternions of different lengths, and the same on the sphere. A blend a of the first has a partner b "
+          "on the same ray "
+          "in the hull of the second: the same rotation. Unless the hull holds 0, which is no rotation at all, as the "
+          "printed lemma "
           "forgets.",
           {{"angle between them", 1, half_turn, 10, circle_text},
            {"length of the second", 2, 20, 15, tenths_text},
@@ -50,9 +52,12 @@ void lemma2_scene(const Values& k, Scene<S>& scene) {
 
   scene.number("scale k, a = k b", partner.scale);
   scene.verdict("", "the blend is not 0", less(S(0), squared_norm(a)));
-  scene.verdict("printed", "a is a rotation, and b the same", normalisation_keeps_rotations_printed<S, 3>(vectors, lengths, weights));
-  scene.verdict("repaired", "if a is not 0, b is the same rotation", normalisation_keeps_rotations_repaired<S, 3>(vectors, lengths, weights));
-  scene.verdict("repaired", "both hulls span the same rays", normalisation_keeps_rays_repaired<S, 3>(vectors, lengths, weights));
+  scene.verdict("printed", "a is a rotation, and b the same",
+                normalisation_keeps_rotations_printed<S, 3>(vectors, lengths, weights));
+  scene.verdict("repaired", "if a is not 0, b is the same rotation",
+                normalisation_keeps_rotations_repaired<S, 3>(vectors, lengths, weights));
+  scene.verdict("repaired", "both hulls span the same rays",
+                normalisation_keeps_rays_repaired<S, 3>(vectors, lengths, weights));
 }
 
 }  // namespace refitlab::explorer

@@ -10,8 +10,10 @@ inline Page lemma3_page() {
   return {"lemma3",
           "Lemma 3: a ball cuts a cap from the sphere",
           "lemma3_sphere_surface_intersection",
-          "The ball B cuts the unit sphere; the plane through the cut bounds a half-space with the same points of the sphere in it, and "
-          "its distance d_H from 0 is known. Pull the ball away or shrink it inside: nothing is cut, and nothing is no cap. With the "
+          "The ball B cuts the unit sphere; the plane through the cut bounds a half-space with the same points of the "
+          "sphere in it, and "
+          "its distance d_H from 0 is known. Pull the ball away or shrink it inside: nothing is cut, and nothing is no "
+          "cap. With the "
           "centers in one point there is no plane.",
           {{"distance of the centers", 0, 30, 8, tenths_text},
            {"radius of the ball", 0, 20, 7, tenths_text},
@@ -41,7 +43,8 @@ void lemma3_scene(const Values& k, Scene<S>& scene) {
     scene.plane("half_space", made.half_space);
     scene.line("normal", surface.center, nearest.foot);
     scene.point("foot", "d_H", nearest.foot);
-    if (meet == Verdict::holds) scene.cap("cap", cap_of_half_space(surface, made.half_space, S(S(1) / (S(2) * delta))).cap);
+    if (meet == Verdict::holds)
+      scene.cap("cap", cap_of_half_space(surface, made.half_space, S(S(1) / (S(2) * delta))).cap);
     scene.number("d_H squared", nearest.squared_distance);
   }
   scene.point(encloses(ball, x) == Verdict::holds ? "inside" : "outside", "x", x);
@@ -52,7 +55,8 @@ void lemma3_scene(const Values& k, Scene<S>& scene) {
   scene.verdict("printed", "what they have in common is a cap", intersection_is_cap_printed(surface, ball, x));
   scene.verdict("printed", "a radius below 1 makes d_H the distance", intersection_distance_printed(ball));
   scene.verdict("repaired", "if they differ and meet, it is a cap", intersection_is_cap_repaired(surface, ball, x));
-  scene.verdict("repaired", "d_H is the distance while 0 is outside the half-space", intersection_distance_repaired(surface, ball));
+  scene.verdict("repaired", "d_H is the distance while 0 is outside the half-space",
+                intersection_distance_repaired(surface, ball));
 }
 
 }  // namespace refitlab::explorer

@@ -11,15 +11,19 @@ inline Page lemma4_page() {
   return {"lemma4",
           "Lemma 4: a ball bounds the blends of quaternions",
           "lemma4_quaternion_hull",
-          "The mean ball E around unit quaternions cuts a cap from the sphere. Every blend b, brought back to the sphere, lies in it. "
-          "The printed condition r < 1 is more than is needed: three equal quaternions and one turned away have r = 6/5 and a good cap. "
+          "The mean ball E around unit quaternions cuts a cap from the sphere. Every blend b, brought back to the "
+          "sphere, lies in it. "
+          "The printed condition r < 1 is more than is needed: three equal quaternions and one turned away have r = "
+          "6/5 and a good cap. "
           "Too wide a ball, however, bounds nothing.",
           {{"first turned by", 0, half_turn, 12, circle_text},
            {"second turned by", 0, half_turn, 10, circle_text},
            {"copies of 1", 1, 3, 1, plain_text},
            {"weight of the first", 0, 10, 4, plain_text},
            {"weight of the second", 0, 10, 3, plain_text}},
-          {{"a cap", {12, 10, 1, 4, 3}}, {"r = 6/5 and a good cap", {16, 0, 2, 8, 0}}, {"a blend outside the cap", {24, 24, 3, 5, 5}}}};
+          {{"a cap", {12, 10, 1, 4, 3}},
+           {"r = 6/5 and a good cap", {16, 0, 2, 8, 0}},
+           {"a blend outside the cap", {24, 24, 3, 5, 5}}}};
 }
 
 template <class S>
@@ -48,7 +52,11 @@ void lemma4_scene(const Values& k, Scene<S>& scene) {
     scene.half_space_cap("cap", h);
   }
   for (std::size_t i = static_cast<std::size_t>(k[2]) - 1; i < units.size(); ++i) {
-    scene.point("quaternion", i + 1 == static_cast<std::size_t>(k[2]) ? "1" : i + 1 == units.size() ? "n2" : "n1", units[i]);
+    scene.point("quaternion",
+                i + 1 == static_cast<std::size_t>(k[2]) ? "1"
+                : i + 1 == units.size()                 ? "n2"
+                                                        : "n1",
+                units[i]);
     scene.line("hull", units[i], i + 1 < units.size() ? units[i + 1] : units[0]);
   }
   const Verdict in_cap = element.verdict;
@@ -61,10 +69,13 @@ void lemma4_scene(const Values& k, Scene<S>& scene) {
   scene.verdict("", "r < 1, as printed", less(ball.squared_radius, S(1)));
   scene.verdict("", "r² ≤ 1 + ‖c‖², or E holds the sphere", ball_keeps_hulls(ball));
   scene.verdict("", "b / ‖b‖ is in the cap", in_cap);
-  scene.verdict("printed", "if r < 1, every blend is in the cap", hull_stays_in_cap_printed<S, 3>(ball, units, weights));
+  scene.verdict("printed", "if r < 1, every blend is in the cap",
+                hull_stays_in_cap_printed<S, 3>(ball, units, weights));
   scene.verdict("printed", "no ball with r ≥ 1 bounds the blends", radius_below_one_is_needed_printed(ball));
-  scene.verdict("repaired", "if r² ≤ 1 + ‖c‖², every blend is in the cap", hull_stays_in_cap_repaired<S, 3>(ball, units, weights));
-  scene.verdict("repaired", "b / ‖b‖ or its negative is in E, always", rotations_stay_in_cap_repaired<S, 3>(ball, units, weights));
+  scene.verdict("repaired", "if r² ≤ 1 + ‖c‖², every blend is in the cap",
+                hull_stays_in_cap_repaired<S, 3>(ball, units, weights));
+  scene.verdict("repaired", "b / ‖b‖ or its negative is in E, always",
+                rotations_stay_in_cap_repaired<S, 3>(ball, units, weights));
 }
 
 }  // namespace refitlab::explorer

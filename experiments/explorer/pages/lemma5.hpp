@@ -10,10 +10,16 @@ inline Page lemma5_page() {
   return {"lemma5",
           "Lemma 5: the smallest ball around a cap",
           "lemma5_cap_enclosing_sphere",
-          "The printed ball sits over the rim of the cap. Open the angle beyond 90°: its center slides behind the middle of the sphere "
-          "and it lets go of the apex. The repaired ball stops there and keeps the whole cap. This is what breaks Algorithm 1.",
-          {{"angle α", 0, half_turn, 8, circle_text}, {"point x, share of α", 0, 10, 10, [](int k) { return std::to_string(10 * k) + " %"; }}},
-          {{"a narrow cap", {6, 10}}, {"exactly 90°", {12, 10}}, {"beyond 90°: the apex escapes", {24, 10}}, {"the whole sphere", {half_turn, 10}}}};
+          "The printed ball sits over the rim of the cap. Open the angle beyond 90°: its center slides behind the "
+          "middle of the sphere "
+          "and it lets go of the apex. The repaired ball stops there and keeps the whole cap. This is what breaks "
+          "Algorithm 1.",
+          {{"angle α", 0, half_turn, 8, circle_text},
+           {"point x, share of α", 0, 10, 10, [](int k) { return std::to_string(10 * k) + " %"; }}},
+          {{"a narrow cap", {6, 10}},
+           {"exactly 90°", {12, 10}},
+           {"beyond 90°: the apex escapes", {24, 10}},
+           {"the whole sphere", {half_turn, 10}}}};
 }
 
 template <class S>

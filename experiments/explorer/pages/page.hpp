@@ -61,7 +61,8 @@ template <class S>
 class Scene {
  public:
   explicit Scene(std::function<double(const S&)> as_double) : as_double_(std::move(as_double)) {
-    for (const char* list : {"points", "balls", "caps", "planes", "lines", "verdicts", "numbers"}) json_[list] = nlohmann::json::array();
+    for (const char* list : {"points", "balls", "caps", "planes", "lines", "verdicts", "numbers"})
+      json_[list] = nlohmann::json::array();
   }
 
   // role names a color and a form.
@@ -74,15 +75,22 @@ class Scene {
     json_["balls"].push_back({{"role", role}, {"center", coordinates(b.center)}, {"radius", std::sqrt(square)}});
   }
   void cap(const char* role, const Cap<S, 3>& c) {
-    json_["caps"].push_back({{"role", role}, {"center", coordinates(c.center)}, {"apex", coordinates(c.apex)}, {"cos", as_double_(c.cos_angle)}});
+    json_["caps"].push_back({{"role", role},
+                             {"center", coordinates(c.center)},
+                             {"apex", coordinates(c.apex)},
+                             {"cos", as_double_(c.cos_angle)}});
   }
-  // The points of the unit sphere in a half-space, whose normal need not have a rational length; nothing, if there are none.
+  // The points of the unit sphere in a half-space, whose normal need not have a rational length; nothing, if there are
+  // none.
   void half_space_cap(const char* role, const HalfSpace<S, 3>& h) {
     const double length = std::sqrt(as_double_(squared_norm(h.normal))), cosine = as_double_(h.offset) / length;
     if (cosine > 1) return;
     nlohmann::json apex = coordinates(Vec<S, 3>::Constant(S(0)));
     for (int i = 0; i < 3; ++i) apex[i] = apex[i].get<double>() + as_double_(h.normal[i]) / length;
-    json_["caps"].push_back({{"role", role}, {"center", coordinates(Vec<S, 3>::Constant(S(0)))}, {"apex", apex}, {"cos", std::max(cosine, -1.)}});
+    json_["caps"].push_back({{"role", role},
+                             {"center", coordinates(Vec<S, 3>::Constant(S(0)))},
+                             {"apex", apex},
+                             {"cos", std::max(cosine, -1.)}});
   }
   // The point of the unit sphere in the direction of v; nothing for 0.
   void direction(const char* role, const std::string& label, const Vec<S, 3>& v) {
@@ -103,7 +111,9 @@ class Scene {
   void verdict(const char* form, const std::string& says, Verdict v) {
     json_["verdicts"].push_back({{"form", form}, {"says", says}, {"verdict", name_of(v)}});
   }
-  void number(const std::string& label, const S& value) { json_["numbers"].push_back({{"label", label}, {"value", as_double_(value)}}); }
+  void number(const std::string& label, const S& value) {
+    json_["numbers"].push_back({{"label", label}, {"value", as_double_(value)}});
+  }
 
   // All that follows is drawn this far along x.
   void move_right(double by) { shift_ = by; }
@@ -112,7 +122,9 @@ class Scene {
 
  private:
   nlohmann::json plain(const Vec<S, 3>& v) const { return {as_double_(v[0]), as_double_(v[1]), as_double_(v[2])}; }
-  nlohmann::json coordinates(const Vec<S, 3>& v) const { return {as_double_(v[0]) + shift_, as_double_(v[1]), as_double_(v[2])}; }
+  nlohmann::json coordinates(const Vec<S, 3>& v) const {
+    return {as_double_(v[0]) + shift_, as_double_(v[1]), as_double_(v[2])};
+  }
 
   std::function<double(const S&)> as_double_;
   nlohmann::json json_;

@@ -1,5 +1,5 @@
-// Section 4.3 to play with: from quaternions in a ball to the ball around a rotated point, and when nothing but the whole
-// sphere will do.
+// Section 4.3 to play with: from quaternions in a ball to the ball around a rotated point, and when nothing but the
+// whole sphere will do.
 #pragma once
 
 #include "algorithms/balls/mean_ball.hpp"
@@ -13,13 +13,18 @@ inline Page whole_sphere_page() {
   return {"whole_sphere",
           "Section 4.3: when only the whole sphere will do",
           "s43_whole_sphere_fallback",
-          "Left, quaternions (the slice w, x, y of S₃): their mean ball E cuts a cap. Right, the space of the model: the cap of all "
-          "rotations of a vector v, at twice the angle, and the ball around it. With a wide E the printed line 15 makes a ball of "
+          "Left, quaternions (the slice w, x, y of S₃): their mean ball E cuts a cap. Right, the space of the model: "
+          "the cap of all "
+          "rotations of a vector v, at twice the angle, and the ball around it. With a wide E the printed line 15 "
+          "makes a ball of "
           "negative radius or one that misses the rotated v; the repaired step takes the whole sphere.",
           {{"turn of the last quaternion", 0, half_turn, 8, circle_text},
            {"copies of 1", 1, 3, 1, plain_text},
            {"blend", 0, 10, 5, [](int k) { return std::to_string(10 * k) + " %"; }}},
-          {{"a small turn", {8, 1, 5}}, {"the ball misses it", {7, 3, 3}}, {"r = 6/5, still a cap", {16, 3, 8}}, {"a negative radius", {36, 3, 10}}}};
+          {{"a small turn", {8, 1, 5}},
+           {"the ball misses it", {7, 3, 3}},
+           {"r = 6/5, still a cap", {16, 3, 8}},
+           {"a negative radius", {36, 3, 10}}}};
 }
 
 template <class S>

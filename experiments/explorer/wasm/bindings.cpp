@@ -43,7 +43,8 @@ const char* answer(std::string& text, Make&& make) {
 
 ExplorerSettings settings_of(const char* text) {
   const json j = json::parse(text);
-  return {j.at("model"), j.at("variant"), j.at("clip"), j.at("time"), j.at("joint"), j.at("twist"), j.at("level"), j.at("ball")};
+  return {j.at("model"), j.at("variant"), j.at("clip"),  j.at("time"),
+          j.at("joint"), j.at("twist"),   j.at("level"), j.at("ball")};
 }
 
 }  // namespace
@@ -60,8 +61,10 @@ EMSCRIPTEN_KEEPALIVE const char* catalog() {
     for (const auto& live : explorer::live_pages<Exact>()) {
       const explorer::Page& p = live.page;
       json page{{"id", p.id}, {"title", p.title}, {"stem", p.stem}, {"text", p.text}};
-      for (const auto& s : p.sliders) page["sliders"].push_back({{"label", s.label}, {"low", s.low}, {"high", s.high}, {"start", s.start}});
-      for (const auto& preset : p.presets) page["presets"].push_back({{"label", preset.label}, {"values", preset.values}});
+      for (const auto& s : p.sliders)
+        page["sliders"].push_back({{"label", s.label}, {"low", s.low}, {"high", s.high}, {"start", s.start}});
+      for (const auto& preset : p.presets)
+        page["presets"].push_back({{"label", preset.label}, {"values", preset.values}});
       out["pages"].push_back(page);
     }
     return out;
@@ -99,14 +102,24 @@ EMSCRIPTEN_KEEPALIVE const char* view(const char* settings) {
     }
     outside.values.assign(v.outside.begin(), v.outside.end());
     misses.values.assign(v.misses.begin(), v.misses.end());
-    json out{{"vertices", vertices.place()}, {"balls", balls.place()}, {"outside", outside.place()}, {"misses", misses.place()},
-             {"axis", {v.axis[0], v.axis[1], v.axis[2]}}, {"level_count", v.level_count}, {"ball", v.ball},
-             {"ball_vertices", v.ball_vertices}, {"ball_optimal", v.ball_optimal}};
+    json out{{"vertices", vertices.place()},
+             {"balls", balls.place()},
+             {"outside", outside.place()},
+             {"misses", misses.place()},
+             {"axis", {v.axis[0], v.axis[1], v.axis[2]}},
+             {"level_count", v.level_count},
+             {"ball", v.ball},
+             {"ball_vertices", v.ball_vertices},
+             {"ball_optimal", v.ball_optimal}};
     for (const Point3& p : v.joints) out["joints"].push_back({p[0], p[1], p[2]});
     for (const VariantSummary& s : v.summaries)
-      out["summaries"].push_back({{"variant", s.variant}, {"balls", s.balls}, {"undefined", s.undefined},
-                                  {"vertices_outside", s.vertices_outside}, {"worst_miss", s.worst_miss},
-                                  {"mean_radius", s.mean_radius}, {"mean_over_optimal", s.mean_over_optimal},
+      out["summaries"].push_back({{"variant", s.variant},
+                                  {"balls", s.balls},
+                                  {"undefined", s.undefined},
+                                  {"vertices_outside", s.vertices_outside},
+                                  {"worst_miss", s.worst_miss},
+                                  {"mean_radius", s.mean_radius},
+                                  {"mean_over_optimal", s.mean_over_optimal},
                                   {"ball_radius", s.ball_radius}});
     return out;
   });
@@ -115,7 +128,8 @@ EMSCRIPTEN_KEEPALIVE const char* view(const char* settings) {
 // The scene of a page for the values of its sliders, a JSON list.
 EMSCRIPTEN_KEEPALIVE const char* scene(const char* page, const char* values) {
   static std::string text;
-  return answer(text, [&] { return explorer::page_scene<Exact>(page, json::parse(values).get<std::vector<int>>(), as_double); });
+  return answer(
+      text, [&] { return explorer::page_scene<Exact>(page, json::parse(values).get<std::vector<int>>(), as_double); });
 }
 
 }  // extern "C"
