@@ -1,4 +1,5 @@
-// Models at the ends of what a model may be, through everything that looks at one: right, or refused with a clear error.
+// Models at the ends of what a model may be, through everything that looks at one: right, or refused with a clear
+// error.
 #include <cmath>
 
 #include "algorithms/batch/batch_refit.hpp"
@@ -170,7 +171,9 @@ std::vector<ExtremeFile> extreme_files() {
        },
        {}},
       {"all vertices in one point",
-       [](auto& s) { s.meshes[0].positions.assign(s.meshes[0].positions.size(), {1, 2, 3}); },
+       [](auto& s) {
+         s.meshes[0].positions.assign(s.meshes[0].positions.size(), {1, 2, 3});
+       },
        {"no triangles"}},
       {"triangles without area",
        [](auto& s) {

@@ -29,7 +29,7 @@ aiMesh* triangle(const char* bone) {
   mesh->mFaces[0].mIndices = new unsigned[3]{0, 1, 2};
   if (!bone) return mesh;
   mesh->mNumBones = 1;
-  mesh->mBones = new aiBone*[1]{new aiBone};
+  mesh->mBones = new aiBone* [1] { new aiBone };
   mesh->mBones[0]->mName = bone;
   mesh->mBones[0]->mNumWeights = 3;
   mesh->mBones[0]->mWeights = new aiVertexWeight[3]{{0, 1}, {1, 1}, {2, 1}};
@@ -53,13 +53,13 @@ std::unique_ptr<aiScene> scene() {
   out->mRootNode->mMeshes = new unsigned[1]{0};
   plain->mMeshes = new unsigned[1]{1};
   out->mNumMeshes = 2;
-  out->mMeshes = new aiMesh*[2]{triangle("root"), triangle(nullptr)};
+  out->mMeshes = new aiMesh* [2] { triangle("root"), triangle(nullptr) };
   out->mNumAnimations = 1;
-  out->mAnimations = new aiAnimation*[1]{new aiAnimation};
+  out->mAnimations = new aiAnimation* [1] { new aiAnimation };
   out->mAnimations[0]->mName = "clip";
   out->mAnimations[0]->mDuration = 1;
   out->mAnimations[0]->mNumChannels = 2;
-  out->mAnimations[0]->mChannels = new aiNodeAnim*[2]{still("root"), still("plain")};
+  out->mAnimations[0]->mChannels = new aiNodeAnim* [2] { still("root"), still("plain") };
   return out;
 }
 
@@ -90,7 +90,8 @@ std::vector<Broken> broken_scenes() {
        "mesh 'skin', vertex 1: weight -1.000000 is negative"},
       {[](aiScene& s) { s.mRootNode->mMeshes[0] = 2; }, "node 'root': names a mesh out of range"},
       {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mName = "nobody"; }, "bone 'nobody': no node has this name"},
-      {[](aiScene& s) { s.mRootNode->mChildren[0]->mTransformation.a1 = 0; }, "node 'plain': its transform is singular"},
+      {[](aiScene& s) { s.mRootNode->mChildren[0]->mTransformation.a1 = 0; },
+       "node 'plain': its transform is singular"},
       {[](aiScene& s) { s.mRootNode->mTransformation.a1 = NAN; }, "node 'root': its transform is not finite"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = -1; }, "clip 'clip': its duration is not a time"},
       {[](aiScene& s) { s.mAnimations[0]->mChannels[1]->mNodeName = "root"; },

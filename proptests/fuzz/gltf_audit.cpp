@@ -6,8 +6,6 @@
 
 using namespace refitlab;
 
-FUZZ_TARGET(gltf_audit, bytes) try {
-  audit_gltf_bytes(bytes, "fuzz.glb");
-} catch (const ModelError& e) {
+FUZZ_TARGET(gltf_audit, bytes) try { audit_gltf_bytes(bytes, "fuzz.glb"); } catch (const ModelError& e) {
   check(std::string(e.what()).starts_with("fuzz.glb: "), "a refusal names the file");
 }

@@ -39,8 +39,7 @@ aiMatrix4x4 matrix(ByteStream& in) {
   if (in.one_in(8))
     for (unsigned row = 0; row < 4; ++row)
       for (unsigned column = 0; column < 4; ++column) out[row][column] = number(in);
-  else if (in.one_in(2))
-    out = aiMatrix4x4(aiVector3D(in.one_in(8) ? number(in) : 1), rotation(in), vector(in));
+  else if (in.one_in(2)) out = aiMatrix4x4(aiVector3D(in.one_in(8) ? number(in) : 1), rotation(in), vector(in));
   return out;
 }
 

@@ -34,14 +34,14 @@ inline void check(bool holds, const char* promise) {
 }  // namespace proptests::fuzz
 
 #ifdef REFITLAB_FUZZER
-#define REFITLAB_FUZZ_ENTRY(name)                                                      \
+#define REFITLAB_FUZZ_ENTRY(name)                                                     \
   extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { \
-    proptests::fuzz::name({reinterpret_cast<const char*>(data), size});                \
-    return 0;                                                                          \
+    proptests::fuzz::name({reinterpret_cast<const char*>(data), size});               \
+    return 0;                                                                         \
   }
 #else
-#define REFITLAB_FUZZ_ENTRY(name)                              \
-  namespace proptests::fuzz {                                  \
+#define REFITLAB_FUZZ_ENTRY(name)                                          \
+  namespace proptests::fuzz {                                              \
   static const bool is_registered = targets().emplace(#name, name).second; \
   }
 #endif

@@ -11,8 +11,8 @@ struct ExtremeModel {
   refitlab::Posture posture;
 };
 
-// Valid ones: huge, tiny, both at once, far away, of 1000 joints, of 64 influences, of one joint that moves, all vertices
-// in one point or on one line.
+// Valid ones: huge, tiny, both at once, far away, of 1000 joints, of 64 influences, of one joint that moves, all
+// vertices in one point or on one line.
 std::vector<ExtremeModel> extreme_models();
 
 // The model and all of its lengths times a factor.
