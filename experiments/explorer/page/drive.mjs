@@ -102,9 +102,9 @@ check(['spherical_repaired', 'spherical_exact', 'control_mixed', 'control_cluste
 const pages = await page.evaluate(() => window.refitlabExplorer.geometry.catalog.pages);
 const questions = [], seen = [];
 for (const {id, sliders, presets} of pages) {
-  await page.locator(`#tab-${id}`).click();
+  await page.locator(`#tab-${id}`).dispatchEvent('click');
   for (const [i, {label}] of presets.entries()) {
-    await page.locator('#explorer .presets button').nth(i).click();
+    await page.locator('#explorer .presets button').nth(i).dispatchEvent('click');
     seen.push({name: `${id}, ${label}`, question: questions.length, marks: await page.locator('#explorer .verdicts .mark').allTextContents()});
     questions.push({page: id, values: presets[i].values});
   }
@@ -128,8 +128,8 @@ await page.close();
 for (const [width, height, name] of [[1200, 900, 'desktop'], [390, 844, 'phone']])
   for (const scheme of ['light', 'dark']) {
     const view = await open(width, height, scheme);
-    await view.locator('#tab-lemma5').click();
-    await view.locator('#explorer .presets button').nth(2).click();
+    await view.locator('#tab-lemma5').dispatchEvent('click');
+    await view.locator('#explorer .presets button').nth(2).dispatchEvent('click');
     check(await view.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${name}, ${scheme}: nothing is wider than the page`);
     await view.waitForTimeout(500);
     const clip = await view.evaluate(() => (({x, y, width, height}) => ({x: x + scrollX, y: y + scrollY, width, height}))(document.getElementById('explorer').getBoundingClientRect()));
