@@ -31,7 +31,7 @@ S norm(const Vec<S, D>& a) {
   return root(squared_norm(a));
 }
 
-// At least ||x||, and at most 9 % more, without a root: 2 - sqrt 2 times the greatest coordinate and sqrt 2 - 1 times all of
+// At least ||x||, and at most 16 % more, without a root: 2 - sqrt 2 times the greatest coordinate and sqrt 2 - 1 times all of
 // them, both rounded up. In float and double, where it is rounded.
 template <class S>
 S upper_norm(const Vec<S, 3>& x) {
