@@ -91,12 +91,12 @@ PoseScales<S> measure_pose(std::span<const RigidTransform<S>> transforms, std::s
   for (std::size_t i = 0; i < transforms.size(); ++i) {
     const Quaternion<S>& q = transforms[i].rotation;
     const S squared_length = squared_norm(q);
-    image = max_of(image, squared_norm(center_images[i]));
     translation = max_of(translation, squared_norm(transforms[i].translation));
     defect = max_of(defect, S(std::abs(squared_length - S(1))));
     shortest = min_of(shortest, squared_length);
     for (std::size_t j = 0; j < i; ++j) dot_product = min_of(dot_product, dot(q, transforms[j].rotation));
   }
+  for (const Vec<S, 3>& c : center_images) image = max_of(image, squared_norm(c));
   dot_product = min_of(dot_product, shortest);
   const S n(static_cast<double>(transforms.size()));
   const S squared_blend = max_of(S(dot_product + (shortest - dot_product) / n - rounding), S(least_squared_length<S>()));
