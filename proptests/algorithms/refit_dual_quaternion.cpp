@@ -163,6 +163,7 @@ Checked measure_tightness() {
     }
     make_signs_consistent<double>(pose.transforms);
     place_duals(pose);
+    place_rotation_center(pose, Point3(0, 0, 0));
     bool near = true;
     for (const auto& a : pose.transforms)
       for (const auto& b : pose.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
