@@ -109,6 +109,14 @@ const char* const sentence =
 
 PROPTEST(refit_end_to_end) {
   const Options options{.number_type = "double against rational"};
+  t.example("a variant that there is not is refused with the names of those there are", {}, [] {
+    try {
+      refit_variant("spherical");
+      return false;
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what()).find("control_mixed") != std::string::npos;
+    }
+  });
   t.example(sentence + std::string("the procedural man"), options, [] { return check_model(make_man()); });
   t.example(sentence + std::string("the procedural creature"), options, [] { return check_model(make_creature()); });
   // Relative to the root of the repository, from where the tests are run.

@@ -49,10 +49,12 @@ Checked killed_at_random_moments() {
   for (const std::string& text : texts) write_whole(path, text);
   const auto some_writes = std::chrono::steady_clock::now() - start;  // disks differ
   std::set<std::string> seen;
-  const int kills = 200;
-  for (int i = 0; i < kills; ++i) {
+  // Where a writer is slow to start, the moments get later until every text was seen.
+  int kills = 0;
+  for (; kills < 200 || (seen.size() < texts.size() && kills < 2000); ++kills) {
+    const int i = kills;
     ChildProcess writer([&] { write_forever(path, texts, i); });
-    std::this_thread::sleep_for(some_writes * static_cast<double>(random() % 1000) / 2000);
+    std::this_thread::sleep_for(some_writes * static_cast<double>(random() % 1000) / 2000 * (1 + i / 100));
     writer.kill_now();
     const std::string found = read_whole(path);
     if (!texts.contains(found)) return {false, i, "a file of " + std::to_string(found.size()) + " bytes"};
