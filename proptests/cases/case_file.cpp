@@ -204,7 +204,7 @@ std::vector<Case> parse_cases(const std::string& text, const std::string& file, 
       if (depth > most_levels) throw CaseError(file + ": nested more than " + std::to_string(most_levels) + " deep");
       return true;
     });
-  } catch (const Json::parse_error& e) {
+  } catch (const Json::exception& e) {  // of its syntax, or a number beyond double
     throw CaseError(file + ": malformed JSON: " + e.what());
   }
   const Fields top(whole, file);
