@@ -1,10 +1,9 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "algorithms/model/procedural.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/report/report.hpp"
@@ -89,12 +88,6 @@ void run_without_model(const Options& options, const RunFolder& run, Report& rep
   }
 }
 
-std::string read_text(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error(path + ": cannot be read");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 }  // namespace refitlab
 
@@ -125,7 +118,7 @@ int main(int argc, char** argv) try {
   // On one's own models these run only if they are asked for.
   if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report, result);
   result.write();
-  if (!options.explorer.empty()) report.explorer = read_text(options.explorer);
+  if (!options.explorer.empty()) report.explorer = read_whole(options.explorer);
   if (std::filesystem::exists(options.out + "/report/reference/index.html")) report.reference = "reference/index.html";
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";

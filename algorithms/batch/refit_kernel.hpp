@@ -11,13 +11,14 @@
 // Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few of them.
 #pragma once
 
+#include "algorithms/balls/round_up.hpp"
 #include "algorithms/packs/four.hpp"
 #include "algorithms/packs/lanes.hpp"
 #include "algorithms/packs/targets.hpp"
 
 namespace refitlab {
 
-inline constexpr float underflow_slack = 0x1p-70f;  // of each radius
+inline constexpr float underflow_slack = underflow_of_distance<float>();  // of each radius
 
 // Numbers of one joint-set in one frame. Spherical: r_c (3), size (1), then q_i (4) and r_i (3) of each joint. Linear: slack
 // (1), then the rows of R_i and t_i, (3 + 1) x 3, of each joint.

@@ -1,6 +1,7 @@
 #include "algorithms/certificate/bound.hpp"
 
 #include "algorithms/refit/dual_quaternion.hpp"
+#include "algorithms/skinning/convert_pose.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/vocabulary/exact.hpp"
@@ -194,16 +195,6 @@ std::optional<Bound> search(const Claim& claim, const std::vector<typename Claim
   return bound;
 }
 
-OwnedJointSetPose<Rational> exactly(const JointSetPose<double>& pose) {
-  OwnedJointSetPose<Rational> out;
-  for (const auto& c : pose.transforms)
-    out.transforms.push_back({convert<Rational>(c.rotation), convert<Rational>(c.translation)});
-  out.rotation_center = convert<Rational>(pose.rotation_center);
-  for (const auto& image : pose.center_images) out.center_images.push_back(convert<Rational>(image));
-  for (const auto& dual : pose.duals) out.duals.push_back(convert<Rational>(dual));
-  return out;
-}
-
 // A joint whose quaternion q is not of unit length maps by M = ||q||^2 R_q + 1 - ||q||^2, which makes a vector longer.
 bool linear_holds(const JointSetPose<Rational>& pose, const std::vector<std::vector<Rational>>& corners,
                   const Ball3<Rational>& reference, const Ball3<Rational>& ball) {
@@ -225,7 +216,7 @@ std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece
                                 const Ball3<double>& ball) {
   const NodeJointSet& set = node.joint_sets[piece];
   const JointSetPose<double> rounded = node.pose[set.joint_set];
-  const OwnedJointSetPose<Rational> owned = exactly(rounded);
+  const OwnedJointSetPose<Rational> owned = convert<Rational>(rounded);
   const JointSetPose<Rational> pose = owned;
   std::vector<std::vector<Rational>> corners;
   for (int k = 0; k < set.corner_count; ++k) {

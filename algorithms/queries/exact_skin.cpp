@@ -4,21 +4,9 @@
 #include <cmath>
 
 #include "algorithms/skinning/blend.hpp"
+#include "algorithms/skinning/convert_pose.hpp"
 
 namespace refitlab {
-namespace {
-
-template <class S>
-OwnedJointSetPose<S> as(const JointSetPose<double>& pose) {
-  OwnedJointSetPose<S> out;
-  for (const auto& c : pose.transforms) out.transforms.push_back({convert<S>(c.rotation), convert<S>(c.translation)});
-  out.rotation_center = convert<S>(pose.rotation_center);
-  for (const auto& image : pose.center_images) out.center_images.push_back(convert<S>(image));
-  for (const auto& dual : pose.duals) out.duals.push_back(convert<S>(dual));
-  return out;
-}
-
-}  // namespace
 
 ExactSkin::ExactSkin(const Model& model, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning)
     : model_(model), sets_(sets), pose_(pose), skinning_(skinning), quick_(model.vertices.size()),
@@ -26,7 +14,7 @@ ExactSkin::ExactSkin(const Model& model, const JointSets& sets, const SkinningPo
 
 template <class S>
 Vec<S, 3> ExactSkin::skinned(int vertex) const {
-  const OwnedJointSetPose<S> pose = as<S>(pose_[sets_.of_vertex(vertex)]);
+  const OwnedJointSetPose<S> pose = convert<S>(pose_[sets_.of_vertex(vertex)]);
   std::vector<S> weights;
   for (const double w : sets_.weights(vertex)) weights.push_back(S(w));
   return blend<S>(skinning_, pose, weights, convert<S>(model_.vertices[vertex]));

@@ -1,10 +1,9 @@
 #include "experiments/report/pictures.hpp"
 
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "algorithms/refit/variants.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "experiments/render/draw.hpp"
 
@@ -23,8 +22,7 @@ std::string base64(const std::string& bytes) {
 }
 
 std::string embed_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return "data:image/png;base64," + base64({std::istreambuf_iterator<char>(in), {}});
+  return "data:image/png;base64," + base64(read_whole(path));
 }
 
 // What a row of the figure shows: a skin and how its balls come about.

@@ -58,17 +58,12 @@ class VariantChecks {
   }
 
   RoundingResult result() {
-    result_.inflation = median(inflations_);
-    result_.float_inflation = median(float_inflations_);
+    result_.inflation = median({inflations_.begin(), inflations_.end()});
+    result_.float_inflation = median({float_inflations_.begin(), float_inflations_.end()});
     return result_;
   }
 
  private:
-  static double median(std::vector<float>& values) {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-  }
-
   const std::vector<int>& some_vertices(const Ball3<double>& ball, std::span<const int> all, std::span<const Point3> skinned) {
     const auto farther = [&](int a, int b) {
       return squared_distance(skinned[a], ball.center) < squared_distance(skinned[b], ball.center);

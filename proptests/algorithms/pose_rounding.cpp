@@ -6,7 +6,6 @@
 // blends as they stand, and the blends' share is added by hand.
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <random>
 
 #include "algorithms/balls/mean_ball.hpp"
@@ -15,6 +14,7 @@
 #include "algorithms/refit/character.hpp"
 #include "algorithms/refit/dual_quaternion.hpp"
 #include "algorithms/refit/variants.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "algorithms/skinning/blend.hpp"
 #include "lemmas/vocabulary/exact.hpp"
 #include "proptests/gen/refit_case.hpp"
@@ -63,11 +63,10 @@ double length(const Vec<Running, 3>& v) { return std::hypot(v[0].value, v[1].val
 
 // A script's statement with a bound of this many u, given to Gappa to prove.
 bool is_proved(const std::string& script, int bound) {
-  std::ifstream in("proptests/gappa/" + script + ".g");  // from the root of the repository
-  std::string text((std::istreambuf_iterator<char>(in)), {});
+  std::string text = read_whole("proptests/gappa/" + script + ".g");  // from the root of the repository
   const std::string place = "BOUND";
   const std::size_t at = text.rfind(place);
-  if (at == std::string::npos) throw std::runtime_error("proptests/gappa/" + script + ".g: not there, or without a BOUND");
+  if (at == std::string::npos) throw std::runtime_error("proptests/gappa/" + script + ".g: without a BOUND");
   text.replace(at, place.size(), std::to_string(bound) + "b-53");
   FILE* gappa = popen("gappa >/dev/null 2>&1", "w");
   if (!gappa) throw std::runtime_error("gappa could not be started");

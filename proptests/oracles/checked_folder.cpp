@@ -4,13 +4,10 @@
 
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 namespace proptests::oracle {
-
-namespace fs = std::filesystem;
 
 std::string checker() { return PROPTESTS_CHECKER; }
 
@@ -29,26 +26,17 @@ CheckerRun run_checker(const std::string& path) {
   return run;
 }
 
-CheckedFolder::CheckedFolder() : path_((fs::temp_directory_path() / "certificates-XXXXXX").string()) {
-  if (!::mkdtemp(path_.data())) throw std::runtime_error(path_ + ": cannot make the folder");
-}
-
-CheckedFolder::~CheckedFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 std::string CheckedFolder::file(std::size_t number) const {
   std::string name = std::to_string(number);
   name.insert(0, 6 - name.size(), '0');
-  return path_ + "/" + name + ".json";
+  return folder_.file(name + ".json");
 }
 
 void CheckedFolder::add(const std::string& text) { std::ofstream(file(count_++), std::ios::binary) << text; }
 
 std::vector<CheckedLine> CheckedFolder::check() const {
   if (count_ == 0) return {};
-  const CheckerRun run = run_checker(path_);
+  const CheckerRun run = run_checker(path());
   std::vector<CheckedLine> out;
   bool all_accepted = true;
   for (const std::string& line : run.lines) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "proptests/gen/temporary_folder.hpp"
+
 namespace proptests::oracle {
 
 struct CheckerRun {
@@ -27,13 +29,9 @@ struct CheckedLine {
 // A folder of its own, gone afterwards.
 class CheckedFolder {
  public:
-  CheckedFolder();
-  CheckedFolder(const CheckedFolder&) = delete;
-  ~CheckedFolder();
-
   void add(const std::string& text);
   std::size_t size() const { return count_; }
-  const std::string& path() const { return path_; }
+  std::string path() const { return folder_.path(); }
 
   // A line for each file, in the order in which they were added. Throws std::runtime_error if the checker says anything
   // else, such as a traceback, or if its exit status is not that of its lines.
@@ -42,7 +40,7 @@ class CheckedFolder {
  private:
   std::string file(std::size_t number) const;
 
-  std::string path_;
+  gen::TemporaryFolder folder_;
   std::size_t count_ = 0;
 };
 
