@@ -2,7 +2,7 @@
 import csv
 import pathlib
 
-from formats import digits, escaped, table, whole_number
+from formats import digits, escaped, power_of_ten, table, whole_number
 from results import ResultError
 
 MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
@@ -143,6 +143,9 @@ def numbers(results, folder):
     out["crowd.ms"] = digits(float(crowd["value"]) / 1000, 2)
     out["crowd.contacts"] = whole_number(results.number("character_growth", model=crowd["model"], variant="clusters",
                                                         quantity="contacts"))
+    out["rounding.checks"] = whole_number(total(results, "rounding", quantity="exact_checks"))
+    out["rounding.misses"] = whole_number(total(results, "rounding", quantity="misses") +
+                                          total(results, "rounding", quantity="float_misses"))
     verdicts = results.rows("verdicts")
     out["verdicts.refuted"] = whole_number(len({r["lemma"] for r in verdicts if r["verdict"] == "refuted"}))
     out["verdicts.held"] = whole_number(sum(float(r["cases"]) for r in verdicts if r["verdict"] == "holds"))
@@ -223,6 +226,19 @@ def volumes_table(results):
     return table("lrrr", ["", "size / smallest", "volume / ball", "cost / ball"], rows)
 
 
+def rounding_table(results):
+    names = {"linear": "linear \\cite{KavanZara2005a}", "linear_mixed": "linear, control points or vertices", **SPHERICAL,
+             "dual_quaternion_mixed": "dual quaternions, the same"}
+    rows = []
+    for variant, name in names.items():
+        def of(quantity):
+            return values(results.select("rounding", variant=variant, quantity=quantity))
+        rows.append([name, f"{100 * sum(of('misses_as_computed')) / sum(of('exact_checks')):.2g}\\,\\%",
+                     whole_number(sum(of("misses") + of("float_misses"))), power_of_ten(max(of("inflation_median"))),
+                     power_of_ten(max(of("float_inflation_median"))), f"{min(of('cost_ratio')):.2f}--{max(of('cost_ratio')):.2f}"])
+    return table("lrrrrr", ["", "outside without", "with", "adds", "adds, float", "cost"], rows)
+
+
 def collision_table(results):
     names = [("clusters", "clusters (ours)"), ("spherical_repaired", "spheres on demand, repaired"),
              ("control_mixed", "spheres on demand, default"), None, ("skin_all_simd", "skin all in SIMD, boxes"),
@@ -236,7 +252,7 @@ def collision_table(results):
 
 
 def provenance_table(results):
-    for name in ["tightness", "speed", "volumes", "batch_speed", "collision", "triangle_growth", "joint_growth",
+    for name in ["tightness", "speed", "volumes", "batch_speed", "rounding", "collision", "triangle_growth", "joint_growth",
                  "character_growth", "verdicts"]:
         results.rows(name)
     rows = [[f"\\texttt{{{escaped(name)}.csv}}", f"\\texttt{{{p['commit']}}}", escaped(p["compiler"]), escaped(p["cpu"])]
@@ -270,7 +286,7 @@ def tables(results, lemmas):
     return {"tightness_man": tightness_table(results, "man", "walk"),
             "tightness_twist": tightness_table(results, "man", "full twist"),
             "worst": worst_table(results), "misses": misses_table(results), "cost": cost_table(results),
-            "batch": batch_table(results), "volumes": volumes_table(results), "collisions": collision_table(results),
+            "batch": batch_table(results), "volumes": volumes_table(results), "rounding": rounding_table(results), "collisions": collision_table(results),
             "provenance": provenance_table(results), "verdicts": verdict_table(results, lemmas)}
 
 

@@ -29,6 +29,12 @@ def digits(x, count=3):
     return whole_number(float(text)) if "." not in text else text
 
 
+def power_of_ten(x):
+    """One digit and a power of ten, for text: 7e-14 is 7 times 10 to the -14."""
+    mantissa, exponent = f"{x:.0e}".split("e")
+    return f"${mantissa}\\cdot10^{{{int(exponent)}}}$"
+
+
 def whole_number(x):
     return re.sub(r"(?<=\d)(?=(\d{3})+$)", "{,}", f"{x:.0f}") if abs(x) >= 10000 else f"{x:.0f}"
 

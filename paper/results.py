@@ -19,6 +19,7 @@ SOURCES = {
     "batch_speed": [*RUN, "experiments/speed"],
     "collision": [*RUN, *QUERIES],
     "triangle_growth": [*RUN, *QUERIES, "experiments/growth"],
+    "rounding": [*RUN, "experiments/rounding", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"],
     "joint_growth": [*RUN, *QUERIES, "experiments/growth"],
     "character_growth": [*RUN, *QUERIES, "experiments/growth"],
     "run": [*RUN, "experiments/render", "experiments/report/pictures.cpp"],
