@@ -5,8 +5,8 @@
 // of radius r about each of them (the hull of these balls; a ball or any other volume around them) holds v'(u) + y for
 // all ||y|| <= r, and by s43_minkowski_sum the whole reference ball.
 // It is enough that all pairwise W_kl = (q'_k, q'_l) > 0: for degree 2 these are the W_I, for degree 3 W_I is a mean of
-// them. For degree 3 it is not needed: quaternions of equal length may be up to arccos(-1/2) apart, two thirds of a
-// turn.
+// them. For degree 3 it is not needed: two quaternions of equal length, where there are no others, may be up to
+// arccos(-1/2) apart, two thirds of a turn.
 //
 // Replaces: the sum of bounds of section 4.4, for blends within the condition.
 // Notation: as in b1; B_I(u) W_I / sum -> coefficients, y -> offset, r -> radius.

@@ -1,6 +1,6 @@
 // Beyond the paper: one lemma in place of Lemmas 2 to 4, for quaternions of any length.
 //
-// Statement. Let q_1 ... q_m and c be vectors of R^4 and kappa^2 a number, with (q_k, c) >= 0 and
+// Statement. Let q_1 ... q_m and c be vectors of R^4 and kappa^2 >= 0, with (q_k, c) >= 0 and
 //   kappa^2 ||q_k||^2 ||c||^2 <= (q_k, c)^2 for all k.
 // Every convex combination b of the q_k has (b, c) >= 0 and kappa^2 ||b||^2 ||c||^2 <= (b, c)^2. So if neither b nor c
 // is 0, R_b v is within the angle with cosine 2 kappa^2 - 1 of R_c v. If all (q_k, c) > 0, then b is not 0. The best
