@@ -129,7 +129,7 @@ Figure figure(const Character& c, const std::string& scene_name, const std::stri
 }  // namespace
 
 Figure walking_figure(const Character& c, const std::string& folder) {
-  return figure(c, "light", "two walk past each other (the paper's Figure 6)",
+  return figure(c, "light", "two pass each other (the paper's Figure 6)",
                 "A query refits a sphere only when it gets there; the deeper, the fewer of a level. (In the paper’s "
                 "frame it refitted 19 % of "
                 "level 5 and 9 % of level 6, of a tree of nine levels; this one has " +
@@ -138,9 +138,9 @@ Figure walking_figure(const Character& c, const std::string& folder) {
 }
 
 Figure walk_through_figure(const Character& c, const std::string& folder) {
-  return figure(c, "worst", "two walk through each other (the paper's Figure 7)",
-                "The worst case: both in one place, far more triangles touching than in practice.", {1, 0.3, 0.6},
-                {4, 6}, folder);
+  return figure(c, "worst", "two in one place (the paper's Figure 7)",
+                "The worst case, as when they walk through each other: far more triangles touch than in practice.",
+                {1, 0.3, 0.6}, {4, 6}, folder);
 }
 
 }  // namespace refitlab

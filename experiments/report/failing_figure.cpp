@@ -25,10 +25,10 @@ class FailingPosture {
         node_(coarsest_failure()) {}
 
   Figure figure() const {
+    const std::string found = " (of 4 angles of each joint the worst for Algorithm 1 as printed)";
     Figure out{c_.model.name + ": where the printed algorithm fails",
-               escape_html("The " + posture_.name) +
-                   ", found among 4 angles of each joint as the one where Algorithm 1 as printed "
-                   "misses most.",
+               escape_html("The " + posture_.name) + found +
+                   (misses_.ball_count() ? ": its balls leave vertices outside." : ": no ball misses a vertex in it."),
                {{figure_colors::missing, "the printed ball, and vertices outside their ball"},
                 {figure_colors::without, "vertices whose “ball” has a negative radius or is no number"},
                 {figure_colors::holding, "balls that hold all their vertices"}},

@@ -29,25 +29,25 @@ std::string css(const render::Color& c) {
 
 }  // namespace
 
-Picture rendered(const render::Scene& scene, const render::Camera& camera, render::Options options,
+Picture rendered(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
                  const std::string& caption, const std::string& path, const std::vector<Label>& labels) {
   std::cout << "[pictures] " << path << std::endl;
-  options.transparent = true;
   render::draw(scene, camera, options).write_png(path);
   const int width = options.width, height = options.height;
   const std::string size = " width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) + "\"",
                     data = "\"data:image/png;base64," + base64(read_whole(path)) + "\"";
   if (labels.empty())
-    return {caption, "<img loading=\"lazy\" alt=\"" + escape_html(caption) + "\"" + size + " src=" + data + ">"};
+    return {caption, "<div class=\"tile\"><img loading=\"lazy\" alt=\"" + escape_html(caption) + "\"" + size +
+                         " src=" + data + "></div>"};
   std::ostringstream out;
-  out << "<svg class=\"labelled\" role=\"img\" aria-label=\"" << escape_html(caption) << "\" viewBox=\"0 0 " << width
-      << ' ' << height << "\"><image" << size << " href=" << data << "/>";
+  out << "<div class=\"tile\"><svg class=\"labelled\" role=\"img\" aria-label=\"" << escape_html(caption)
+      << "\" viewBox=\"0 0 " << width << ' ' << height << "\"><image" << size << " href=" << data << "/>";
   for (const Label& label : labels) {
     const auto at = camera.project(label.at, width, height);
     out << "<text x=\"" << format("%.1f", at[0] + 9) << "\" y=\"" << format("%.1f", at[1] - 9) << "\">"
         << escape_html(label.text) << "</text>";
   }
-  out << "</svg>";
+  out << "</svg></div>";
   return {caption, out.str()};
 }
 

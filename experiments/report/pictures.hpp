@@ -33,8 +33,8 @@ struct Label {
   std::string text;
 };
 
-// Draws on nothing, so that the page's own ground shows, writes the PNG to path and embeds it.
-Picture rendered(const render::Scene& scene, const render::Camera& camera, render::Options options,
+// Draws on white, which the page's style turns into its own ground, writes the PNG to path and embeds it.
+Picture rendered(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
                  const std::string& caption, const std::string& path, const std::vector<Label>& labels = {});
 
 std::string figure_section(const std::vector<Figure>& figures);

@@ -33,7 +33,8 @@ th:first-child,td:first-child{text-align:left}thead th{background:var(--band)}
 .bad{color:var(--bad);font-weight:600}.soft{color:var(--soft)}
 figure{margin:0}figcaption{font-size:.85rem;color:var(--soft)}
 .gallery{display:grid;grid-template-columns:repeat(var(--columns),minmax(0,1fr));gap:1rem}
-.gallery img,.gallery .labelled{width:100%;height:auto;background:var(--ground);border-radius:6px;display:block}
+.tile{background:var(--ground);border-radius:6px;overflow:hidden;isolation:isolate}
+.tile img,.labelled{width:100%;height:auto;display:block}.tile img,.tile image{mix-blend-mode:multiply}
 .labelled text{fill:#1c2024;font:600 17px system-ui,sans-serif}
 .legend{list-style:none;display:flex;flex-wrap:wrap;gap:.3rem 1.2rem;padding:0;font-size:.85rem}
 .legend i{display:inline-block;width:.8rem;height:.8rem;border-radius:50%;margin-right:.4rem;vertical-align:-.08rem}
