@@ -6,7 +6,11 @@
 #include "algorithms/results/write_whole.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
+#include "experiments/report/cap_figure.hpp"
+#include "experiments/report/encounter_figures.hpp"
+#include "experiments/report/failing_figure.hpp"
 #include "experiments/report/report.hpp"
+#include "experiments/report/twist_figures.hpp"
 #include "experiments/resume/resume.hpp"
 #include "experiments/run_file.hpp"
 #include "experiments/speed/balls.hpp"
@@ -18,15 +22,26 @@ namespace {
 
 void append(auto& all, const auto& results) { all.insert(all.end(), results.begin(), results.end()); }
 
-// All that is wanted of one model.
-void run_on(Model&& model, const Options& options, const RunFolder& run, Report& report) {
+// The figures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
+void add_figures(const Character& character, const NamedPosture& twist, std::size_t index, std::size_t models,
+                 const std::string& folder, std::vector<Figure>& figures) {
+  if (index == 0) {
+    append(figures, twist_figures(character, twist, folder));
+    figures.push_back(failing_figure(character, folder));
+    figures.push_back(cap_figure(folder));
+    figures.push_back(walking_figure(character, folder));
+  }
+  if (index == std::min<std::size_t>(1, models - 1)) figures.push_back(walk_through_figure(character, folder));
+}
+
+// All that is wanted of one model, which is number index of so many.
+void run_on(Model&& model, std::size_t index, std::size_t models, const Options& options, const RunFolder& run, Report& report) {
   std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
             << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
   const std::string identity = identify(model), of_model = " of " + model.name;
   const Character character(std::move(model));
   const NamedPosture twist = figure_twist(character.model);
-  if (report.pictures.empty())
-    report.pictures = twist_pictures(character, twist.name, twist.posture, options.out + "/report/pictures");
+  add_figures(character, twist, index, models, options.out + "/report/pictures", report.figures);
   if (options.wants("tightness"))
     append(report.tightness, resumed_or(run, "tightness" + of_model, options.tightness, identity,
                                         [&] { return run_tightness(character, options.tightness); }));
@@ -113,13 +128,16 @@ int main(int argc, char** argv) try {
   RunFile result(options);
   Report report;
   report.absent_models = models.absent;
-  for (Model& model : models.models) run_on(std::move(model), options, run, report);
+  report.verdicts = options.out + "/results/verdicts.csv";
+  for (std::size_t i = 0; i < models.models.size(); ++i)
+    run_on(std::move(models.models[i]), i, models.models.size(), options, run, report);
+  if (report.figures.empty()) report.figures.push_back(cap_figure(options.out + "/report/pictures"));
   if (!models.models.empty()) write_results_by_model(options, report, result);
   // On one's own models these run only if they are asked for.
   if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report, result);
   result.write();
   if (!options.explorer.empty()) report.explorer = read_whole(options.explorer);
-  if (std::filesystem::exists(options.out + "/report/reference/index.html")) report.reference = "reference/index.html";
+  if (std::filesystem::exists(options.out + "/report/reference/index.html")) report.reference = "reference";
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
 } catch (const std::exception& e) {

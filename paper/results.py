@@ -22,7 +22,7 @@ SOURCES = {
     "rounding": [*RUN, "experiments/rounding", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"],
     "joint_growth": [*RUN, *QUERIES, "experiments/growth"],
     "character_growth": [*RUN, *QUERIES, "experiments/growth"],
-    "run": [*RUN, "experiments/render", "experiments/report/pictures.cpp"],
+    "run": [*RUN, "experiments/render", "experiments/report/twist_figures.cpp"],
     "verdicts": ["CMakeLists.txt", "lemmas", "algorithms", "proptests/CMakeLists.txt", "proptests/main.cpp",
                  "proptests/harness.cpp", "proptests/harness.hpp", "proptests/session.cpp", "proptests/session.hpp",
                  "proptests/verdict_table.cpp", "proptests/lemmas", "proptests/algorithms", "proptests/gen",

@@ -7,7 +7,7 @@
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "experiments/scenes/twist.hpp"
-#include "experiments/tightness/measure.hpp"
+#include "experiments/tightness/misses.hpp"
 
 namespace refitlab {
 namespace {
@@ -22,8 +22,6 @@ const Maker makers[] = {{"man", [] { return make_man(); }},
                         {"creature", [] { return make_creature(); }},
                         {"snake", [] { return make_snake(snake_joints); }}};
 
-bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
-
 Posture posture_of(const Model& model, const ExplorerSettings& s) {
   if (s.joint < 0 || s.joint >= static_cast<int>(model.joints.size())) throw std::invalid_argument("no such joint");
   Posture posture = reference_posture(model);
@@ -34,13 +32,6 @@ Posture posture_of(const Model& model, const ExplorerSettings& s) {
     posture = clip->sample(std::clamp(s.time, 0., clip->duration));
   }
   return twisted(model, std::move(posture), s.joint, s.twist);
-}
-
-std::vector<int> nodes_of_level(const SphereTree& tree, int level) {
-  std::vector<int> nodes;
-  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
-    if (tree.nodes[n].level == level) nodes.push_back(static_cast<int>(n));
-  return nodes;
 }
 
 // A skinning of the posture, and the smallest balls of the level's nodes under it.
@@ -81,28 +72,15 @@ class LevelView {
   // Marks what is outside in view, if there is one.
   VariantSummary summarise(const RefitVariant& variant, const std::vector<Ball3<double>>& balls, ExplorerView* view) {
     const Frame& f = frame(variant.skinning);
-    const double tolerance = miss_tolerance * c_.tree.nodes[0].reference.radius;
-    VariantSummary out{variant.name, static_cast<int>(balls.size())};
-    std::vector<bool> outside(f.vertices.size()), misses(balls.size());
+    Misses misses = find_misses(c_, nodes_, balls, f.vertices);
+    VariantSummary out{variant.name, static_cast<int>(balls.size()), misses.undefined,
+                       static_cast<int>(misses.outside_count()), misses.worst};
     double radii = 0, optimal = 0;
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-      misses[b] = !is_defined(balls[b]);
-      if (misses[b]) {
-        ++out.undefined;
-        continue;
-      }
-      radii += balls[b].radius, optimal += f.optimal_radii[b];
-      for (const int v : c_.vertices[nodes_[b]]) {
-        const double miss = norm<double, 3>(f.vertices[v] - balls[b].center) - balls[b].radius;
-        if (miss <= tolerance) continue;
-        misses[b] = outside[v] = true;
-        out.worst_miss = std::max(out.worst_miss, miss);
-      }
-    }
-    out.vertices_outside = static_cast<int>(std::count(outside.begin(), outside.end(), true));
+    for (std::size_t b = 0; b < balls.size(); ++b)
+      if (is_defined(balls[b])) radii += balls[b].radius, optimal += f.optimal_radii[b];
     out.mean_radius = radii / (out.balls - out.undefined);
     out.mean_over_optimal = radii / optimal;
-    if (view) view->outside = std::move(outside), view->misses = std::move(misses);
+    if (view) view->outside = std::move(misses.outside), view->misses = std::move(misses.balls);
     return out;
   }
 

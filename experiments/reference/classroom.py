@@ -64,7 +64,7 @@ call the solver, erratum, sources. Templates over the number type; verdicts are 
 contradict, a mutated witness is rejected, and an example for each hypothesis that is dropped.</li>
 <li><code>proptests/run --only STEM</code>; then a full <code>proptests/run --update-readme</code>, which puts it into the verdict table.</li>
 <li>Two or three mutants in <code>proptests/mutants/list.toml</code>, and <code>proptests/mutants/run --only STEM</code>.</li>
-<li>Its place in the class in <code>experiments/reference/classroom.py</code>, and a picture in <code>experiments/reference/pictures.cpp</code>. Its page is then made by itself; the
+<li>Its place in the class in <code>experiments/reference/classroom.py</code>, and a picture in <code>experiments/drawings</code>. Its page is then made by itself; the
 reference is not, until both are there.</li></ol></section>
 """
 

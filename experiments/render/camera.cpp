@@ -49,6 +49,20 @@ Camera Camera::frame(const Box3& box, const Point3& from, double aspect, double 
   return camera;
 }
 
+Camera Camera::frame(std::span<const Point3> points, const Point3& from, double aspect, double margin,
+                     const Point3& up) {
+  if (points.empty()) throw std::invalid_argument("camera: nothing to frame, there are no points");
+  Camera camera(points[0], from, up, 0, 1);
+  Box3 seen;  // in the camera's own frame
+  for (const Point3& p : points)
+    seen.extend(Point3(p.dot(camera.right_), p.dot(camera.up_), p.dot(camera.back_)));
+  const Point3 size = seen.sizes(), center = seen.center();
+  camera.height_ = std::max({size.y(), size.x() / aspect, 1e-6}) / (1 - 2 * margin);
+  camera.eye_ = center.x() * camera.right_ + center.y() * camera.up_ +
+                (center.z() + size.z() + camera.height_) * camera.back_;
+  return camera;
+}
+
 Ray Camera::ray(double x, double y) const {
   const Point3 offset = height_ * (x * right_ + y * up_);
   if (field_of_view_ > 0) return {eye_, (offset - back_).normalized()};

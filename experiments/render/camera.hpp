@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 
 #include "algorithms/model/model.hpp"
 
@@ -28,6 +29,10 @@ class Camera {
   // the picture. field_of_view 0 asks for an orthographic camera. margin: empty share at each side.
   static Camera frame(const Box3& box, const Point3& from, double aspect = 1, double field_of_view = 0,
                       double margin = 0.04, const Point3& up = {0, 1, 0});
+
+  // Orthographic; sees all of the points, centred, with no more room than the margin.
+  static Camera frame(std::span<const Point3> points, const Point3& from, double aspect = 1, double margin = 0.04,
+                      const Point3& up = {0, 1, 0});
 
   // Through the point (x, y) of the picture, in units of its height: (0, 0) its centre, y = 1/2 its upper edge.
   Ray ray(double x, double y) const;

@@ -1,11 +1,11 @@
 #include "experiments/report/pictures.hpp"
 
+#include <cmath>
 #include <iostream>
+#include <sstream>
 
-#include "algorithms/refit/variants.hpp"
 #include "algorithms/results/write_whole.hpp"
-#include "algorithms/skinning/skin.hpp"
-#include "experiments/render/draw.hpp"
+#include "experiments/report/html.hpp"
 
 namespace refitlab {
 namespace {
@@ -15,62 +15,58 @@ std::string base64(const std::string& bytes) {
   std::string out;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
     for (std::size_t k = 0; k < 4; ++k) out += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63];
   }
   return out;
 }
 
-std::string embed_file(const std::string& path) {
-  return "data:image/png;base64," + base64(read_whole(path));
-}
-
-// What a row of the figure shows: a skin and how its balls come about.
-struct Row {
-  std::string label;
-  std::vector<Point3> vertices;
-  std::vector<Ball3<double>> balls;
-};
-
-render::Camera frame_all(const std::vector<Row>& rows) {
-  render::Box3 box;
-  for (const Row& row : rows)
-    for (const Point3& v : row.vertices) box.extend(v);
-  return render::Camera::frame(box, {0.55, 0.25, 1}, 0.8);
+std::string css(const render::Color& c) {
+  const auto byte = [](double x) { return std::to_string(std::lround(255 * x)); };
+  return "rgb(" + byte(c.red) + "," + byte(c.green) + "," + byte(c.blue) + ")";
 }
 
 }  // namespace
 
-std::vector<Picture> twist_pictures(const Character& c, const std::string& posture_name, const Posture& posture,
-                                    const std::string& folder) {
-  std::vector<Row> rows(1);
-  rows[0] = {"reference posture, smallest balls", c.model.vertices, {}};
-  for (const TreeNode& n : c.tree.nodes) rows[0].balls.push_back(n.reference);
-  const auto add = [&](const std::string& label, const RefitVariant& variant) {
-    const auto pose = make_skinning_pose(c.model, c.sets, posture, variant.skinning);
-    rows.push_back({posture_name + ", " + label, skin(c.model, c.sets, pose, variant.skinning), c.refit_all(variant, pose)});
-  };
-  add("linear blending, refitted by [Kavan and Zara 2005a]", refit_variant("linear"));
-  add("spherical blending, refitted by Algorithm 1 repaired", refit_variant("spherical_repaired"));
-  add("spherical blending, refitted by control hulls per joint-set", refit_variant("control_sets_exact"));
+Picture rendered(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
+                 const std::string& caption, const std::string& path, const std::vector<Label>& labels) {
+  std::cout << "[pictures] " << path << std::endl;
+  render::draw(scene, camera, options).write_png(path);
+  const int width = options.width, height = options.height;
+  const std::string size = " width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) + "\"",
+                    data = "\"data:image/png;base64," + base64(read_whole(path)) + "\"";
+  if (labels.empty())
+    return {caption, "<div class=\"tile\"><img loading=\"lazy\" alt=\"" + escape_html(caption) + "\"" + size +
+                         " src=" + data + "></div>"};
+  std::ostringstream out;
+  out << "<div class=\"tile\"><svg class=\"labelled\" role=\"img\" aria-label=\"" << escape_html(caption)
+      << "\" viewBox=\"0 0 " << width << ' ' << height << "\"><image" << size << " href=" << data << "/>";
+  for (const Label& label : labels) {
+    const auto at = camera.project(label.at, width, height);
+    out << "<text x=\"" << format("%.1f", at[0] + 9) << "\" y=\"" << format("%.1f", at[1] - 9) << "\">"
+        << escape_html(label.text) << "</text>";
+  }
+  out << "</svg></div>";
+  return {caption, out.str()};
+}
 
-  const render::Camera camera = frame_all(rows);
-  std::vector<Picture> pictures;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (const int level : {0, 4, 6}) {  // 0: the bare skin
-      render::Scene scene;
-      render::MeshShape mesh;
-      mesh.vertices = rows[r].vertices;
-      mesh.triangles = c.model.triangles;
-      scene.meshes.push_back(std::move(mesh));
-      for (std::size_t n = 0; level > 0 && n < c.tree.nodes.size(); ++n)
-        if (c.tree.nodes[n].level == level) scene.balls.push_back({rows[r].balls[n], render::palette::blue, 0.12});
-      const std::string path = folder + "/" + c.model.name + "_" + std::to_string(r) + "_level" + std::to_string(level) + ".png";
-      std::cout << "[pictures] " << path << std::endl;
-      render::draw(scene, camera, {.width = 480, .height = 600}).write_png(path);
-      pictures.push_back({c.model.name + ": " + rows[r].label + (level ? ", level " + std::to_string(level) : ""), embed_file(path)});
-    }
-  return pictures;
+std::string figure_section(const std::vector<Figure>& figures) {
+  if (figures.empty()) return "";
+  std::ostringstream out;
+  out << "<h2>Pictures</h2>\n";
+  for (const Figure& f : figures) {
+    out << "<h3>" << escape_html(f.title) << "</h3>\n<p>" << f.text << "</p>\n";
+    if (!f.legend.empty()) out << "<ul class=\"legend\">";
+    for (const auto& [color, meaning] : f.legend)
+      out << "<li><i style=\"background:" << css(color) << "\"></i>" << escape_html(meaning) << "</li>";
+    if (!f.legend.empty()) out << "</ul>\n";
+    out << "<div class=\"gallery\" style=\"--columns:" << f.columns << ";--phone:" << f.phone_columns << "\">\n";
+    for (const Picture& p : f.pictures)
+      out << "<figure>" << p.html << "<figcaption>" << escape_html(p.caption) << "</figcaption></figure>\n";
+    out << "</div>\n";
+  }
+  return out.str();
 }
 
 }  // namespace refitlab

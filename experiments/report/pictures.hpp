@@ -1,21 +1,42 @@
-// The report's pictures of characters and their bounding spheres (the paper's Figures 1 and 5).
+// Pictures and figures of the report: drawn by the project, embedded in the page.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "experiments/scenes/scenes.hpp"
+#include "experiments/render/draw.hpp"
 
 namespace refitlab {
 
 struct Picture {
   std::string caption;
-  std::string data_uri;  // the PNG, embedded
+  std::string html;  // an <img> or <svg>; nothing outside the page is needed
 };
 
-// The reference posture, the posture under linear blending and under spherical blending, each bare and with the balls of
-// levels 4 and 6. The PNG files also go to folder.
-std::vector<Picture> twist_pictures(const Character& character, const std::string& posture_name, const Posture& posture,
-                                    const std::string& folder);
+// What a colour means, beside its swatch.
+struct LegendEntry {
+  render::Color color;
+  std::string meaning;
+};
+
+// Pictures that belong together, under a heading.
+struct Figure {
+  std::string title, text;  // text: HTML
+  std::vector<LegendEntry> legend;
+  std::vector<Picture> pictures;
+  int columns = 3, phone_columns = 2;
+};
+
+// A word beside a point of the scene.
+struct Label {
+  Point3 at;
+  std::string text;
+};
+
+// Draws on white, which the page's style turns into its own ground, writes the PNG to path and embeds it.
+Picture rendered(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
+                 const std::string& caption, const std::string& path, const std::vector<Label>& labels = {});
+
+std::string figure_section(const std::vector<Figure>& figures);
 
 }  // namespace refitlab

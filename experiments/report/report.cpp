@@ -1,26 +1,30 @@
 #include "experiments/report/report.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
 #include "algorithms/queries/score.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/drawings/style.hpp"
 #include "experiments/report/batch_section.hpp"
 #include "experiments/report/characters.hpp"
 #include "experiments/report/collisions.hpp"
+#include "experiments/report/contents.hpp"
+#include "experiments/report/headline.hpp"
 #include "experiments/report/html.hpp"
 #include "experiments/report/line_plot.hpp"
 #include "experiments/report/pareto.hpp"
 #include "experiments/report/rounding_section.hpp"
 #include "experiments/report/triangle_growth.hpp"
+#include "experiments/report/verdicts.hpp"
 #include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
 namespace {
 
-const char* const style = R"(<style>
-:root{color-scheme:light dark;--ink:#1c2024;--page:#fdfdfc;--soft:#5c6670;--rule:#d8dde2;--band:#f2f4f6;--bad:#b3261e}
-@media (prefers-color-scheme:dark){:root{--ink:#e4e7ea;--page:#15181b;--soft:#9aa4ae;--rule:#333a41;--band:#1e2327;--bad:#ff8a80}}
+const char* const style = R"(:root{color-scheme:light dark;--ink:#1c2024;--page:#fdfdfc;--soft:#5c6670;--rule:#d8dde2;--band:#f2f4f6;--bad:#b3261e;--ground:#fff}
+@media (prefers-color-scheme:dark){:root{--ink:#e4e7ea;--page:#15181b;--soft:#9aa4ae;--rule:#333a41;--band:#1e2327;--bad:#ff8a80;--ground:#b9c1c8}}
 body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:74rem;margin:0 auto;padding:1rem}
 h1,h2,h3{line-height:1.2}h2{margin-top:2.5rem;border-top:1px solid var(--rule);padding-top:1rem}
 .scroll{overflow-x:auto}table{border-collapse:collapse;font-size:.82rem;font-variant-numeric:tabular-nums}
@@ -28,25 +32,23 @@ th,td{padding:.2rem .55rem;text-align:right;white-space:nowrap;border-bottom:1px
 th:first-child,td:first-child{text-align:left}thead th{background:var(--band)}
 .bad{color:var(--bad);font-weight:600}.soft{color:var(--soft)}
 figure{margin:0}figcaption{font-size:.85rem;color:var(--soft)}
-.gallery{display:grid;grid-template-columns:repeat(3,minmax(0,1fr));gap:1rem}
-.gallery img{width:100%;height:auto;background:#fff;border-radius:6px}
+.gallery{display:grid;grid-template-columns:repeat(var(--columns),minmax(0,1fr));gap:1rem}
+.tile{background:var(--ground);border-radius:6px;overflow:hidden;isolation:isolate}
+.tile img,.labelled{width:100%;height:auto;display:block}.tile img,.tile image{mix-blend-mode:multiply}
+.labelled text{fill:#1c2024;font:600 17px system-ui,sans-serif}
+.legend{list-style:none;display:flex;flex-wrap:wrap;gap:.3rem 1.2rem;padding:0;font-size:.85rem}
+.legend i{display:inline-block;width:.8rem;height:.8rem;border-radius:50%;margin-right:.4rem;vertical-align:-.08rem}
+.verdict-table th,.verdict-table td{text-align:left}
+nav{line-height:1.9}a{color:var(--blue)}
+@media (max-width:46rem){.gallery{grid-template-columns:repeat(var(--phone),minmax(0,1fr))}}
 .plot{width:100%;max-width:46rem;height:auto;font-size:12px}.plot text{fill:var(--ink)}.plot .title{font-size:14px;font-weight:600}
 .plot .grid{stroke:var(--rule)}details{margin:.5rem 0}summary{cursor:pointer}
-</style>)";
+)";
 
 LevelTightness all_levels(const std::vector<LevelTightness>& levels) {
   LevelTightness sum;
   for (const auto& level : levels) sum.merge(level);
   return sum;
-}
-
-void write_pictures(std::ostringstream& out, const std::vector<Picture>& pictures) {
-  if (pictures.empty()) return;
-  out << "<div class=\"gallery\">\n";
-  for (const Picture& p : pictures)
-    out << "<figure><img alt=\"" << escape_html(p.caption) << "\" src=\"" << p.data_uri << "\"><figcaption>"
-        << escape_html(p.caption) << "</figcaption></figure>\n";
-  out << "</div>\n";
 }
 
 void write_plot(std::ostringstream& out, const TightnessResult& r) {
@@ -220,20 +222,29 @@ void write_growth_section(std::ostringstream& out, const std::vector<JointGrowth
   out << "</tbody></table></div>\n";
 }
 
+std::string head() {
+  return std::string("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+                     "content=\"width=device-width,initial-scale=1\"><title>refitlab report</title><style>\n") +
+         style + drawings::style + "</style></head><body>\n";
+}
+
+std::string introduction(const Report& report) {
+  std::string out = "<h1>refitlab: bounding what skinning does to vertices, without touching them</h1>\n";
+  for (const auto& absent : report.absent_models)
+    out += "<p class=\"bad\">The model " + escape_html(absent) + " was absent from this run: it could not be fetched.</p>\n";
+  if (!report.reference.empty())
+    out += "<p>Lemma by lemma, with exercises, and how to build on it: <a href=\"" + report.reference + "/index.html\">the reference</a>.</p>\n";
+  return out;
+}
+
 }  // namespace
 
 void write_report(const Report& report, const std::string& path) {
   const Provenance& p = Provenance::of_this_build();
+  const std::string folder = std::filesystem::path(path).parent_path().string();
   std::ostringstream out;
-  out << "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width,initial-scale=1\"><title>refitlab report</title>"
-      << style << "</head><body>\n<h1>refitlab: bounding what skinning does to vertices, without touching them</h1>\n";
-  for (const auto& absent : report.absent_models)
-    out << "<p class=\"bad\">The model " << escape_html(absent) << " was absent from this run: it could not be fetched.</p>\n";
-  if (!report.reference.empty())
-    out << "<p>Lemma by lemma, with exercises, and how to build on it: <a href=\"" << report.reference << "\">the reference</a>.</p>\n";
-  write_pictures(out, report.pictures);
-  out << report.explorer;
+  out << figure_section(report.figures) << report.explorer << headline_section(report.collisions)
+      << verdicts_section(report.verdicts, p.commit, folder, report.reference);
   write_tightness_section(out, report.tightness);
   write_speed_section(out, report.speed);
   out << pareto_section(report.speed, report.tightness);
@@ -245,8 +256,9 @@ void write_report(const Report& report, const std::string& path) {
   write_characters_section(out, report.character_growth);
   write_queries_section(out, report.queries);
   out << "<h2>Provenance</h2><p class=\"soft\">Commit " << p.commit << " (" << p.dirty << "), " << escape_html(p.compiler) << ", flags "
-      << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n</body></html>\n";
-  write_whole(path, out.str());
+      << escape_html(p.flags) << ", " << escape_html(p.cpu) << ".</p>\n";
+  const Contents contents = contents_of(out.str());
+  write_whole(path, head() + introduction(report) + contents.nav + contents.body + "</body></html>\n");
 }
 
 }  // namespace refitlab

@@ -20,9 +20,9 @@ namespace refitlab {
 
 struct Report {
   std::vector<std::string> absent_models;
-  std::vector<Picture> pictures;
+  std::vector<Figure> figures;
   std::string explorer;  // the HTML of explorer/build; empty: none
-  std::string reference;  // the address of the teaching reference, from the page; empty: none
+  std::string reference;  // the folder of the teaching reference, from the page; empty: none
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
   std::vector<BatchSpeed> batches;
@@ -33,6 +33,7 @@ struct Report {
   std::vector<JointGrowth> joint_growth;
   std::vector<CharacterGrowth> character_growth;
   std::vector<QueryResult> queries;
+  std::string verdicts;  // the path of verdicts.csv, which may not be there
 };
 
 void write_report(const Report& report, const std::string& path);

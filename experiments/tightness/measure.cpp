@@ -8,8 +8,6 @@
 namespace refitlab {
 namespace {
 
-bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
-
 // "optimal" is of spherical blending.
 constexpr std::pair<Skinning, const char*> other_optimal_columns[] = {
     {Skinning::linear, "optimal_linear"}, {Skinning::dual_quaternion, "optimal_dual_quaternion"}};
@@ -43,14 +41,6 @@ class PostureMeasurement {
     for (const auto& [skinning, column] : other_optimal_columns)
       add(column, frame(skinning).optimal, frame(skinning), true);
     return std::move(out_);
-  }
-
-  long misses(const RefitVariant& variant) {
-    const Frame& own = frame(variant.skinning);
-    add(variant.name, c_.refit_all(variant, own.pose), own, true);
-    long sum = 0;
-    for (const LevelTightness& level : out_[variant.name]) sum += level.misses - level.undefined;
-    return sum;
   }
 
  private:
@@ -133,10 +123,6 @@ Tightness measure_tightness(const Character& character, const PostureSet& set) {
     for (auto& [column, levels] : total)
       for (std::size_t l = 0; l < levels.size(); ++l) levels[l].merge(parts[i][column][l]);
   return total;
-}
-
-long count_misses(const Character& character, const Posture& posture, const std::string& variant) {
-  return PostureMeasurement(character, posture).misses(refit_variant(variant));
 }
 
 }  // namespace refitlab

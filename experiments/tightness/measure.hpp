@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "experiments/scenes/scenes.hpp"
+#include "experiments/tightness/misses.hpp"
 
 namespace refitlab {
-
-// A vertex counts as missed if it is outside its ball by more than this share of the root's reference radius: skinning
-// and refit both round, by some 1e-15 of that each.
-inline constexpr double miss_tolerance = 1e-12;
 
 // Of one variant's balls on one level, over the postures of a set.
 struct LevelTightness {
@@ -35,8 +32,5 @@ std::vector<std::string> tightness_columns();
 
 // All variants in all postures of the set, on all processors.
 Tightness measure_tightness(const Character& character, const PostureSet& postures);
-
-// How many balls of the variant are defined and yet have a vertex outside in this posture.
-long count_misses(const Character& character, const Posture& posture, const std::string& variant);
 
 }  // namespace refitlab

@@ -2,36 +2,13 @@
 
 #include <cstdio>
 #include <iostream>
-#include <numbers>
 
 #include "algorithms/results/result_file.hpp"
-#include "experiments/parallel.hpp"
 #include "experiments/scenes/contenders.hpp"
+#include "experiments/tightness/worst_twist.hpp"
 
 namespace refitlab {
 namespace {
-
-// The twist of one joint for which the printed algorithm (with the skinning's own signs, so that only its geometry is to
-// blame) has the most balls with a vertex outside: the headline posture.
-// Balls that are no ball (not a number) do not count here.
-PostureSet worst_twist(const Character& c) {
-  struct {
-    long misses = -1;
-    int joint = 0, degrees = 0;
-  } worst;
-  std::mutex guard;
-  const int angles[] = {90, 120, 150, 175};
-  parallel_for(c.model.joints.size() * std::size(angles), [&](std::size_t i) {
-    const int joint = static_cast<int>(i / std::size(angles)), degrees = angles[i % std::size(angles)];
-    const long misses =
-        count_misses(c, twist_posture(c.model, joint, degrees * std::numbers::pi / 180), "spherical_printed_signed");
-    const std::lock_guard lock(guard);
-    if (std::tuple(misses, -joint, -degrees) > std::tuple(worst.misses, -worst.joint, -worst.degrees))
-      worst = {misses, joint, degrees};
-  });
-  return {"worst twist: " + c.model.joints[worst.joint].name + " by " + std::to_string(worst.degrees) + " degrees",
-          {twist_posture(c.model, worst.joint, worst.degrees * std::numbers::pi / 180)}};
-}
 
 void print_table(const TightnessResult& r) {
   const char* const shown[] = {"reference", "linear", "spherical_printed_signed", "spherical_repaired", "spherical_exact", "optimal"};
@@ -83,7 +60,8 @@ std::vector<TightnessResult> run_tightness(const Character& c, const TightnessSe
   auto sets = posture_sets(c.model, settings.times_per_clip);
   const auto [name, posture] = figure_twist(c.model);
   sets.push_back({name, {posture}});
-  sets.push_back(worst_twist(c));
+  const auto [worst_name, worst_posture] = worst_twist(c);
+  sets.push_back({worst_name, {worst_posture}});
   for (std::size_t i = 0; i < sets.size(); ++i) {
     std::cout << "[tightness] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
               << sets[i].postures.size() << " postures" << std::endl;

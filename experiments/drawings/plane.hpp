@@ -1,4 +1,4 @@
-// Plane: a picture in the plane as SVG. Its classes are those of reference/style.css; y is up.
+// Plane: a picture in the plane as SVG. Its classes are those of drawings/style.hpp; y is up.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "lemmas/vocabulary/cap.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 
-namespace refitlab::reference {
+namespace refitlab::drawings {
 
 using Point = Vec<double, 2>;
 
@@ -62,9 +62,9 @@ class Plane {
   std::string svg(const std::string& title) const {
     std::ostringstream out;
     const double margin = 20, width = high_[0] - low_[0], height = high_[1] - low_[1];
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"" << title << "\" viewBox=\""
-        << scale * low_[0] - margin << ' ' << -scale * high_[1] - margin << ' ' << scale * width + 3 * margin << ' '
-        << scale * height + 2 * margin << "\">\n"
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" role=\"img\" aria-label=\"" << title
+        << "\" viewBox=\"" << scale * low_[0] - margin << ' ' << -scale * high_[1] - margin << ' '
+        << scale * width + 3 * margin << ' ' << scale * height + 2 * margin << "\">\n"
         << out_.str() << labels_.str() << "</svg>\n";
     return out.str();
   }
@@ -81,4 +81,4 @@ class Plane {
   Point low_{1e9, 1e9}, high_{-1e9, -1e9};
 };
 
-}  // namespace refitlab::reference
+}  // namespace refitlab::drawings

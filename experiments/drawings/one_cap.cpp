@@ -1,0 +1,61 @@
+// The drawings of caps without normalisation and without a ball.
+#include "algorithms/balls/smallest_ball.hpp"
+#include "experiments/drawings/common.hpp"
+#include "lemmas/t3_one_cap.hpp"
+#include "lemmas/t3_smallest_ball_smallest_cap.hpp"
+
+namespace refitlab::drawings {
+namespace {
+
+void t3_min_dot(Plane &p) {
+  const std::vector<Point> units{on_circle(-50), on_circle(10), on_circle(65)};
+  const auto ball = mean_ball_of(units);
+  const auto least = min_dot_distance<double, 2>(units, ball.center, ball.squared_radius);
+  draw_surface_and_cap(p, ball);
+  const Point axis = ball.center.normalized();
+  for (const Point &n : units) p.path("line", {n, axis * n.dot(axis)}), p.dot("dot", n);
+  p.dot("dot_in", units[least.nearest], "the least"), p.dot("dot", ball.center, "c");
+}
+
+void t3_one_cap(Plane &p) {
+  const std::vector<Quat> list{turn(-60) * 1.5, turn(20) * 0.6, turn(90) * 1.2};
+  const Quat axis = turn(20);
+  p.circle("surface", {0, 0}, 1);
+  p.cap({{0, 0}, slice(axis), std::sqrt(squared_cap_cosine<double>(list, axis))});
+  std::vector<Point> hull;
+  for (const Quat &q : list) hull.push_back(slice(q)), p.path("line", {{0, 0}, slice(q)});
+  p.path("hull", hull, true);
+  for (const Point &q : hull) p.dot("dot", q, "q'");
+  p.dot("dot_in", slice(axis), "c");
+}
+
+void t3_smallest(Plane &p) {
+  const std::vector<Point> units{on_circle(-10), on_circle(0), on_circle(8), on_circle(100)};
+  const auto ball = smallest_ball<double, 2>(units);
+  p.ball("outer", mean_ball_of(units));
+  const SquaredBall<double, 2> smallest{ball.center, ball.squared_radius};
+  draw_surface_and_cap(p, smallest);
+  p.ball("ball", smallest);
+  p.path("line", {{0, 0}, ball.center});
+  for (const Point &n : units) p.dot("dot", n);
+  p.dot("dot_in", ball.center, "smallest");
+}
+
+}  // namespace
+
+const std::vector<Drawing> &drawings_of_one_cap() {
+  static const std::vector<Drawing> all{{"t3_min_dot_distance", t3_min_dot,
+                                         "The cap’s half-space is as far from 0 as the least of the dot products "
+                                         "with the center’s direction."},
+                                        {"t3_one_cap", t3_one_cap,
+                                         "Quaternions of different lengths, not normalised: the cap about c "
+                                         "(yellow) holds the directions of their whole "
+                                         "hull."},
+                                        {"t3_smallest_ball_smallest_cap", t3_smallest,
+                                         "The smallest ball of the units makes the smallest cap (yellow). Three "
+                                         "that are close drag the mean ball "
+                                         "(dashed) along."}};
+  return all;
+}
+
+}  // namespace refitlab::drawings

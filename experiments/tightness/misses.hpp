@@ -1,0 +1,60 @@
+// Which balls miss a vertex that they are to hold, and which vertices these are.
+#pragma once
+
+#include <algorithm>
+
+#include "algorithms/refit/character.hpp"
+
+namespace refitlab {
+
+// A vertex counts as missed if it is outside its ball by more than this share of the root's reference radius: skinning
+// and refit both round, by some 1e-15 of that each.
+inline constexpr double miss_tolerance = 1e-12;
+
+// A ball that is not a number or of negative radius holds nothing.
+inline bool is_defined(const Ball3<double>& b) {
+  return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0;
+}
+
+struct Misses {
+  std::vector<bool> balls;    // by ball: undefined, or a vertex of its node is outside
+  std::vector<bool> outside;  // by vertex: outside a ball of its node that is defined
+  std::vector<bool> without;  // by vertex: a ball of its node is undefined
+  int undefined = 0;          // balls
+  double worst = 0;           // how far a vertex is outside, in model units
+  int worst_ball = -1;        // that ball, by its index in the list; -1: none
+  long ball_count() const { return std::count(balls.begin(), balls.end(), true); }
+  long outside_count() const { return std::count(outside.begin(), outside.end(), true); }
+};
+
+// balls: one for each of the nodes. vertices: of the model, deformed.
+inline Misses find_misses(const Character& c, std::span<const int> nodes, std::span<const Ball3<double>> balls,
+                          std::span<const Point3> vertices) {
+  const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
+  Misses out;
+  out.balls.resize(balls.size());
+  out.outside.resize(vertices.size()), out.without.resize(vertices.size());
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    const bool defined = is_defined(balls[b]);
+    out.undefined += !defined;
+    if (!defined) out.balls[b] = true;
+    for (const int v : c.vertices[nodes[b]]) {
+      const double miss = defined ? norm<double, 3>(vertices[v] - balls[b].center) - balls[b].radius : 0;
+      if (!defined) out.without[v] = true;
+      if (miss <= tolerance) continue;
+      out.balls[b] = out.outside[v] = true;
+      if (miss > out.worst) out.worst = miss, out.worst_ball = static_cast<int>(b);
+    }
+  }
+  return out;
+}
+
+// The nodes of a level of the tree, from 1; of all levels for level 0.
+inline std::vector<int> nodes_of_level(const SphereTree& tree, int level) {
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
+    if (level == 0 || tree.nodes[n].level == level) nodes.push_back(static_cast<int>(n));
+  return nodes;
+}
+
+}  // namespace refitlab
