@@ -109,7 +109,7 @@ void run_without_model(const Options& options, const RunFolder& run, Report& rep
 int main(int argc, char** argv) try {
   using namespace refitlab;
   Options options;
-  if (!parse(argc, argv, options)) return 0;
+  if (!parse(argc, argv, options) || options.check_only) return 0;
   if (!options.certificate.file.empty()) {
     write_certificate(options.certificate, options.files.empty() ? make_man() : load_named(options.files[0]));
     return 0;

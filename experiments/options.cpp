@@ -1,6 +1,7 @@
 #include "experiments/options.hpp"
 
 #include <boost/program_options.hpp>
+#include <filesystem>
 #include <iostream>
 
 namespace refitlab {
@@ -27,11 +28,15 @@ bool parse(int argc, char** argv, Options& o) {
       "clip", po::value(&o.certificate.clip), "of the certificate: the first unless given")(
       "time", po::value(&o.certificate.seconds), "of the certificate: seconds into the clip")(
       "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given")(
+      "check-options", "say whether these options can be run, and do nothing else")(
       "explorer", po::value(&o.explorer), "HTML to put into the report (of experiments/explorer/build)");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, description), map);
   po::notify(map);
   if (map.count("help")) return std::cout << description, false;
+  o.check_only = map.count("check-options");
+  for (const auto& file : o.files)
+    if (!std::filesystem::is_regular_file(file)) throw po::error("--model " + file + ": there is no such file");
   o.anew = map.count("anew");
   for (const char* name : {"node", "clip", "time", "variant"})
     if (map.count(name) && !map.count("certificate")) throw po::error(std::string("--") + name + " is for --certificate");

@@ -27,7 +27,7 @@ struct Options {
   CollisionSettings collisions{.frames = 6, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
   TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
   QuerySettings queries;
-  bool anew = false;
+  bool anew = false, check_only = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();

@@ -1,12 +1,12 @@
 // Lemma 5: the smallest ball that encloses a cap.
 //
-// Statement. Let C be a cap of R^d, d >= 2, with center c, apex a, radius r = ||a - c|| and an angle alpha of [0, pi].
-// With k = max(cos alpha, 0), the ball with center c + k (a - c) and radius sqrt(1 - k^2) r encloses C, and no other
-// ball that small does: two points of C are opposite each other on its surface. For alpha beyond pi/2 it is the whole
-// ball [c, r]. In R^1 it encloses C too, but is the smallest only for k = 1 or alpha = pi.
+// Statement. Let C = {x : ||x - c|| = r, (x - c, a - c) >= r^2 cos alpha}, r = ||a - c||, be a cap of R^d, d >= 2, of angle
+// alpha in [0, pi]. With k = max(cos alpha, 0), the ball with center c + k (a - c) and radius sqrt(1 - k^2) r encloses C, and
+// no other ball that small does: two points of C are opposite each other on its surface. For alpha beyond pi/2 it has the
+// whole sphere's center and radius. In R^1 it encloses C too, but is the smallest only for k = 1 or alpha = pi.
 //
-// Paper: appendix, Lemma 5; used in section 4.3 and line 15 of Algorithm 1. Its center is 0.
-// Notation: a -> cap.apex, alpha -> cap.cos_angle, r^2 -> squared_radius(cap), v -> rim_direction,
+// Paper: appendix, Lemma 5, where c = 0; used in section 4.3 and line 15 of Algorithm 1.
+// Notation: a -> cap.apex, cos alpha -> cap.cos_angle, r^2 -> squared_radius(cap), v -> rim_direction,
 // v_1 and v_2 -> first and second.
 //
 // Proof. For x in C: ||x - c - k (a - c)||^2 = r^2 - 2k (x - c, a - c) + k^2 r^2 <= r^2 (1 - 2k cos + k^2) <= r^2 (1 -

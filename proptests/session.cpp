@@ -11,10 +11,11 @@ Session& Session::get() {
 }
 
 void Session::announce(const std::string& stem, const std::string& sentence) const {
-  std::cout << "  [ .... ] " << stem << ": " << sentence << std::flush;
+  std::cout << (is_watched_ ? "  [ .... ] " : "  ") << stem << ": " << sentence << std::flush;
 }
 
 void Session::progress(long done, long of) const {
+  if (!is_watched_) return;
   std::printf("\r  [ %2ld %% ]", 100 * done / of);
   std::fflush(stdout);
 }
@@ -23,7 +24,10 @@ void Session::add(Outcome o) {
   char summary[96];
   std::snprintf(summary, sizeof summary, "%ld case%s, %.0f %% degenerate, %.2f s", o.cases, o.cases == 1 ? "" : "s",
                 100 * o.degenerate_share, o.seconds);
-  std::cout << "\r  [ " << (o.passed ? " ok " : "FAIL") << " ] " << o.stem << ": " << o.sentence << "  (" << o.kind;
+  const char* const verdict = o.passed ? "[  ok  ]" : "[ FAIL ]";
+  if (is_watched_) std::cout << "\r  " << verdict << ' ' << o.stem << ": " << o.sentence;
+  else std::cout << "  " << verdict;
+  std::cout << "  (" << o.kind;
   if (!o.options.form.empty()) std::cout << ", " << o.options.form;
   if (!o.options.number_type.empty()) std::cout << ", " << o.options.number_type;
   std::cout << "; " << summary << ")\n";

@@ -1,6 +1,8 @@
 // One run of the tests: its options, its suites, and the outcomes so far.
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -31,6 +33,7 @@ class Session {
   std::vector<Outcome> outcomes_;
   std::uint64_t seed_ = 2006;  // fixed unless --seed says otherwise
   int cases_ = 0;
+  const bool is_watched_ = ::isatty(STDOUT_FILENO);  // else, in a log, a line is written once and from left to right
 };
 
 }  // namespace proptests

@@ -255,7 +255,7 @@ void audit_gltf(const std::string& path) {
 void audit_gltf_bytes(const std::string& bytes, const std::string& path) try {
   Audit(bytes, path).run();
 } catch (const json::exception& e) {
-  throw ModelError(path, "glTF description", e.what());
+  throw ModelError(path, "glTF description", std::string(e.what()).substr(0, 200));
 }
 
 }  // namespace refitlab

@@ -39,7 +39,7 @@ const std::vector<RefitVariant>& refit_variants();
 
 // The one to take unless there is a reason for another: no dearer than Algorithm 1 (most nodes hold so few vertices that
 // skinning these costs less than bounding them, and their ball is known from those that touched it in the reference
-// posture), within a tenth of the smallest ball on average, and exact at the leaves.
+// posture), on the experiments' characters within a tenth of the smallest ball on average, and exact at the leaves.
 const RefitVariant& default_variant(Skinning skinning);
 
 // Throws std::invalid_argument that lists the names there are.

@@ -44,11 +44,12 @@ RESEARCHER = """
 <section id="variant"><h2>Add a refit variant</h2><ol>
 <li>A refit is a function of a <code>RefitNode</code> (<code>algorithms/refit/refit_node.hpp</code>): a template over the number type if it is new, or a known
 one with another policy for its balls (<code>algorithms/refit/ball_policy.hpp</code>).</li>
-<li>Add a row to the table in <code>algorithms/refit/variants.cpp</code>: name, description, skinning, whether it is proved, which pieces it needs, the function. For example
-<pre><code>{"control_near", "control hull, near-smallest ball", spherical, true, P::node, control&lt;NearSmallestBalls&gt;},</code></pre></li>
+<li>Add a row to the table in <code>algorithms/refit/variants.cpp</code>: for a bound that is proved, its skinning and the function, which gets the slack for rounding by itself; name, description, and which pieces it needs. For example
+<pre><code>sound&lt;spherical, control&lt;NearSmallestBalls&gt;&gt;("control_near", "control hull, near-smallest ball", P::node),</code></pre>
+A bound of spherical blending that is not proved is <code>unsound&lt;…&gt;("name", "description")</code>.</li>
 <li><code>proptests/run --only refit_end_to_end queries</code>: every variant of the table that says it is sound must enclose every vertex of random rigs and of the models
-(<code>proptests/algorithms/refit_end_to_end.cpp</code>). No test has to be written for that.</li>
-<li><code>experiments/run --only tightness speed</code>: it appears in the tables, plots and the explorer by itself.</li>
+(<code>proptests/algorithms/refit_end_to_end.cpp</code>). No test has to be written for that; <code>--only extremes certificate collide</code> go through the table too.</li>
+<li><code>experiments/run --only tightness speed rounding</code>: it appears in the tables, plots and the explorer by itself.</li>
 <li>Of a new template, say in a suite of its own that intervals and exact numbers agree; <code>proptests/algorithms/control_hull.cpp</code> is one to follow.</li></ol></section>
 <section id="volume"><h2>Add a volume</h2><ol>
 <li>A class with <code>around(balls)</code>, a convex volume that encloses the balls: <code>algorithms/volumes/k_dop.hpp</code> and <code>algorithms/volumes/obb.hpp</code> are two.</li>

@@ -10,7 +10,7 @@
 namespace refitlab {
 namespace {
 
-constexpr double width = 680, height = 360, left = 68, right = 238, top = 34, bottom = 44;
+constexpr double width = 680, least_height = 360, line_height = 18, left = 68, right = 238, top = 34, bottom = 44;
 
 struct Axis {
   double low, high;
@@ -52,6 +52,7 @@ std::string plot_color(std::size_t index) {
 }
 
 std::string LinePlot::svg() const {
+  const double height = std::max(least_height, top + line_height * static_cast<double>(lines.size()) + bottom);
   Axis x{1e300, -1e300, log_x}, y{1e300, -1e300, log_y};
   for (const PlotLine& line : lines)
     for (const auto& [px, py] : line.points) {
@@ -89,7 +90,7 @@ std::string LinePlot::svg() const {
     out << "<line " << style << " x1=\"" << width - right + 12 << "\" x2=\"" << width - right + 36 << "\" y1=\"" << legend << "\" y2=\""
         << legend << "\"/><text x=\"" << width - right + 42 << "\" y=\"" << legend + 4 << "\">" << escape_html(line.label)
         << "</text>\n";
-    legend += 18;
+    legend += line_height;
   }
   out << "</svg>\n";
   return out.str();
