@@ -9,6 +9,7 @@
 #include "experiments/report/cap_figure.hpp"
 #include "experiments/report/encounter_figures.hpp"
 #include "experiments/report/failing_figure.hpp"
+#include "experiments/report/packed_models.hpp"
 #include "experiments/report/report.hpp"
 #include "experiments/report/twist_figures.hpp"
 #include "experiments/resume/resume.hpp"
@@ -129,6 +130,9 @@ int main(int argc, char** argv) try {
   Report report;
   report.absent_models = models.absent;
   report.verdicts = options.out + "/results/verdicts.csv";
+  PackedModels packed;
+  if (!options.explorer.empty())
+    for (const Model& model : models.models) packed.add(model);
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, report);
   if (report.figures.empty()) report.figures.push_back(cap_figure(options.out + "/report/pictures"));
@@ -136,7 +140,7 @@ int main(int argc, char** argv) try {
   // On one's own models these run only if they are asked for.
   if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report, result);
   result.write();
-  if (!options.explorer.empty()) report.explorer = read_whole(options.explorer);
+  if (!options.explorer.empty()) report.explorer = packed.html() + read_whole(options.explorer);
   if (std::filesystem::exists(options.out + "/report/reference/index.html")) report.reference = "reference";
   write_report(report, options.out + "/report/index.html");
   std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";

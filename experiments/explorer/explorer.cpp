@@ -6,6 +6,7 @@
 #include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
+#include "experiments/explorer/packed_model.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/misses.hpp"
 
@@ -13,14 +14,6 @@ namespace refitlab {
 namespace {
 
 constexpr int snake_joints = 24;
-
-struct Maker {
-  std::string name;
-  Model (*make)();
-};
-const Maker makers[] = {{"man", [] { return make_man(); }},
-                        {"creature", [] { return make_creature(); }},
-                        {"snake", [] { return make_snake(snake_joints); }}};
 
 Posture posture_of(const Model& model, const ExplorerSettings& s) {
   if (s.joint < 0 || s.joint >= static_cast<int>(model.joints.size())) throw std::invalid_argument("no such joint");
@@ -93,12 +86,19 @@ class LevelView {
 
 }  // namespace
 
-const std::vector<std::string>& explorer_models() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> out;
-    for (const Maker& m : makers) out.push_back(m.name);
-    return out;
-  }();
+Explorer::Explorer()
+    : makers_{{"man", [] { return make_man(); }},
+              {"creature", [] { return make_creature(); }},
+              {"snake", [] { return make_snake(snake_joints); }}} {}
+
+void Explorer::add(const std::vector<std::uint8_t>& packed) {
+  Model model = unpack(packed);
+  makers_.push_back({model.name, [model] { return model; }});
+}
+
+std::vector<std::string> Explorer::models() const {
+  std::vector<std::string> names;
+  for (const Maker& m : makers_) names.push_back(m.name);
   return names;
 }
 
@@ -111,7 +111,7 @@ const std::vector<std::string>& compared_variants() {
 
 const Character& Explorer::character(const std::string& model) {
   if (const auto known = characters_.find(model); known != characters_.end()) return known->second;
-  for (const Maker& m : makers)
+  for (const Maker& m : makers_)
     if (m.name == model) return characters_.emplace(model, m.make()).first->second;
   throw std::invalid_argument("no model named '" + model + "'");
 }

@@ -1,6 +1,8 @@
 // Explorer: what the report's interactive page shows of a character: one posture, one level of its tree, every variant.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,14 +45,19 @@ struct ExplorerView {
   std::vector<VariantSummary> summaries;  // of compared_variants, and the chosen one
 };
 
-// The models by name, in order.
-const std::vector<std::string>& explorer_models();
-
 // The variants whose numbers stand beside each other in every view: those that need no large tables.
 const std::vector<std::string>& compared_variants();
 
 class Explorer {
  public:
+  Explorer();
+
+  // A model of pack(), under its name, beside the procedural ones. Throws what unpack() does.
+  void add(const std::vector<std::uint8_t>& packed);
+
+  // The models by name, in order.
+  std::vector<std::string> models() const;
+
   // Made when it is first asked for, which may take seconds. Throws std::invalid_argument for a name that is not a
   // model's.
   const Character& character(const std::string& model);
@@ -59,6 +66,11 @@ class Explorer {
   ExplorerView view(const ExplorerSettings& settings);
 
  private:
+  struct Maker {
+    std::string name;
+    std::function<Model()> make;
+  };
+  std::vector<Maker> makers_;
   std::map<std::string, Character> characters_;
 };
 

@@ -11,4 +11,7 @@ std::string format(const char* pattern, double value);
 // Text as HTML: & < > and quotes escaped.
 std::string escape_html(const std::string& text);
 
+// RFC 4648, with padding.
+std::string base64(const std::string& bytes);
+
 }  // namespace refitlab

@@ -1,14 +1,17 @@
 // explorer_numbers: what the library itself, compiled for this machine, says to what the explorer shows in a browser.
 //
 // Reads a JSON list from standard input: settings as the page sends them (see ExplorerSettings), or {"page", "values"}
-// of a lemma's page. Writes the list of answers. The character's are by the library's own whole-tree functions and its
-// exact predicates, a lemma's in another exact number type than the browser's.
+// of a lemma's page. Models other than the procedural ones are in the files (see pack) that it is given. Writes the
+// list of answers. The character's are by the library's own whole-tree functions and its exact predicates, a lemma's in
+// another exact number type than the browser's.
 #include <iostream>
 #include <set>
 
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/refit/deformed.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "algorithms/skinning/skin.hpp"
+#include "experiments/explorer/packed_model.hpp"
 #include "experiments/explorer/pages/all.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/measure.hpp"
@@ -19,8 +22,16 @@ namespace {
 using nlohmann::json;
 using namespace refitlab;
 
+// By name: those in the files that the program is given.
+std::map<std::string, Model>& packed_models() {
+  static std::map<std::string, Model> all;
+  return all;
+}
+
 const Character& character(const std::string& name) {
   static std::map<std::string, Character> made;
+  if (const auto packed = packed_models().find(name); packed != packed_models().end() && !made.count(name))
+    made.emplace(name, packed->second);
   if (const auto known = made.find(name); known != made.end()) return known->second;
   return made.emplace(name, name == "man"        ? make_man()
                             : name == "creature" ? make_creature()
@@ -66,7 +77,12 @@ json character_numbers(const json& settings) {
 
 }  // namespace
 
-int main() try {
+int main(int argc, char** argv) try {
+  for (int i = 1; i < argc; ++i) {
+    const std::string bytes = read_whole(argv[i]);
+    Model model = unpack({bytes.begin(), bytes.end()});
+    packed_models().emplace(model.name, std::move(model));
+  }
   json answers = json::array();
   for (const json& question : json::parse(std::cin))
     answers.push_back(question.contains("page")

@@ -1,6 +1,7 @@
 // Drives the report's explorer in a headless browser and compares what it shows with what the library says.
 //   node drive.mjs PAGE.html NUMBERS_PROGRAM FOLDER_FOR_PICTURES
 import {spawnSync} from 'node:child_process';
+import {readFileSync, writeFileSync} from 'node:fs';
 import {chromium} from 'playwright-core';
 
 const [page_file, numbers_program, folder] = process.argv.slice(2);
@@ -9,8 +10,14 @@ const check = (ok, text) => {
   console.log(`${ok ? 'ok  ' : 'FAIL'} ${text}`);
   if (!ok) ++failures;
 };
+// The models that stand in the page, as files for the library.
+const packed = (/<script type="text\/plain" id="explorer-models">([^<]*)/.exec(readFileSync(page_file, 'utf8'))?.[1].trim().split('\n') ?? []).map((line, i) => {
+  const file = `${folder}/model_${i}.cbor`;
+  writeFileSync(file, Buffer.from(line, 'base64'));
+  return file;
+});
 const library = questions => {
-  const run = spawnSync(numbers_program, {input: JSON.stringify(questions), encoding: 'utf8', maxBuffer: 1 << 26});
+  const run = spawnSync(numbers_program, packed, {input: JSON.stringify(questions), encoding: 'utf8', maxBuffer: 1 << 26});
   if (run.status !== 0) throw new Error(`${numbers_program}: ${run.stderr}`);
   return JSON.parse(run.stdout);
 };
@@ -85,6 +92,15 @@ await step('the same, repaired');
 await control('model').selectOption('snake');
 await page.waitForFunction(() => window.refitlabExplorer.character.settings.model === 'snake');
 await step('another model');
+const models = await page.evaluate(() => window.refitlabExplorer.geometry.catalog.models);
+check(models.length === 3 + packed.length, `models to choose from: ${models.join(', ')}`);
+for (const model of models.slice(3)) {
+  await control('model').selectOption(model);
+  await page.waitForFunction(name => window.refitlabExplorer.character.settings.model === name, model);
+  const clips = await page.evaluate(() => window.refitlabExplorer.character.character.clips);
+  if (clips.length) await control('clip').selectOption(clips[0].name), await slide(control('time'), 0.4 * clips[0].duration);
+  await step(model);
+}
 
 const answers = library(steps.map(s => s.settings));
 steps.forEach(({name, settings, cells}, i) => {

@@ -8,6 +8,13 @@ export async function openGeometry() {
     if (answer.error) throw new Error(answer.error);
     return answer;
   };
+  // The run's own models, packed, a line of base64 each.
+  for (const line of document.getElementById('explorer-models')?.textContent.trim().split('\n') ?? []) {
+    const bytes = Uint8Array.from(atob(line), c => c.charCodeAt(0));
+    const place = module.ccall('room_for_model', 'number', ['number'], [bytes.length]);
+    module.HEAPU8.set(bytes, place);
+    call('add_model');
+  }
   // Copies: the memory may move at the next call.
   const list = (heap, bytes, place) => module[heap].slice(place.at / bytes, place.at / bytes + place.count);
   return {

@@ -31,6 +31,11 @@ Explorer& the_explorer() {
   return the_one;
 }
 
+std::vector<std::uint8_t>& packed_model() {
+  static std::vector<std::uint8_t> the_one;
+  return the_one;
+}
+
 template <class Make>
 const char* answer(std::string& text, Make&& make) {
   try {
@@ -51,11 +56,26 @@ ExplorerSettings settings_of(const char* text) {
 
 extern "C" {
 
+// Room for a packed model of so many bytes, for add_model.
+EMSCRIPTEN_KEEPALIVE std::uint8_t* room_for_model(int bytes) {
+  packed_model().resize(bytes);
+  return packed_model().data();
+}
+
+// The model that was put there, under its name: {"name"}.
+EMSCRIPTEN_KEEPALIVE const char* add_model() {
+  static std::string text;
+  return answer(text, [] {
+    the_explorer().add(packed_model());
+    return json{{"name", the_explorer().models().back()}};
+  });
+}
+
 // The names of models, variants and pages.
 EMSCRIPTEN_KEEPALIVE const char* catalog() {
   static std::string text;
   return answer(text, [] {
-    json out{{"models", explorer_models()}, {"compared", compared_variants()}};
+    json out{{"models", the_explorer().models()}, {"compared", compared_variants()}};
     for (const RefitVariant& v : refit_variants())
       out["variants"].push_back({{"name", v.name}, {"description", v.description}, {"sound", v.sound}});
     for (const auto& live : explorer::live_pages<Exact>()) {
