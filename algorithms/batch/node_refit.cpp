@@ -6,16 +6,12 @@
 
 #include "algorithms/batch/refit_kernel.hpp"
 #include "algorithms/batch/single_precision.hpp"
+#include "algorithms/packs/float_above.hpp"
 
 namespace refitlab {
 namespace {
 
 constexpr float epsilon = std::numeric_limits<float>::epsilon();
-
-float round_up(double x) {
-  const auto f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
 
 Four four(const Point3& v) {
   return Four{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
@@ -50,7 +46,7 @@ NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tr
   int most_corners = 0, most_pieces = 0;
   for (const TreeNode& n : tree.nodes) {
     checked_single(norm(n.reference.center) + n.reference.radius);
-    nodes_.push_back({four(n.reference.center), round_up(n.reference.radius), n.first_joint_set, n.joint_set_count});
+    nodes_.push_back({four(n.reference.center), float_above(n.reference.radius), n.first_joint_set, n.joint_set_count});
     int corners = 0;
     for (int i = 0; i < n.joint_set_count; ++i) corners += pieces_[n.first_joint_set + i].corner_count;
     most_corners = std::max(most_corners, corners);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "algorithms/packs/float_above.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -12,11 +14,6 @@ constexpr int lanes = Lanes<float>::count;
 
 // A node is refitted whole with others of its joint-sets if these are few and the nodes fill a good part of the lanes.
 constexpr std::size_t most_sets = most_sets_of_whole_nodes, fewest_nodes = 4;
-
-float round_up(double x) {
-  const auto f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
 
 std::span<const NodeJointSet> joint_sets(const SphereTree& tree, const TreeNode& node) {
   return {tree.joint_sets.data() + node.first_joint_set, static_cast<std::size_t>(node.joint_set_count)};
@@ -53,7 +50,7 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
     const TreeNode& node = tree.nodes[n];
     const auto own = joint_sets(tree, node);
     by_sets[names_of(own)].push_back({&node, own, static_cast<int>(n)});
-    largest_reference_ = std::max(largest_reference_, round_up(node.reference.center.norm()));
+    largest_reference_ = std::max(largest_reference_, float_above(node.reference.center.norm()));
   }
   std::map<std::pair<int, int>, std::vector<Item>> pieces;  // by joint-set and count of corners
   std::vector<int> merged;
@@ -69,7 +66,7 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
     for (const Item& item : items) {
       const int count = corner_count(item.sets);
       merged.push_back(item.target);
-      merged_.push_back({record_count_, count, round_up(item.node->reference.radius), 0});
+      merged_.push_back({record_count_, count, float_above(item.node->reference.radius), 0});
       for (int record = record_count_; const NodeJointSet& s : item.sets) {
         pieces[{s.joint_set, s.corner_count}].push_back({item.node, {&s, 1}, record});
         record += s.corner_count;
@@ -109,7 +106,7 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
   to.blocks.push_back({static_cast<int>(to.sets.size()), static_cast<int>(set_count), static_cast<int>(to.data.size()),
                        static_cast<int>(to.targets.size()), same_share ? share(items[0]) : 0});
   for (int i = 0; i < 3; ++i) add_row([&](const Item& it) { return static_cast<float>(it.node->reference.center[i]); });
-  add_row([](const Item& it) { return round_up(it.node->reference.radius); });
+  add_row([](const Item& it) { return float_above(it.node->reference.radius); });
   if (!same_share) add_row(share);
   int corners = 0;
   for (std::size_t e = 0; e < set_count; ++e) {

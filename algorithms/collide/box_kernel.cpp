@@ -94,8 +94,7 @@ class BoxKernel {
   }
 
   static void merge(const GrowingBox<Pack>& box, const BoxPack& pack, int first, FlippedBox* boxes) {
-    using Row = EightOf<float>::Row;
-    alignas(64) float sides[8][width] = {}, rows[8 * width];
+    alignas(64) float sides[8][width] = {};
     for (int i = 0; i < 3; ++i) {
       // What is undefined, by coordinates beyond what float holds, may be anywhere.
       const Mask is_undefined = !(box.low[i] <= box.high[i]);
@@ -103,20 +102,7 @@ class BoxKernel {
       const Pack flipped = choose(is_undefined, Pack(-infinity), Pack(-box.high[i]));
       flipped.copy_to(sides[4 + i], std::experimental::vector_aligned);
     }
-    if constexpr (width >= 8) {
-      for (int block = 0; block < width; block += 8) {
-        const float* from[8];
-        for (int i = 0; i < 8; ++i) from[i] = sides[i] + block;
-        transpose<float>(from, rows + 8 * block, 8);
-      }
-    } else {
-      for (int i = 0; i < 8 * width; ++i) rows[i] = sides[i % 8][i / 8];
-    }
-    for (int lane = 0; lane < width; ++lane) {
-      Row& of = *reinterpret_cast<Row*>(boxes[pack.target[first + lane]].of);
-      const Row own = *reinterpret_cast<const Row*>(rows + 8 * lane);
-      of = own < of ? own : of;
-    }
+    merge_lanes(sides, pack.target + first, boxes);
   }
 
   Pack load(const float* lanes) const { return Pack(lanes + first, std::experimental::element_aligned); }

@@ -3,56 +3,32 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/collide/box_kernel.hpp"
+#include "algorithms/packs/float_above.hpp"
 
 namespace refitlab {
 namespace {
 
-float above(double x) {
-  const auto f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
-
-// A ball around the points whose numbers are floats.
-Ball3<double> float_ball(const std::vector<Point3>& points) {
-  const Point3 center = smallest_ball<double, 3>(points).center.cast<float>().cast<double>();
-  double radius = 0;
-  for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
-  return {center, above(radius * (1 + 1e-15))};
-}
-
 class PieceMaker {
  public:
-  explicit PieceMaker(const Character& c) : character_(c), first_slot_(JointFloats(c.sets).first_slot) {}
+  explicit PieceMaker(const Character& c) : first_slot_(JointFloats(c.sets).first_slot) {}
 
-  void add(int target, int joint_set, const std::vector<int>& vertices) {
-    const JointSets& sets = character_.sets;
-    const int joints = static_cast<int>(sets.joints(joint_set).size());
-    std::vector<Point3> points;
-    for (const int v : vertices) points.push_back(character_.model.vertices[v]);
-    const Ball3<double> reference = float_ball(points);
-    if (joints > most_box_joints) return pieces_.others.push_back({joint_set, reference, target});
-    std::vector<double> low(sets.weights(vertices[0]).begin(), sets.weights(vertices[0]).end());
-    for (const int v : vertices)
-      for (int i = 0; i < joints; ++i) low[i] = std::min(low[i], sets.weights(v)[i]);
-    double rest = 1;
-    for (const double l : low) rest -= l;
-
+  void add(const NodePiece& piece) {
+    const int joints = static_cast<int>(piece.low.size());
+    if (joints > most_box_joints) return pieces_.others.push_back(piece);
     auto& packs = pieces_.packs[joints - 1];
     int& lane = lanes_[joints - 1];
     if (lane == 0) packs.emplace_back();
     BoxPack& pack = packs.back();
     for (int to = lane; to < box_lanes; ++to) {  // the lanes behind are overwritten by the pieces to come
       for (int i = 0; i < joints; ++i)
-        pack.slot[i][to] = first_slot_[joint_set] + i, pack.low[i][to] = static_cast<float>(low[i]);
-      pack.set[to] = joint_set;
-      pack.rest[to] = static_cast<float>(std::max(rest, 0.0));
-      for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(reference.center[i]);
-      pack.radius[to] = static_cast<float>(reference.radius);
-      pack.target[to] = target;
+        pack.slot[i][to] = first_slot_[piece.joint_set] + i, pack.low[i][to] = static_cast<float>(piece.low[i]);
+      pack.set[to] = piece.joint_set;
+      pack.rest[to] = static_cast<float>(piece.rest);
+      for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(piece.reference.center[i]);
+      pack.radius[to] = static_cast<float>(piece.reference.radius);
+      pack.target[to] = piece.target;
     }
     lane = (lane + 1) % box_lanes;
   }
@@ -60,7 +36,6 @@ class PieceMaker {
   BoxPieces take() { return std::move(pieces_); }
 
  private:
-  const Character& character_;
   const std::vector<int> first_slot_;
   BoxPieces pieces_;
   int lanes_[most_box_joints] = {};
@@ -70,7 +45,7 @@ class PieceMaker {
 // distance to the rotation center of one of the center's images in spherical blending.
 void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose<double>& pose,
                   const Quaternion<double>& rotation, std::span<FlippedBox> boxes) {
-  for (const ManyJointPiece& piece : pieces.others) {
+  for (const NodePiece& piece : pieces.others) {
     const JointSetPose<double>& set = pose[piece.joint_set];
     const Ball3<double>& ball = piece.reference;
     double reach = ball.radius;
@@ -82,8 +57,8 @@ void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose
       const Point3 at = rotate(rotation, image);
       const double by = reach + 1e-12 * (norm(image) + reach);
       for (int c = 0; c < 3; ++c) {
-        of[c] = std::min(of[c], -above(by - at[c]));
-        of[4 + c] = std::min(of[4 + c], -above(by + at[c]));
+        of[c] = std::min(of[c], -float_above(by - at[c]));
+        of[4 + c] = std::min(of[4 + c], -float_above(by + at[c]));
       }
     }
   }
@@ -91,14 +66,9 @@ void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose
 
 }  // namespace
 
-BoxPieces make_box_pieces(const Character& c, std::span<const int> nodes) {
+BoxPieces make_box_pieces(const Character& c, std::span<const NodePiece> pieces) {
   PieceMaker maker(c);
-  std::map<int, std::vector<int>> by_set;
-  for (std::size_t target = 0; target < nodes.size(); ++target) {
-    by_set.clear();
-    for (const int v : c.vertices[nodes[target]]) by_set[c.sets.of_vertex(v)].push_back(v);
-    for (const auto& [set, vertices] : by_set) maker.add(static_cast<int>(target), set, vertices);
-  }
+  for (const NodePiece& piece : pieces) maker.add(piece);
   return maker.take();
 }
 

@@ -10,8 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/collide/flipped_box.hpp"
+#include "algorithms/collide/node_pieces.hpp"
 #include "algorithms/packs/targets.hpp"
-#include "algorithms/refit/character.hpp"
 
 namespace refitlab {
 
@@ -28,25 +29,16 @@ struct BoxPack {
   std::int32_t target[box_lanes];                             // the box it belongs to
 };
 
-// A piece of more joints than a pack takes: a hull of whole images, looser.
-struct ManyJointPiece {
-  int joint_set;
-  Ball3<double> reference;
-  int target;
-};
-
 struct BoxPieces {
   std::vector<BoxPack> packs[most_box_joints];  // by number of joints - 1
-  std::vector<ManyJointPiece> others;
+  std::vector<NodePiece> others;                // of more joints than a pack takes: hulls of whole images, looser
 };
 
+BoxPieces make_box_pieces(const Character& character, std::span<const NodePiece> pieces);
 // The pieces of these nodes; a box for each of them.
-BoxPieces make_box_pieces(const Character& character, std::span<const int> nodes);
-
-// low and -high, each with an unused fourth, so that merging two boxes is one minimum.
-struct alignas(32) FlippedBox {
-  float of[8];
-};
+inline BoxPieces make_box_pieces(const Character& character, std::span<const int> nodes) {
+  return make_box_pieces(character, pieces_of_nodes(character, nodes));
+}
 
 // The frame's data of the joint-sets in float.
 struct JointFloats {

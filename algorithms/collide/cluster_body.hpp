@@ -15,6 +15,7 @@ class ClusterBody {
  public:
   // tree outlives this.
   ClusterBody(const ClusterTree& tree, Skinning skinning);
+  ClusterBody(const ClusterBody&) = delete;  // a copy would write into the arrays of this one
 
   // Starts a frame, of which nothing is worked out yet. placement takes model space to the world. Throws ModelError for
   // a posture that make_skinning_pose refuses, std::invalid_argument for a placement that is not rigid.
@@ -43,6 +44,15 @@ class ClusterBody {
   // A triangle of the model by itself, in the world: the same doubles, without its cluster.
   TrianglePoints triangle(int triangle);
 
+  // For one query at a time, so that it need not make room of its own: positions of boxes, pairs of triangles whose
+  // boxes meet, and what the filter says of them.
+  struct QueryRoom {
+    std::vector<int> hits;
+    std::vector<CornerPair> pairs;
+    std::vector<Filtered> answers;
+  };
+  QueryRoom& query_room() { return query_room_; }
+
   // Since begin.
   long nodes_bounded() const { return nodes_bounded_; }
   long clusters_skinned() const { return clusters_skinned_; }
@@ -57,8 +67,9 @@ class ClusterBody {
     Box6 box;
   };
 
-  const SkinningPose<double>& pose();
+  void make_poses(std::span<const int> parts);
   void bound_fan(int fan);
+  void bound_by_control_points(const Fan& fan, std::span<FlippedBox> flipped, std::span<Box6> boxes);
   void skin_cluster(int cluster);
   const Skinned& skinned(int cluster) {
     if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
@@ -73,16 +84,22 @@ class ClusterBody {
   Posture posture_;
   RigidTransform<double> placement_;
   Box6 reach_box_;
-  SkinningPose<double> pose_;
+  SkinningPose<double> pose_;  // of what parts were made
+  const SkinningPose<double>::Arrays pose_arrays_;
+  FrameStamps poses_made_;                          // by part of pose_packs_
+  std::vector<std::vector<int>> parts_of_cluster_;  // of pose_packs_
+  std::vector<int> all_parts_;
   JointFloats joints_;
-  bool is_pose_made_ = false, are_floats_filled_ = false;
+  bool are_joints_placed_ = false, are_floats_filled_ = false;
   FrameStamps fans_made_, clusters_made_, groups_made_;
   std::vector<int> first_block_of_fan_;
   std::vector<BoxBlock> fan_blocks_;
   std::vector<Box6> fan_boxes_;
-  SkinnedVertices unplaced_;      // of the cluster in work, in model space
-  std::vector<Skinned> skinned_;  // by cluster
-  std::vector<FlippedBox> flipped_;
+  SkinnedVertices unplaced_;         // of the cluster in work, in model space
+  std::vector<Skinned> skinned_;     // by cluster
+  std::vector<FlippedBox> flipped_;  // of the fan in work, and its boxes
+  std::vector<Box6> boxes_;
+  QueryRoom query_room_;
   long nodes_bounded_ = 0, clusters_skinned_ = 0, corners_skinned_ = 0;
 };
 

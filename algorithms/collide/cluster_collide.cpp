@@ -124,9 +124,9 @@ class ClusterTraversal {
   QueryCounts& counts_;
   const BoxKernels& kernels_ = box_kernels(best_target());
   std::vector<TrianglePair> found_;
-  std::vector<int> hits_;
-  std::vector<CornerPair> pairs_;
-  std::vector<Filtered> answers_;
+  std::vector<int>& hits_ = first_.query_room().hits;
+  std::vector<CornerPair>& pairs_ = first_.query_room().pairs;
+  std::vector<Filtered>& answers_ = first_.query_room().answers;
 };
 
 // The first of the remembered pairs that still touches.

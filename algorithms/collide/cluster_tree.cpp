@@ -49,8 +49,9 @@ int ClusterTree::add_fan(int node) {
             [&](int a, int b) { return tree.nodes[a].first_triangle < tree.nodes[b].first_triangle; });
 
   const int fan = static_cast<int>(fans_.size());
-  fans_.push_back(
-      {static_cast<int>(children_.size()), static_cast<int>(open.size()), make_box_pieces(*character_, open)});
+  const std::vector<NodePiece> pieces = pieces_of_nodes(*character_, open);
+  fans_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()),
+                   make_box_pieces(*character_, pieces), make_reach_packs(*character_, pieces)});
   children_.resize(children_.size() + open.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
     const FanChild child = is_cluster(open[i]) ? FanChild{add_cluster(open[i]), -1} : FanChild{-1, add_fan(open[i])};

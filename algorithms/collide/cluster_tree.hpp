@@ -8,6 +8,7 @@
 
 #include "algorithms/batch/packed_vertices.hpp"
 #include "algorithms/collide/box_packs.hpp"
+#include "algorithms/collide/reach_packs.hpp"
 #include "algorithms/collide/triangle_group.hpp"
 
 namespace refitlab {
@@ -32,6 +33,7 @@ struct FanChild {
 struct Fan {
   int first_child, child_count;  // all children in one list
   BoxPieces pieces;              // what bounds the children, by position in the fan
+  std::vector<ReachPack> reach;  // what bounds them from the joints alone; none if that cannot be
 };
 
 class ClusterTree {

@@ -11,10 +11,6 @@
 namespace refitlab {
 namespace {
 
-// Of all sizes, for each joint of a group: see reach_kernel.hpp.
-constexpr float lost = 0x1p-15;
-// Of what is greater squares may overflow.
-constexpr double largest = 1e15;
 // What float leaves of 1e-6 when it finds the squared length of a quaternion.
 constexpr float surely_rigid = 5e-7f, surely_not_rigid = 2e-6f;
 
@@ -76,12 +72,11 @@ std::vector<Reach::Group> Reach::make_groups() const {
   }
 
   for (Group& g : groups) {
-    const double joints = static_cast<double>(g.joints.size());
-    const Point3& f = g.reference.center;
-    double to_prior = 0;
-    for (const int s : g.sets) to_prior = std::max(to_prior, (f - priors[s]).norm());
-    g.radius = static_cast<float>(g.reference.radius * (1 + lost) + lost * joints * f.norm());
-    g.unsolved = skinning_ == Skinning::spherical && joints > 1 ? static_cast<float>(to_prior * joints / 64) : 0.f;
+    g.to_prior = 0;
+    if (skinning_ == Skinning::spherical)
+      for (const int s : g.sets) g.to_prior = std::max(g.to_prior, (g.reference.center - priors[s]).norm());
+    g.radius = static_cast<float>(g.reference.radius * (1 + lost_of_reach) +
+                                  lost_of_reach * static_cast<double>(g.joints.size()) * g.reference.center.norm());
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Group& a, const Group& b) { return a.joints.size() > b.joints.size(); });
@@ -93,34 +88,27 @@ bool Reach::strays() const { return skinning_ == Skinning::spherical || skinning
 // What does not stray is in the hull of its joints' images, a few joints at a time.
 void Reach::pack() {
   int lane = 0;
-  const auto add = [&](const Group& g, std::span<const int> joints) {
-    if (lane == 0) packs_.emplace_back().slot_count = static_cast<int>(joints.size());
-    ReachPack& pack = packs_.back();
-    for (int to = lane; to < reach_lanes; ++to) {  // the lanes behind are overwritten by the groups to come
-      for (int k = 0; k < most_reach_joints; ++k)
-        pack.joint[k][to] = joints[k < static_cast<int>(joints.size()) ? k : 0];
-      for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(g.reference.center[i]);
-      pack.radius[to] = g.radius, pack.unsolved[to] = g.unsolved;
-      pack.joint_count[to] = static_cast<float>(joints.size());
-      pack.group[to] = static_cast<std::int32_t>(&g - groups_.data());
-    }
-    lane = (lane + 1) % reach_lanes;
-  };
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
     const std::span<const int> joints = g.joints;
     most_joints_ = std::max(most_joints_, static_cast<int>(joints.size()));
-    is_bounded_ = is_bounded_ && g.reference.center.cwiseAbs().maxCoeff() < largest && g.reference.radius < largest;
+    is_bounded_ = is_bounded_ && can_be_reached(g.reference);
     if (strays() && joints.size() > most_reach_joints) {
       others_.push_back(static_cast<int>(i));
       continue;
     }
-    for (std::size_t first = 0; first < joints.size(); first += most_reach_joints)
-      add(g, joints.subspan(first, std::min<std::size_t>(most_reach_joints, joints.size() - first)));
+    for (std::size_t first = 0; first < joints.size(); first += most_reach_joints) {
+      if (lane == 0) packs_.emplace_back();
+      put_lane(packs_.back(), lane,
+               joints.subspan(first, std::min<std::size_t>(most_reach_joints, joints.size() - first)), g.reference,
+               g.to_prior, static_cast<int>(i));
+      lane = (lane + 1) % reach_lanes;
+    }
   }
   unbounded_.resize(packs_.size());
   numbers_.resize(8 * joint_room_ / Lanes<float>::count);
 }
+
 // A vertex is within its distance to the rotation center of the hull of the center's images, whatever the rotations.
 void Reach::add_about_centers(const Group& g, const Posture& posture, const Quaternion<double>& rotation,
                               Box6& box) const {
@@ -130,7 +118,8 @@ void Reach::add_about_centers(const Group& g, const Posture& posture, const Quat
     const Point3 center = rotation_center<double>(transforms, center_prior(model_, sets_.joints(s), skinning_));
     for (const auto& t : transforms) {
       const Point3 image = apply(t, center), at = rotate(rotation, image);
-      const double reach = (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost) + lost * norm(image);
+      const double reach =
+          (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost_of_reach) + lost_of_reach * norm(image);
       for (int i = 0; i < 3; ++i)
         box[i] = std::min(box[i], at[i] - reach), box[3 + i] = std::max(box[3 + i], at[i] + reach);
     }
@@ -154,15 +143,33 @@ Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement,
   for (const int group : others_) add_unbounded(group);
   for (std::size_t p = 0; p < packs_.size(); ++p)
     for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1)
-      add_unbounded(packs_[p].group[std::countr_zero(lanes)]);
-  const double farthest = std::sqrt(static_cast<double>(squared_farthest));
-  for (int i = 0; i < 3; ++i) {
-    const double at = placement.translation[i];
-    const double off =
-        lost * most_joints_ * farthest + 1e-14 * (std::max(std::abs(box[i]), std::abs(box[3 + i])) + std::abs(at));
-    box[i] += at - off, box[3 + i] += at + off;
-  }
+      add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
+  lost_of_joints_ = lost_of_reach * most_joints_ * std::sqrt(static_cast<double>(squared_farthest));
+  for (int i = 0; i < 3; ++i) move(box[i], box[3 + i], placement.translation[i]);
   return box;
+}
+
+void Reach::move(double& low, double& high, double at) const {
+  const double off = lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
+  low += at - off, high += at + off;
+}
+
+bool Reach::boxes(std::span<const ReachPack> packs, const Posture& posture, const RigidTransform<double>& placement,
+                  std::span<FlippedBox> scratch, std::span<Box6> out, Target target) {
+  constexpr float none = std::numeric_limits<float>::infinity();
+  for (FlippedBox& b : scratch) std::fill(std::begin(b.of), std::end(b.of), none);
+  double defect = 0;
+  for (const auto& joint : posture) defect = std::max(defect, std::abs(squared_norm(joint.rotation) - 1));
+  if (!bound_reach_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(posture.size()), joint_room_,
+                                  packs.data(), static_cast<int>(packs.size()), strays(), off_of_reach(defect),
+                                  scratch.data()))
+    return false;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      out[i][k] = scratch[i].of[k], out[i][3 + k] = -scratch[i].of[4 + k];
+      move(out[i][k], out[i][3 + k], placement.translation[k]);
+    }
+  return true;
 }
 
 }  // namespace refitlab

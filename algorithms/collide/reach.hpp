@@ -8,7 +8,7 @@
 #pragma once
 
 #include "algorithms/collide/box_kernel.hpp"
-#include "algorithms/collide/reach_kernel.hpp"
+#include "algorithms/collide/reach_packs.hpp"
 #include "algorithms/packs/lanes.hpp"
 #include "algorithms/weights/joint_sets.hpp"
 
@@ -30,17 +30,25 @@ class Reach {
   Box6 box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid,
            Target target = best_target());
 
+  // Boxes in the world around the targets of packs, in the posture and placement of the last call of box, whose result
+  // was finite. scratch and out are by target. False, and out is of no use, if nothing is known of one. Not for
+  // Skinning::hejl, whose rotation centers these packs do not have.
+  bool boxes(std::span<const ReachPack> packs, const Posture& posture, const RigidTransform<double>& placement,
+             std::span<FlippedBox> scratch, std::span<Box6> out, Target target = best_target());
+
  private:
   // Joint-sets within one of them.
   struct Group {
     std::vector<int> sets;    // the largest first
     Ball3<double> reference;  // around their vertices: about f, which is the rotation center for Skinning::hejl
     std::vector<int> joints;
-    float radius, unsolved;  // with what may be lost; what A may lack, see reach.cpp
+    double to_prior;  // the farthest of their priors from f, for spherical skinning
+    float radius;     // with what may be lost
   };
 
   std::vector<Group> make_groups() const;
   void pack();
+  void move(double& low, double& high, double at) const;
   bool strays() const;
   void add_about_centers(const Group& group, const Posture& posture, const Quaternion<double>& rotation,
                          Box6& box) const;
@@ -57,6 +65,7 @@ class Reach {
   // Of the frame in work.
   std::vector<Lanes<float>> numbers_;
   std::vector<std::uint32_t> unbounded_;
+  double lost_of_joints_ = 0;
 };
 
 }  // namespace refitlab

@@ -1,0 +1,21 @@
+// Pieces of nodes: what a node holds of each joint-set, which is bounded by itself.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/refit/character.hpp"
+
+namespace refitlab {
+
+struct NodePiece {
+  int joint_set;
+  Ball3<double> reference;  // around its vertices in the reference posture; its numbers are floats
+  std::vector<double> low;  // the least weights of its joints
+  double rest;              // 1 - sum low, at least 0
+  int target;               // the node's position in a list
+};
+
+std::vector<NodePiece> pieces_of_nodes(const Character& character, std::span<const int> nodes);
+
+}  // namespace refitlab

@@ -1,0 +1,14 @@
+// The least float that is not below a double.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace refitlab {
+
+inline float float_above(double x) {
+  const auto f = static_cast<float>(x);
+  return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+
+}  // namespace refitlab

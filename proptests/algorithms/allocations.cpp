@@ -1,0 +1,88 @@
+#include "proptests/oracles/allocations.hpp"
+
+#include <bit>
+
+#include "algorithms/batch/batch_refit.hpp"
+#include "algorithms/batch/node_refit.hpp"
+#include "algorithms/batch/pose_packs.hpp"
+#include "algorithms/collide/cluster_collide.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using oracle::allocations_in;
+
+constexpr int frames = 12;
+
+Posture step(const Character& c, int frame, double share) {
+  const Clip& walk = c.model.clips[0];
+  return walk.sample(std::fmod(frame / static_cast<double>(frames) + share, 1.0) * walk.duration);
+}
+
+}  // namespace
+
+PROPTEST(allocations) {
+  t.example("the counter sees what a container and an aligned object take", {.number_type = "heap"}, [] {
+    struct alignas(64) Wide {
+      char of[64];
+    };
+    const long list = allocations_in([] { std::vector<int>(100); }),
+               wide = allocations_in([] { std::vector<Wide>(3); }), none = allocations_in([] {});
+    return Checked(list == 1 && wide == 1 && none == 0, 3);
+  });
+  t.example("a query takes nothing from the heap but its answer, once it was asked in each place", {}, [] {
+    const Character man(make_man());
+    const ClusterTree tree(man);
+    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+    bool ok = true;
+    long asked = 0, pairs_found = 0;
+    for (const double distance : {5.0, 0.6, 0.35, 0.1})
+      for (const Query query : {Query::full, Query::yes_no})
+        for (const bool has_memory : {false, true}) {
+          PairMemory memory;
+          QueryCounts counts;
+          const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
+          for (int frame = 0; frame < 2 * frames; ++frame) {  // twice around: the first time may make room
+            const Posture first = step(man, frame, 0.2), second = step(man, frame, 0.7);
+            std::size_t found = 0;
+            const long allocations = allocations_in([&] {
+              a.begin(first, {}), b.begin(second, at);
+              found = collide(a, b, query, counts, has_memory ? &memory : nullptr).size();
+            });
+            // A list that doubles as it grows.
+            const long for_answer = query == Query::full ? static_cast<long>(std::bit_width(2 * found)) : 10;
+            if (frame >= frames) ok = ok && allocations <= (found > 0 ? for_answer : 0), ++asked, pairs_found += found;
+          }
+        }
+    return Checked(ok && pairs_found > 1000, asked);
+  });
+  t.example(
+      "a frame of poses and single nodes takes nothing from the heap after the first one, and a batch three times a "
+      "kernel",
+      {}, [] {
+        const Character man(make_man());
+        BatchRefit batch(man.tree, man.sets);
+        NodeRefit single(man.tree, man.sets);
+        const PosePacks packs(man.model, man.sets, Skinning::spherical);
+        SkinningPose<double> pose;
+        long taken = 0, of_batch = 0;
+        float sum = 0;
+        for (int frame = 0; frame < frames; ++frame) {
+          const Posture posture = step(man, frame, 0);
+          const long allocations = allocations_in([&] {
+            packs.make(posture, pose);
+            single.begin(pose);
+            for (std::size_t n = 0; n < man.tree.nodes.size(); ++n) sum += single(static_cast<int>(n)).radius;
+          });
+          const long batches =
+              allocations_in([&] { sum += batch.spherical(pose)[0].radius + batch.linear(pose)[0].radius; });
+          if (frame > 0) taken += allocations, of_batch = std::max(of_batch, batches);
+        }
+        return Checked(taken == 0 && of_batch <= 12 && sum > 0, frames - 1, "a batch " + std::to_string(of_batch));
+      });
+}
+
+}  // namespace proptests

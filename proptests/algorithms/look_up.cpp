@@ -1,0 +1,66 @@
+// Through the smallest kernel that looks numbers up, so that every target's own way is tried: pieces of one joint that
+// only moves are boxed where the table says the joint is.
+#include "algorithms/packs/look_up.hpp"
+
+#include <random>
+
+#include "algorithms/collide/reach_piece_kernel.hpp"
+#include "algorithms/packs/lanes.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+// How many lanes are boxed elsewhere than at 1 + the number of their joint.
+int misplaced(const std::int32_t (&joint)[reach_lanes], int count, Target target) {
+  const int room = look_up_room(count);
+  std::vector<Lanes<float>> numbers(8 * room / Lanes<float>::count);
+  float* table = numbers.data()->lane.data();
+  for (int j = 0; j < room; ++j) {
+    table[j] = 1;                                                               // the rotations stay
+    for (int i = 4; i < 7; ++i) table[i * room + j] = j < count ? 1 + j : -99;  // nothing behind is to be looked up
+  }
+  ReachPack pack{};
+  FlippedBox boxes[reach_lanes];
+  for (int lane = 0; lane < reach_lanes; ++lane) {
+    for (auto& slot : pack.joint) slot[lane] = joint[lane];
+    pack.joint_count[lane] = 1;
+    pack.target[lane] = lane;
+    std::fill(std::begin(boxes[lane].of), std::end(boxes[lane].of), std::numeric_limits<float>::infinity());
+  }
+  pack.slot_count = 1;
+  if (!bound_reach_pieces(target)(table, count, room, &pack, 1, false, 0, boxes)) return reach_lanes;
+  int wrong = 0;
+  for (int lane = 0; lane < reach_lanes; ++lane)
+    for (int i = 0; i < 3; ++i)
+      wrong += boxes[lane].of[i] != 1 + joint[lane] || boxes[lane].of[4 + i] != -(1 + joint[lane]);
+  return wrong;
+}
+
+}  // namespace
+
+PROPTEST(look_up) {
+  t.example("every lane has the number at its own place, in tables of any size, on every target", {}, [] {
+    std::mt19937 random(1);
+    long wrong = 0, tried = 0;
+    for (const Target target : available_targets())
+      for (int count = 1; count <= 200; ++count)
+        for (int times = 0; times < 8; ++times) {
+          alignas(64) std::int32_t joint[reach_lanes];
+          for (int lane = 0; lane < reach_lanes; ++lane)  // the first and last places too
+            joint[lane] = times == 0 ? (lane % 2 ? count - 1 : 0) : static_cast<int>(random() % count);
+          wrong += misplaced(joint, count, target), ++tried;
+        }
+    return Checked(wrong == 0, tried);
+  });
+  t.example("a table has room for its numbers in pairs of the widest registers", {}, [] {
+    bool ok = true;
+    for (int count = 1; count <= 200; ++count)
+      ok = ok && look_up_room(count) >= count && look_up_room(count) % 32 == 0 && look_up_room(count) < count + 32;
+    return Checked(ok, 200);
+  });
+}
+
+}  // namespace proptests

@@ -1,0 +1,33 @@
+#include "proptests/oracles/allocations.hpp"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+thread_local long count = 0;
+
+}  // namespace
+
+namespace proptests::oracle {
+
+long allocations() { return count; }
+
+}  // namespace proptests::oracle
+
+// All other forms of the language's own lead here.
+void* operator new(std::size_t size) {
+  ++count;
+  if (void* out = std::malloc(size > 0 ? size : 1)) return out;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++count;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* out = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return out;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
