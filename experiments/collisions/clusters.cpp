@@ -36,7 +36,7 @@ class Clusters : public CountingDetector {
 std::vector<DetectorKind> cluster_kinds() {
   return {
       {"clusters",
-       "boxes around control points, many nodes at a time, down to clusters of up to 256 triangles, which are skinned; "
+       "boxes that hold all that the joints can make of many nodes at a time, down to clusters of up to 256 triangles, which are skinned; "
        "yes/no tries pairs of earlier frames first",
        Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c); }}};
 }

@@ -1,4 +1,4 @@
-// The fast query as a detector: boxes around control points above, skinned clusters below.
+// The fast query as a detector: boxes from the joints alone above, skinned clusters below.
 #pragma once
 
 #include "experiments/collisions/detector.hpp"
