@@ -5,7 +5,7 @@ import html.parser
 class Page(html.parser.HTMLParser):
     """links: what href and src lead to; ids; wrong: what is not closed or there twice."""
 
-    VOID = {"meta", "br", "circle", "path", "img", "link", "input", "image", "line", "rect", "polyline"}
+    VOID = {"meta", "br", "hr", "img", "link", "input"}
 
     def __init__(self, path):
         super().__init__()
