@@ -247,7 +247,7 @@ def collision_table(results):
              ("fcl_obbrss", "FCL, OBB-RSS"), None]
     rows = [None if entry is None else [entry[1], *(digits(time_of(results, scene, entry[0])) for scene in SCENES)]
             for entry in names]
-    rows.append(["touching pairs", *(f"{pairs_of(results, scene):g}" for scene in SCENES)])
+    rows.append(["touching pairs", *(f"{pairs_of(results, scene):.0f}" for scene in SCENES)])
     return table("l" + "r" * len(SCENES), ["\\textmu s a frame", *SCENES], rows)
 
 
