@@ -15,6 +15,22 @@ long allocations() { return count; }
 
 }  // namespace proptests::oracle
 
+#ifdef __SANITIZE_ADDRESS__  // it has operators of its own, and says what is asked of them
+
+// As in sanitizer/allocator_interface.h, which GCC's packages lack.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
+                                                         void (*on_free)(const volatile void*));
+
+namespace {
+
+void add(const volatile void*, std::size_t) { ++count; }
+void ignore(const volatile void*) {}
+[[maybe_unused]] const int installed = __sanitizer_install_malloc_and_free_hooks(add, ignore);
+
+}  // namespace
+
+#else
+
 // All other forms of the language's own lead here.
 void* operator new(std::size_t size) {
   ++count;
@@ -31,3 +47,5 @@ void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+#endif
