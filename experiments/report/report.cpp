@@ -25,7 +25,7 @@ namespace {
 
 const char* const style = R"(:root{color-scheme:light dark;--ink:#1c2024;--page:#fdfdfc;--soft:#5c6670;--rule:#d8dde2;--band:#f2f4f6;--bad:#b3261e;--ground:#fff}
 @media (prefers-color-scheme:dark){:root{--ink:#e4e7ea;--page:#15181b;--soft:#9aa4ae;--rule:#333a41;--band:#1e2327;--bad:#ff8a80;--ground:#b9c1c8}}
-body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:74rem;margin:0 auto;padding:1rem}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:74rem;margin:0 auto;padding:1rem}p,li,figcaption{overflow-wrap:anywhere}
 h1,h2,h3{line-height:1.2}h2{margin-top:2.5rem;border-top:1px solid var(--rule);padding-top:1rem}
 .scroll{overflow-x:auto}table{border-collapse:collapse;font-size:.82rem;font-variant-numeric:tabular-nums}
 th,td{padding:.2rem .55rem;text-align:right;white-space:nowrap;border-bottom:1px solid var(--rule)}
