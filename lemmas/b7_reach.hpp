@@ -1,32 +1,49 @@
 // Beyond the paper: how far a vertex can be, from the transforms of its joints alone.
 //
 // Statement. Let C_k, k = 1 ... n, be rigid transforms with unit quaternions q_k, all (q_k, q_l) >= c >= 0. For a point
-// f let L = sum u_k C_k f be its linear blend, B its dual quaternion blend, and A^2 = sum_{k<l} ||C_k f - C_l f||^2.
+// f let L = sum u_k C_k f be its linear blend, B its dual quaternion blend, and A(f)^2 = sum_{k<l} ||C_k f - C_l f||^2.
 // For every u of W_n
-//   ||B - L||^2 <= 9/16 (1 - c) A^2.
-// So where v is carried is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= 3/4
-// sqrt(1 - c) A), in the hull of the C_k f blown up by both lengths, for
+//   ||B - L||^2 <= 9/16 (1 - c) A(f)^2,
+//   ||B - L||^2 <= (1 - c) / (4 (1 + c)) A(f)^2  if c >= 3/5: no two rotations are more than 106 degrees apart.
+// The second is sharp: two joints at halves that turn about an axis, and f not on it, reach it.
+// So where v is carried is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= s
+// A(f)), s^2 one of these factors, in the hull of the C_k f blown up by both lengths, for
 // - linear blending: the second is 0;
 // - dual quaternions: it is B - L;
 // - spherical blending about a rotation center r, at f = r: it is 0;
 // - spherical blending about a least-squares center, sum_{k<l} (R_k - R_l)^T (C_k r - C_l r) = 0, at any f: it is R - L
-// of
-//   the rotations alone at r - f, whose A is less: sum ||R_k (r - f) - R_l (r - f)||^2 = A^2 - sum ||C_k r - C_l r||^2.
+//   of the rotations alone at r - f, whose A is less: sum ||R_k (r - f) - R_l (r - f)||^2 = A(f)^2 - sum ||C_k r - C_l
+//   r||^2.
 // Of a part of the joints A is no greater and c no less, so a bound for many joints holds for fewer of them.
+// With f = v the first length is 0: v' is within s A(v) of the hull of the C_k v, and all v at once of that of the
+// images of any set that holds them, such as a box. Their A is known from one of them: A(v) <= A(f) +
+// sqrt(2 n (n - 1) (1 - c^2)) ||v - f||.
 //
 // Replaces: nothing in the paper, where all joint-sets of the root are refitted.
 // Notation: u -> coefficients, f -> point, c -> cosine, A^2 -> squared_spread, L -> carried.
 //
-// Proof. With x_k = C_k f, X_kl = x_k - x_l, q = sum u_k q_k, g_k = (q_k, q) and m_kl = Im(q_k q_l*): ||q||^2 B =
-// sum_kl u_k u_l Im(x_k q_k q_l*) for pure x_k, and sum u_k g_k = ||q||^2, so
-//   ||q||^2 (B - L) = sum_{k<l} u_k u_l ((g_k - g_l) X_kl + X_kl x m_kl).
-// The two vectors of a pair are perpendicular, ||m_kl||^2 = 1 - c_kl^2 and (g_k - g_l)^2 <= 2 (1 - c_kl) D for c_kl =
-// (q_k, q_l), D = ||q||^2; so their sum has at most the squared length ||X_kl||^2 (1 - c) (1 + c + 2 D), which falls
-// with c. By Cauchy and Schwarz ||B - L||^2 <= A^2 (1 - c) (1 + c + 2 D) / D^2 sum_{k<l} (u_k u_l)^2. Let x = sum
-// u_k^2: the last sum is (x^2 - sum u_k^4) / 2 <= x^2 (1 - x) / 2, since sum u_k u_k^3 >= x^3 (Jensen), and D >= x + c
-// (1 - x) >= x. For x <= 2/3 what is left, x^2 (1 - x) (1 + c + 2 D) / (2 D^2), falls with c at the least D, and is (1
-// - x) (1 + 2 x) / 2 <= 9/16 at c = 0; for x > 2/3 it is at most (1 - x) (1 + x) < 9/16. The least-squares center is
-// Pythagoras' theorem.
+// Proof. With x_k = C_k f, X_kl = x_k - x_l, q = sum u_k q_k, D = ||q||^2, g_k = (q_k, q), c_kl = (q_k, q_l) and m_kl =
+// Im(q_k q_l*): D B = sum_kl u_k u_l Im(x_k q_k q_l*) for pure x_k, and sum u_k g_k = D, so
+//   D (B - L) = sum_{k<l} u_k u_l ((g_k - g_l) X_kl + X_kl x m_kl).
+// The two vectors of a pair are perpendicular and ||m_kl||^2 = 1 - c_kl^2: with p = u_k u_l, Cauchy and Schwarz give
+//   ||B - L||^2 <= A^2 / D^2 sum p^2 ((g_k - g_l)^2 + 1 - c_kl^2).
+// All sums run over pairs; let P = sum p, a = 1 - c and x = sum u_k^2 = 1 - 2 P.
+// First bound: (g_k - g_l)^2 <= 2 (1 - c_kl) D, so the bracket is at most (1 - c_kl) (1 + c_kl + 2 D), which falls with
+// c_kl. sum p^2 = (x^2 - sum u_k^4) / 2 <= x^2 (1 - x) / 2, since sum u_k u_k^3 >= x^3 (Jensen), and D >= x + c (1 - x)
+// >= x. For x <= 2/3 what is left, x^2 (1 - x) (1 + c + 2 D) / (2 D^2), falls with c at the least D, and is (1 - x) (1
+// + 2 x) / 2 <= 9/16 at c = 0; for x > 2/3 it is at most (1 - x) (1 + x) < 9/16. Second bound: g_k - g_l = (u_k - u_l)
+// (1 - c_kl) + sum of u_m (c_km - c_lm) over the others, so |g_k - g_l| <= a (|u_k - u_l| + 1 - u_k - u_l) = a (1 - 2
+// min(u_k, u_l)), whose square is at most a^2 (1 - 4 p), because p <= min (1 - min). And 1 - c_kl^2 <= a (2 - a), D >=
+// 1 - 2 a P. The bracket is at most 2 a (1 - 2 a p); it remains to see that
+//   8 (2 - a) sum p^2 (1 - 2 a p) <= (1 - 2 a P)^2  for a <= 2/5.
+// p (1 - 2 a p) rises up to p = 1 / (4 a), and p <= 1/4. If P <= 1/4, the left side is therefore at most (2 - a)^2 P <=
+// (1 - a/2)^2. If P > 1/4, the quotient of left and right rises with a: its logarithm's derivative is 4 P / (1 - 2 a P)
+// - 1 / (2 - a) - 2 sum p^3 / sum p^2 (1 - 2 a p), the last at most 2 P / (1 - 2 a P) since each p <= P, and 2 P / (1 -
+// 2 a P) >= 1 / (2 - a). So let a = 2/5, and y = sum p^2 / P <= 1/4: sum p^3 >= P y^2 (Cauchy and Schwarz), y <= x^2 by
+// what was said of sum p^2, and y (1 - 4/5 y) rises, so the left side is at most 32/5 (1 - x) x^2 (1 - 4/5 x^2). 25
+// times what is left of the right one is then (3 + 2 x)^2 - 32 (1 - x) x^2 (5 - 4 x^2) = (1 - 2 x)^2 (9 + 48 x - 32
+// x^3) >= 0. The least-squares center is Pythagoras' theorem. And ||R_k x - R_l x|| <= 2 sqrt(1 - c_kl^2) ||x||, as the
+// angle between the rotations is twice that between the quaternions.
 #pragma once
 
 #include "lemmas/b6_dual_quaternion_ball.hpp"
@@ -108,6 +125,14 @@ struct ReachedVertex {
   Vec<S, 3> carried, turned, strayed;
 };
 
+// Both bounds.
+template <class S>
+Verdict strays_little(const S& squared_length, const S& cosine, const S& squared_spread) {
+  const S allowed = (S(1) - cosine) * squared_spread;
+  return less_equal(S(squared_length * S(16)), S(S(9) * allowed)) &
+         implies(less_equal(S(3), S(S(5) * cosine)), less_equal(S(S(4) * (S(1) + cosine) * squared_length), allowed));
+}
+
 // Independent check, but for what makes v': carried is the linear blend of f, and both lengths are kept.
 template <class S>
 Verdict is_reached_vertex(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
@@ -115,7 +140,7 @@ Verdict is_reached_vertex(const std::vector<RigidTransform<S>>& transforms, cons
   const auto images = images_of(transforms, point);
   const Vec<S, 3> carried = combine<S, 3>(u, images);
   Verdict v = equal(squared_norm(witness.turned), squared_distance(vertex, point)) &
-              less_equal(S(squared_norm(witness.strayed) * S(16)), S(S(9) * (S(1) - cosine) * squared_spread(images)));
+              strays_little(squared_norm(witness.strayed), cosine, squared_spread(images));
   for (int i = 0; i < 3; ++i) v &= equal(carried[i], witness.carried[i]);
   return v;
 }
@@ -172,6 +197,14 @@ Verdict strays_by_pairs(const std::vector<RigidTransform<S>>& transforms, const 
   const Vec<S, 3> carried = combine<S, 3>(u, images), strayed = at.numerator - carried * at.denominator;
   for (int i = 0; i < 3; ++i) v &= equal(sum[i], strayed[i]);
   return v;
+}
+
+// The spread of what the rotations alone make of a vector.
+template <class S>
+Verdict turns_little(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& vector) {
+  const S n(static_cast<int>(transforms.size()));
+  return less_equal(squared_spread(images_of(rotations_alone(transforms), vector)),
+                    S(S(2) * n * (n - S(1)) * (S(1) - sq(cosine)) * squared_norm(vector)));
 }
 
 // Pythagoras' theorem for a least-squares center.

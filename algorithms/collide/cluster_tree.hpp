@@ -17,7 +17,7 @@ inline constexpr int most_cluster_triangles = 4096;  // so that places fit 16 bi
 
 struct ClusterOptions {
   int most_triangles = 256;  // of a cluster; at least 1
-  int most_children = 96;    // of a fan; at least 2
+  int most_children = 16;    // of a fan; at least 2
 };
 
 struct Cluster {
@@ -31,9 +31,9 @@ struct FanChild {
 };
 
 struct Fan {
-  int first_child, child_count;  // all children in one list
-  BoxPieces pieces;              // what bounds the children, by position in the fan
-  std::vector<ReachPack> reach;  // what bounds them from the joints alone; none if that cannot be
+  int first_child, child_count;       // all children in one list
+  BoxPieces pieces;                   // what bounds the children, by position in the fan
+  std::vector<ReachPiecePack> reach;  // what bounds them from the joints alone; none if that cannot be
 };
 
 class ClusterTree {

@@ -8,9 +8,15 @@
 
 namespace refitlab {
 
+// A box along the axes.
+struct CenteredBox {
+  Point3 center, half;  // half its edges
+};
+
 struct NodePiece {
   int joint_set;
   Ball3<double> reference;  // around its vertices in the reference posture; its numbers are floats
+  CenteredBox box;          // likewise
   std::vector<double> low;  // the least weights of its joints
   double rest;              // 1 - sum low, at least 0
   int target;               // the node's position in a list

@@ -154,8 +154,9 @@ void Reach::move(double& low, double& high, double at) const {
   low += at - off, high += at + off;
 }
 
-bool Reach::boxes(std::span<const ReachPack> packs, const Posture& posture, const RigidTransform<double>& placement,
-                  std::span<FlippedBox> scratch, std::span<Box6> out, Target target) {
+bool Reach::boxes(std::span<const ReachPiecePack> packs, const Posture& posture,
+                  const RigidTransform<double>& placement, std::span<FlippedBox> scratch, std::span<Box6> out,
+                  Target target) {
   constexpr float none = std::numeric_limits<float>::infinity();
   for (FlippedBox& b : scratch) std::fill(std::begin(b.of), std::end(b.of), none);
   double defect = 0;

@@ -1,10 +1,10 @@
 // Reach: a box that holds all of a skinned character, from the transforms of its joints alone.
 //
 // What a query asks first: it needs no rotation centers and no blends, and its price goes by joints and joint-sets, not
-// by vertices. By b7_reach a vertex v of a joint-set is within ||v - f|| + 3/4 sqrt(1 - c) A of the hull of the images
-// C_k f of any point f, where c is the least (q_k, q_l) of its joints and A^2 the sum of ||C_k f - C_l f||^2 over their
-// pairs. What holds for some joints holds for fewer of them: so joint-sets all of whose joints another one has share
-// its f, and few groups are left.
+// by vertices. By b7_reach a vertex v of a joint-set is within ||v - f|| + s A of the hull of the images C_k f of any
+// point f, where A^2 is the sum of ||C_k f - C_l f||^2 over pairs of its joints, and s goes by the least (q_k, q_l).
+// What holds for some joints holds for fewer of them: so joint-sets all of whose joints another one has share its f,
+// and few groups are left.
 #pragma once
 
 #include "algorithms/collide/box_kernel.hpp"
@@ -33,7 +33,7 @@ class Reach {
   // Boxes in the world around the targets of packs, in the posture and placement of the last call of box, whose result
   // was finite. scratch and out are by target. False, and out is of no use, if nothing is known of one. Not for
   // Skinning::hejl, whose rotation centers these packs do not have.
-  bool boxes(std::span<const ReachPack> packs, const Posture& posture, const RigidTransform<double>& placement,
+  bool boxes(std::span<const ReachPiecePack> packs, const Posture& posture, const RigidTransform<double>& placement,
              std::span<FlippedBox> scratch, std::span<Box6> out, Target target = best_target());
 
  private:

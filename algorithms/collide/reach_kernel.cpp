@@ -28,6 +28,32 @@ void place(const Joints<few>& joints, const double* rotation, Bounds& bounds) {
   }
 }
 
+// The lanes from first on: their bounds, and which of them are unbounded, to merge(low, high, is_unbounded). An
+// unbounded one is empty, from infinity to minus infinity. off: the share of A for what is off, see reach_kernel.hpp.
+template <int slots, bool strays, bool few, class Merge>
+[[gnu::always_inline]] inline void bound_lanes(const ReachPack& pack, int first, const Joints<few>& joints, float off,
+                                               const Merge& merge) {
+  const Point f = load_point(pack.center, first);
+  Images images;
+  Rotations<slots> rotations;
+#pragma GCC unroll 8
+  for (int k = 0; k < slots; ++k) {
+    const Transform joint = joints.of_lanes(pack.joint[k] + first);
+    const Point at = apply(joint, f);
+    images.add(k, at, at, at);
+    if constexpr (strays) rotations.add(k, joint.rotation);
+  }
+  S reach = load(pack.radius + first);
+  const auto is_unbounded = rotations.are_far();
+  if constexpr (strays) {
+    const S a = images.spread(load(pack.joint_count + first)) + load(pack.unsolved + first);
+    reach = reach + choose(is_unbounded, S(-infinity), (stray_share(rotations.cosine()) + S(off)) * a);
+  }
+  Point low, high;
+  for (int i = 0; i < 3; ++i) low[i] = images.low()[i] - reach, high[i] = images.high()[i] + reach;
+  merge(low, high, is_unbounded);
+}
+
 template <bool strays, bool few>
 void add_all(const Joints<few>& joints, const ReachPack* packs, int pack_count, std::uint32_t* unbounded,
              Bounds& bounds) {

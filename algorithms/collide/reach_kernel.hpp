@@ -8,8 +8,8 @@
 // ||t||). A, of n images, is off by at most sqrt(n (n - 1) / 2) 2 e, and what it is multiplied by is less than 0.82:
 // all that is lost of a bound is below (1 + 1.16 n [n > 1]) e < 512 u n (||f|| + ||t||) = lost n (||f|| + ||t||). A^2 =
 // n sum ||y_k||^2 - ||sum y_k||^2, with y_k = x_k - x_1 the images seen from the first. n sum ||y_k||^2 is at most n
-// A^2, since A^2 has the squares among its summands: A comes out within n (n + 8) u / 2 of itself. A dot product is off
-// by 30 u, which is less than `positive`, and the root of 1 - c by 2e-3. Both are a small part of off_of_reach A.
+// A^2, since A^2 has the squares among its summands: A comes out within n (n + 8) u / 2 of itself, a small part of
+// off_of_reach A. A dot product is off by 64 u, lengths included, and c is lowered by `positive`, which is more.
 // Products and sums that are fused (CMakeLists.txt) lose less.
 #pragma once
 

@@ -19,7 +19,7 @@ constexpr int width = static_cast<int>(S::size());
 static_assert(reach_lanes % width == 0);
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-// A dot product that is greater is positive in exact numbers too.
+// More than a dot product is off.
 constexpr float positive = 1e-5f;
 
 S load(const float* lanes) { return S(lanes, std::experimental::vector_aligned); }
@@ -73,46 +73,60 @@ struct Joints {
   }
 };
 
-// The lanes from first on: their bounds, and which of them are unbounded, to merge(low, high, is_unbounded). An
-// unbounded one is empty, from infinity to minus infinity. off: the share of A for what is off, see reach_kernel.hpp.
-template <int slots, bool strays, bool few, class Merge>
-[[gnu::always_inline]] inline void bound_lanes(const ReachPack& pack, int first, const Joints<few>& joints, float off,
-                                               const Merge& merge) {
-  const Point f(load(pack.center[0] + first), load(pack.center[1] + first), load(pack.center[2] + first));
-  const Transform joint = joints.of_lanes(pack.joint[0] + first);
-  const Point image = apply(joint, f);
-  Point low = image, high = image, sum = Point::Constant(S(0));
-  Quaternion<S> rotations[slots] = {joint.rotation};
-  S squares(0), c(1);
-#pragma GCC unroll 8
-  for (int k = 1; k < slots; ++k) {
-    const Transform other = joints.of_lanes(pack.joint[k] + first);
-    const Point at = apply(other, f);
-    for (int i = 0; i < 3; ++i) low[i] = smaller(low[i], at[i]), high[i] = larger(high[i], at[i]);
-    if constexpr (strays) {
-      const Point y = at - image;
-      sum = sum + y;
-      squares = squares + squared_norm(y);
-      const S cosine = dot(rotations[0], other.rotation);
-      for (int i = 0; i < 4; ++i)  // the skinning's sign
-        rotations[k][i] = choose(cosine < S(0), S(-other.rotation[i]), other.rotation[i]);
-      c = smaller(c, abs(cosine));
-#pragma GCC unroll 8
-      for (int l = 1; l < k; ++l) c = smaller(c, dot(rotations[l], rotations[k]));
-    }
-  }
-  S reach = load(pack.radius + first);
-  auto is_unbounded = c < c;
-  if constexpr (strays) {
-    is_unbounded = !(c > S(positive));
-    const S squared_a = load(pack.joint_count + first) * squares - squared_norm(sum);
-    const S a = root(larger(squared_a, S(0))) + load(pack.unsolved + first);
-    const S share = S(0.75f) * root(larger(S(1) - c, S(0))) + S(off);
-    reach = reach + choose(is_unbounded, S(-infinity), share * a);
-  }
-  for (int i = 0; i < 3; ++i) low[i] = low[i] - reach, high[i] = high[i] + reach;
-  merge(low, high, is_unbounded);
+Point load_point(const float (&numbers)[3][reach_lanes], int first) {
+  return {load(numbers[0] + first), load(numbers[1] + first), load(numbers[2] + first)};
 }
+
+// The rotations of a lane's joints, with the skinning's signs.
+template <int slots>
+class Rotations {
+ public:
+  [[gnu::always_inline]] void add(int k, const Quaternion<S>& rotation) {
+    of_[k] = rotation;
+    if (k == 0) return;
+    const S cosine = dot(of_[0], rotation);
+    for (int i = 0; i < 4; ++i) of_[k][i] = choose(cosine < S(0), S(-rotation[i]), rotation[i]);
+    least_ = smaller(least_, abs(cosine));
+#pragma GCC unroll 8
+    for (int l = 1; l < k; ++l) least_ = smaller(least_, dot(of_[l], of_[k]));
+  }
+  // Whether nothing is known of what blends them.
+  auto are_far() const { return !(least_ > S(positive)); }
+  // c, or less; of no use if they are far.
+  S cosine() const { return least_ - S(positive); }
+
+ private:
+  Quaternion<S> of_[slots];
+  S least_{1};
+};
+
+// The most by which a blend strays, as a share of A: b7_reach, whose square for c >= 3/5, (1 - c) / (4 (1 + c)), is at
+// most 1 - c times the chord of the convex 1 / (4 (1 + c)).
+[[gnu::always_inline]] inline S stray_share(const S& c) {
+  return root((S(1) - c) * choose(c >= S(0.6f), S(0.203125f) - S(0.078125f) * c, S(0.5625f)));
+}
+
+// What a lane's joints make of a point: a box around its images, and A.
+class Images {
+ public:
+  [[gnu::always_inline]] void add(int k, const Point& image, const Point& low, const Point& high) {
+    if (k == 0) {
+      first_ = image, low_ = low, high_ = high;
+      return;
+    }
+    for (int i = 0; i < 3; ++i) low_[i] = smaller(low_[i], low[i]), high_[i] = larger(high_[i], high[i]);
+    const Point y = image - first_;
+    sum_ = sum_ + y;
+    squares_ = squares_ + squared_norm(y);
+  }
+  const Point& low() const { return low_; }
+  const Point& high() const { return high_; }
+  S spread(const S& joint_count) const { return root(larger(joint_count * squares_ - squared_norm(sum_), S(0))); }
+
+ private:
+  Point first_, low_, high_, sum_ = Point::Constant(S(0));
+  S squares_{0};
+};
 
 }  // namespace
 }  // namespace refitlab::REFITLAB_TARGET

@@ -23,6 +23,6 @@ void put_lane(ReachPack& pack, int lane, std::span<const int> joints, const Ball
 
 // All pieces, for any skinning but Hejl's, whose rotation centers are not the balls'. Empty if a piece has too many
 // joints or is too large.
-std::vector<ReachPack> make_reach_packs(const Character& character, std::span<const NodePiece> pieces);
+std::vector<ReachPiecePack> make_reach_packs(const Character& character, std::span<const NodePiece> pieces);
 
 }  // namespace refitlab

@@ -71,12 +71,15 @@ struct ReachCase {
   std::vector<Rational> weights;
   explicit ReachCase(int most) {
     transforms = *gen::rigid_transforms(1, most);
-    while (least_cosine(transforms) < 0)
+    const Rational least = *rc::gen::element(Rational(0), Rational(3, 5));
+    while (least_cosine(transforms) < least)
       for (auto& t : transforms) t.rotation = drawn_in(t.rotation);
     cosine = least_cosine(transforms);
     if (*rc::gen::inRange(0, 5) == 0) cosine = cosine / Rational(2);
     weights = *gen::convex_weights(static_cast<int>(transforms.size()));
   }
+  // Of the sharp bound.
+  bool are_close() const { return cosine >= Rational(3, 5); }
   Span u() const { return weights; }
   std::vector<Rational> w() const { return weights; }
   bool is_degenerate() const { return transforms.size() == 1 || cosine == 0 || cosine == 1 || vertex == point; }
@@ -88,6 +91,7 @@ PROPTEST(b7_reach) {
             const ReachCase c(4);
             RC_ASSERT(reach_hypotheses(c.transforms, c.cosine, c.u()) == Verdict::holds);
             RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            RC_CLASSIFY(c.are_close(), "close");
             const auto found = dual_reach(c.transforms, c.cosine, c.point, c.u(), c.vertex);
             RC_ASSERT(found.verdict == Verdict::holds);
             RC_ASSERT(is_reached_vertex(c.transforms, c.cosine, c.point, c.u(), c.vertex, found) == Verdict::holds);
@@ -123,6 +127,11 @@ PROPTEST(b7_reach) {
             const auto weights = *gen::convex_weights(static_cast<int>(any.size()));
             const RationalVec<3> point = *gen::rational_vector<3>();
             RC_ASSERT(strays_by_pairs(any, point, Span(weights)) == Verdict::holds);
+          });
+  t.holds("rotations spread a vector by no more than its length and c allow",
+          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+            const ReachCase c(5);
+            RC_ASSERT(turns_little(c.transforms, c.cosine, c.vertex) == Verdict::holds);
           });
   t.holds("a part of the joints has no more spread and no smaller cosine",
           {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
@@ -175,6 +184,12 @@ PROPTEST(b7_reach) {
                  b7::Q(24, 25), b7::halves);
   strays_without("the weights are convex", "beyond the joints a point strays too far", b7::short_way, b7::Q(24, 25),
                  b7::beyond_the_first);
+  t.example("two joints at halves stray by just the second bound", {.form = "beyond"}, [] {
+    const auto found = dual_reach(b7::short_way, b7::short_cosine, b7::y_axis, Span(b7::halves), b7::y_axis);
+    const b7::Q spread = squared_spread(images_of(b7::short_way, b7::y_axis));
+    return found.verdict == Verdict::holds && spread > 0 &&
+           4 * (1 + b7::short_cosine) * squared_norm(found.strayed) == (1 - b7::short_cosine) * spread;
+  });
   t.example("about a center that is not least-squares a point strays where the joints do not move it",
             {.form = "beyond", .hypothesis = "the center is least-squares"}, [] {
               const Span u(b7::halves);
