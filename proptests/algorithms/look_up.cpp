@@ -22,7 +22,8 @@ int misplaced(const std::int32_t (&joint)[reach_lanes], int count, Target target
     table[j] = 1;                                                               // the rotations stay
     for (int i = 4; i < 7; ++i) table[i * room + j] = j < count ? 1 + j : -99;  // nothing behind is to be looked up
   }
-  ReachPack pack{};
+  ReachPiecePack piece{};
+  ReachPack& pack = piece.ball;
   FlippedBox boxes[reach_lanes];
   for (int lane = 0; lane < reach_lanes; ++lane) {
     for (auto& slot : pack.joint) slot[lane] = joint[lane];
@@ -31,7 +32,7 @@ int misplaced(const std::int32_t (&joint)[reach_lanes], int count, Target target
     std::fill(std::begin(boxes[lane].of), std::end(boxes[lane].of), std::numeric_limits<float>::infinity());
   }
   pack.slot_count = 1;
-  if (!bound_reach_pieces(target)(table, count, room, &pack, 1, false, 0, boxes)) return reach_lanes;
+  if (!bound_reach_pieces(target)(table, count, room, &piece, 1, false, 0, boxes)) return reach_lanes;
   int wrong = 0;
   for (int lane = 0; lane < reach_lanes; ++lane)
     for (int i = 0; i < 3; ++i)
