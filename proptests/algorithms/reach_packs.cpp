@@ -181,7 +181,7 @@ PROPTEST(reach_packs) {
   });
   t.example("the clusters of a walking man have boxes little larger than their vertices'", {}, [] {
     const Character man(make_man());
-    const ClusterTree tree(man);
+    const ClusterTree tree(man, {.most_children = 96});  // one fan
     const int count = tree.fans()[0].child_count;
     std::string text = "sum of widths over that of the vertices' boxes: ";
     bool ok = true;
