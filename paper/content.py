@@ -8,6 +8,7 @@ from results import ResultError
 MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
 ENGINES = ["embree", "fcl_aabb", "fcl_kdop16", "fcl_obbrss", "bullet_dbvt", "bullet_gimpact"]
 SCENES = ["far", "near", "light", "heavy", "worst"]
+GROWN_SCENES = ["near", "light", "heavy"]
 SPHERICAL = {  # as the tables call the variants of spherical blending
     "spherical_repaired": "repaired",
     "spherical_exact": "repaired, smallest balls",
@@ -126,7 +127,7 @@ def numbers(results, folder):
     out["growth.triangles"] = whole_number(most)
     out["growth.engine"] = digits(grown_time(results, most, "near", "embree") / grown_time(results, most, "near", "clusters"), 2)
     for detector in ["clusters", "skin_all_simd", "embree"]:
-        for scene in ["near", "light"]:
+        for scene in GROWN_SCENES:
             out[f"exponent.{detector}.{scene}"] = digits(results.number(
                 "triangle_growth", model="man", posture=scene, variant=detector, quantity="triangle_exponent"), 2)
     snakes = results.select("joint_growth", variant="own", quantity="joint_sets")

@@ -46,15 +46,16 @@ def queries_block(results):
     for name, detector in [("`collide(ClusterBody, …)`", "clusters"), ("skin everything in SIMD, boxes bottom-up", "skin_all_simd"),
                            ("the fastest of Embree, FCL and Bullet", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
         times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
-        times.append(content.grown_time(results, most, "near", detector or "embree"))
+        times += [content.grown_time(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
         rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
     heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
+    heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
     return f"""\
 Two walking men of 8270 triangles, all touching pairs, microseconds a frame from posture to pairs (`experiments/run --only collisions growth`; commit
-{commit}, {cpu}, one thread; every pair set is checked against all pairs by brute force; Embree alone in the last column):
+{commit}, {cpu}, one thread; every pair set is checked against all pairs by brute force; Embree alone in the last three columns):
 
-| | {' | '.join(heads)} | near, {most:,} triangles each |
-|---|---|---|---|---|---|
+| | {' | '.join(heads)} |
+|---|{'---|' * len(heads)}
 """ + "\n".join(rows) + "\n"
 
 

@@ -13,6 +13,7 @@
 namespace refitlab {
 namespace {
 
+constexpr const char* scene_names[] = {"near", "light", "heavy"};
 constexpr const char* reference = "skin_all_simd";
 constexpr const char* detectors[] = {"clusters", "spherical_repaired", "control_mixed", "control_mixed_from_below", reference,
                                      "embree"};
@@ -40,7 +41,8 @@ Model make(const Size& size) {
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings) {
   std::vector<Encounter> scenes;
   for (Encounter& e : encounters(Character(make_man()), settings.frames))
-    if (e.name == "near" || e.name == "light") scenes.push_back(std::move(e));
+    if (std::find(std::begin(scene_names), std::end(scene_names), e.name) != std::end(scene_names))
+      scenes.push_back(std::move(e));
   std::vector<const DetectorKind*> kinds;
   for (const char* name : detectors) kinds.push_back(&detector_kind(name));
 
@@ -88,7 +90,7 @@ void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::s
     add("nodes_refitted", r.result.nodes_refitted, "1");
     add("vertices_skinned", r.result.vertices_skinned, "1");
   }
-  for (const char* scene : {"near", "light"})
+  for (const char* scene : scene_names)
     for (const char* detector : detectors)
       file.add({"growth", "man", scene, detector, "all", "triangle_exponent",
                 format_number(triangle_exponent(rows, scene, detector)), "1"});

@@ -16,7 +16,7 @@ struct TriangleGrowthSettings {
 
 struct TriangleGrowth {
   int triangles;
-  CollisionResult result;  // of a full query in the scene near or light
+  CollisionResult result;  // of a full query in the scene near, light or heavy
 };
 
 // By scene, number and detector: clusters, on demand by three variants, skin_all_simd, which the others must agree with,

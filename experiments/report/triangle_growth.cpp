@@ -26,7 +26,7 @@ std::string triangle_growth_section(const std::vector<TriangleGrowth>& rows) {
   const auto detectors = distinct(rows, [](const TriangleGrowth& r) { return r.result.detector; });
   const auto numbers = distinct(rows, [](const TriangleGrowth& r) { return r.triangles; });
   std::ostringstream out;
-  out << "<h2>Growth with triangles</h2><p>Two men pass each other at the distances of the scenes near and light, "
+  out << "<h2>Growth with triangles</h2><p>Two men pass each other at the distances of the scenes near, light and heavy, "
          "their meshes made coarser, or "
          "finer by subdivision, on the same skeleton. Processor time of a full query with all that it needs, us a "
          "frame. The exponent is that "
