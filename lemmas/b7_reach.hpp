@@ -8,7 +8,7 @@
 // The second is sharp: two joints at halves that turn about an axis, and f not on it, reach it.
 // So where v is carried is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= s
 // A(f)), s^2 one of these factors, in the hull of the C_k f blown up by both lengths, for
-// - linear blending: the second is 0;
+// - linear blending: the first may be shorter, and the second is 0;
 // - dual quaternions: it is B - L;
 // - spherical blending about a rotation center r, at f = r: it is 0;
 // - spherical blending about a least-squares center, sum_{k<l} (R_k - R_l)^T (C_k r - C_l r) = 0, at any f: it is R - L
@@ -28,22 +28,24 @@
 // The two vectors of a pair are perpendicular and ||m_kl||^2 = 1 - c_kl^2: with p = u_k u_l, Cauchy and Schwarz give
 //   ||B - L||^2 <= A^2 / D^2 sum p^2 ((g_k - g_l)^2 + 1 - c_kl^2).
 // All sums run over pairs; let P = sum p, a = 1 - c and x = sum u_k^2 = 1 - 2 P.
-// First bound: (g_k - g_l)^2 <= 2 (1 - c_kl) D, so the bracket is at most (1 - c_kl) (1 + c_kl + 2 D), which falls with
-// c_kl. sum p^2 = (x^2 - sum u_k^4) / 2 <= x^2 (1 - x) / 2, since sum u_k u_k^3 >= x^3 (Jensen), and D >= x + c (1 - x)
-// >= x. For x <= 2/3 what is left, x^2 (1 - x) (1 + c + 2 D) / (2 D^2), falls with c at the least D, and is (1 - x) (1
-// + 2 x) / 2 <= 9/16 at c = 0; for x > 2/3 it is at most (1 - x) (1 + x) < 9/16. Second bound: g_k - g_l = (u_k - u_l)
-// (1 - c_kl) + sum of u_m (c_km - c_lm) over the others, so |g_k - g_l| <= a (|u_k - u_l| + 1 - u_k - u_l) = a (1 - 2
-// min(u_k, u_l)), whose square is at most a^2 (1 - 4 p), because p <= min (1 - min). And 1 - c_kl^2 <= a (2 - a), D >=
-// 1 - 2 a P. The bracket is at most 2 a (1 - 2 a p); it remains to see that
-//   8 (2 - a) sum p^2 (1 - 2 a p) <= (1 - 2 a P)^2  for a <= 2/5.
-// p (1 - 2 a p) rises up to p = 1 / (4 a), and p <= 1/4. If P <= 1/4, the left side is therefore at most (2 - a)^2 P <=
-// (1 - a/2)^2. If P > 1/4, the quotient of left and right rises with a: its logarithm's derivative is 4 P / (1 - 2 a P)
-// - 1 / (2 - a) - 2 sum p^3 / sum p^2 (1 - 2 a p), the last at most 2 P / (1 - 2 a P) since each p <= P, and 2 P / (1 -
-// 2 a P) >= 1 / (2 - a). So let a = 2/5, and y = sum p^2 / P <= 1/4: sum p^3 >= P y^2 (Cauchy and Schwarz), y <= x^2 by
-// what was said of sum p^2, and y (1 - 4/5 y) rises, so the left side is at most 32/5 (1 - x) x^2 (1 - 4/5 x^2). 25
-// times what is left of the right one is then (3 + 2 x)^2 - 32 (1 - x) x^2 (5 - 4 x^2) = (1 - 2 x)^2 (9 + 48 x - 32
-// x^3) >= 0. The least-squares center is Pythagoras' theorem. And ||R_k x - R_l x|| <= 2 sqrt(1 - c_kl^2) ||x||, as the
-// angle between the rotations is twice that between the quaternions.
+// - First bound: (g_k - g_l)^2 <= 2 (1 - c_kl) D, so the bracket is at most (1 - c_kl) (1 + c_kl + 2 D), which falls
+//   with c_kl. sum p^2 = (x^2 - sum u_k^4) / 2 <= x^2 (1 - x) / 2, since sum u_k u_k^3 >= x^3 (Jensen), and D >= x + c (1
+//   - x) >= x. For x <= 2/3 what is left, x^2 (1 - x) (1 + c + 2 D) / (2 D^2), falls with c at the least D, and is (1 -
+//   x) (1 + 2 x) / 2 <= 9/16 at c = 0; for x > 2/3 it is at most (1 - x) (1 + x) < 9/16.
+// - Second bound: g_k - g_l = (u_k - u_l) (1 - c_kl) + sum of u_m (c_km - c_lm) over the others, so |g_k - g_l| <= a
+//   (|u_k - u_l| + 1 - u_k - u_l) = a (1 - 2 min(u_k, u_l)), whose square is at most a^2 (1 - 4 p), because p <= min (1 -
+//   min). And 1 - c_kl^2 <= a (2 - a), D >= 1 - 2 a P. The bracket is at most 2 a (1 - 2 a p); it remains to see that
+//     8 (2 - a) sum p^2 (1 - 2 a p) <= (1 - 2 a P)^2  for a <= 2/5.
+//   p (1 - 2 a p) rises up to p = 1 / (4 a), and p <= 1/4. If P <= 1/4, the left side is therefore at most (2 - a)^2 P <=
+//   (1 - a/2)^2. If P > 1/4, the quotient of left and right rises with a: its logarithm's derivative is 4 P / (1 - 2 a P)
+//   - 1 / (2 - a) - 2 sum p^3 / sum p^2 (1 - 2 a p), the last at most 2 P / (1 - 2 a P) since each p <= P, and 2 P / (1 -
+//   2 a P) >= 1 / (2 - a). So let a = 2/5, and y = sum p^2 / P: y <= x^2 by what was said of sum p^2, and x < 1/2. sum p^3
+//   >= P y^2 (Cauchy and Schwarz), and y (1 - 4/5 y) rises, so the left side is at most 32/5 (1 - x) x^2 (1 - 4/5 x^2). 25
+//   times what is left of the right one is then (3 + 2 x)^2 - 32 (1 - x) x^2 (5 - 4 x^2) = (1 - 2 x)^2 (9 + 48 x - 32 x^3)
+//   >= 0.
+// - The least-squares center is Pythagoras' theorem.
+// - ||R_k x - R_l x|| <= 2 sqrt(1 - c_kl^2) ||x||, as the angle between the rotations is twice that between the
+//   quaternions.
 #pragma once
 
 #include "lemmas/b6_dual_quaternion_ball.hpp"

@@ -38,16 +38,16 @@ Vec<S, D> broadcast(const float*& numbers) {
   return out;
 }
 
-// The balls of one joint-set's corners: centers, and the radius that they share, without r.
+// The balls of one joint-set's corners: centers, all to be moved by offset, and the radius that they share, without r.
+// sum: of the moved centers, without those that repeat others.
 struct CornerBalls {
-  S* included;
   Vec<S, 3>* center;
+  Vec<S, 3> offset, sum;
   S radius;
 };
 
 struct Scratch {
-  explicit Scratch(int corners) : included(corners), centers(corners), units(corners) {}
-  std::vector<S> included;
+  explicit Scratch(int corners) : centers(corners), units(corners) {}
   std::vector<Vec<S, 3>> centers;
   std::vector<Quaternion<S>> units;
 };
@@ -90,27 +90,39 @@ struct Spherical {
     const Vec<S, 3> x = p - rotation_center;
     const S longer = (abs(x[0]) + abs(x[1])) + abs(x[2]);  // than x
     if (joints == 1) {  // one corner, and a quaternion of unit length
-      out.center[0] = center_images[0] + rotate(transforms[0].rotation, x);
-      out.included[0] = S(1);
+      out.center[0] = center_images[0];
+      out.offset = rotate(transforms[0].rotation, x);
+      out.sum = center_images[0] + out.offset;
       out.radius = S(epsilon * 66) * (longer + size);
       return;
     }
     const JointSetPose<S> pose{transforms, rotation_center, center_images, {}};
     Quaternion<S> direction(S(0), S(0), S(0), S(0));
-    S longest_inverse(1);
-    for (int k = 0; k < m; ++k) {
-      out.included[k] = k < set.certain_corners ? S(1) : read();
+    Vec<S, 3> sum(S(0), S(0), S(0));
+    S longest_inverse(1), count(static_cast<float>(set.certain_corners));
+    const auto place = [&](int k) {
       const std::span<const S> w = weights.read(read);
       const Quaternion<S> blend = blend_quaternion(pose, w);
       const S inverse = S(1) / root(squared_norm(blend));
       longest_inverse = max_of(longest_inverse, inverse);
       units[k] = blend * inverse;
-      direction = direction + units[k] * out.included[k];
       out.center[k] = blend_center(pose, w);
+    };
+    for (int k = 0; k < set.certain_corners; ++k) {
+      place(k);
+      direction = direction + units[k];
+      sum = sum + out.center[k];
+    }
+    for (int k = set.certain_corners; k < m; ++k) {
+      const S included = read();
+      place(k);
+      direction = direction + units[k] * included;
+      sum = sum + out.center[k] * included;
+      count = count + included;
     }
     const RotationBound<S> bound = bound_rotations_packs<float>(std::span<const Quaternion<S>>(units, m), direction);
-    const Vec<S, 3> offset = rotate(bound.apex, x) * bound.center_ratio;
-    for (int k = 0; k < m; ++k) out.center[k] = out.center[k] + offset;
+    out.offset = rotate(bound.apex, x) * bound.center_ratio;
+    out.sum = sum + out.offset * count;
     where(bound.center_ratio == S(0), longest_inverse) = S(1);  // of all rotations none is off
     out.radius = bound.radius_ratio * norm(x) + S(epsilon * float(64 + 2 * n)) * (longer * longest_inverse + size);
   }
@@ -129,9 +141,11 @@ struct Linear {
         const Vec<S, 3> r = broadcast<3>(numbers);
         images[i][row] = dot(r, p) + S(*numbers++);
       }
+    out.offset = out.sum = Vec<S, 3>(S(0), S(0), S(0));
     for (int k = 0; k < m; ++k) {
-      out.included[k] = k < set.certain_corners ? S(1) : read();
+      const S included = k < set.certain_corners ? S(1) : read();
       out.center[k] = combine<S, 3>(weights.read(read), std::span<const Vec<S, 3>>(images.data(), n));
+      out.sum = out.sum + out.center[k] * included;
     }
   }
 };
@@ -170,9 +184,10 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
       int corners = 0;
       for (int e = 0; e < block->set_count; ++e) {
         const BlockSet& set = all.sets[block->first_set + e];
-        CornerBalls& own = of_set[e] = {scratch.included.data() + corners, scratch.centers.data() + corners, S(0)};
+        CornerBalls& own = of_set[e];
+        own.center = scratch.centers.data() + corners;
         corner_balls<Blending>(set, frame, p, read, scratch.units.data(), own);
-        for (int k = 0; k < set.corner_count; ++k) sum = sum + own.center[k] * own.included[k];
+        sum = sum + own.sum;
         corners += set.corner_count;
       }
       Vec<S, 3> center = sum;
@@ -182,7 +197,8 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
         radius = S(0);
         for (int e = 0; e < block->set_count; ++e) {
           const int m = all.sets[block->first_set + e].corner_count;
-          const S far = farthest_squared_distance(center, std::span<const Vec<S, 3>>(of_set[e].center, m));
+          const std::span<const Vec<S, 3>> centers(of_set[e].center, m);
+          const S far = farthest_squared_distance<S, 3>(center - of_set[e].offset, centers);
           radius = max_of(radius, S(root(far) + of_set[e].radius));
         }
       }
@@ -200,12 +216,13 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
       Reader read(all.data + block->first_data, first);
       const S px = read(), py = read(), pz = read();
       read();  // r, which only the merged node needs
-      CornerBalls own{scratch.included.data(), scratch.centers.data(), S(0)};
+      CornerBalls own;
+      own.center = scratch.centers.data();
       corner_balls<Blending>(set, frame, {px, py, pz}, read, scratch.units.data(), own);
       const int* targets = all.targets + block->first_target + first;
       for (int k = 0; k < set.corner_count; ++k) {
         alignas(64) float numbers[4][pack_size];
-        for (int i = 0; i < 3; ++i) own.center[k][i].copy_to(numbers[i], std::experimental::vector_aligned);
+        for (int i = 0; i < 3; ++i) S(own.center[k][i] + own.offset[i]).copy_to(numbers[i], std::experimental::vector_aligned);
         own.radius.copy_to(numbers[3], std::experimental::vector_aligned);
         for (int lane = 0; lane < pack_size; lane += 4) {
           Four rows[4];

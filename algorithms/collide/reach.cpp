@@ -150,7 +150,7 @@ Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement,
 }
 
 void Reach::move(double& low, double& high, double at) const {
-  const double off = lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
+  const double off = least_reach + lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
   low += at - off, high += at + off;
 }
 

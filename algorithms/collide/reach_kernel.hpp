@@ -23,7 +23,8 @@ inline constexpr int reach_lanes = 16;
 inline constexpr int most_reach_joints = 8;  // of a group in a pack
 
 // The share of A for what is off where no squared length of a quaternion is off by more than defect. Where
-// rotation_center takes a direction as undetermined, A lacks up to 2e-3 of f's distance from the prior for each joint.
+// rotation_center takes a direction as undetermined, A lacks up to 2e-3 of f's distance from the prior for each joint;
+// and a single joint, about the prior, turns f by up to 2 defect of that distance elsewhere than its image.
 // And the center itself may be 3e4 A away, where 2 defect of it are the most of this share of A.
 constexpr float off_of_reach(double defect) { return static_cast<float>(0x1p-8 + 6e4 * defect); }
 

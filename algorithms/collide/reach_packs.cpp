@@ -13,7 +13,7 @@ void put_lane(ReachPack& pack, int lane, std::span<const int> joints, const Ball
     for (int k = 0; k < most_reach_joints; ++k) pack.joint[k][to] = joints[k < n ? k : 0];
     for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(ball.center[i]);
     pack.radius[to] = static_cast<float>(ball.radius * (1 + lost_of_reach) + lost_of_reach * n * ball.center.norm());
-    pack.unsolved[to] = n > 1 ? static_cast<float>(to_prior * n / 64) : 0.f;
+    pack.unsolved[to] = static_cast<float>(to_prior * n / 64);
     pack.joint_count[to] = static_cast<float>(n);
     pack.target[to] = target;
   }
@@ -31,7 +31,7 @@ void put_box(ReachPiecePack& pack, int lane, int n, const CenteredBox& box, doub
     }
     pack.lost[to] = static_cast<float>(lost_of_reach * (n * box.center.norm() + half_diagonal));
     pack.spin[to] = static_cast<float>(std::sqrt(2.0 * n * (n - 1)) * half_diagonal * (1 + 1e-6));
-    pack.box_unsolved[to] = n > 1 ? static_cast<float>((to_prior + half_diagonal) * n / 64) : 0.f;
+    pack.box_unsolved[to] = static_cast<float>((to_prior + half_diagonal) * n / 64);
   }
 }
 

@@ -8,8 +8,8 @@ namespace refitlab {
 
 // Of all sizes, for each joint: what is lost, see reach_kernel.hpp.
 inline constexpr float lost_of_reach = 0x1p-15;
-// Of what is greater squares may overflow.
-inline constexpr double largest_reach = 1e15;
+// Of what is greater squares may overflow, and of what is less they may underflow.
+inline constexpr double largest_reach = 1e15, least_reach = 1e-18;
 
 inline bool can_be_reached(const Ball3<double>& ball) {
   return ball.center.cwiseAbs().maxCoeff() < largest_reach && ball.radius < largest_reach;

@@ -179,6 +179,59 @@ PROPTEST(reach_packs) {
       }
     return Checked(ok && farthest > 1e-3, 9, "by up to " + std::to_string(farthest));
   });
+  t.example("a single joint turns about its origin, however far, by a rotation that is not quite of unit length", {},
+            [] {
+              bool ok = true;
+              long tried = 0;
+              for (const double far : {1.0, 100.0, 1e3, 1e5})
+                for (const double off : {-4.9e-7, 0.0, 4.9e-7}) {
+                  Model model;
+                  model.name = "far from its joint";
+                  model.vertices = {{1, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+                  model.triangles = {{0, 1, 2}};
+                  model.joints = {{"far", -1, {far / 3, far, far / 7}}};
+                  model.influences.assign(3, {{0, 1}});
+                  const Character c(std::move(model), {.triangles_per_leaf = 1});
+                  NodeReach nodes(c, {0});
+                  for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+                    Reach reach(c.model, c.sets, skinning);
+                    std::mt19937 random(1);
+                    for (int turn = 0; turn < 20; ++turn) {
+                      Posture posture{{gen::random_rotation(random, 1), {0, 0, 0}}};
+                      posture[0].rotation *= 1 + off;
+                      const auto points = placed_vertices(c, posture, {}, skinning);
+                      const Box6 box = reach.box(posture, {});
+                      ok = ok && holds(box, points, c.vertices[0]) &&
+                           reach.boxes(nodes.packs, posture, {}, nodes.scratch, nodes.boxes) &&
+                           holds(nodes.boxes[0], points, c.vertices[0]);
+                      ++tried;
+                    }
+                  }
+                }
+              return Checked(ok, tried);
+            });
+  t.holds("what is so small that its squares underflow is held too", {.number_type = "float", .cases = 200}, [] {
+    const auto plan = *gen::mesh_plan();
+    const double scale = *rc::gen::element(1e-15, 1e-17, 1e-19, 1e-22, 1e-30, 1e-50);
+    Model model = gen::make_mesh(plan);
+    for (Point3& v : model.vertices) v *= scale;
+    for (auto& joint : model.joints) joint.origin *= scale;
+    const Character c(std::move(model), {.triangles_per_leaf = 1});
+    NodeReach nodes(c, all_nodes(c));
+    if (nodes.packs.empty()) RC_DISCARD("too many joints");
+    std::mt19937 random(plan.seed);
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+      Posture posture = gen::random_posture(c.model, random, 0.5);
+      for (auto& joint : posture) joint.translation *= scale;
+      auto placement = random_placement(random);
+      placement.translation *= scale;
+      Reach reach(c.model, c.sets, skinning);
+      const auto points = placed_vertices(c, posture, placement, skinning);
+      if (!std::isfinite(reach.box(posture, placement)[0])) continue;
+      if (!reach.boxes(nodes.packs, posture, placement, nodes.scratch, nodes.boxes)) continue;
+      for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
+    }
+  });
   t.example("the clusters of a walking man have boxes little larger than their vertices'", {}, [] {
     const Character man(make_man());
     const ClusterTree tree(man, {.most_children = 96});  // one fan
