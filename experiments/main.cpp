@@ -1,5 +1,6 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
 #include <filesystem>
+#include <future>
 #include <iostream>
 
 #include "algorithms/model/procedural.hpp"
@@ -17,6 +18,7 @@
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
+#include "experiments/tightness/worst_twist.hpp"
 
 namespace refitlab {
 namespace {
@@ -24,11 +26,11 @@ namespace {
 void append(auto& all, const auto& results) { all.insert(all.end(), results.begin(), results.end()); }
 
 // The figures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
-void add_figures(const Character& character, const NamedPosture& twist, std::size_t index, std::size_t models,
-                 const std::string& folder, std::vector<Figure>& figures) {
+void add_figures(const Character& character, const NamedPosture& twist, const std::shared_future<NamedPosture>& worst,
+                 std::size_t index, std::size_t models, const std::string& folder, std::vector<Figure>& figures) {
   if (index == 0) {
     append(figures, twist_figures(character, twist, folder));
-    figures.push_back(failing_figure(character, folder));
+    figures.push_back(failing_figure(character, worst.get(), folder));
     figures.push_back(cap_figure(folder));
     figures.push_back(walking_figure(character, folder));
   }
@@ -42,10 +44,13 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
   const std::string identity = identify(model), of_model = " of " + model.name;
   const Character character(std::move(model));
   const NamedPosture twist = figure_twist(character.model);
-  add_figures(character, twist, index, models, options.out + "/report/pictures", report.figures);
+  // Seconds of work: done when first asked for, which a resumed run may never do.
+  const auto worst = std::async(std::launch::deferred, worst_twist, std::cref(character)).share();
+  add_figures(character, twist, worst, index, models, options.out + "/report/pictures", report.figures);
   if (options.wants("tightness"))
-    append(report.tightness, resumed_or(run, "tightness" + of_model, options.tightness, identity,
-                                        [&] { return run_tightness(character, options.tightness); }));
+    append(report.tightness, resumed_or(run, "tightness" + of_model, options.tightness, identity, [&] {
+             return run_tightness(character, {twist, worst.get()}, options.tightness);
+           }));
   if (options.wants("speed")) {
     append(report.speed, resumed_or(run, "speed" + of_model, options.speed, identity,
                                     [&] { return run_speed(character, twist, options.speed); }));

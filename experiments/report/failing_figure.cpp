@@ -4,7 +4,7 @@
 #include "algorithms/skinning/skin.hpp"
 #include "experiments/report/character_scene.hpp"
 #include "experiments/report/html.hpp"
-#include "experiments/tightness/worst_twist.hpp"
+#include "experiments/tightness/misses.hpp"
 
 namespace refitlab {
 namespace {
@@ -13,10 +13,10 @@ constexpr int width = 480, height = 600;
 
 class FailingPosture {
  public:
-  FailingPosture(const Character& c, const std::string& folder)
+  FailingPosture(const Character& c, const NamedPosture& posture, const std::string& folder)
       : c_(c),
         folder_(folder),
-        posture_(worst_twist(c)),
+        posture_(posture),
         pose_(make_skinning_pose(c.model, c.sets, posture_.posture, Skinning::spherical)),
         vertices_(skin(c.model, c.sets, pose_, Skinning::spherical)),
         nodes_(nodes_of_level(c.tree, 0)),
@@ -131,7 +131,7 @@ class FailingPosture {
 
   const Character& c_;
   const std::string& folder_;
-  const NamedPosture posture_;
+  const NamedPosture& posture_;
   const SkinningPose<double> pose_;
   const std::vector<Point3> vertices_;
   const std::vector<int> nodes_;
@@ -142,8 +142,8 @@ class FailingPosture {
 
 }  // namespace
 
-Figure failing_figure(const Character& character, const std::string& folder) {
-  return FailingPosture(character, folder).figure();
+Figure failing_figure(const Character& character, const NamedPosture& worst, const std::string& folder) {
+  return FailingPosture(character, worst, folder).figure();
 }
 
 }  // namespace refitlab

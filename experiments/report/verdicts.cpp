@@ -22,11 +22,9 @@ void add_row(LemmaVerdict& v, const ResultTable& table, std::size_t row) {
   if (form == "printed" && verdict == "refuted")
     v.refuted_after = v.refuted_after ? std::min(v.refuted_after, cases) : cases;
   if (form == "printed" && verdict == "holds") v.printed_cases += cases;
-  if (form != "printed" && verdict == "holds" && cases > 0) {
-    v.degenerate_share = (v.degenerate_share * static_cast<double>(v.cases) +
-                          table.number(row, "degenerate_share") * static_cast<double>(cases)) /
-                         static_cast<double>(v.cases + cases);
+  if (form != "printed" && verdict == "holds") {
     v.cases += cases;
+    v.degenerate += table.number(row, "degenerate_share") * static_cast<double>(cases);
   }
 }
 
@@ -38,7 +36,8 @@ void write_row(std::ostringstream& out, const LemmaVerdict& v, const std::string
   else if (v.refuted_after) out << "<span class=\"bad\">refuted</span> after " << v.refuted_after;
   else if (v.printed_cases) out << "holds (" << v.printed_cases << ")";
   out << "</td><td>";
-  if (!v.failed && v.cases) out << "holds (" << v.cases << format(", %.0f %% degenerate)", 100 * v.degenerate_share);
+  if (!v.failed && v.cases)
+    out << "holds (" << v.cases << format(", %.0f %% degenerate)", 100 * v.degenerate / static_cast<double>(v.cases));
   out << "</td><td>";
   for (std::size_t i = 0; i < v.number_types.size(); ++i) out << (i ? ", " : "") << escape_html(v.number_types[i]);
   out << "</td></tr>\n";

@@ -14,7 +14,7 @@ struct LemmaVerdict {
   bool failed = false;                // a test failed: nothing is said
   long refuted_after = 0;             // cases until the first counterexample to what is printed; 0: none was found
   long printed_cases = 0, cases = 0;  // in which what is printed, or repaired, held
-  double degenerate_share = 0;        // of the latter
+  double degenerate = 0;              // of the latter
   std::vector<std::string> number_types;
 };
 

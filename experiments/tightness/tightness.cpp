@@ -5,7 +5,6 @@
 
 #include "algorithms/results/result_file.hpp"
 #include "experiments/scenes/contenders.hpp"
-#include "experiments/tightness/worst_twist.hpp"
 
 namespace refitlab {
 namespace {
@@ -55,13 +54,11 @@ std::vector<double> paper_ratios_to_optimal() {
   return ratios;
 }
 
-std::vector<TightnessResult> run_tightness(const Character& c, const TightnessSettings& settings) {
+std::vector<TightnessResult> run_tightness(const Character& c, const std::vector<NamedPosture>& postures,
+                                           const TightnessSettings& settings) {
   std::vector<TightnessResult> results;
   auto sets = posture_sets(c.model, settings.times_per_clip);
-  const auto [name, posture] = figure_twist(c.model);
-  sets.push_back({name, {posture}});
-  const auto [worst_name, worst_posture] = worst_twist(c);
-  sets.push_back({worst_name, {worst_posture}});
+  for (const auto& [name, posture] : postures) sets.push_back({name, {posture}});
   for (std::size_t i = 0; i < sets.size(); ++i) {
     std::cout << "[tightness] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
               << sets[i].postures.size() << " postures" << std::endl;

@@ -18,8 +18,9 @@ struct TightnessSettings {
   int times_per_clip = 50;
 };
 
-// Runs all postures of one model with progress on stdout, and prints its tables.
-std::vector<TightnessResult> run_tightness(const Character& character, const TightnessSettings& settings);
+// Runs all clips of one model, and these postures, with progress on stdout, and prints its tables.
+std::vector<TightnessResult> run_tightness(const Character& character, const std::vector<NamedPosture>& postures,
+                                           const TightnessSettings& settings);
 
 // All results as out/results/tightness.csv.
 void write_tightness(const std::vector<TightnessResult>& results, const std::string& path);

@@ -10,11 +10,10 @@
 namespace refitlab {
 namespace {
 
-// How many balls are defined and yet have a vertex outside.
-long count_misses(const Character& c, const Posture& posture, const RefitVariant& variant) {
+// How many balls of all nodes are defined and yet have a vertex outside.
+long count_misses(const Character& c, std::span<const int> nodes, const Posture& posture, const RefitVariant& variant) {
   const auto pose = make_skinning_pose(c.model, c.sets, posture, variant.skinning);
-  const auto misses = find_misses(c, nodes_of_level(c.tree, 0), c.refit_all(variant, pose),
-                                  skin(c.model, c.sets, pose, variant.skinning));
+  const auto misses = find_misses(c, nodes, c.refit_all(variant, pose), skin(c.model, c.sets, pose, variant.skinning));
   return misses.ball_count() - misses.undefined;
 }
 
@@ -26,11 +25,13 @@ NamedPosture worst_twist(const Character& c) {
     int joint = 0, degrees = 0;
   } worst;
   std::mutex guard;
+  const auto nodes = nodes_of_level(c.tree, 0);
   const int angles[] = {90, 120, 150, 175};
   const RefitVariant& printed = refit_variant("spherical_printed_signed");
   parallel_for(c.model.joints.size() * std::size(angles), [&](std::size_t i) {
     const int joint = static_cast<int>(i / std::size(angles)), degrees = angles[i % std::size(angles)];
-    const long misses = count_misses(c, twist_posture(c.model, joint, degrees * std::numbers::pi / 180), printed);
+    const Posture posture = twist_posture(c.model, joint, degrees * std::numbers::pi / 180);
+    const long misses = count_misses(c, nodes, posture, printed);
     const std::lock_guard lock(guard);
     if (std::tuple(misses, -joint, -degrees) > std::tuple(worst.misses, -worst.joint, -worst.degrees))
       worst = {misses, joint, degrees};

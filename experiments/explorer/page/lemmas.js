@@ -3,6 +3,7 @@ import * as THREE from 'three';
 import {Stage, colors, dispose, isDark, label} from './stage.js';
 import {element} from './dom.js';
 
+// left: the label is to the left, as a point whose label is to the right is near.
 const roles = {
   surface: {color: () => (isDark() ? 0x8b99a5 : 0x8a97a3), opacity: 0.1},
   ball: {color: () => colors.sky, opacity: 0.22},
@@ -10,9 +11,10 @@ const roles = {
   repaired: {color: () => colors.blue, opacity: 0.2},
   cap: {color: () => colors.yellow, opacity: 0.45},
   half_space: {color: () => colors.green, opacity: 0.22},
-  normal: {color: () => colors.green}, foot: {color: () => colors.green, size: 0.03},
+  normal: {color: () => colors.green}, foot: {color: () => colors.green, size: 0.03, left: true},
   hull: {color: () => (isDark() ? 0xdfe6ea : 0x33404a)}, other_hull: {color: () => colors.blue}, rim: {color: () => colors.blue},
   ray: {color: () => colors.pink}, blend: {color: () => colors.pink, size: 0.04},
+  partner: {color: () => colors.blue, size: 0.05, left: true},
   quaternion: {color: () => (isDark() ? 0xffffff : 0x15181b), size: 0.04}, unit: {color: () => colors.blue, size: 0.035},
   apex: {color: () => colors.yellow, size: 0.045}, center: {color: () => colors.blue, size: 0.035},
   printed_center: {color: () => colors.orange, size: 0.035},
@@ -119,12 +121,13 @@ export class LemmaView {
 
   point({role, label: text, at}) {
     // Inside and outside differ by form too: a ball, a diamond.
-    const size = roles[role].size;
+    const {size, left} = roles[role];
     const shape = role === 'outside' ? new THREE.OctahedronGeometry(size * 1.3) : new THREE.SphereGeometry(size, 20, 14);
     shape.translate(...at);
     this.mesh(shape, role);
     const name = label(text, 0.13);
     name.position.set(...at);
+    if (left) name.center.x = 1.08;
     this.drawing.add(name);
   }
 }

@@ -48,7 +48,7 @@ void lemma2_scene(const Values& k, Scene<S>& scene) {
   scene.line("ray", origin, a);
   scene.line("ray", origin, b);
   scene.point("blend", "a", a);
-  scene.point("inside", "b", b);
+  scene.point("partner", "b", b);
 
   scene.number("scale k, a = k b", partner.scale);
   scene.verdict("", "the blend is not 0", less(S(0), squared_norm(a)));
