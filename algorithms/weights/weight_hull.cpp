@@ -50,6 +50,7 @@ std::vector<Row> hull_of_four(const std::vector<Row>& rows) {
     for (auto v = body.points_begin(); v != body.points_end(); ++v) out.push_back(complete({v->x(), v->y(), v->z()}));
   else
     out = rows;  // in a plane or on a line: their corners are rarely fewer
+  std::sort(out.begin(), out.end());  // CGAL's order goes by where its memory happens to be
   return out;
 }
 

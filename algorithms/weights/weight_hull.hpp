@@ -12,7 +12,8 @@ namespace refitlab {
 std::vector<std::vector<double>> weight_corners(const std::vector<std::span<const double>>& weights);
 
 // The extreme points among rows with n <= 4 weights, exactly (n = 2: the interval's ends; n = 3 and 4: a convex hull in
-// the plane and in space with exact predicates). For n > 4 all distinct rows.
+// the plane and in space with exact predicates). For n > 4 all distinct rows. Their order does not depend on that of
+// weights.
 std::vector<std::vector<double>> extreme_rows(const std::vector<std::span<const double>>& weights);
 
 }  // namespace refitlab

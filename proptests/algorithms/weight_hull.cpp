@@ -123,6 +123,15 @@ PROPTEST(weight_hull) {
               RC_ASSERT(others.empty() || !oracle::as_convex_combination(others, rows[i]));
             }
           });
+  t.holds("the extreme rows come in one order, whatever that of the rows, and those of four weights in ascending order",
+          options, [] {
+            Weights w = draw(6);
+            RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
+            const Rows found = extreme_rows(w.spans());
+            RC_ASSERT(w.n != 4 || std::is_sorted(found.begin(), found.end()));
+            std::rotate(w.rows.begin(), w.rows.begin() + 1, w.rows.end());
+            RC_ASSERT(extreme_rows(w.spans()) == found);
+          });
   t.example("a triangle inside its box keeps its three corners; a full box of rows keeps the fewer ones", {}, [] {
     const Rows triangle{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}, {0.375, 0.375, 0.25}};
     const Rows segment{{0.25, 0.75}, {0.5, 0.5}, {0.75, 0.25}};
