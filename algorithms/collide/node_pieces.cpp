@@ -17,13 +17,10 @@ Ball3<double> float_ball(const std::vector<Point3>& points) {
   return {center, float_above(radius * (1 + 1e-15))};
 }
 
-CenteredBox float_box(const std::vector<Point3>& points) {
-  Point3 low = points[0], high = points[0], half = Point3::Zero();
+CenteredBox box_of(const std::vector<Point3>& points) {
+  Point3 low = points[0], high = points[0];
   for (const Point3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const Point3 center = ((low + high) / 2).cast<float>().cast<double>();
-  for (const Point3& p : points) half = half.cwiseMax((p - center).cwiseAbs());
-  for (double& h : half) h = float_above(h * (1 + 1e-15));
-  return {center, half};
+  return {(low + high) / 2, (high - low) / 2};
 }
 
 NodePiece piece_of(const Character& c, int joint_set, const std::vector<int>& vertices, int target) {
@@ -36,7 +33,7 @@ NodePiece piece_of(const Character& c, int joint_set, const std::vector<int>& ve
   }
   double rest = 1;
   for (const double l : low) rest -= l;
-  return {joint_set, float_ball(points), float_box(points), low, std::max(rest, 0.0), target};
+  return {joint_set, float_ball(points), box_of(points), low, std::max(rest, 0.0), target};
 }
 
 }  // namespace

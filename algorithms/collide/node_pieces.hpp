@@ -16,7 +16,7 @@ struct CenteredBox {
 struct NodePiece {
   int joint_set;
   Ball3<double> reference;  // around its vertices in the reference posture; its numbers are floats
-  CenteredBox box;          // likewise
+  CenteredBox box;          // likewise around them, but its numbers are doubles
   std::vector<double> low;  // the least weights of its joints
   double rest;              // 1 - sum low, at least 0
   int target;               // the node's position in a list
