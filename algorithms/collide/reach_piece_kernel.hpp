@@ -6,7 +6,7 @@
 //
 // Rounding, with the names of reach_kernel.hpp. A rotation's matrix is off by 48 u from the quaternion and, element by
 // element, by 5 u at most: below 60 u in all, and an image by less than the 80 u found there. |R| h is off by 60 u
-// ||h||, 3 u ||h|| and 102 u ||h|| for lengths that are not 1: below lost ||h||. c is lowered by more than it may be
+// ||h||, 5 u ||h|| and 102 u ||h|| for lengths that are not 1: below lost ||h||. c is lowered by more than it may be
 // off, so that 1 - c^2 is not too small, and its root's rounding is within that of spin.
 #pragma once
 

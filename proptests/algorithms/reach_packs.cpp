@@ -263,6 +263,19 @@ PROPTEST(reach_packs) {
     }
     return Checked(ok, 3 * 10 * count, text);
   });
+  t.example("nothing is known of nodes between joints half a turn apart", {}, [] {
+    const Character c(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
+    NodeReach nodes(c, {0});
+    Reach reach(c.model, c.sets, Skinning::spherical);
+    Posture posture(c.model.joints.size());
+    const auto is_bounded = [&] {
+      return std::isfinite(reach.box(posture, {})[0]) &&
+             reach.boxes(nodes.packs, posture, {}, nodes.scratch, nodes.boxes);
+    };
+    const bool at_rest = is_bounded();
+    for (std::size_t j = 1; j < posture.size(); j += 2) posture[j].rotation = {0, 1, 0, 0};
+    return at_rest && !is_bounded();
+  });
   t.example("pieces of too many joints or too far away have no packs", {}, [] {
     Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     const Character near(model);
