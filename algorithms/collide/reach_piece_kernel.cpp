@@ -1,5 +1,7 @@
 #include "algorithms/collide/reach_piece_kernel.hpp"
 
+#include <array>
+
 #include "algorithms/collide/reach_lanes.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
