@@ -1,5 +1,4 @@
-// ClusterTree: a character as the fast queries see it. Few wide fans of bounded nodes on top, clusters of triangles
-// below.
+// ClusterTree: a character as the fast queries see it. Wide fans of bounded nodes on top, clusters of triangles below.
 //
 // Bounding a node costs more than skinning the few vertices under it once it is small, so bounds end at clusters of
 // some hundred triangles; what is inside a cluster that a query reaches is skinned and put into boxes. Above, nodes are
