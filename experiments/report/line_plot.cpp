@@ -21,19 +21,22 @@ struct Axis {
   }
 };
 
-std::string number(double value) {
+std::string number(double value, int digits = 4) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
 }
 
-// Round steps of 1, 2 or 5 times a power of ten, about six of them; on a log axis 1, 2, 5 of each decade.
+// Round steps of 1, 2 or 5 times a power of ten, about six of them; on a log axis 1, 2, 5 of each decade, or, of more than
+// two, powers of ten.
 std::vector<double> ticks(const Axis& axis) {
   std::vector<double> out;
   if (axis.log) {
+    const bool is_long = axis.high > 100 * axis.low;
     for (double decade = std::pow(10, std::floor(std::log10(axis.low))); decade <= axis.high; decade *= 10)
       for (const double m : {1.0, 2.0, 5.0})
-        if (decade * m >= axis.low * 0.999 && decade * m <= axis.high * 1.001) out.push_back(decade * m);
+        if ((m == 1 || !is_long) && decade * m >= axis.low * 0.999 && decade * m <= axis.high * 1.001)
+          out.push_back(decade * m);
     return out;
   }
   const double rough = (axis.high - axis.low) / 6, power = std::pow(10, std::floor(std::log10(rough)));
@@ -71,9 +74,9 @@ std::string LinePlot::svg() const {
       << "\">\n<text class=\"title\" x=\"" << left << "\" y=\"18\">" << escape_html(title) << "</text>\n";
   for (const double t : ticks(y))
     out << "<line class=\"grid\" x1=\"" << left << "\" x2=\"" << width - right << "\" y1=\"" << py(t) << "\" y2=\"" << py(t)
-        << "\"/><text text-anchor=\"end\" x=\"" << left - 6 << "\" y=\"" << py(t) + 4 << "\">" << number(t) << "</text>\n";
+        << "\"/><text text-anchor=\"end\" x=\"" << left - 6 << "\" y=\"" << py(t) + 4 << "\">" << number(t, 6) << "</text>\n";
   for (const double t : ticks(x))
-    out << "<text text-anchor=\"middle\" x=\"" << px(t) << "\" y=\"" << height - bottom + 16 << "\">" << number(t) << "</text>\n";
+    out << "<text text-anchor=\"middle\" x=\"" << px(t) << "\" y=\"" << height - bottom + 16 << "\">" << number(t, 6) << "</text>\n";
   out << "<text text-anchor=\"middle\" x=\"" << (left + width - right) / 2 << "\" y=\"" << height - 8 << "\">" << escape_html(x_label)
       << "</text>\n<text text-anchor=\"middle\" transform=\"translate(14," << (top + height - bottom) / 2 << ") rotate(-90)\">"
       << escape_html(y_label) << "</text>\n";
