@@ -54,8 +54,8 @@ std::pair<Point, Point> long_side(std::span<const Ball3<double>> balls) {
 }  // namespace
 
 std::array<Quaternion<double>, 5> box_orientations(std::span<const Ball3<double>> balls) {
-  const auto [a, b] = long_side(balls);
-  const Point side = b - a;
+  const auto ends = long_side(balls);
+  const Point a = ends.first, b = ends.second, side = b - a;
   const auto squared_area = [&](const Ball3<double>& ball) { return side.cross(ball.center - a).squaredNorm(); };
   const Point c = std::max_element(balls.begin(), balls.end(), [&](const auto& p, const auto& q) {
                     return squared_area(p) < squared_area(q);
