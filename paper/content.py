@@ -125,11 +125,14 @@ def numbers(results, folder):
         out[f"repaired.{scene}"] = digits(time_of(results, scene, "spherical_repaired") / time_of(results, scene, "clusters"), 2)
     most = largest_growth(results)
     out["growth.triangles"] = whole_number(most)
-    out["growth.engine"] = digits(grown_time(results, most, "near", "embree") / grown_time(results, most, "near", "clusters"), 2)
+    for scene in GROWN_SCENES:
+        out[f"growth.engine.{scene}"] = digits(
+            grown_time(results, most, scene, "embree") / grown_time(results, most, scene, "clusters"), 2)
     for detector in ["clusters", "skin_all_simd", "embree"]:
         for scene in GROWN_SCENES:
-            out[f"exponent.{detector}.{scene}"] = digits(results.number(
-                "triangle_growth", model="man", posture=scene, variant=detector, quantity="triangle_exponent"), 2)
+            exponent = results.number(
+                "triangle_growth", model="man", posture=scene, variant=detector, quantity="triangle_exponent")
+            out[f"exponent.{detector}.{scene}"] = f"${digits(exponent, 2)}$"
     snakes = results.select("joint_growth", variant="own", quantity="joint_sets")
     largest = max(snakes, key=lambda row: float(row["value"]))["model"]
     ns = {v: results.number("joint_growth", model=largest, variant=v, quantity=q) for v, q in
