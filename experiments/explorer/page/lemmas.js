@@ -57,8 +57,8 @@ export class LemmaView {
         element('label', {htmlFor: `s-${id}-${i}`}, element('span', {}, `${s.label} `, this.outputs[i]), this.sliders[i])));
     this.root.querySelector('.presets').replaceChildren(...page.presets.map(p => element('button', {
       type: 'button', textContent: p.label, onclick: () => (p.values.forEach((v, i) => (this.sliders[i].value = v)), this.show())})));
-    const wide = id === 'whole_sphere';
-    this.stage.look(wide ? [0.6, 1.2, 7.6] : [1.6, 1.3, 4.2], wide ? [0, 0, 0] : [0.2, 0.1, 0]);
+    const view = {whole_sphere: [[0.6, 1.2, 7.6], [0, 0, 0]], lemma2: [[2.2, 1.8, 5.8], [0.2, 0.1, 0]]};
+    this.stage.look(...(view[id] ?? [[1.6, 1.3, 4.2], [0.2, 0.1, 0]]));
     this.show();
   }
 
