@@ -127,6 +127,7 @@ void Reach::add_about_centers(const Group& g, const Posture& posture, const Quat
 }
 
 Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
+  defect_.reset();
   ReachBounds bounds;
   reach_kernels(target).bound(posture[0].rotation.data(), static_cast<int>(posture.size()), placement.rotation.data(),
                               packs_.data(), static_cast<int>(packs_.size()), strays(), numbers_.data()->lane.data(),
@@ -159,10 +160,12 @@ bool Reach::boxes(std::span<const ReachPiecePack> packs, const Posture& posture,
                   Target target) {
   constexpr float none = std::numeric_limits<float>::infinity();
   for (FlippedBox& b : scratch) std::fill(std::begin(b.of), std::end(b.of), none);
-  double defect = 0;
-  for (const auto& joint : posture) defect = std::max(defect, std::abs(squared_norm(joint.rotation) - 1));
+  if (!defect_) {
+    defect_ = 0;
+    for (const auto& joint : posture) defect_ = std::max(*defect_, std::abs(squared_norm(joint.rotation) - 1));
+  }
   if (!bound_reach_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(posture.size()), joint_room_,
-                                  packs.data(), static_cast<int>(packs.size()), strays(), off_of_reach(defect),
+                                  packs.data(), static_cast<int>(packs.size()), strays(), off_of_reach(*defect_),
                                   scratch.data()))
     return false;
   for (std::size_t i = 0; i < out.size(); ++i)

@@ -7,6 +7,8 @@
 // and few groups are left.
 #pragma once
 
+#include <optional>
+
 #include "algorithms/collide/box_kernel.hpp"
 #include "algorithms/collide/reach_packs.hpp"
 #include "algorithms/packs/lanes.hpp"
@@ -66,6 +68,7 @@ class Reach {
   std::vector<Lanes<float>> numbers_;
   std::vector<std::uint32_t> unbounded_;
   double lost_of_joints_ = 0;
+  std::optional<double> defect_;  // the largest | ||q||^2 - 1 | of the joints, once nodes are bounded
 };
 
 }  // namespace refitlab
