@@ -18,11 +18,10 @@ inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)}, beyond_the_first{11, -10};
 // A turn by 33 degrees about the x axis, with the sign that takes the long way round: half-way y is at -y, as far as
 // can be from the two images, which are close together.
 inline const Transforms long_way{{identity, origin}, {{Q(-24, 25), Q(7, 25), 0, 0}, origin}};
-inline const Transforms short_way{{identity, origin}, {{Q(24, 25), Q(7, 25), 0, 0}, origin}};
+inline const Q short_cosine(24, 25);
+inline const Transforms short_way{{identity, origin}, {{short_cosine, Q(7, 25), 0, 0}, origin}};
 // The second outweighs the first, whatever the weights.
 inline const Transforms unequal{{identity, origin}, {{Q(2400, 25), Q(700, 25), 0, 0}, origin}};
-// Half-way the y axis strays by as much as two joints can.
-inline const Q short_cosine(24, 25);
 // Nothing moves the origin, but a rotation center elsewhere makes it move.
 inline const Point elsewhere(0, 10, 0);
 

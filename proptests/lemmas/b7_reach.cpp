@@ -181,8 +181,8 @@ PROPTEST(b7_reach) {
   strays_without("the cosine is no greater than theirs", "a greater cosine promises too much", b7::short_way, b7::Q(1),
                  b7::halves);
   strays_without("the quaternions are of unit length", "a long quaternion outweighs the others", b7::unequal,
-                 b7::Q(24, 25), b7::halves);
-  strays_without("the weights are convex", "beyond the joints a point strays too far", b7::short_way, b7::Q(24, 25),
+                 b7::short_cosine, b7::halves);
+  strays_without("the weights are convex", "beyond the joints a point strays too far", b7::short_way, b7::short_cosine,
                  b7::beyond_the_first);
   t.example("two joints at halves stray by just the second bound", {.form = "beyond"}, [] {
     const auto found = dual_reach(b7::short_way, b7::short_cosine, b7::y_axis, Span(b7::halves), b7::y_axis);
@@ -194,7 +194,7 @@ PROPTEST(b7_reach) {
             {.form = "beyond", .hypothesis = "the center is least-squares"}, [] {
               const Span u(b7::halves);
               return is_least_squares_center(b7::short_way, b7::elsewhere) == Verdict::fails &&
-                     spherical_reach(b7::short_way, b7::Q(24, 25), b7::elsewhere, b7::origin, u, b7::origin).verdict ==
+                     spherical_reach(b7::short_way, b7::short_cosine, b7::elsewhere, b7::origin, u, b7::origin).verdict ==
                          Verdict::fails;
             });
 }
