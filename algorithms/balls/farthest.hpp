@@ -53,7 +53,8 @@ class Farthest {
     next_ -= Int(2);
   }
   S value() const { return max_of(S(greatest_[0]), S(greatest_[1])); }
-  // Its index, or that of another that differs only in its last bits; the smallest index of equal ones.
+  // Its index, or that of another that differs only in its last bits; the smallest index of equal ones. Of what was seen,
+  // whatever the numbers were: NaNs, or keys that the processor takes for zeros, leave the first one.
   int index() const {
     const Pair<Int> key = (Pair<Int>)greatest_key_;
     return most - 1 - static_cast<int>((key[0] < key[1] ? key[1] : key[0]) & Int(most - 1));
@@ -64,8 +65,8 @@ class Farthest {
   using Int = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
   static_assert((most & (most - 1)) == 0);
   static constexpr Pair<Int> index_bits{most - 1, most - 1};
-  Pair<S> greatest_{}, greatest_key_{};
   Pair<Int> next_{most - 1, most - 2};
+  Pair<S> greatest_{}, greatest_key_ = (Pair<S>)next_;
 };
 
 }  // namespace refitlab

@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -52,6 +54,7 @@ Ball3<double> solve_exactly(std::span<const Ball3<double>> balls) {
 }  // namespace
 
 Ball3<double> smallest_ball_of_balls(std::span<const Ball3<double>> balls) {
+  const DefaultFloatEnvironment environment;
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   for (const auto& b : balls)
     if (!b.center.allFinite() || !(b.radius >= 0) || !std::isfinite(b.radius))

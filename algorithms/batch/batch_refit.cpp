@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "algorithms/batch/single_precision.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -18,6 +19,7 @@ void append(std::vector<float>& to, const Vec<double, D>& v) {
 }  // namespace
 
 const PackedBalls& BatchRefit::spherical(const SkinningPose<double>& pose, Target target) {
+  const DefaultFloatEnvironment environment;
   numbers_.clear(), first_number_.clear();
   for (std::size_t s = 0; s < pose.size(); ++s) {
     const JointSetPose<double> set = pose[s];
@@ -38,6 +40,7 @@ const PackedBalls& BatchRefit::spherical(const SkinningPose<double>& pose, Targe
 }
 
 const PackedBalls& BatchRefit::linear(const SkinningPose<double>& pose, Target target) {
+  const DefaultFloatEnvironment environment;
   numbers_.clear(), first_number_.clear();
   for (std::size_t s = 0; s < pose.size(); ++s) {
     const JointSetPose<double> set = pose[s];

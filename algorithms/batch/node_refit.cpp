@@ -7,6 +7,7 @@
 #include "algorithms/batch/refit_kernel.hpp"
 #include "algorithms/batch/single_precision.hpp"
 #include "algorithms/packs/float_above.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -42,6 +43,7 @@ Four rotated(const Four& unit, const Four& x) {
 }  // namespace
 
 NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tree.joint_sets), sets_(sets.count()) {
+  const DefaultFloatEnvironment environment;
   for (const double w : tree.corner_weights) weights_.push_back(static_cast<float>(w));  // exact
   int most_corners = 0, most_pieces = 0;
   for (const TreeNode& n : tree.nodes) {
@@ -57,6 +59,7 @@ NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tr
 }
 
 void NodeRefit::begin(const SkinningPose<double>& pose) {
+  const DefaultFloatEnvironment environment;
   joints_.clear();
   for (std::size_t s = 0; s < pose.size(); ++s) {
     const JointSetPose<double> set = pose[s];
@@ -109,6 +112,7 @@ float NodeRefit::place_corners(const NodeJointSet& piece, const Four& p, Corner*
 }
 
 Ball3<float> NodeRefit::operator()(int node) {
+  const DefaultFloatEnvironment environment;
   const Node& n = nodes_[node];
   const std::span<const NodeJointSet> pieces(pieces_.data() + n.first_piece, n.piece_count);
   Four sum = {0, 0, 0, 0};

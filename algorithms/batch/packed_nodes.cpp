@@ -6,6 +6,7 @@
 #include <map>
 
 #include "algorithms/packs/float_above.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -45,6 +46,7 @@ constexpr auto has_fewer_corners = [](const auto& a, const auto& b) {
 }  // namespace
 
 PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places_(tree.nodes.size()) {
+  const DefaultFloatEnvironment environment;
   std::map<std::vector<int>, std::vector<Item>> by_sets;
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     const TreeNode& node = tree.nodes[n];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -33,6 +35,7 @@ PackedVertices::PackedVertices(const Model& model, const JointSets& sets, std::s
 PackedVertices::PackedVertices(const Model& model, const JointSets& sets) { add_group(model, sets, all_vertices(model)); }
 
 void PackedVertices::add_group(const Model& model, const JointSets& sets, std::vector<int> group) {
+  const DefaultFloatEnvironment environment;
   std::stable_sort(group.begin(), group.end(), [&](int a, int b) { return sets.of_vertex(a) < sets.of_vertex(b); });
   for (std::size_t first = 0, next; first < group.size(); first = next) {
     const int set = sets.of_vertex(group[first]);
@@ -62,6 +65,7 @@ std::span<const int> PackedVertices::vertices(int group) const {
 
 void PackedVertices::skin_group(int group, const SkinningPose<double>& pose, Skinning skinning, SkinnedVertices& out,
                                 Target target) const {
+  const DefaultFloatEnvironment environment;
   const SkinRun run = kernel(skinning, target);
   const std::size_t size = 3 * vertices(group).size() / lanes;
   if (out.blocks.size() < size) out.blocks.resize(size);
@@ -70,6 +74,7 @@ void PackedVertices::skin_group(int group, const SkinningPose<double>& pose, Ski
 }
 
 void PackedVertices::skin_all(const SkinningPose<double>& pose, Skinning skinning, std::span<Point3> out, Target target) const {
+  const DefaultFloatEnvironment environment;
   const SkinRun run = kernel(skinning, target);
   std::vector<Lanes<double>> images;
   for (const Run& r : runs_) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/rotation_center.hpp"
 
 namespace refitlab {
@@ -17,6 +18,7 @@ PosePacks::PosePacks(const Model& model, const JointSets& sets, Skinning skinnin
 }
 
 void PosePacks::add(int joint_set, std::size_t first_slot) {
+  const DefaultFloatEnvironment environment;
   const auto joints = sets_.joints(joint_set);
   auto& packs = packs_[joints.size() - 1];
   int& lane = lanes_[joints.size() - 1];
@@ -37,6 +39,7 @@ void PosePacks::add(int joint_set, std::size_t first_slot) {
 }
 
 void PosePacks::make(const Posture& posture, SkinningPose<double>& pose, Target target) const {
+  const DefaultFloatEnvironment environment;
   check_posture(model_, posture);
   const auto out = room(pose);
   for (int part = 0; part < part_count(); ++part) make_part(part, posture, out, target);
@@ -44,6 +47,7 @@ void PosePacks::make(const Posture& posture, SkinningPose<double>& pose, Target 
 
 void PosePacks::make_part(int part, const Posture& posture, const SkinningPose<double>::Arrays& out,
                           Target target) const {
+  const DefaultFloatEnvironment environment;
   static_assert(sizeof(RigidTransform<double>) == 8 * sizeof(double));
   const auto [joint_count, at] = parts_[part];
   if (joint_count > 0) {

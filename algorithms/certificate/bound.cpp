@@ -1,5 +1,6 @@
 #include "algorithms/certificate/bound.hpp"
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/refit/dual_quaternion.hpp"
 #include "algorithms/skinning/convert_pose.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
@@ -214,6 +215,7 @@ bool linear_holds(const JointSetPose<Rational>& pose, const std::vector<std::vec
 
 std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning,
                                 const Ball3<double>& ball) {
+  const DefaultFloatEnvironment environment;
   const NodeJointSet& set = node.joint_sets[piece];
   const JointSetPose<double> rounded = node.pose[set.joint_set];
   const OwnedJointSetPose<Rational> owned = convert<Rational>(rounded);

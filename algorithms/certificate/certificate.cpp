@@ -5,6 +5,7 @@
 
 #include "algorithms/certificate/bound.hpp"
 #include "algorithms/certificate/sha256.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/queries/refit_query.hpp"  // as_text
 
 namespace refitlab {
@@ -103,6 +104,7 @@ const char* name_of(Skinning skinning) {
 
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball,
                         const std::string& about) {
+  const DefaultFloatEnvironment environment;
   json document;
   document["about"] = about;
   document["ball"] = json_of(ball);

@@ -1,10 +1,12 @@
 #include "algorithms/collide/body.hpp"
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/blend.hpp"
 
 namespace refitlab {
 
 void Body::begin(const Posture& posture) {
+  const DefaultFloatEnvironment environment;
   pose_packs_.make(posture, pose_);
   pose_.measure();
   balls_.begin(pose_);
@@ -18,6 +20,7 @@ TrianglePoints Body::triangle(int triangle) {
 }
 
 const Point3& Body::vertex(int v) {
+  const DefaultFloatEnvironment environment;
   if (!made_.is_made(v)) {
     skinned_[v] = blend<double>(skinning_, pose_[character_.sets.of_vertex(v)], character_.sets.weights(v),
                                 character_.model.vertices[v]);

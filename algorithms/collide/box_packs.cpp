@@ -6,6 +6,7 @@
 
 #include "algorithms/collide/box_kernel.hpp"
 #include "algorithms/packs/float_above.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -67,6 +68,7 @@ void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose
 }  // namespace
 
 BoxPieces make_box_pieces(const Character& c, std::span<const NodePiece> pieces) {
+  const DefaultFloatEnvironment environment;
   PieceMaker maker(c);
   for (const NodePiece& piece : pieces) maker.add(piece);
   return maker.take();
@@ -82,6 +84,7 @@ JointFloats::JointFloats(const JointSets& sets) : centers(8 * sets.count()) {
 }
 
 void JointFloats::fill(const SkinningPose<double>& pose, Skinning skinning) {
+  const DefaultFloatEnvironment environment;
   float* out = slots.data();
   for (std::size_t s = 0; s < pose.size(); ++s) {
     const JointSetPose<double>& set = pose[s];
@@ -101,6 +104,7 @@ void JointFloats::fill(const SkinningPose<double>& pose, Skinning skinning) {
 void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
                  const SkinningPose<double>& pose, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
                  Target target) {
+  const DefaultFloatEnvironment environment;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   for (FlippedBox& b : boxes) std::fill(std::begin(b.of), std::end(b.of), infinity);
   float matrix[9];

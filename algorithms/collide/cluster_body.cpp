@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/collide/placement.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/blend.hpp"
 
 namespace refitlab {
@@ -43,6 +44,7 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
 }
 
 void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& placement) {
+  const DefaultFloatEnvironment environment;
   check_placement(placement, "a body's placement");
   const Model& model = tree_.character().model;
   bool is_rigid = posture.size() == model.joints.size();
@@ -74,6 +76,7 @@ const Box6& ClusterBody::fan_box(int fan) {
 }
 
 void ClusterBody::bound_fan(int f) {
+  const DefaultFloatEnvironment environment;
   const Fan& fan = tree_.fans()[f];
   const std::span<FlippedBox> flipped(flipped_.data(), fan.child_count);
   const std::span<Box6> boxes(boxes_.data(), fan.child_count);
@@ -104,6 +107,7 @@ void ClusterBody::bound_by_control_points(const Fan& fan, std::span<FlippedBox> 
 }
 
 void ClusterBody::skin_cluster(int n) {
+  const DefaultFloatEnvironment environment;
   const Cluster& cluster = tree_.clusters()[n];
   Skinned& out = skinned_[n];
   if (out.corners.empty()) {
@@ -124,6 +128,7 @@ void ClusterBody::skin_cluster(int n) {
 }
 
 const BoxBlock& ClusterBody::triangle_boxes(int cluster, int g) {
+  const DefaultFloatEnvironment environment;
   const int at = tree_.clusters()[cluster].first_group + g;
   const Skinned& own = skinned(cluster);
   BoxBlock& block = skinned_[cluster].triangles[g];
@@ -135,6 +140,7 @@ const BoxBlock& ClusterBody::triangle_boxes(int cluster, int g) {
 }
 
 TrianglePoints ClusterBody::triangle(int triangle) {
+  const DefaultFloatEnvironment environment;
   const Character& c = tree_.character();
   TrianglePoints out;
   for (int i = 0; i < 3; ++i) {

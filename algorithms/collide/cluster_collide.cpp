@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "algorithms/collide/triangles_meet.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -143,6 +144,7 @@ std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& seco
 
 std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts,
                                   PairMemory* memory) {
+  const DefaultFloatEnvironment environment;
   if (memory && query == Query::yes_no)
     if (const auto pair = still_touching(first, second, *memory, counts)) {
       memory->remember(*pair);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -19,6 +21,7 @@ void check(const ClusterOptions& o) {
 
 ClusterTree::ClusterTree(const Character& character, const ClusterOptions& options)
     : character_(&character), options_(options), vertices_(character.model, character.sets, {}) {
+  const DefaultFloatEnvironment environment;
   check(options);
   add_fan(0);
   pack_clusters();

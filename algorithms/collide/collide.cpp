@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "algorithms/collide/placement.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "lemmas/vocabulary/vector.hpp"
 
 namespace refitlab {
@@ -90,10 +91,12 @@ class Traversal {
 }  // namespace
 
 TrianglePoints place(const RigidTransform<double>& placement, const TrianglePoints& t) {
+  const DefaultFloatEnvironment environment;
   return {apply(placement, t[0]), apply(placement, t[1]), apply(placement, t[2])};
 }
 
 std::vector<TrianglePair> collide(const PlacedBody& first, const PlacedBody& second, Query query, QueryCounts& counts) {
+  const DefaultFloatEnvironment environment;
   check_placement(first.placement, "collide: the placement of the first body");
   check_placement(second.placement, "collide: the placement of the second body");
   return Traversal(first, second, query, counts).run();

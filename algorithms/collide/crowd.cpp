@@ -11,6 +11,8 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -50,6 +52,7 @@ bool has_threads() {
 }
 
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts, int threads) {
+  const DefaultFloatEnvironment environment;
   if (threads < 1 || (threads > 1 && !has_threads()))
     throw std::invalid_argument("collide_all: " + std::to_string(threads) + " threads" +
                                 (threads < 1 ? "" : ", but refitlab was built without TBB"));

@@ -5,6 +5,7 @@
 
 #include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/packs/float_above.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -39,6 +40,7 @@ NodePiece piece_of(const Character& c, int joint_set, const std::vector<int>& ve
 }  // namespace
 
 std::vector<NodePiece> pieces_of_nodes(const Character& c, std::span<const int> nodes) {
+  const DefaultFloatEnvironment environment;
   std::vector<NodePiece> pieces;
   std::map<int, std::vector<int>> by_set;
   for (std::size_t target = 0; target < nodes.size(); ++target) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/packs/look_up.hpp"
 #include "algorithms/skinning/rotation_center.hpp"
 
@@ -24,10 +25,12 @@ Reach::Reach(const Model& model, const JointSets& sets, Skinning skinning)
       skinning_(skinning),
       joint_room_(look_up_room(static_cast<int>(model.joints.size()))),
       groups_(make_groups()) {
+  const DefaultFloatEnvironment environment;
   pack();
 }
 
 std::vector<Reach::Group> Reach::make_groups() const {
+  const DefaultFloatEnvironment environment;
   std::vector<std::vector<Point3>> vertices(sets_.count());
   std::vector<Point3> priors;
   for (std::size_t v = 0; v < model_.vertices.size(); ++v)
@@ -127,6 +130,7 @@ void Reach::add_about_centers(const Group& g, const Posture& posture, const Quat
 }
 
 Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
+  const DefaultFloatEnvironment environment;
   defect_.reset();
   ReachBounds bounds;
   reach_kernels(target).bound(posture[0].rotation.data(), static_cast<int>(posture.size()), placement.rotation.data(),
@@ -158,6 +162,7 @@ void Reach::move(double& low, double& high, double at) const {
 bool Reach::boxes(std::span<const ReachPiecePack> packs, const Posture& posture,
                   const RigidTransform<double>& placement, std::span<FlippedBox> scratch, std::span<Box6> out,
                   Target target) {
+  const DefaultFloatEnvironment environment;
   constexpr float none = std::numeric_limits<float>::infinity();
   for (FlippedBox& b : scratch) std::fill(std::begin(b.of), std::end(b.of), none);
   if (!defect_) {

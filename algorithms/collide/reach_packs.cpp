@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 
 void put_lane(ReachPack& pack, int lane, std::span<const int> joints, const Ball3<double>& ball, double to_prior,
@@ -38,6 +40,7 @@ void put_box(ReachPiecePack& pack, int lane, int n, const CenteredBox& box, doub
 }  // namespace
 
 std::vector<ReachPiecePack> make_reach_packs(const Character& c, std::span<const NodePiece> pieces) {
+  const DefaultFloatEnvironment environment;
   std::vector<const NodePiece*> sorted;
   for (const NodePiece& p : pieces) {
     if (p.low.size() > most_reach_joints || !can_be_reached(p.reference)) return {};

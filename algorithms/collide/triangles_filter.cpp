@@ -1,8 +1,11 @@
 #include "algorithms/collide/triangles_filter.hpp"
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 
 Filtered filter_triangles(const TrianglePoints& a, const TrianglePoints& b) {
+  const DefaultFloatEnvironment environment;
   const PlaneSides<double> of_b(a, b);
   if (of_b.are_one()) return Filtered::apart;
   const PlaneSides<double> of_a(b, a);

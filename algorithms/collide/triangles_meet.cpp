@@ -4,6 +4,8 @@
 
 #include <variant>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -45,10 +47,14 @@ bool boxes_meet(const TrianglePoints& a, const TrianglePoints& b) {
 }  // namespace
 
 bool boxed_triangles_meet(const TrianglePoints& a, const TrianglePoints& b) {
+  const DefaultFloatEnvironment environment;
   const Filtered quick = filter_triangles(a, b);
   return quick == Filtered::unknown ? std::visit(Meet{}, shape_of(a), shape_of(b)) : quick == Filtered::meet;
 }
 
-bool triangles_meet(const TrianglePoints& a, const TrianglePoints& b) { return boxes_meet(a, b) && boxed_triangles_meet(a, b); }
+bool triangles_meet(const TrianglePoints& a, const TrianglePoints& b) {
+  const DefaultFloatEnvironment environment;
+  return boxes_meet(a, b) && boxed_triangles_meet(a, b);
+}
 
 }  // namespace refitlab

@@ -9,6 +9,7 @@
 #include "algorithms/model/crash_guard.hpp"
 #include "algorithms/model/gltf_audit.hpp"
 #include "algorithms/model/model_of_scene.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -35,6 +36,7 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::string& path) {
 }  // namespace
 
 Model load_model(const std::string& path) {
+  const DefaultFloatEnvironment environment;
   Assimp::Importer importer;
   return model_of_scene(read_scene(importer, path), path);
 }

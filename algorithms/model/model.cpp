@@ -1,5 +1,7 @@
 #include "algorithms/model/model.hpp"
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -31,6 +33,7 @@ void validate_influences(const Model& m, std::size_t vertex) {
 }  // namespace
 
 void validate(const Model& m) {
+  const DefaultFloatEnvironment environment;
   if (m.joints.empty()) throw ModelError(m.name, "skeleton", "no joints");
   if (m.vertices.empty() || m.triangles.empty()) throw ModelError(m.name, "mesh", "no triangles");
   if (m.influences.size() != m.vertices.size()) throw ModelError(m.name, "mesh", "not one list of influences a vertex");

@@ -7,6 +7,7 @@
 
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/mesh_binding.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
@@ -120,6 +121,7 @@ void check_scene(const aiScene& scene, const std::string& file) {
 }
 
 Model model_of_scene(const aiScene& scene, const std::string& file) {
+  const DefaultFloatEnvironment environment;
   const NodeTree tree(scene, file);
   BoundScene bound = bind_meshes(scene, tree, file);
   const std::vector<Motion> motions = convert_motions(scene, tree, file);

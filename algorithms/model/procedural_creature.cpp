@@ -5,6 +5,7 @@
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/model/procedural_motion.hpp"
 #include "algorithms/model/procedural_skeleton.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -205,6 +206,7 @@ Clip walk_of_creature(const std::vector<Joint>& joints) {
   const std::vector<double> toe_droop = {-4, 0, 0, 0, 0, 8, 26, 26, 4, -8};
   constexpr double period = 1.2;
   const auto sample = [=](double time) {
+    const DefaultFloatEnvironment environment;
     const Point3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     const auto wave = [&](double lag, double frequency = 1) {
       return std::sin(2 * std::numbers::pi * frequency * (time / period - lag));
@@ -253,6 +255,7 @@ Clip walk_of_creature(const std::vector<Joint>& joints) {
 
 Clip twist_of_creature(const std::vector<Joint>& joints) {
   return {"twist", 1, [=](double time) {
+            const DefaultFloatEnvironment environment;
             const double angle = 180 * time;
             return posture(joints, {{"neck_3", turn(neck[3] - neck[2], angle)},
                                     {"tail_2", turn(tail[2] - tail[1], angle)},
@@ -264,6 +267,7 @@ Clip twist_of_creature(const std::vector<Joint>& joints) {
 }  // namespace
 
 Model make_creature() {
+  const DefaultFloatEnvironment environment;
   ImplicitBody body;
   add_wings(body);
   add_trunk(body);

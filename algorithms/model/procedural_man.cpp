@@ -4,6 +4,7 @@
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/model/procedural_motion.hpp"
 #include "algorithms/model/procedural_skeleton.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -149,6 +150,7 @@ Clip walk_of_man(const std::vector<Joint>& joints) {
   const std::vector<double> ankle_flexion = {0, -4, 3, 6, 9, 5, -16, -8, 0, 2};
   const std::vector<double> toe_flexion = {8, 0, 0, 0, 4, 22, 24, 4, 4, 12};
   const auto sample = [=](double time) {
+    const DefaultFloatEnvironment environment;
     const Point3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     Turns turns;
     const double swing = std::cos(2 * std::numbers::pi * time);  // 1 when the left heel strikes
@@ -179,6 +181,7 @@ Clip walk_of_man(const std::vector<Joint>& joints) {
 
 Clip twist_of_man(const std::vector<Joint>& joints) {
   return {"twist", 1, [=](double time) {
+            const DefaultFloatEnvironment environment;
             const double angle = 180 * time;
             const Point3 up(0, 1, 0), right_arm = mirrored(arm_direction);
             return posture(joints, {{"waist", turn(up, angle)},
@@ -193,6 +196,7 @@ Clip twist_of_man(const std::vector<Joint>& joints) {
 Model make_man() { return make_man(8270); }
 
 Model make_man(int triangles) {
+  const DefaultFloatEnvironment environment;
   ImplicitBody body;
   add_torso(body);
   add_head(body);

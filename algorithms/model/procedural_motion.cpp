@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 
 Quaternion<double> turn(const Point3& axis, double degrees) {
@@ -13,6 +15,7 @@ Quaternion<double> turn(const Point3& axis, double degrees) {
 }
 
 Posture posture(const std::vector<Joint>& joints, const Turns& turns, const Point3& offset) {
+  const DefaultFloatEnvironment environment;
   for (const auto& turned : turns)
     if (std::none_of(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == turned.first; }))
       throw ModelError("generated motion", "joint " + turned.first, "no such joint");

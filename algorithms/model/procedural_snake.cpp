@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "algorithms/model/procedural.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
@@ -47,6 +48,7 @@ Posture wave(const std::vector<Joint>& joints, double phase) {
 }  // namespace
 
 Model make_snake(int joints) {
+  const DefaultFloatEnvironment environment;
   if (joints < 1) throw ModelError("generated snake", "joints", "there has to be one at least");
   Model m;
   m.name = "snake of " + std::to_string(joints) + " joints";
@@ -72,7 +74,10 @@ Model make_snake(int joints) {
     m.triangles.push_back({tail, vertex(0, s + 1), vertex(0, s)});
     m.triangles.push_back({nose, vertex(rings - 1, s), vertex(rings - 1, s + 1)});
   }
-  m.clips.push_back({"wave", 1, [joints = m.joints](double time) { return wave(joints, time); }});
+  m.clips.push_back({"wave", 1, [joints = m.joints](double time) {
+                       const DefaultFloatEnvironment environment;
+                       return wave(joints, time);
+                     }});
   validate(m);
   return m;
 }

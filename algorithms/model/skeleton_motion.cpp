@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -91,6 +93,7 @@ Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motio
 }
 
 PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+  const DefaultFloatEnvironment environment;
   PosedSkeleton out{{}, 0};
   const auto matrices = skin_matrices(skeleton, motion, time);
   for (std::size_t j = 0; j < matrices.size(); ++j) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
@@ -25,6 +26,7 @@ std::vector<Influence> mean(const std::vector<Influence>& a, const std::vector<I
 }  // namespace
 
 Model subdivide(const Model& model) {
+  const DefaultFloatEnvironment environment;
   Model out = model;
   std::map<std::pair<int, int>, int> middles;  // by edge
   const auto middle = [&](int a, int b) {

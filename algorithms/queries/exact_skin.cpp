@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/blend.hpp"
 #include "algorithms/skinning/convert_pose.hpp"
 
@@ -41,6 +42,7 @@ const ExactSkin::Enclosure& ExactSkin::enclosure(int vertex) {
 }
 
 bool ExactSkin::is_in(const Ball3<double>& ball, int vertex) {
+  const DefaultFloatEnvironment environment;
   if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return ball.radius == HUGE_VAL;
   const Enclosure& quick = enclosure(vertex);
   const double distance = norm<double, 3>(quick.about - ball.center);

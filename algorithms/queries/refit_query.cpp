@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/queries/portable_random.hpp"
 #include "algorithms/skinning/blend.hpp"
 #include "algorithms/weights/corners.hpp"
@@ -162,6 +163,7 @@ Json json_of(const QuerySet& set) {
 }  // namespace
 
 RefitQuery make_refit_query(std::uint64_t seed, std::uint64_t number) {
+  const DefaultFloatEnvironment environment;
   PortableRandom random(seed, number);
   RefitQuery query;
   query.reference.center = any_point(random, 40, 8);
@@ -193,6 +195,7 @@ RefitQuery make_refit_query(std::uint64_t seed, std::uint64_t number) {
 }
 
 std::vector<RationalWeights> sampled_weights(const QuerySet& set) {
+  const DefaultFloatEnvironment environment;
   constexpr int most_corners = 10, pairs = 8, mixtures = 8;
   PortableRandom random(set.corners.size(), set.pose.transforms.size());
   const std::size_t m = set.corners.size(), n = set.pose.transforms.size();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/blend.hpp"
 #include "algorithms/weights/corners.hpp"
 
@@ -55,6 +56,7 @@ Containment is_held(const Ball3<double>& ball, const Ball3<S>& image) {
 }  // namespace
 
 QueryNodes::QueryNodes(const RefitQuery& query) : reference_(lift<double>(query.reference)) {
+  const DefaultFloatEnvironment environment;
   constexpr int halvings = 2;
   for (const QuerySet& set : query.sets) {
     const int number = static_cast<int>(pose_.size());
@@ -78,6 +80,7 @@ QueryNodes::QueryNodes(const RefitQuery& query) : reference_(lift<double>(query.
 }
 
 SkinnedQuery::SkinnedQuery(const RefitQuery& query, Skinning skinning) : skinning_(skinning) {
+  const DefaultFloatEnvironment environment;
   for (const QuerySet& set : query.sets) weights_.push_back(sampled_weights(set));
   for (std::size_t z = 0; z < query.sets.size(); ++z) {
     const QuerySet& set = query.sets[z];
@@ -111,6 +114,7 @@ Ball3<S> SkinnedQuery::skinned(const Target& target) const {
 }
 
 QueryScore SkinnedQuery::score(const Ball3<double>& ball) {
+  const DefaultFloatEnvironment environment;
   QueryScore out;
   if (skinning_ == Skinning::dual_quaternion && ball.center.allFinite() && ball.radius == HUGE_VAL)
     return {.unbounded = true};
@@ -135,6 +139,7 @@ QueryScore SkinnedQuery::score(const Ball3<double>& ball) {
 }
 
 double SkinnedQuery::smallest_radius() const {
+  const DefaultFloatEnvironment environment;
   std::vector<Ball3<double>> images;
   for (const Target& target : targets_) {
     const auto& c = target.image.center;

@@ -2,6 +2,7 @@
 
 #include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -16,6 +17,7 @@ Ball3<double> smallest_of(std::span<const int> vertices, std::span<const Point3>
 
 std::vector<Ball3<double>> optimal_balls(const SphereTree& tree, const NodeVertices& vertices,
                                          std::span<const Point3> deformed) {
+  const DefaultFloatEnvironment environment;
   std::vector<Ball3<double>> out;
   std::vector<Point3> scratch;
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
@@ -24,6 +26,7 @@ std::vector<Ball3<double>> optimal_balls(const SphereTree& tree, const NodeVerti
 }
 
 std::vector<Ball3<double>> refit_bottom_up(const SphereTree& tree, std::span<const Point3> deformed) {
+  const DefaultFloatEnvironment environment;
   std::vector<Ball3<double>> out(tree.nodes.size());
   std::vector<Point3> scratch;
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {  // children come after their parent

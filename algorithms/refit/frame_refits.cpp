@@ -5,6 +5,7 @@
 
 #include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/balls/round_up.hpp"
+#include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -72,6 +73,7 @@ void FrameRefits::refit_all() {
 }
 
 void FrameRefits::refit(int n) {
+  const DefaultFloatEnvironment environment;
   const TreeNode& node = character_.tree.nodes[n];
   if (front_[n].empty())
     balls_[n] = variant_.refit(character_.refit_node(n, *pose_, variant_.pieces));

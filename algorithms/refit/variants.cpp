@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/refit/algorithm1_printed.hpp"
 #include "algorithms/refit/algorithm1_repaired.hpp"
 #include "algorithms/refit/control_hull.hpp"
@@ -46,17 +47,26 @@ template <class Policy>
 
 template <Skinning skinning, Refit refit>
 Ball3<double> certified_refit(const RefitNode<double>& node) {
+  const DefaultFloatEnvironment environment;
   return certified<skinning>(refit(node), node);
+}
+
+template <Refit refit>
+Ball3<double> refit_in_default_environment(const RefitNode<double>& node) {
+  const DefaultFloatEnvironment environment;
+  return refit(node);
 }
 
 template <Skinning skinning, Refit refit>
 RefitVariant sound(std::string name, std::string description, Pieces pieces) {
-  return {std::move(name), std::move(description), skinning, true, pieces, certified_refit<skinning, refit>, refit};
+  return {std::move(name), std::move(description), skinning, true, pieces, certified_refit<skinning, refit>,
+          refit_in_default_environment<refit>};
 }
 // Of spherical blending, for whole nodes.
 template <Refit refit>
 RefitVariant unsound(std::string name, std::string description) {
-  return {std::move(name), std::move(description), Skinning::spherical, false, Pieces::node, refit, refit};
+  return {std::move(name), std::move(description), Skinning::spherical, false, Pieces::node, refit_in_default_environment<refit>,
+          refit_in_default_environment<refit>};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "algorithms/refit/volume_variants.hpp"
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/refit/volume_refit.hpp"
 
 namespace refitlab {
@@ -7,12 +8,14 @@ namespace {
 
 template <class V>
 Volume refit(const RefitNode<double>& node) {
+  const DefaultFloatEnvironment environment;
   thread_local ControlLists<double> reused;
   return refit_volume<V>(node, reused);
 }
 
 template <class V>
 Volume around(std::span<const Ball3<double>> balls) {
+  const DefaultFloatEnvironment environment;
   return V::around(balls);
 }
 

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "algorithms/packs/float_environment.hpp"
+
 #include "refitlab_build.hpp"  // generated at build time: commit, compiler, flags
 
 namespace refitlab {
@@ -37,6 +39,7 @@ const Provenance& Provenance::of_this_build() {
 }
 
 std::string format_number(double value) {
+  const DefaultFloatEnvironment environment;
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};

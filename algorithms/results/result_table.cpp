@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/results/write_whole.hpp"
 
 namespace refitlab {
@@ -70,6 +71,7 @@ std::size_t ResultTable::column(std::string_view name) const {
 }
 
 double ResultTable::number(std::size_t row, std::string_view name) const {
+  const DefaultFloatEnvironment environment;
   const std::string& text = value(row, name);
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -1,10 +1,12 @@
 #include "algorithms/skinning/skin.hpp"
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/blend.hpp"
 
 namespace refitlab {
 
 std::vector<Point3> skin(const Model& model, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning) {
+  const DefaultFloatEnvironment environment;
   std::vector<Point3> out;
   out.reserve(model.vertices.size());
   for (std::size_t i = 0; i < model.vertices.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "algorithms/skinning/skinning_pose.hpp"
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/rotation_center.hpp"
 
 namespace refitlab {
@@ -25,6 +26,7 @@ Point3 shared_joint(const Model& model, std::span<const int> joints) {
 }  // namespace
 
 void check_posture(const Model& model, const Posture& posture) {
+  const DefaultFloatEnvironment environment;
   if (posture.size() != model.joints.size())
     throw ModelError(model.name, "posture", "has " + std::to_string(posture.size()) + " transforms for " +
                                                 std::to_string(model.joints.size()) + " joints");
@@ -41,6 +43,7 @@ void check_posture(const Model& model, const Posture& posture) {
 }
 
 Point3 center_prior(const Model& model, std::span<const int> joints, Skinning skinning) {
+  const DefaultFloatEnvironment environment;
   return skinning == Skinning::hejl ? shared_joint(model, joints) : mean_origin(model, joints);
 }
 
@@ -52,6 +55,7 @@ SkinningPose<double> make_skinning_pose(const Model& model, const JointSets& set
 
 void make_skinning_pose(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning,
                         SkinningPose<double>& pose) {
+  const DefaultFloatEnvironment environment;
   check_posture(model, posture);
   pose.clear();
   for (int s = 0; s < sets.count(); ++s) {

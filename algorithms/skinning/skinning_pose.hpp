@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/model/model.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/pose_rounding.hpp"
 #include "algorithms/weights/joint_sets.hpp"
 
@@ -147,6 +148,7 @@ class SkinningPose {
  private:
   void measure(const JointSetPose<S>& set) {
     if constexpr (std::is_floating_point_v<S>) {
+      const DefaultFloatEnvironment environment;
       scales_.push_back(measure_pose(set.transforms, set.center_images));
       roundings_.push_back(roundings_of(scales_.back()));
     }

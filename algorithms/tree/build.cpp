@@ -6,6 +6,7 @@
 
 #include "algorithms/balls/round_up.hpp"
 #include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/tree/sphere_tree.hpp"
 #include "algorithms/weights/corners.hpp"
 
@@ -149,6 +150,7 @@ class Builder {
 }  // namespace
 
 SphereTree build_sphere_tree(const Model& model, const JointSets& sets, const TreeOptions& options) {
+  const DefaultFloatEnvironment environment;
   if (options.triangles_per_leaf < 1)
     throw std::invalid_argument("a leaf of the sphere tree needs room for at least one triangle, not " +
                                 std::to_string(options.triangles_per_leaf));

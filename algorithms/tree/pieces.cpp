@@ -6,6 +6,7 @@
 
 #include "algorithms/balls/few_balls_ball.hpp"
 #include "algorithms/balls/round_up.hpp"
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/weights/weight_hull.hpp"
 
 namespace refitlab {
@@ -117,6 +118,7 @@ class NodeClusters {
 
 PieceTable::PieceTable(const SphereTree& tree, const NodeVertices& vertices, const Model& model, const JointSets& sets,
                        const PieceOptions& options) {
+  const DefaultFloatEnvironment environment;
   // In the order of the leaves, so that what a node lists lies close together.
   std::vector<NodeJointSet> listed(model.vertices.size(), {-1, 0, 1, 0});  // by vertex
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {

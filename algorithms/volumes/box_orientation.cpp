@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -54,6 +56,7 @@ std::pair<Point, Point> long_side(std::span<const Ball3<double>> balls) {
 }  // namespace
 
 std::array<Quaternion<double>, 5> box_orientations(std::span<const Ball3<double>> balls) {
+  const DefaultFloatEnvironment environment;
   const auto ends = long_side(balls);
   const Point a = ends.first, b = ends.second, side = b - a;
   const auto squared_area = [&](const Ball3<double>& ball) { return side.cross(ball.center - a).squaredNorm(); };

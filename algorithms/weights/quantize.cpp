@@ -5,9 +5,12 @@
 #include <cstdint>
 #include <map>
 
+#include "algorithms/packs/float_environment.hpp"
+
 namespace refitlab {
 
 std::vector<std::pair<int, double>> quantize_weights(std::vector<std::pair<int, double>> weights) {
+  const DefaultFloatEnvironment environment;
   double largest = 0;
   for (const auto& [joint, weight] : weights) largest = std::max(largest, weight);
   const int exponent = std::ilogb(largest);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "algorithms/packs/float_environment.hpp"
 #include "algorithms/weights/corners.hpp"
 
 namespace refitlab {
@@ -57,6 +58,7 @@ std::vector<Row> hull_of_four(const std::vector<Row>& rows) {
 }  // namespace
 
 std::vector<Row> extreme_rows(const std::vector<std::span<const double>>& weights) {
+  const DefaultFloatEnvironment environment;
   auto rows = distinct(weights);
   if (rows.size() <= 2) return rows;
   switch (rows[0].size()) {
@@ -68,6 +70,7 @@ std::vector<Row> extreme_rows(const std::vector<std::span<const double>>& weight
 }
 
 std::vector<Row> weight_corners(const std::vector<std::span<const double>>& weights) {
+  const DefaultFloatEnvironment environment;
   auto hull = extreme_rows(weights);
   WeightBounds<double> bounds{{weights[0].begin(), weights[0].end()}, {weights[0].begin(), weights[0].end()}};
   for (const auto& w : weights)

@@ -1,0 +1,26 @@
+// The floating-point environment that all derivations of rounding count on: rounding to nearest, denormal numbers kept.
+//
+// Programs change it for themselves: engines and whatever is linked with -ffast-math have denormals flushed to zero, on the
+// way out of an operation (FTZ) or on the way in (DAZ), and interval arithmetic rounds upward. So every public function
+// that computes begins with a DefaultFloatEnvironment. Its results are the same, to the last bit, in every environment that
+// the caller may have, and the caller gets that back.
+#pragma once
+
+#include <cstdint>
+
+namespace refitlab {
+
+// While it lives, this thread has the default environment. Neither the constructor nor the destructor is inline, so that the
+// compiler moves no arithmetic past them.
+class DefaultFloatEnvironment {
+ public:
+  DefaultFloatEnvironment() noexcept;
+  ~DefaultFloatEnvironment();
+  DefaultFloatEnvironment(const DefaultFloatEnvironment&) = delete;
+  DefaultFloatEnvironment& operator=(const DefaultFloatEnvironment&) = delete;
+
+ private:
+  std::uint64_t callers_;  // the processor's control register as the caller had it
+};
+
+}  // namespace refitlab

@@ -1,0 +1,376 @@
+// Every public entry in every floating-point mode that a caller may have set.
+#include "algorithms/packs/float_environment.hpp"
+
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/batch/batch_refit.hpp"
+#include "algorithms/batch/node_refit.hpp"
+#include "algorithms/batch/packed_vertices.hpp"
+#include "algorithms/certificate/certificate.hpp"
+#include "algorithms/collide/crowd.hpp"
+#include "algorithms/model/procedural.hpp"
+#include "algorithms/model/subdivide.hpp"
+#include "algorithms/queries/score.hpp"
+#include "algorithms/refit/deformed.hpp"
+#include "algorithms/refit/frame_refits.hpp"
+#include "algorithms/refit/volume_variants.hpp"
+#include "algorithms/results/result_file.hpp"
+#include "algorithms/results/result_table.hpp"
+#include "algorithms/results/write_whole.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "algorithms/volumes/box_orientation.hpp"
+#include "algorithms/weights/quantize.hpp"
+#include "algorithms/weights/weight_hull.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/float_mode.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+// What an entry answered, as bytes: to be compared bit by bit.
+class Bytes {
+ public:
+  template <class T>
+    requires std::is_arithmetic_v<T>
+  void add(T x) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &x, sizeof(T));
+    text_.append(bytes, sizeof(T));
+  }
+  template <class T, int D>
+  void add(const Eigen::Matrix<T, D, 1>& v) {
+    for (int i = 0; i < D; ++i) add(v[i]);
+  }
+  template <class T, int D>
+  void add(const Ball<T, D>& ball) {
+    add(ball.center), add(ball.radius);
+  }
+  void add(const std::string& text) { text_ += text; }
+  void add(const TrianglePair& pair) { add(pair.first), add(pair.second); }
+  void add(const RigidTransform<double>& t) { add(t.rotation), add(t.translation); }
+  template <class T>
+  void add_all(const T& list) {
+    for (const auto& x : list) add(x);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+// A snake some of whose coordinates are denormal, as are differences of others, so that every mode has something to change.
+Model snake_with_denormals() {
+  Model model = make_snake(4);
+  for (std::size_t v = 0; v < model.vertices.size(); v += 3) model.vertices[v][0] = 3e-310 * static_cast<double>(v);
+  for (std::size_t v = 1; v < model.vertices.size(); v += 7) model.vertices[v] = Point3(0x1p-1060, 0x1p-1070, 0x1p-1074);
+  return model;
+}
+
+constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
+
+// What the entries are asked about; made in the default mode.
+struct World {
+  Character character{snake_with_denormals(), {.triangles_per_leaf = 4}};
+  Posture posture = character.model.clips[0].sample(0.3);
+  SkinningPose<double> pose = make_skinning_pose(character.model, character.sets, posture, Skinning::spherical);
+  std::vector<Point3> deformed = skin(character.model, character.sets, pose, Skinning::spherical);
+  std::vector<Ball3<double>> balls = character.refit_all(default_variant(Skinning::spherical), pose);
+  ClusterTree clusters{character, {.most_triangles = 32, .most_children = 4}};
+  RefitQuery query = make_refit_query(1, 3);
+  RigidTransform<double> near{identity_quaternion<double>(), {0.15, 0.02, 1e-311}};
+
+  World() {
+    for (const Pieces kind : {Pieces::joint_sets, Pieces::mixed, Pieces::clusters}) character.prepare(kind);
+  }
+};
+
+void add_pose(Bytes& out, const SkinningPose<double>& pose) {
+  for (std::size_t s = 0; s < pose.size(); ++s) {
+    const auto set = pose[s];
+    out.add_all(set.transforms), out.add(set.rotation_center), out.add_all(set.center_images), out.add_all(set.duals);
+    if (pose.is_measured()) out.add(pose.scales(s).inverse_blend), out.add(pose.rounding(s, Skinning::linear).corners.offset);
+  }
+}
+
+void add_corners(Bytes& out, const std::vector<std::vector<double>>& corners) {
+  for (const auto& corner : corners) out.add_all(corner);
+}
+
+struct Entry {
+  std::string name;
+  std::function<void(const World&, Bytes&)> ask;
+};
+
+std::vector<Entry> building_entries() {
+  return {
+      {"make_snake, its clip", [](const World&, Bytes& out) {
+         const Model m = make_snake(3);
+         out.add_all(m.vertices), out.add_all(m.clips[0].sample(0.37));
+       }},
+      {"make_man, its clips", [](const World&, Bytes& out) {
+         const Model m = make_man(400);
+         out.add_all(m.vertices);
+         for (const Clip& clip : m.clips) out.add_all(clip.sample(0.37));
+       }},
+      {"subdivide", [](const World& w, Bytes& out) { out.add_all(subdivide(w.character.model).vertices); }},
+      {"Character, its pieces", [](const World& w, Bytes& out) {
+         const Character c(w.character.model);
+         for (const TreeNode& n : c.tree.nodes) out.add(n.reference);
+         for (const Pieces kind : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::clusters}) {
+           c.prepare(kind);
+           const auto node = c.refit_node(0, w.pose, kind);
+           for (std::size_t i = 0; i < node.joint_sets.size(); ++i) out.add(node.piece_reference(i));
+         }
+       }},
+      {"quantize_weights", [](const World&, Bytes& out) {
+         for (const auto& [joint, weight] : quantize_weights({{0, 0.1}, {3, 1e-310}, {7, 0.7}})) out.add(weight);
+       }},
+      {"weight_corners, extreme_rows", [](const World&, Bytes& out) {
+         const std::vector<double> rows[] = {{0.25, 0.75}, {0x1p-24, 1 - 0x1p-24}, {0.5, 0.5}};
+         const std::vector<std::span<const double>> list{rows[0], rows[1], rows[2]};
+         add_corners(out, weight_corners(list)), add_corners(out, extreme_rows(list));
+       }},
+  };
+}
+
+std::vector<Entry> refitting_entries() {
+  std::vector<Entry> entries;
+  for (const Skinning skinning : skinnings)
+    entries.push_back({"poses and skin, skinning " + std::to_string(static_cast<int>(skinning)),
+                       [skinning](const World& w, Bytes& out) {
+                         const auto& c = w.character;
+                         const auto pose = make_skinning_pose(c.model, c.sets, w.posture, skinning);
+                         add_pose(out, pose);
+                         out.add_all(skin(c.model, c.sets, pose, skinning));
+                         for (const Target target : available_targets()) {
+                           SkinningPose<double> packed;
+                           PosePacks(c.model, c.sets, skinning).make(w.posture, packed, target);
+                           packed.measure();
+                           add_pose(out, packed);
+                           std::vector<Point3> skinned(c.model.vertices.size());
+                           PackedVertices(c.model, c.sets).skin_all(packed, skinning, skinned, target);
+                           out.add_all(skinned);
+                         }
+                       }});
+  for (const RefitVariant& variant : refit_variants())
+    entries.push_back({"refit variant " + variant.name, [&variant](const World& w, Bytes& out) {
+                         out.add_all(w.character.refit_all(variant, w.pose));
+                         for (std::size_t n = 0; n < w.character.tree.nodes.size(); ++n)
+                           out.add(variant.refit_as_computed(
+                               w.character.refit_node(static_cast<int>(n), w.pose, variant.pieces)));
+                       }});
+  for (const VolumeVariant& variant : volume_variants())
+    entries.push_back({"volume variant " + variant.name, [&variant](const World& w, Bytes& out) {
+                         const auto add = [&](const Volume& volume) {
+                           std::visit(
+                               [&]<class V>(const V& v) {
+                                 static_assert(sizeof(V) % sizeof(double) == 0);  // nothing but doubles, so no padding
+                                 out.add(std::string(reinterpret_cast<const char*>(&v), sizeof(v)));
+                               },
+                               volume);
+                         };
+                         for (std::size_t n = 0; n < w.character.tree.nodes.size(); ++n)
+                           add(variant.refit(w.character.refit_node(static_cast<int>(n), w.pose, variant.pieces)));
+                         add(variant.around(w.balls));
+                       }});
+  entries.push_back({"FrameRefits", [](const World& w, Bytes& out) {
+                       FrameRefits refits(w.character, default_variant(Skinning::spherical),
+                                          {.most_joint_sets = 2, .children_first = true});
+                       refits.begin(w.pose), refits.refit_all();
+                       for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(refits[static_cast<int>(n)]);
+                     }});
+  entries.push_back({"BatchRefit, NodeRefit", [](const World& w, Bytes& out) {
+                       BatchRefit batch(w.character.tree, w.character.sets);
+                       for (const Target target : available_targets()) {
+                         const auto& spherical = batch.spherical(w.pose, target);
+                         for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(spherical[static_cast<int>(n)]);
+                         const auto& linear = batch.linear(w.pose, target);
+                         for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(linear[static_cast<int>(n)]);
+                       }
+                       NodeRefit one(w.character.tree, w.character.sets);
+                       one.begin(w.pose);
+                       for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(one(static_cast<int>(n)));
+                     }});
+  entries.push_back({"optimal_balls, refit_bottom_up, smallest_ball_of_balls, box_orientations",
+                     [](const World& w, Bytes& out) {
+                       out.add_all(optimal_balls(w.character.tree, w.character.vertices, w.deformed));
+                       out.add_all(refit_bottom_up(w.character.tree, w.deformed));
+                       out.add(smallest_ball_of_balls(w.balls));
+                       out.add_all(box_orientations(w.balls));
+                     }});
+  return entries;
+}
+
+std::vector<Entry> query_entries() {
+  std::vector<Entry> entries;
+  for (const Skinning skinning : skinnings)
+    entries.push_back({"ClusterBody, skinning " + std::to_string(static_cast<int>(skinning)),
+                       [skinning](const World& w, Bytes& out) {
+                         const ClusterTree tree(w.character, {.most_triangles = 32, .most_children = 4});
+                         ClusterBody a(tree, skinning), b(tree, skinning);
+                         a.begin(w.posture, {}), b.begin(w.posture, w.near);
+                         out.add_all(a.reach());
+                         for (std::size_t f = 0; f < tree.fans().size(); ++f) out.add_all(a.fan_box(static_cast<int>(f)));
+                         for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
+                           const int cluster = static_cast<int>(c);
+                           out.add_all(a.cluster_box(cluster));
+                           for (const auto& side : a.triangle_boxes(cluster, 0).side) out.add(side[0]);
+                         }
+                         for (const Point3& p : b.triangle(5)) out.add(p);
+                         QueryCounts counts;
+                         out.add_all(collide(a, b, Query::full, counts));
+                       }});
+  entries.push_back({"Body", [](const World& w, Bytes& out) {
+                       Body a(w.character, default_variant(Skinning::spherical));
+                       a.begin(w.posture);
+                       QueryCounts counts;
+                       out.add_all(collide({&a, {}}, {&a, w.near}, Query::full, counts));
+                     }});
+  for (const int threads : {1, has_threads() ? 2 : 1})
+    entries.push_back({"collide_all, threads " + std::to_string(threads), [threads](const World& w, Bytes& out) {
+                         ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical),
+                             c(w.clusters, Skinning::linear);
+                         a.begin(w.posture, {}), b.begin(w.posture, w.near), c.begin(w.posture, w.near);
+                         ClusterBody* const bodies[] = {&a, &b, &c};
+                         CrowdCounts counts;
+                         for (const Contact& contact : collide_all(bodies, Query::full, counts, threads))
+                           out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
+                       }});
+  entries.push_back({"triangles_meet, filter_triangles, place", [](const World& w, Bytes& out) {
+                       // A corner that is off the other's plane by a denormal: only with denormals kept are they apart.
+                       const double off = 0x1p-1050;
+                       const TrianglePoints flat{Point3(0, 0, 0), {1, 0, 0}, {0, 1, 0}},
+                           above{Point3(0.2, 0.2, off), {0.3, 0.2, 1}, {0.2, 0.3, 1}};
+                       out.add(triangles_meet(flat, above)), out.add(boxed_triangles_meet(flat, above));
+                       out.add(static_cast<int>(filter_triangles(flat, above)));
+                       for (const Point3& p : place(w.near, above)) out.add(p);
+                     }});
+  entries.push_back({"certificate", [](const World& w, Bytes& out) {
+                       const auto& variant = default_variant(Skinning::spherical);
+                       const auto node = w.character.refit_node(1, w.pose, variant.pieces);
+                       out.add(certificate(node, Skinning::spherical, w.balls[1], "a snake"));
+                     }});
+  entries.push_back({"make_refit_query, score", [](const World& w, Bytes& out) {
+                       out.add(as_text(make_refit_query(1, 4).reference.radius));
+                       SkinnedQuery skinned(w.query, Skinning::spherical);
+                       out.add(skinned.smallest_radius());
+                       out.add(skinned.score({{0.1, 0.2, 0.3}, 0.7}).worst_miss);
+                     }});
+  entries.push_back({"format_number, ResultTable", [](const World&, Bytes& out) {
+                       out.add(format_number(0.1)), out.add(format_number(1e-310));
+                       out.add(parse_results("a\n0.30000000000000004\n", "memory").number(0, "a"));
+                     }});
+  return entries;
+}
+
+std::string answer(const Entry& entry, const World& world) {
+  Bytes out;
+  entry.ask(world, out);
+  return out.text();
+}
+
+// Each of these entries in each mode: the answers of the default mode, and the caller's mode again after it.
+Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
+  const World world;
+  const auto modes = oracle::other_float_modes();
+  std::string wrong;
+  long asked = 0;
+  for (const Entry& entry : entries) {
+    const std::string expected = answer(entry, world);
+    for (const auto& mode : modes) {
+      unsigned after = 0;
+      std::string found;
+      {
+        const oracle::ScopedFloatMode scoped(mode);
+        found = answer(entry, world);
+        after = oracle::current_float_mode();
+      }
+      ++asked;
+      if (found != expected || found.empty()) wrong += entry.name + " differs (" + mode.name + "); ";
+      if (after != mode.control) wrong += entry.name + " leaves another mode (" + mode.name + "); ";
+    }
+  }
+  return {wrong.empty(), asked, wrong};
+}
+
+// Source files of the library, by how their paths end, that need no DefaultFloatEnvironment of their own.
+const std::vector<std::string> without_environment{
+    "_kernel.cpp", "_kernel_table.cpp",  // called by entries that have it
+    "model/mesh_binding.cpp", "model/scene_conversion.cpp", "model/gltf_audit.cpp",  // by load_model, model_of_scene
+    "model/procedural_body.cpp", "model/procedural_mesh.cpp", "model/procedural_polygonise.cpp",
+    "model/procedural_skeleton.cpp",  // by make_man and its like
+    "refit/character.cpp",            // calls entries that have it
+    "certificate/sha256.cpp", "model/crash_guard.cpp", "packs/targets.cpp", "weights/joint_sets.cpp",
+    "results/folder_lock.cpp", "results/run_folder.cpp", "results/write_whole.cpp",  // no floating-point arithmetic
+};
+
+Checked all_sources_have_it_or_are_listed() {
+  std::string missing;
+  std::set<std::string> used;
+  long files = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator("algorithms")) {
+    const std::string path = file.path().string();
+    if (!path.ends_with(".cpp")) continue;
+    ++files;
+    const auto listed = std::find_if(without_environment.begin(), without_environment.end(),
+                                     [&](const std::string& end) { return path.ends_with(end); });
+    if (listed != without_environment.end()) used.insert(*listed);
+    else if (read_whole(path).find("DefaultFloatEnvironment") == std::string::npos) missing += path + "; ";
+  }
+  for (const auto& end : without_environment)
+    if (!used.count(end)) missing += "no file is " + end + " any more; ";
+  return {missing.empty() && files > 50, files, missing};
+}
+
+}  // namespace
+
+PROPTEST(float_environment) {
+  t.example("every mode that is tried changes what plain arithmetic finds", {}, [] {
+    volatile double third = 3, tiny = 0x1p-1050, two = 2, minus = -1;
+    bool ok = true;
+    long tried = 0;
+    for (const auto& mode : oracle::other_float_modes()) {
+      double quotient, negative, sum, product;
+      {
+        const oracle::ScopedFloatMode scoped(mode);
+        quotient = 1 / third, negative = minus / third, sum = tiny + 1.0, product = tiny * two;
+      }
+      const bool differs = quotient != 1.0 / 3 || negative != -1.0 / 3 || sum != 1.0 || product != 0x1p-1049;
+      ok = ok && (differs || mode.name == "exceptions trap"), ++tried;
+    }
+    return Checked(ok, tried);
+  });
+  t.example("while a DefaultFloatEnvironment lives the mode is the default one, then the caller's", {}, [] {
+    const unsigned by_default = oracle::current_float_mode();
+    bool ok = true;
+    long tried = 0;
+    for (const auto& mode : oracle::other_float_modes()) {
+      const oracle::ScopedFloatMode scoped(mode);
+      {
+        const DefaultFloatEnvironment environment;
+        ok = ok && oracle::current_float_mode() == by_default;
+        const DefaultFloatEnvironment inner;
+        ok = ok && oracle::current_float_mode() == by_default;
+      }
+      ok = ok && oracle::current_float_mode() == mode.control;
+      ++tried;
+    }
+    return Checked(ok, tried);
+  });
+  t.example("every source file of the library has the default environment, or is listed as one that needs none", {},
+            [] { return all_sources_have_it_or_are_listed(); });
+  t.example("what is built once is the same, bit by bit, in every mode of the caller", {},
+            [] { return are_the_same_in_all_modes(building_entries()); });
+  t.example("poses, skins and refits are the same, bit by bit, in every mode of the caller", {},
+            [] { return are_the_same_in_all_modes(refitting_entries()); });
+  t.example("queries and certificates are the same, bit by bit, in every mode of the caller", {},
+            [] { return are_the_same_in_all_modes(query_entries()); });
+}
+
+}  // namespace proptests
