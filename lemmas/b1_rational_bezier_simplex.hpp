@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "lemmas/vocabulary/quaternion.hpp"
+#include "lemmas/vocabulary/blending.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 
 namespace refitlab {
@@ -44,12 +44,45 @@ struct ControlPoint {
   S weight;
 };
 
-// P_kl = Im(a x b* + b x a*) / 2.
+// W_kl, and P_kl or, of degree 2, N_kl of two corners.
 template <class S>
-Vec<S, 3> mixed_rotation(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
-  const Quaternion<S> pure(S(0), x[0], x[1], x[2]);
-  const Quaternion<S> sum = multiply(multiply(a, pure), conjugate(b)) + multiply(multiply(b, pure), conjugate(a));
-  return imaginary(sum) / S(2);
+struct MixedCorners {
+  S weight;
+  Vec<S, 3> numerator;
+};
+
+// W_kl and P_kl. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
+template <class S>
+MixedCorners<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
+  const Vec<S, 3> va = imaginary(a), vb = imaginary(b);
+  const S real = a[0] * b[0], imag = dot(va, vb);
+  const Vec<S, 3> turn = cross<S>(vb * a[0] + va * b[0], x);
+  return {real + imag, x * (real - imag) + vb * dot(va, x) + va * dot(vb, x) + turn};
+}
+
+// Im(d q*).
+template <class S>
+Vec<S, 3> scaled_translation(const Quaternion<S>& dual, const Quaternion<S>& rotation) {
+  const Vec<S, 3> dv = imaginary(dual), qv = imaginary(rotation);
+  return dv * rotation[0] - qv * dual[0] - cross(dv, qv);
+}
+
+// W_kl and N_kl = P_kl + T_kl: the control point of degree 2.
+template <class S>
+MixedCorners<S> mix_motions(const BlendedDuals<S>& a, const BlendedDuals<S>& b, const Vec<S, 3>& point) {
+  const MixedCorners<S> turned = mix_rotations(a.rotation, b.rotation, point);
+  return {turned.weight,
+          turned.numerator + scaled_translation(a.dual, b.rotation) + scaled_translation(b.dual, a.rotation)};
+}
+
+// 3 N_jkl and 3 W_jkl: the control point of degree 3, of the mixed pairs of its corners and their center images.
+template <class S>
+ScaledPoint<S> spherical_control_point(const MixedCorners<S>& jk, const MixedCorners<S>& kl, const MixedCorners<S>& jl,
+                                       const Vec<S, 3>& center_j, const Vec<S, 3>& center_k,
+                                       const Vec<S, 3>& center_l) {
+  const Vec<S, 3> turned = jk.numerator + kl.numerator + jl.numerator;
+  const Vec<S, 3> moved = center_j * kl.weight + center_k * jl.weight + center_l * jk.weight;
+  return {turned + moved, jk.weight + kl.weight + jl.weight};
 }
 
 // --- The three kinds of blending: their value at u, and their control points ---
@@ -75,14 +108,13 @@ struct DualQuaternionBlend {
 
   std::size_t corner_count() const { return rotations.size(); }
   ScaledPoint<S> at(std::span<const S> u) const {
-    const Quaternion<S> q = combine<S, 4>(u, rotations), d = combine<S, 4>(u, duals);
-    return {rotate_scaled(q, point) + imaginary(multiply(d, conjugate(q))) * S(2), squared_norm(q)};
+    const BlendedDuals<S> blend{combine<S, 4>(u, rotations), combine<S, 4>(u, duals)};
+    return {scaled_motion(blend, point), squared_norm(blend.rotation)};
   }
   ControlPoint<S> control_point(const std::vector<std::size_t>& index) const {
     const std::size_t k = index[0], l = index[1];
-    const Vec<S, 3> moved =
-        imaginary(multiply(duals[k], conjugate(rotations[l]))) + imaginary(multiply(duals[l], conjugate(rotations[k])));
-    return {index, mixed_rotation(rotations[k], rotations[l], point) + moved, dot(rotations[k], rotations[l])};
+    const auto mixed = mix_motions<S>({rotations[k], duals[k]}, {rotations[l], duals[l]}, point);
+    return {index, mixed.numerator, mixed.weight};
   }
 };
 
@@ -102,12 +134,10 @@ struct SphericalBlend {
   }
   ControlPoint<S> control_point(const std::vector<std::size_t>& index) const {
     const std::size_t j = index[0], k = index[1], l = index[2];
-    const auto& q = rotations;
-    const S w_jk = dot(q[j], q[k]), w_kl = dot(q[k], q[l]), w_jl = dot(q[j], q[l]);
-    const Vec<S, 3> turned =
-        mixed_rotation(q[j], q[k], x) + mixed_rotation(q[k], q[l], x) + mixed_rotation(q[j], q[l], x);
-    const Vec<S, 3> moved = center_images[j] * w_kl + center_images[k] * w_jl + center_images[l] * w_jk;
-    return {index, (turned + moved) / S(3), (w_jk + w_kl + w_jl) / S(3)};
+    const auto mix = [&](std::size_t a, std::size_t b) { return mix_rotations(rotations[a], rotations[b], x); };
+    const ScaledPoint<S> thrice = spherical_control_point(mix(j, k), mix(k, l), mix(j, l), center_images[j],
+                                                          center_images[k], center_images[l]);
+    return {index, thrice.numerator / S(3), thrice.denominator / S(3)};
   }
 };
 

@@ -26,8 +26,10 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "lemmas/b2_control_hull_encloses.hpp"
+#include "lemmas/vocabulary/nonzero.hpp"
 
 namespace refitlab {
 
@@ -36,12 +38,38 @@ struct Half {
   std::size_t kept, replaced;
 };
 
+template <class S, int D>
+Vec<S, D> middle_of(const Vec<S, D>& a, const Vec<S, D>& b) {
+  return (a + b) / S(2);
+}
+
+// The edge of a simplex of m corners to cut: the pair with the smallest normalised dot product W_kl, compared without roots
+// or quotients; dot_of(k, l) is W_kl. A corner that may be 0 makes any pair of it the widest. (1, 0) of equally wide ones
+// and (0, 0) of a single corner.
+template <class S, class Dots>
+std::pair<std::size_t, std::size_t> widest_edge(std::size_t m, const Dots& dot_of) {
+  std::pair<std::size_t, std::size_t> widest{m > 1 ? 1 : 0, 0};
+  const auto signed_square = [&](std::size_t k, std::size_t l) {
+    const S w = dot_of(k, l);
+    return prefer_less(w, S(0)) ? S(-sq(w)) : sq(w);
+  };
+  const auto lengths = [&](std::size_t k, std::size_t l) { return S(dot_of(k, k) * dot_of(l, l)); };
+  for (std::size_t k = 0; k < m; ++k)
+    for (std::size_t l = 0; l < k; ++l) {
+      if (!is_certainly_nonzero<S>(dot_of(k, k)) || !is_certainly_nonzero<S>(dot_of(l, l))) return {k, l};
+      if (prefer_less(S(signed_square(k, l) * lengths(widest.first, widest.second)),
+                      S(signed_square(widest.first, widest.second) * lengths(k, l))))
+        widest = {k, l};
+    }
+  return widest;
+}
+
 template <class S>
 SphericalBlend<S> half_of(const SphericalBlend<S>& blend, const Half& half) {
   SphericalBlend<S> out = blend;
   const auto [k, l] = half;
-  out.rotations[l] = (blend.rotations[k] + blend.rotations[l]) / S(2);
-  out.center_images[l] = (blend.center_images[k] + blend.center_images[l]) / S(2);
+  out.rotations[l] = middle_of(blend.rotations[k], blend.rotations[l]);
+  out.center_images[l] = middle_of(blend.center_images[k], blend.center_images[l]);
   return out;
 }
 
@@ -207,7 +235,7 @@ ControlPointDistance<S> control_point_is_near(const SphericalBlend<S>& blend, co
 template <class S>
 Verdict new_edge_is_shorter(const Quaternion<S>& a, const Quaternion<S>& b, const Quaternion<S>& c) {
   const S longest = squared_distance(a, b);
-  const Quaternion<S> middle = (a + b) / S(2);
+  const Quaternion<S> middle = middle_of(a, b);
   const Verdict is_longest = less_equal(squared_distance(a, c), longest) & less_equal(squared_distance(b, c), longest);
   return implies(is_longest, less_equal(S(S(4) * squared_distance(middle, c)), S(S(3) * longest)));
 }
@@ -246,7 +274,7 @@ Verdict is_positive_halves(const Quaternion<S>& p, const Quaternion<S>& q, const
 
 template <class S>
 PositiveHalves<S> halving_makes_positive(const Quaternion<S>& p, const Quaternion<S>& q) {
-  const Quaternion<S> middle = (p + q) / S(2);
+  const Quaternion<S> middle = middle_of(p, q);
   return {less(S(0), dot(p, middle)) & less(S(0), dot(q, middle)), middle, squared_norm(middle)};
 }
 

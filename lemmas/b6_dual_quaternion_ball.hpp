@@ -30,9 +30,21 @@ Quaternion<S> pure_quaternion(const Vec<S, 3>& x) {
 
 // E_k.
 template <class S>
+Quaternion<S> reach_of(const BlendedDuals<S>& corner, const Vec<S, 3>& point, const Vec<S, 3>& center) {
+  return corner.dual * S(2) + multiply(corner.rotation, pure_quaternion(point)) -
+         multiply(pure_quaternion(center), corner.rotation);
+}
+
+template <class S>
 Quaternion<S> reach_at(const DualQuaternionBlend<S>& blend, std::size_t k, const Vec<S, 3>& center) {
-  return blend.duals[k] * S(2) + multiply(blend.rotations[k], pure_quaternion(blend.point)) -
-         multiply(pure_quaternion(center), blend.rotations[k]);
+  return reach_of<S>({blend.rotations[k], blend.duals[k]}, blend.point, center);
+}
+
+// ||E_k||^2 / (q_k, a)^2: what the squared radius is the greatest of, but for ||a||^2.
+template <class S>
+S squared_reach(const BlendedDuals<S>& corner, const Vec<S, 3>& point, const Quaternion<S>& axis,
+                const Vec<S, 3>& center) {
+  return squared_norm(reach_of(corner, point, center)) / sq(dot(corner.rotation, axis));
 }
 
 // The ball of the statement.
@@ -41,7 +53,7 @@ SquaredBall<S, 3> dual_quaternion_ball(const DualQuaternionBlend<S>& blend, cons
                                        const Vec<S, 3>& center) {
   S greatest(0);
   for (std::size_t k = 0; k < blend.corner_count(); ++k)
-    greatest = max_of(greatest, S(squared_norm(reach_at(blend, k, center)) / sq(dot(blend.rotations[k], axis))));
+    greatest = max_of(greatest, squared_reach<S>({blend.rotations[k], blend.duals[k]}, blend.point, axis, center));
   return {center, greatest * squared_norm(axis)};
 }
 

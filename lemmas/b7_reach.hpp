@@ -69,6 +69,21 @@ S squared_spread(const std::vector<Vec<S, 3>>& images) {
   return sum;
 }
 
+// The same of any number of images, by their sum and the sum of their squared lengths as seen from any one point:
+// sum_{k<l} ||y_k - y_l||^2 = n sum ||y_k||^2 - ||sum y_k||^2.
+template <class S>
+S squared_spread_of_sums(const S& count, const S& squares, const Vec<S, 3>& sum) {
+  return count * squares - squared_norm(sum);
+}
+
+// s^2, or for c >= 3/5 a little more: (1 - c) / (4 (1 + c)) is 1 - c times a convex function of c, which its chord from c =
+// 3/5 to 1, (13 - 5 c) / 64, is above. Without a quotient, and for packs too.
+template <class S>
+S squared_stray_share(const S& cosine) {
+  return (S(1) - cosine) *
+         choose(S(5) * cosine >= S(3), S(S(13) / S(64) - S(5) / S(64) * cosine), S(S(9) / S(16)));
+}
+
 // The blend that carries a point by dual quaternions.
 template <class S>
 DualQuaternionBlend<S> dual_blend(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point) {

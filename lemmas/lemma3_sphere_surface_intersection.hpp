@@ -26,6 +26,12 @@ S intersection_offset(const SquaredBall<S, D>& surface, const SquaredBall<S, D>&
   return squared_distance(surface.center, ball.center) + surface.squared_radius - ball.squared_radius;
 }
 
+// e for the unit sphere about 0, 1 + ||c||^2 - r^2 = 2 ||c|| d_H: what line 13 of Algorithm 1 divides by 2 ||c||.
+template <class S, int D>
+S scaled_distance(const Vec<S, D>& center, const S& squared_radius) {
+  return S(1) + squared_norm(center) - squared_radius;
+}
+
 // --- Hypotheses ---
 
 // b != a.

@@ -9,7 +9,7 @@
 // E that holds the n_i: the corollary needs no condition on the radius.
 //
 // Paper: appendix, Lemma 4 and Corollary 1, for d = 4 and r < 1; used in section 4.3 and lines 11-13 of Algorithm 1.
-// Notation: n_i -> units[i], E -> ball, w -> weights, n' (b) -> blend, o -> hull_offset = 2 ||c|| d_H.
+// Notation: n_i -> units[i], E -> ball, w -> weights, n' (b) -> blend, o -> scaled_distance = 2 ||c|| d_H.
 //
 // Proof. ||n_i - c||^2 <= r^2 is 2 (n_i, c) >= o, so 2 (b, c) >= o, and ||b|| <= 1 makes that 2 (b, c) >= o ||b|| while
 // o >= 0. If o > 0 this is not 0. If o <= 0, one of b and -b has 2 (+-b, c) >= 0 >= o ||b||. Conversely let -2 ||c|| <
@@ -23,12 +23,6 @@
 
 namespace refitlab {
 
-// o = 1 + ||c||^2 - r^2.
-template <class S, int D>
-S hull_offset(const SquaredBall<S, D>& ball) {
-  return S(1) + squared_norm(ball.center) - ball.squared_radius;
-}
-
 // --- Hypotheses ---
 
 template <class S, int D>
@@ -41,7 +35,7 @@ Verdict are_units_enclosed(const SquaredBall<S, D>& ball, const VecList<S, D>& u
 // r^2 <= 1 + ||c||^2, or r >= 1 + ||c||: exactly the balls that bound every hull.
 template <class S, int D>
 Verdict ball_keeps_hulls(const SquaredBall<S, D>& ball) {
-  const S o = hull_offset(ball);
+  const S o = scaled_distance(ball.center, ball.squared_radius);
   return less_equal(S(0), o) | multiple_of_root_at_most(S(2), squared_norm(ball.center), S(-o));
 }
 
@@ -50,7 +44,7 @@ Verdict ball_keeps_hulls(const SquaredBall<S, D>& ball) {
 // b / ||b|| is in E, for b != 0: o ||b|| <= 2 (b, c).
 template <class S, int D>
 Verdict direction_is_enclosed(const SquaredBall<S, D>& ball, const Vec<S, D>& b) {
-  return multiple_of_root_at_most(hull_offset(ball), squared_norm(b), S(S(2) * dot(b, ball.center)));
+  return multiple_of_root_at_most(scaled_distance(ball.center, ball.squared_radius), squared_norm(b), S(S(2) * dot(b, ball.center)));
 }
 
 // b / ||b||; takes a root. b != 0.
@@ -78,7 +72,7 @@ HullElement<S, D> hull_element(const SquaredBall<S, D>& ball, const VecList<S, D
 template <class S, int D>
 Verdict is_hull_element(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights,
                         const HullElement<S, D>& witness) {
-  const S o = hull_offset(ball);
+  const S o = scaled_distance(ball.center, ball.squared_radius);
   Verdict v = ball_keeps_hulls(ball) & less_equal(squared_norm(witness.blend), S(1)) &
               equal(dot(witness.blend, ball.center), witness.along) & less_equal(o, S(S(2) * witness.along));
   for (int i = 0; i < D; ++i) {
@@ -95,7 +89,7 @@ Verdict hull_stays_in_cap_repaired(const SquaredBall<S, D>& ball, const VecList<
   const auto made = hull_element(ball, units, weights);
   const Verdict is_direction = less(S(0), squared_norm(made.blend));
   return implies(are_units_enclosed(ball, units) & is_convex<S>(weights) & ball_keeps_hulls(ball),
-                 implies(less(S(0), hull_offset(ball)), is_direction) & implies(is_direction, made.verdict));
+                 implies(less(S(0), scaled_distance(ball.center, ball.squared_radius)), is_direction) & implies(is_direction, made.verdict));
 }
 
 // --- Corollary 1 ---

@@ -37,16 +37,28 @@ Verdict is_rim(const Cap<S, D>& cap, const S& sine, const Vec<S, D>& rim_directi
 
 // --- Conclusion ---
 
-// k = max(cos alpha, 0).
+// The ball's center as a share of a - c, k = max(cos alpha, 0), and its squared radius as a share of r^2, 1 - k^2.
+template <class S>
+struct CapBallRatios {
+  S center, squared_radius;
+};
+
+// Of the versine 1 - cos alpha, which keeps its digits at small angles.
+template <class S>
+CapBallRatios<S> cap_ball_ratios(const S& versine) {
+  const S v = min_of(versine, S(1));
+  return {S(1) - v, v * (S(2) - v)};
+}
+
 template <class S, int D>
-S cap_ball_height(const Cap<S, D>& cap) {
-  return max_of(cap.cos_angle, S(0));
+CapBallRatios<S> cap_ball_ratios(const Cap<S, D>& cap) {
+  return cap_ball_ratios<S>(S(1) - cap.cos_angle);
 }
 
 template <class S, int D>
 SquaredBall<S, D> cap_ball_repaired(const Cap<S, D>& cap) {
-  const S k = cap_ball_height(cap);
-  return {cap.center + (cap.apex - cap.center) * k, (S(1) - sq(k)) * squared_radius(cap)};
+  const CapBallRatios<S> ratios = cap_ball_ratios(cap);
+  return {cap.center + (cap.apex - cap.center) * ratios.center, ratios.squared_radius * squared_radius(cap)};
 }
 
 // First half: it encloses the cap.
@@ -70,7 +82,7 @@ CapBall<S, D> smallest_cap_ball(const Cap<S, D>& cap, const S& sine, const Vec<S
   const SquaredBall<S, D> ball = cap_ball_repaired(cap);
   const Verdict wide = less_equal(cap.cos_angle, S(0));
   const Vec<S, D> half = rim_direction * (wide == Verdict::holds ? S(1) : sine);
-  return {cap_has_points(cap) & less_equal(S(0), ball.squared_radius) & (wide | !wide), ball, cap_ball_height(cap),
+  return {cap_has_points(cap) & less_equal(S(0), ball.squared_radius) & (wide | !wide), ball, cap_ball_ratios(cap).center,
           ball.center + half, ball.center - half};
 }
 
@@ -122,7 +134,14 @@ Verdict no_other_ball_that_small(const CapBall<S, D>& witness, const SquaredBall
 // alpha = pi the printed ball is the point -a, and the cap is the whole surface. In R^1 no v is perpendicular to a, and
 // "smallest" fails: the cap {1} of angle pi/2 has the printed ball [-1, 1].
 
-// Printed: center a cos alpha and radius ||a|| sin alpha for all angles of [0, pi]. The center of the cap is 0.
+// Printed: center a cos alpha and radius ||a|| sin alpha for all angles of [0, pi]. The center of the cap is 0. Line 15 of
+// Algorithm 1 makes it of both, and of the apex's length.
+template <class S, int D>
+Ball<S, D> cap_ball_printed(const Vec<S, D>& apex, const S& length, const S& cos_angle, const S& sin_angle) {
+  return {apex * cos_angle, sin_angle * length};
+}
+
+// The same in squares, without the root of a sine.
 template <class S, int D>
 SquaredBall<S, D> cap_ball_printed(const Cap<S, D>& cap) {
   return {cap.apex * cap.cos_angle, squared_norm(cap.apex) * (S(1) - sq(cap.cos_angle))};

@@ -11,15 +11,9 @@
 // Heron's formula for a triangle with the sides 1, r, ||c||; both factors are >= 0 when | ||c|| - 1 | <= r.
 #pragma once
 
-#include "lemmas/vocabulary/sphere.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 
 namespace refitlab {
-
-// N = 1 + ||c||^2 - r^2 = 2 ||c|| d_H: the distance without its division and its root.
-template <class S, int D>
-S scaled_distance(const Vec<S, D>& center, const S& squared_radius) {
-  return S(1) + squared_norm(center) - squared_radius;
-}
 
 // d_H is defined and in [0, 1].
 template <class S, int D>

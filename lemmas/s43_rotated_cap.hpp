@@ -79,10 +79,24 @@ S rotated_cap_cosine_printed(const S& cos_angle) {
   return S(2) * sq(cos_angle) - S(1);
 }
 
+// Printed: sin(2 alpha_C) = 2 cos alpha_C sin alpha_C, negative past pi/2; takes a root.
+template <class S>
+S rotated_cap_sine_printed(const S& cos_angle) {
+  return S(2) * cos_angle * root(S(S(1) - sq(cos_angle)));
+}
+
 // Repaired: a cap past pi/2 holds rotations by pi, so the whole sphere is reached.
 template <class S>
 S rotated_cap_cosine_repaired(const S& cos_angle) {
   return S(2) * sq(max_of(cos_angle, S(0))) - S(1);
+}
+
+// The same by the squared half chord s^2 of alpha_C, ||n - a||^2 / 4 for a unit n on the rim and a unit apex: cos alpha_C = 1
+// - 2 s^2, so 1 - cos(2 alpha_C) = 8 s^2 (1 - s^2). It keeps all digits at small angles, where a cosine loses half of them.
+// For s^2 <= 1/2; beyond, the whole sphere is reached.
+template <class S>
+S rotated_cap_versine(const S& squared_half_chord) {
+  return S(8) * squared_half_chord * (S(1) - squared_half_chord);
 }
 
 // --- Conclusion ---

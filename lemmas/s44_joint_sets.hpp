@@ -16,7 +16,7 @@
 
 #include "lemmas/s43_minkowski_sum.hpp"
 #include "lemmas/s44_sum_of_bounds.hpp"
-#include "lemmas/vocabulary/rigid.hpp"
+#include "lemmas/vocabulary/blending.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 
 namespace refitlab {
@@ -35,20 +35,12 @@ std::vector<Vec<S, 3>> rotation_center_images(std::span<const RigidTransform<S>>
   return images;
 }
 
-// q(w) = sum_i w_i q_i.
-template <class S>
-Quaternion<S> blended_rotation(std::span<const RigidTransform<S>> transforms, std::span<const S> w) {
-  Quaternion<S> q = transforms[0].rotation * w[0];
-  for (std::size_t i = 1; i < w.size(); ++i) q = q + transforms[i].rotation * w[i];
-  return q;
-}
-
 // Equation 1: Q_w(v - r_c) + sum_i w_i C_{j_i} r_c, for a blend that is not 0.
 template <class S>
 Vec<S, 3> blend_vertex(const PosedJointSet<S>& set, std::span<const S> w, const Vec<S, 3>& v) {
   const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
-  const Vec<S, 3> turned = rotate_by<S>(blended_rotation<S>(set.transforms, w), v - set.rotation_center);
-  return turned + combine<S, 3>(w, images);
+  const BlendedJoints<S> blend{blended_rotation<S>(set.transforms, w), combine<S, 3>(w, images)};
+  return turn_and_place<S>(blend, squared_norm(blend.rotation), v - set.rotation_center);
 }
 
 // sqrt(a) + sqrt(b) <= c, for a, b >= 0.

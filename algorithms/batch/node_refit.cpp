@@ -8,6 +8,8 @@
 #include "algorithms/batch/single_precision.hpp"
 #include "algorithms/packs/float_above.hpp"
 #include "algorithms/packs/float_environment.hpp"
+#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
+#include "lemmas/s43_rotated_cap.hpp"
 
 namespace refitlab {
 namespace {
@@ -104,11 +106,12 @@ float NodeRefit::place_corners(const NodeJointSet& piece, const Four& p, Corner*
     is_bounded = is_bounded && squared < 2;
     far = std::max(far, squared);
   }
-  const float length = std::sqrt(squared_length(x)), s2 = far / 4, one_minus_cos = std::min(8 * s2 * (1 - s2), 1.f);
-  if (!is_bounded || one_minus_cos == 1) return length + slack * (longer + set.size);
-  const Four offset = rotated(apex, x) * (1 - one_minus_cos);
+  const float length = std::sqrt(squared_length(x));
+  const CapBallRatios<float> ratios = cap_ball_ratios(rotated_cap_versine(far / 4));
+  if (!is_bounded || ratios.center == 0) return length + slack * (longer + set.size);
+  const Four offset = rotated(apex, x) * ratios.center;
   for (int k = 0; k < piece.corner_count; ++k) out[k].center += offset;
-  return std::sqrt(one_minus_cos * (2 - one_minus_cos)) * length + slack * (longer * longest_inverse + set.size);
+  return std::sqrt(ratios.squared_radius) * length + slack * (longer * longest_inverse + set.size);
 }
 
 Ball3<float> NodeRefit::operator()(int node) {

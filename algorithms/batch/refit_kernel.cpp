@@ -121,10 +121,11 @@ struct Spherical {
       count = count + included;
     }
     const RotationBound<S> bound = bound_rotations_packs<float>(std::span<const Quaternion<S>>(units, m), direction);
-    out.offset = rotate(bound.apex, x) * bound.center_ratio;
+    const Ball3<S> turned = rotated_ball(bound, x);
+    out.offset = turned.center;
     out.sum = sum + out.offset * count;
     where(bound.center_ratio == S(0), longest_inverse) = S(1);  // of all rotations none is off
-    out.radius = bound.radius_ratio * norm(x) + S(epsilon * float(64 + 2 * n)) * (longer * longest_inverse + size);
+    out.radius = turned.radius + S(epsilon * float(64 + 2 * n)) * (longer * longest_inverse + size);
   }
 };
 

@@ -5,6 +5,7 @@
 #include "algorithms/skinning/convert_pose.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
+#include "lemmas/s44_joint_sets.hpp"
 #include "lemmas/vocabulary/exact.hpp"
 
 namespace refitlab {
@@ -14,13 +15,6 @@ using By = Bound::By;
 using Point = Vec<Rational, 3>;
 
 constexpr int most_halvings_tried = most_halvings + 3;  // a ball that is not a refit's may need more
-
-// inner is inside outer: ||c_o - c_i|| + root(inner's squared radius) <= r_o, squared twice.
-bool holds(const Ball3<Rational>& outer, const SquaredBall<Rational, 3>& inner) {
-  const Rational apart = squared_distance(outer.center, inner.center);
-  const Rational rest = sq(outer.radius) - apart - inner.squared_radius;
-  return outer.radius >= 0 && rest >= 0 && 4 * apart * inner.squared_radius <= sq(rest);
-}
 
 // A corner exactly, and as a refit in double has it.
 template <template <class> class Blend>
@@ -91,7 +85,7 @@ struct SphericalClaim {
     }
     const SquaredBall<Rational, 3> turned = fallback_ball(cap, x);
     for (const Corner& c : corners)
-      if (!holds(target, {c.exact.center_image + turned.center, turned.squared_radius})) return false;
+      if (encloses_part<Rational>(target, {c.exact.center_image + turned.center, turned.squared_radius}) != Verdict::holds) return false;
     return true;
   }
 
@@ -101,12 +95,9 @@ struct SphericalClaim {
     for (std::size_t j = 0; j < corners.size(); ++j)
       for (std::size_t k = j; k < corners.size(); ++k)
         for (std::size_t l = k; l < corners.size(); ++l) {
-          const auto &jk = mixed(j, k), &kl = mixed(k, l), &jl = mixed(j, l);
-          const Point moved = corners[j].exact.center_image * kl.weight + corners[k].exact.center_image * jl.weight +
-                              corners[l].exact.center_image * jk.weight;
-          const Point numerator = jk.numerator + kl.numerator + jl.numerator + moved;
-          const Rational weight = jk.weight + kl.weight + jl.weight;
-          if (encloses<Rational, 3>(target, numerator / weight) != Verdict::holds) return false;
+          const auto point = spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), corners[j].exact.center_image,
+                                                     corners[k].exact.center_image, corners[l].exact.center_image);
+          if (encloses<Rational, 3>(target, point.numerator / point.denominator) != Verdict::holds) return false;
         }
     return true;
   }
@@ -150,7 +141,8 @@ struct DualQuaternionClaim {
     for (const Corner& c : corners)
       middle += move_rigidly<Rational>(c.exact, squared_norm(c.exact.rotation), x) / Rational(int(corners.size()));
     for (int i = 0; i < 3; ++i) bound.center[i] = CGAL::to_double(middle[i]);
-    if (!holds(target, dual_quaternion_ball<Rational>(exact, axis, convert<Rational>(bound.center)))) return {};
+    if (encloses_part(target, dual_quaternion_ball<Rational>(exact, axis, convert<Rational>(bound.center))) != Verdict::holds)
+      return {};
     return bound;
   }
 
@@ -163,28 +155,20 @@ struct DualQuaternionClaim {
   }
 };
 
-// The edge at which control_hull.hpp halves a simplex, by the same comparisons.
+// The edge at which a refit halves a simplex.
 template <class Corner>
-std::array<std::size_t, 2> widest_edge(const std::vector<Corner>& corners) {
-  std::array<std::size_t, 2> widest{1, 0};
-  double signed_square = 0, lengths = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    for (std::size_t l = 0; l < k; ++l) {
-      const auto dot_of = [&](std::size_t a, std::size_t b) {
-        return mix_rotations<double>(corners[a].rounded.rotation, corners[b].rounded.rotation, {0, 0, 0}).weight;
-      };
-      const double w = dot_of(k, l), w2 = w < 0 ? -(w * w) : w * w, both = dot_of(k, k) * dot_of(l, l);
-      if (!(both > 0)) return {k, l};
-      if (k == 1 || w2 * lengths < signed_square * both) widest = {k, l}, signed_square = w2, lengths = both;
-    }
-  return widest;
+std::array<std::size_t, 2> edge_to_halve(const std::vector<Corner>& corners) {
+  const auto [k, l] = widest_edge<double>(corners.size(), [&](std::size_t a, std::size_t b) {
+    return mix_rotations<double>(corners[a].rounded.rotation, corners[b].rounded.rotation, {0, 0, 0}).weight;
+  });
+  return {k, l};
 }
 
 template <class Claim>
 std::optional<Bound> search(const Claim& claim, const std::vector<typename Claim::Corner>& corners, int halvings_left) {
   if (auto bound = claim.prove(corners)) return bound;
   if (halvings_left == 0 || corners.size() == 1) return {};
-  Bound bound{.by = By::halves, .edge = widest_edge(corners)};
+  Bound bound{.by = By::halves, .edge = edge_to_halve(corners)};
   const auto middle = Claim::middle(corners[bound.edge[0]], corners[bound.edge[1]]);
   for (const std::size_t replaced : bound.edge) {
     auto half = corners;

@@ -152,18 +152,18 @@ class BoxKernel {
     }
     blend_corners<N>(q), blend_corners<N>(r);
     const Point p0 = reference_center(), x = p0 - gather(centers, pack.set).point(0);
-    Pack w[N][N];
-    Point p[N][N];
-    const Mask near = mix_all<N>(q, x, 4, w, p);
+    MixedCorners<Pack> mixed[N][N];
+    for (int k = 0; k < N; ++k)
+      for (int l = 0; l <= k; ++l) mixed[k][l] = mix_rotations(q[k], q[l], x);
+    const Mask near = are_near<N>(mixed, 4);
     GrowingBox<Pack> box(rotation), anyhow(rotation);
     for (int j = 0; j < N; ++j) {
       anyhow.add(r[j]);
       for (int k = j; k < N; ++k)
         for (int l = k; l < N; ++l) {
-          const Point turned = p[k][j] + p[l][k] + p[l][j];
-          const Point moved = r[j] * w[l][k] + r[k] * w[l][j] + r[l] * w[k][j];
-          const Pack scale = Pack(1.f) / (w[k][j] + w[l][k] + w[l][j]);
-          box.add((turned + moved) * scale);
+          const ScaledPoint<Pack> point = spherical_control_point(mixed[k][j], mixed[l][k], mixed[l][j], r[j], r[k], r[l]);
+          const Pack scale = Pack(1.f) / point.denominator;
+          box.add(point.numerator * scale);
         }
     }
     const Pack radius = load(pack.radius);
@@ -204,15 +204,13 @@ class BoxKernel {
       sizes = max(sizes, size(point) + (abs(d[i][0]) + abs(d[i][1]) + abs(d[i][2]) + abs(d[i][3])) * 2);
     }
     blend_corners<N>(q), blend_corners<N>(d);
-    Pack w[N][N];
-    Point p[N][N];
-    const Mask near = mix_all<N>(q, point, 2, w, p);
+    MixedCorners<Pack> mixed[N][N];
+    for (int k = 0; k < N; ++k)
+      for (int l = 0; l <= k; ++l) mixed[k][l] = mix_motions<Pack>({q[k], d[k]}, {q[l], d[l]}, point);
+    const Mask near = are_near<N>(mixed, 2);
     GrowingBox<Pack> box(rotation), all(rotation);
     for (int k = 0; k < N; ++k)
-      for (int l = 0; l <= k; ++l) {
-        const Point moved = translation(d[k], q[l]) + translation(d[l], q[k]);
-        box.add((p[k][l] + moved) * (Pack(1.f) / w[k][l]));
-      }
+      for (int l = 0; l <= k; ++l) box.add(mixed[k][l].numerator * (Pack(1.f) / mixed[k][l].weight));
     const Pack radius = load(pack.radius);
     box.blow_up(radius + (sizes + radius) * slack);
     for (int i = 0; i < 3; ++i) all.low[i] = -infinity, all.high[i] = infinity;
@@ -220,25 +218,17 @@ class BoxKernel {
     return box;
   }
 
-  // Im(d q*).
-  static Point translation(const Quaternion<Pack>& d, const Quaternion<Pack>& q) {
-    const Point dv = imaginary(d), qv = imaginary(q);
-    return dv * q[0] - qv * d[0] - cross(dv, qv);
-  }
-
-  // W_kl and P_kl for l <= k; true in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is
-  // short.
+  // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is short.
   template <int N>
-  static Mask mix_all(const Quaternion<Pack> (&q)[N], const Point& x, float near, Pack (&w)[N][N], Point (&p)[N][N]) {
+  static Mask are_near(const MixedCorners<Pack> (&mixed)[N][N], float near) {
     Mask all(true);
-    for (int k = 0; k < N; ++k)
-      for (int l = 0; l <= k; ++l) {
-        const MixedCorners<Pack> mixed = mix_rotations(q[k], q[l], x);
-        w[k][l] = mixed.weight, p[k][l] = mixed.numerator;
-      }
     for (int k = 0; k < N; ++k) {
-      all = all && w[k][k] > 0.25f;
-      for (int l = 0; l < k; ++l) all = all && w[k][l] > 0.f && w[k][l] * w[k][l] * near > w[k][k] * w[l][l];
+      const Pack& own = mixed[k][k].weight;
+      all = all && own > 0.25f;
+      for (int l = 0; l < k; ++l) {
+        const Pack& w = mixed[k][l].weight;
+        all = all && w > 0.f && w * w * near > own * mixed[l][l].weight;
+      }
     }
     return all;
   }

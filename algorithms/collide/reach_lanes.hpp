@@ -7,7 +7,7 @@
 #include "algorithms/collide/reach_kernel.hpp"
 #include "algorithms/packs/look_up.hpp"
 #include "algorithms/packs/transpose.hpp"
-#include "lemmas/vocabulary/rigid.hpp"
+#include "lemmas/b7_reach.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
@@ -100,11 +100,8 @@ class Rotations {
   S least_{1};
 };
 
-// The most by which a blend strays, as a share of A: b7_reach, whose square for c >= 3/5, (1 - c) / (4 (1 + c)), is at
-// most 1 - c times the chord of the convex 1 / (4 (1 + c)).
-[[gnu::always_inline]] inline S stray_share(const S& c) {
-  return root((S(1) - c) * choose(c >= S(0.6f), S(0.203125f) - S(0.078125f) * c, S(0.5625f)));
-}
+// The most by which a blend strays, as a share of A.
+[[gnu::always_inline]] inline S stray_share(const S& c) { return root(squared_stray_share(c)); }
 
 // What a lane's joints make of a point: a box around its images, and A.
 class Images {
@@ -121,7 +118,7 @@ class Images {
   }
   const Point& low() const { return low_; }
   const Point& high() const { return high_; }
-  S spread(const S& joint_count) const { return root(larger(joint_count * squares_ - squared_norm(sum_), S(0))); }
+  S spread(const S& joint_count) const { return root(larger(squared_spread_of_sums(joint_count, squares_, sum_), S(0))); }
 
  private:
   Point first_, low_, high_, sum_ = Point::Constant(S(0));

@@ -8,6 +8,9 @@
 #include "algorithms/refit/ball_policy.hpp"
 #include "algorithms/refit/refit_node.hpp"
 #include "algorithms/skinning/blend.hpp"
+#include "lemmas/lemma4_quaternion_hull.hpp"
+#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
+#include "lemmas/s43_rotated_cap.hpp"
 
 namespace refitlab {
 
@@ -44,20 +47,19 @@ Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLi
         const Quaternion<S>& q = pose.transforms[i].rotation;
         blend = blend + (signs == Signs::of_matrices ? matrix_to_quaternion(q) : q) * corner[i];
       }
-      lists.quaternions.push_back(blend / norm(blend));                                     // lines 9 and 10
+      lists.quaternions.push_back(direction_by_root(blend));                                // lines 9 and 10
     }
     const std::span<const Quaternion<S>> unit(lists.quaternions);
     const Quaternion<S> center = Policy::template center_of_points<S, 4>(unit);             // line 11
     const S squared_radius = farthest_squared_distance(center, unit);
-    const Quaternion<S> apex = center / norm(center);                                       // line 12
-    const S d = (S(1) + squared_norm(center) - squared_radius) / (S(2) * norm(center));     // line 13: alpha = 2 arccos d,
-    const S cos_alpha = S(2) * sq(d) - S(1);                                                // so these are its cosine
-    const S sin_alpha = S(2) * d * root(S(S(1) - sq(d)));                                   // and sine
+    const Quaternion<S> apex = direction_by_root(center);                                   // line 12
+    const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));            // line 13: alpha = 2 arccos d,
+    const S cos_alpha = rotated_cap_cosine_printed(d);                                      // so these are its cosine
+    const S sin_alpha = rotated_cap_sine_printed(d);                                        // and sine
     const Vec<S, 3> u = node.reference.center - pose.rotation_center;
-    const Vec<S, 3> turned = rotate(apex, u);
-    const S radius = sin_alpha * norm(u);
+    const Ball3<S> turned = cap_ball_printed<S, 3>(rotate(apex, u), norm(u), cos_alpha, sin_alpha);
     for (int k = 0; k < set.corner_count; ++k)                                              // lines 7, 14 and 15
-      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + turned * cos_alpha, radius});
+      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);  // line 16
 }

@@ -7,8 +7,8 @@
 
 #include "algorithms/refit/ball_policy.hpp"
 #include "algorithms/refit/refit_node.hpp"
-#include "algorithms/refit/rotation_bound.hpp"
 #include "algorithms/skinning/blend.hpp"
+#include "lemmas/rotation_bound.hpp"
 
 namespace refitlab {
 
@@ -34,10 +34,9 @@ Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& list
     const JointSetPose<S> pose = node.pose[set.joint_set];
     const RotationBound<S> bound = bound_joint_set_rotations<Policy>(node, set, lists.quaternions);
     const Vec<S, 3> u = node.reference.center - pose.rotation_center;
-    const Vec<S, 3> offset = rotate(bound.apex, u) * bound.center_ratio;
-    const S radius = bound.radius_ratio * norm(u);
+    const Ball3<S> turned = rotated_ball(bound, u);  // lines 14 and 15
     for (int k = 0; k < set.corner_count; ++k)
-      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + offset, radius});
+      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);
 }

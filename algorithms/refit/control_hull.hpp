@@ -1,11 +1,7 @@
 // Control balls: blend skinning as a rational Bezier simplex in the weights, whose control points hold all of it.
 //
-// Let q'_k and r'_k be a piece's corner quaternions and corner images of the rotation center, and x = p - r_c. With
-//   W_kl = (q'_k, q'_l)   and   P_kl = Im(q'_k x q'_l* + q'_l x q'_k*) / 2
-// the image of x under the blend sum u_k q'_k is sum u_k u_l P_kl / sum u_k u_l W_kl; times the same denominator the
-// linear part makes Equation (1) a rational Bezier simplex of degree 3 with, for j <= k <= l,
-//   W_jkl = (W_jk + W_kl + W_jl) / 3
-//   N_jkl = (P_jk + P_kl + P_jl) / 3 + (r'_j W_kl + r'_k W_jl + r'_l W_jk) / 3.
+// Let q'_k and r'_k be a piece's corner quaternions and corner images of the rotation center, and x = p - r_c. The control
+// points N_jkl / W_jkl are those of b1_rational_bezier_simplex, of degree 3.
 // If all W_kl are positive, the skinned p is a convex combination of the control points N_jkl / W_jkl, and the whole
 // reference ball stays within its radius of their hull. Rotations far apart make the control points stray, so a simplex
 // with corners 120 degrees apart or more, or with a corner that is 0, is halved (de Casteljau) at its widest edge, a
@@ -18,26 +14,11 @@
 
 #include "algorithms/refit/algorithm1_repaired.hpp"
 #include "algorithms/refit/control_lists.hpp"
+#include "lemmas/b3_subdivision.hpp"
 
 namespace refitlab {
 
 inline constexpr int most_halvings = 4;  // in a row: 16 sub-simplices at most
-
-// W_kl and N_kl of two corners in a blend of degree 2.
-template <class S>
-struct MixedCorners {
-  S weight;
-  Vec<S, 3> numerator;
-};
-
-// W_kl and P_kl. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
-template <class S>
-MixedCorners<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
-  const Vec<S, 3> va = imaginary(a), vb = imaginary(b);
-  const S real = a[0] * b[0], imag = dot(va, vb);
-  const Vec<S, 3> turn = cross<S>(vb * a[0] + va * b[0], x);
-  return {real + imag, x * (real - imag) + vb * dot(va, x) + va * dot(vb, x) + turn};
-}
 
 // Blend is of one piece, with Number and Corner, whose rotation is a quaternion; mix(a, b), as above for two corners;
 // middle(a, b), the corner half-way; near, so that corners are near if (q'_k, q'_l) > 0 and its square times near is
@@ -57,7 +38,7 @@ class ControlHull {
   void cover(std::size_t m, int halvings_left) {
     const std::size_t first = corners_.size() - m;
     mix_all(first, m);
-    const auto [k, l] = widest_edge(m);
+    const auto [k, l] = widest_edge<S>(m, [&](std::size_t a, std::size_t b) -> const S& { return dots(m, a, b); });
     if (is_near(m, k, l)) {
       blend_.emit(simplex(first, m), lists_);
     } else if (halvings_left > 0) {
@@ -91,25 +72,6 @@ class ControlHull {
            certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(Blend::near) * sq(w)));
   }
 
-  // The pair of corners with the smallest normalised dot product, compared without roots or quotients. A corner that
-  // may be 0 makes any pair of it the widest.
-  std::pair<std::size_t, std::size_t> widest_edge(std::size_t m) {
-    std::pair<std::size_t, std::size_t> widest{m > 1 ? 1 : 0, 0};
-    const auto signed_square = [&](std::size_t k, std::size_t l) {
-      const S& w = dots(m, k, l);
-      return prefer_less(w, S(0)) ? S(-sq(w)) : sq(w);
-    };
-    const auto lengths = [&](std::size_t k, std::size_t l) { return S(dots(m, k, k) * dots(m, l, l)); };
-    for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t l = 0; l < k; ++l) {
-        if (!is_certainly_nonzero(dots(m, k, k)) || !is_certainly_nonzero(dots(m, l, l))) return {k, l};
-        if (prefer_less(S(signed_square(k, l) * lengths(widest.first, widest.second)),
-                        S(signed_square(widest.first, widest.second) * lengths(k, l))))
-          widest = {k, l};
-      }
-    return widest;
-  }
-
   // The two simplices that share the middle of the edge (k, l).
   void halve(std::size_t first, std::size_t m, std::size_t k, std::size_t l, int halvings_left) {
     const Corner middle = blend_.middle(corners_[first + k], corners_[first + l]);
@@ -139,22 +101,22 @@ class SphericalPiece {
 
   MixedCorners<S> mix(const Corner& a, const Corner& b) const { return mix_rotations(a.rotation, b.rotation, x_); }
   static Corner middle(const Corner& a, const Corner& b) {
-    return {(a.rotation + b.rotation) / S(2), (a.center_image + b.center_image) / S(2)};
+    return {middle_of(a.rotation, b.rotation), middle_of(a.center_image, b.center_image)};
   }
 
   void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
     const std::size_t m = corner.size();
-    const S* dots = lists.dots.data();
-    const Vec<S, 3>* products = lists.products.data();
+    const auto mixed = [&](std::size_t k, std::size_t l) {
+      return MixedCorners<S>{lists.dots[k * m + l], lists.products[k * m + l]};
+    };
     for (std::size_t j = 0; j < m; ++j)
       for (std::size_t k = j; k < m; ++k)
         for (std::size_t l = k; l < m; ++l) {
-          const S &w_jk = dots[j * m + k], &w_kl = dots[k * m + l], &w_jl = dots[j * m + l];
-          const Vec<S, 3> turned = products[j * m + k] + products[k * m + l] + products[j * m + l];
-          const Vec<S, 3> moved =
-              corner[j].center_image * w_kl + corner[k].center_image * w_jl + corner[l].center_image * w_jk;
-          const S scale = S(1) / (w_jk + w_kl + w_jl);
-          lists.cap.balls.push_back({(turned + moved) * scale, radius_});
+          const ScaledPoint<S> point =
+              spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), corner[j].center_image,
+                                      corner[k].center_image, corner[l].center_image);
+          const S scale = S(1) / point.denominator;
+          lists.cap.balls.push_back({point.numerator * scale, radius_});
         }
   }
 
@@ -171,9 +133,9 @@ class SphericalPiece {
       const std::span<const Quaternion<S>> points(unit);
       bound = bound_rotations(points, mean_center(points));
     }
-    const Vec<S, 3> offset = rotate(bound.apex, x_) * bound.center_ratio;
-    const S radius = radius_ + bound.radius_ratio * norm(x_);
-    for (const Corner& c : corner) lists.cap.balls.push_back({c.center_image + offset, radius});
+    const Ball3<S> turned = rotated_ball(bound, x_);
+    const S radius = radius_ + turned.radius;
+    for (const Corner& c : corner) lists.cap.balls.push_back({c.center_image + turned.center, radius});
   }
 
  private:

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "algorithms/refit/control_hull.hpp"
+#include "lemmas/b6_dual_quaternion_ball.hpp"
 
 namespace refitlab {
 
@@ -36,11 +37,10 @@ class DualQuaternionPiece {
       : point_(point), radius_(radius), translation_(translation) {}
 
   MixedCorners<S> mix(const Corner& a, const Corner& b) const {
-    const MixedCorners<S> turned = mix_rotations(a.rotation, b.rotation, point_);
-    return {turned.weight, turned.numerator + scaled_translation(a, b) + scaled_translation(b, a)};
+    return mix_motions(a, b, point_);
   }
   static Corner middle(const Corner& a, const Corner& b) {
-    return {(a.rotation + b.rotation) / S(2), (a.dual + b.dual) / S(2)};
+    return {middle_of(a.rotation, b.rotation), middle_of(a.dual, b.dual)};
   }
 
   void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
@@ -62,13 +62,9 @@ class DualQuaternionPiece {
     Vec<S, 3> middle = Vec<S, 3>::Constant(S(0));
     for (std::size_t k = 0; k < m; ++k) middle = middle + lists.products[k * m + k] / lists.dots[k * m + k];
     middle = middle / S(static_cast<double>(m));
-    S squared_reach(0);
-    for (const Corner& c : corner) {
-      const Quaternion<S> moved =
-          c.dual * S(2) + multiply(c.rotation, pure(point_)) - multiply(pure(middle), c.rotation);
-      squared_reach = max_of(squared_reach, S(squared_norm(moved) / sq(dot(c.rotation, axis))));
-    }
-    const S reach = root(S(squared_reach * squared_norm(axis)));
+    S greatest(0);
+    for (const Corner& c : corner) greatest = max_of(greatest, squared_reach(c, point_, axis, middle));
+    const S reach = root(S(greatest * squared_norm(axis)));
     lists.cap.balls.push_back({middle, radius_ + reach + rounding_of(middle, reach)});
   }
 
@@ -98,20 +94,11 @@ class DualQuaternionPiece {
   static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
   static constexpr double least_squared_corner = std::is_floating_point_v<S> ? 1e-4 : 0;
 
-  static Quaternion<S> pure(const Vec<S, 3>& x) { return {S(0), x[0], x[1], x[2]}; }
-
   // What the corners are off by, and what is computed of them, is (n + 16) u of (t + ||p|| + ||f||) for n joints, divided by
   // (q'_k, a) / ||a||, which is at least 1e-2 times 1e-4: up to 500 joints, less than 2^-24 of that size in double.
   S rounding_of(const Vec<S, 3>& middle, const S& reach) const {
     if constexpr (!std::is_floating_point_v<S>) return S(0);
     else return S(0x1p-24) * (reach + translation_ + norm(point_) + norm(middle));
-  }
-
-  // Im(d q*).
-  static Vec<S, 3> scaled_translation(const Corner& dual, const Corner& rotation) {
-    const Quaternion<S>&d = dual.dual, &q = rotation.rotation;
-    const Vec<S, 3> dv = imaginary(d), qv = imaginary(q);
-    return dv * q[0] - qv * d[0] - cross(dv, qv);
   }
 
   static bool is_ahead(std::span<const Corner> corner, const Quaternion<S>& axis) {

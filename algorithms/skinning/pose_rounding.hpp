@@ -43,6 +43,7 @@
 #include <span>
 #include <type_traits>
 
+#include "lemmas/vocabulary/nonzero.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 
 namespace refitlab {
@@ -55,21 +56,6 @@ inline constexpr int rotate = 24;         // by a quaternion taken to be of unit
 inline constexpr int rotate_scaled = 24;
 inline constexpr int mix_weight = 6, mix_numerator = 27;  // mix_rotations
 }  // namespace rounding
-
-// A blended quaternion whose squared length is not certainly above this may be 0 in truth: what is left of it may be
-// rounding. Exact numbers and intervals know.
-template <class S>
-constexpr double least_squared_length() {
-  if constexpr (std::is_same_v<S, double>) return 0x1p-40;
-  else if constexpr (std::is_same_v<S, float>) return 0x1p-16;
-  else return 0;
-}
-
-// Whether a quaternion of this squared length is a rotation beyond doubt.
-template <class S>
-bool is_certainly_nonzero(const S& squared_length) {
-  return certainly_less(S(least_squared_length<S>()), squared_length);
-}
 
 // Of a joint-set in one posture, in float or double, each rounded up by far more than its own rounding.
 template <class S>
