@@ -252,4 +252,5 @@ BezierSimplex<S> bezier_simplex(const Blend& blend, std::span<const S> u) {
 
 // Sources: rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"]; dual quaternion skinning [Kavan et al.
 // 2008].
-// Used by: b2_control_hull_encloses, b3_subdivision, b5_rotation_axis; algorithms/refit.
+// Used by: b2_control_hull_encloses, b5_rotation_axis, b6_dual_quaternion_ball; algorithms/certificate/bound.cpp,
+// algorithms/collide/box_kernel.cpp, algorithms/refit/control_hull.hpp, algorithms/refit/dual_quaternion.hpp.

@@ -93,4 +93,4 @@ Verdict control_balls_enclose(const Blend& blend, std::span<const S> u, const Ba
 }  // namespace refitlab
 
 // Sources: the convex hull property of rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"].
-// Used by: b3_subdivision; algorithms/refit.
+// Used by: b3_subdivision; programs only through these.

@@ -112,4 +112,4 @@ Verdict positive_pairs_are_ahead(const std::vector<Quaternion<S>>& rotations) {
 }  // namespace refitlab
 
 // Sources: t3_one_cap, lemma5_cap_enclosing_sphere.
-// Used by: algorithms/refit.
+// Used by: b5_rotation_axis; algorithms/certificate/bound.cpp.

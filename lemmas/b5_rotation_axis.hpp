@@ -97,4 +97,4 @@ Verdict control_points_keep_axis(const Vec<S, 3>& axis, const Quaternion<S>& p, 
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: the comparison of the bounds; the control hull in algorithms/refit has it built in.
+// Used by: experiments/drawings/control_hulls.cpp.

@@ -176,4 +176,5 @@ Verdict half_space_is_cap_printed(const SquaredBall<S, D>& surface, const HalfSp
 }  // namespace refitlab
 
 // Sources: the paper; Cauchy's inequality.
-// Used by: lemma3_sphere_surface_intersection.
+// Used by: lemma3_sphere_surface_intersection; experiments/explorer/pages/lemma1.hpp,
+// experiments/report/cap_figure.cpp.

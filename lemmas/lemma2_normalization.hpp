@@ -156,4 +156,4 @@ Verdict normalisation_keeps_rotations_repaired(const VecList<S, D>& vectors, con
 }  // namespace refitlab
 
 // Sources: the paper. Generators of a convex cone may be scaled by positive factors (folklore).
-// Used by: lemma4_quaternion_hull; algorithms/refit, line 9 of Algorithm 1.
+// Used by: lemma4_quaternion_hull; experiments/explorer/pages/lemma2.hpp.

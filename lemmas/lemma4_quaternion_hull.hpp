@@ -146,4 +146,5 @@ Verdict radius_below_one_is_needed_printed(const SquaredBall<S, D>& ball) {
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: algorithms/refit, lines 11-13 of Algorithm 1; s43_whole_sphere_fallback states the same for its cap in R^3.
+// Used by: rotation_bound; algorithms/refit/algorithm1_printed.hpp, experiments/drawings/common.hpp,
+// experiments/explorer/pages/lemma4.hpp.

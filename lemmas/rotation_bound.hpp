@@ -71,4 +71,5 @@ Ball3<S> rotated_ball(const RotationBound<S>& bound, const Vec<S, 3>& x) {
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: to be derived.
+// Used by: algorithms/batch/rotation_bound_packs.hpp, algorithms/refit/algorithm1_repaired.hpp,
+// algorithms/refit/control_hull.hpp.

@@ -249,4 +249,4 @@ Verdict corners_exist_repaired(const WeightBounds<S>& bounds) {
 
 // Sources: Matousek, Lectures on Discrete Geometry, 2002 (bounded H-polytopes are V-polytopes); O'Neil, Hyperplane cuts
 // of an n-cube, Discrete Mathematics 1, 1971 (the number of edges cut).
-// Used by: s42_linear_part_hull, s44_joint_sets; algorithms/weights/corners.hpp enumerates the corners.
+// Used by: s42_linear_part_hull; programs only through these.

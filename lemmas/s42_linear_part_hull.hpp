@@ -101,4 +101,4 @@ LinearPartPoint<S, D> hull_in_linear_part(const WeightBounds<S>& bounds, const C
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: s44_sum_of_bounds, s44_joint_sets, t3_one_cap (q'_k and the blends of W'); algorithms/refit.
+// Used by: b2_control_hull_encloses, b4_cap_fallback, s44_sum_of_bounds; experiments/drawings/sections.cpp.

@@ -88,4 +88,4 @@ MinkowskiSum<S> sum_in_turned_ball(const Quaternion<S>& blend, const Ball3<S>& b
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: s44_sum_of_bounds, s44_joint_sets (the last [0, r]); algorithms/refit, Algorithm 1 line 16.
+// Used by: s43_rotated_cap, s44_joint_sets; experiments/drawings/sections.cpp.

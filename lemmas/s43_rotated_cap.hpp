@@ -156,4 +156,5 @@ RotationOnto<S> rotation_onto(const Quaternion<S>& apex, const S& cos_angle, con
 }  // namespace refitlab
 
 // Sources: the paper; the bound is Rodrigues' formula for (v, R_s v) in half angles.
-// Used by: s43_whole_sphere_fallback, t3_one_cap; algorithms/refit, Algorithm 1 lines 12-13.
+// Used by: rotation_bound, s43_whole_sphere_fallback, t3_one_cap; algorithms/batch/node_refit.cpp,
+// algorithms/refit/algorithm1_printed.hpp.

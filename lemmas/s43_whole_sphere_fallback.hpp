@@ -115,4 +115,4 @@ Verdict rotated_blend_is_bounded(const RotatedVectorsCap<S>& cap, const Quaterni
 }  // namespace refitlab
 
 // Sources: the paper, with Lemmas 3 and 4.
-// Used by: t3_one_cap (the same without normalising); algorithms/refit.
+// Used by: experiments/drawings/sections.cpp, experiments/explorer/pages/whole_sphere.hpp.

@@ -137,4 +137,4 @@ JointSetVertex<S> joint_set_vertex(const Ball3<S>& ball, const PosedJointSet<S>&
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: algorithms/refit, Algorithm 1 lines 4-16.
+// Used by: algorithms/certificate/bound.cpp.

@@ -131,4 +131,4 @@ Verdict farthest_point_decides(const Ball3<S>& outer, const Ball3<S>& inner) {
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: s44_joint_sets; algorithms/refit, Algorithm 1 lines 15-16.
+// Used by: s44_joint_sets; programs only through these.

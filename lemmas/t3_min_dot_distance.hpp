@@ -77,4 +77,4 @@ MinDotDistance<S> min_dot_distance(std::span<const Vec<S, D>> units, const Vec<S
 }  // namespace refitlab
 
 // Sources: none; the identity of the proof.
-// Used by: t3_smallest_ball_smallest_cap; algorithms/refit.
+// Used by: t3_smallest_ball_smallest_cap; programs only through these.

@@ -113,4 +113,4 @@ RotatedPair<S> one_cap_rotated(const Quaternion<S>& blend, const Quaternion<S>& 
 }  // namespace refitlab
 
 // Sources: none; the copositive form of the proof.
-// Used by: algorithms/refit.
+// Used by: b4_cap_fallback; experiments/drawings/one_cap.cpp.

@@ -94,4 +94,4 @@ Verdict is_not_smaller_cap(std::span<const Vec<S, D>> units, const SmallestCap<S
 }  // namespace refitlab
 
 // Sources: CGAL Bounding_volumes (the certificate); Gilbert, Johnson and Keerthi 1988 (the nearest point).
-// Used by: algorithms/refit, the exact-ball variant.
+// Used by: experiments/drawings/one_cap.cpp.

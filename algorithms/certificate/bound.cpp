@@ -3,10 +3,12 @@
 #include "algorithms/packs/float_environment.hpp"
 #include "algorithms/refit/dual_quaternion.hpp"
 #include "algorithms/skinning/convert_pose.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/s44_joint_sets.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace refitlab {
 namespace {

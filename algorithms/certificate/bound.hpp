@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 
 namespace refitlab {
 

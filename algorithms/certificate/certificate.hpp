@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 
 namespace refitlab {
 

@@ -5,7 +5,7 @@
 
 #include "algorithms/packs/pack.hpp"
 #include "algorithms/packs/transpose.hpp"
-#include "algorithms/refit/control_hull.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/quantize.hpp"
 
 namespace refitlab {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "algorithms/model/model.hpp"
 #include "algorithms/skinning/skinning_pose.hpp"
-#include "lemmas/vocabulary/exact.hpp"
-#include "lemmas/vocabulary/interval.hpp"
+#include "lemmas/exact/exact.hpp"
+#include "lemmas/exact/interval.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {

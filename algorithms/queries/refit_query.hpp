@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "algorithms/skinning/skinning_pose.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "algorithms/queries/refit_query.hpp"
 #include "algorithms/refit/variants.hpp"
-#include "lemmas/vocabulary/ladder.hpp"
+#include "lemmas/exact/ladder.hpp"
 
 namespace refitlab {
 

@@ -6,8 +6,9 @@
 #pragma once
 
 #include "algorithms/refit/ball_policy.hpp"
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 #include "algorithms/skinning/blend.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/lemma4_quaternion_hull.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/s43_rotated_cap.hpp"

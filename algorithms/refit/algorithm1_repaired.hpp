@@ -6,7 +6,7 @@
 #pragma once
 
 #include "algorithms/refit/ball_policy.hpp"
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 #include "algorithms/skinning/blend.hpp"
 #include "lemmas/rotation_bound.hpp"
 

@@ -14,7 +14,9 @@
 
 #include "algorithms/refit/algorithm1_repaired.hpp"
 #include "algorithms/refit/control_lists.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b3_subdivision.hpp"
+#include "lemmas/rotation_bound.hpp"
 
 namespace refitlab {
 

@@ -14,6 +14,8 @@
 #include <limits>
 
 #include "algorithms/refit/control_hull.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 
 namespace refitlab {

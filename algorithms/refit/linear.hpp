@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algorithms/refit/control_lists.hpp"
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 #include "algorithms/skinning/blend.hpp"
 
 namespace refitlab {

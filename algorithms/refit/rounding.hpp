@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algorithms/balls/round_up.hpp"
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 
 namespace refitlab {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 #include "algorithms/skinning/skinning_pose.hpp"
 
 namespace refitlab {

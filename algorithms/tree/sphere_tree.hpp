@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 #include "algorithms/weights/joint_sets.hpp"
 
 namespace refitlab {

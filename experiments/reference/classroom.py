@@ -42,7 +42,7 @@ build/release/experiments/engine_refit</code></pre></section>
 
 RESEARCHER = """
 <section id="variant"><h2>Add a refit variant</h2><ol>
-<li>A refit is a function of a <code>RefitNode</code> (<code>algorithms/refit/refit_node.hpp</code>): a template over the number type if it is new, or a known
+<li>A refit is a function of a <code>RefitNode</code> (<code>algorithms/tree/refit_node.hpp</code>): a template over the number type if it is new, or a known
 one with another policy for its balls (<code>algorithms/refit/ball_policy.hpp</code>).</li>
 <li>Add a row to the table in <code>algorithms/refit/variants.cpp</code>: for a bound that is proved, its skinning and the function, which gets the slack for rounding by itself; name, description, and which pieces it needs. For example
 <pre><code>sound&lt;spherical, control&lt;NearSmallestBalls&gt;&gt;("control_near", "control hull, near-smallest ball", P::node),</code></pre>

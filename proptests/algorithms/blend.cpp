@@ -1,7 +1,7 @@
 // Blending one vertex, against matrices.
 #include "algorithms/skinning/blend.hpp"
 
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"

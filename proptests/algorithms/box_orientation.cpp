@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"

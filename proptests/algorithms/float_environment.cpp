@@ -23,7 +23,7 @@
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "algorithms/volumes/box_orientation.hpp"
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/quantize.hpp"
 #include "algorithms/weights/weight_hull.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"

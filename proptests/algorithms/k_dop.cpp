@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"

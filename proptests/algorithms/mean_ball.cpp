@@ -1,7 +1,7 @@
 #include "algorithms/balls/mean_ball.hpp"
 
 #include "algorithms/balls/smallest_ball.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "algorithms/balls/smallest_ball_of_balls.hpp"
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "algorithms/volumes/aabb.hpp"
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/gen/quaternion.hpp"

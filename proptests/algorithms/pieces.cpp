@@ -5,7 +5,7 @@
 
 #include "algorithms/balls/smallest_ball_of_balls.hpp"
 #include "algorithms/model/procedural.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"

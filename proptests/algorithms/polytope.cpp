@@ -6,7 +6,7 @@
 #include <random>
 
 #include "algorithms/volumes/k_dop.hpp"
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"
 

@@ -16,7 +16,7 @@
 #include "algorithms/refit/variants.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/skinning/blend.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/refit_case.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/gen/weights.hpp"

@@ -1,10 +1,10 @@
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/quantize.hpp"
 
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {

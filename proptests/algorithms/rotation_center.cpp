@@ -1,7 +1,7 @@
 // Rotation centers, against a stacked least-squares solution and against their neighbours.
 #include "algorithms/skinning/rotation_center.hpp"
 
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/rotation_center.hpp"

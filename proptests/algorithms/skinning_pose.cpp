@@ -6,7 +6,7 @@
 
 #include "algorithms/skinning/blend.hpp"
 #include "algorithms/skinning/skin.hpp"
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"

@@ -1,7 +1,7 @@
 // The statements that cases can be about: each judges a case in exact arithmetic and in intervals.
 #pragma once
 
-#include "lemmas/vocabulary/ladder.hpp"
+#include "lemmas/exact/ladder.hpp"
 #include "proptests/cases/case_file.hpp"
 
 namespace proptests::cases {

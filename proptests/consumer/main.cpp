@@ -6,7 +6,7 @@
 #include "algorithms/refit/variants.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 // What comes with the package and must hold for any target that a project is compiled for: its types are laid out as the
 // library's, and a square is rounded before it is added to.

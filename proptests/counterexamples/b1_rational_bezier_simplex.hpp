@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/b1_rational_bezier_simplex.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::b1 {
 

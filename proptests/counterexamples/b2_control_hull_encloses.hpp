@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/b2_control_hull_encloses.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::b2 {
 

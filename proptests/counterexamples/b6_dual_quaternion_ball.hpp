@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/b6_dual_quaternion_ball.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::b6 {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/b7_reach.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::b7 {
 

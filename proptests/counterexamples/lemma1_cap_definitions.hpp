@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/lemma1_cap_definitions.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::lemma1 {
 

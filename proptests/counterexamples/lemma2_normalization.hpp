@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/lemma2_normalization.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 
 namespace proptests::lemma2 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::lemma3 {
 

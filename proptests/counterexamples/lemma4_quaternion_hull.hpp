@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/lemma4_quaternion_hull.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::lemma4 {
 

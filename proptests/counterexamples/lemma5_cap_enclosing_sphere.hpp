@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::lemma5 {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/s41_corners_span.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::s41 {
 

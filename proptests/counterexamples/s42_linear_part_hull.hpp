@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/s42_linear_part_hull.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::s42 {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/s43_whole_sphere_fallback.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::s43_fallback {
 

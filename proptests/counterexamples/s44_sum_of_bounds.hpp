@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/s44_sum_of_bounds.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::s44_sum {
 

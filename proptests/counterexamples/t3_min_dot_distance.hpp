@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lemmas/t3_min_dot_distance.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::t3_dot {
 

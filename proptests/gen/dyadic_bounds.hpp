@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 
 namespace proptests::gen {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/quantize.hpp"
 
 namespace proptests::gen {
 

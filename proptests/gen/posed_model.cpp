@@ -2,8 +2,8 @@
 
 #include <ostream>
 
-#include "algorithms/weights/quantize.hpp"
-#include "lemmas/vocabulary/lift.hpp"
+#include "algorithms/model/quantize.hpp"
+#include "lemmas/exact/lift.hpp"
 
 namespace proptests::gen {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <rapidcheck.h>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/show.hpp"
 
 namespace proptests::gen {

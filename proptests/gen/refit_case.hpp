@@ -1,8 +1,8 @@
 // Refits in exact rationals: a reference ball, and joint-sets in a posture with weight bounds, made to be awkward.
 #pragma once
 
-#include "algorithms/refit/refit_node.hpp"
-#include "lemmas/vocabulary/lift.hpp"
+#include "algorithms/tree/refit_node.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 

@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "lemmas/vocabulary/cap.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/quantize.hpp"
 
 namespace proptests::gen {
 

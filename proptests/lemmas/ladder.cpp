@@ -1,4 +1,4 @@
-#include "lemmas/vocabulary/ladder.hpp"
+#include "lemmas/exact/ladder.hpp"
 
 #include "lemmas/vocabulary/root_comparison.hpp"
 #include "proptests/gen/rational.hpp"

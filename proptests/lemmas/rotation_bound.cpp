@@ -1,11 +1,11 @@
 // The ball around all images of a vector under a hull of quaternions.
-#include "algorithms/refit/rotation_bound.hpp"
+#include "lemmas/rotation_bound.hpp"
 
 #include <random>
 
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/t3_one_cap.hpp"
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"

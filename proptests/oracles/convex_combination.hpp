@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::oracle {
 

@@ -2,7 +2,7 @@
 // whether a half-space or a ball meets the surface.
 #pragma once
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 
 namespace proptests {

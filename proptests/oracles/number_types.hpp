@@ -3,7 +3,7 @@
 
 #include <rapidcheck.h>
 
-#include "lemmas/vocabulary/ladder.hpp"
+#include "lemmas/exact/ladder.hpp"
 
 namespace proptests {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lemmas/vocabulary/cap.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests::oracle {
 

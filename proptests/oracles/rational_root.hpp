@@ -4,7 +4,7 @@
 
 #include <gmp.h>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 struct NoRationalRoot {};
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "lemmas/vocabulary/ladder.hpp"
+#include "lemmas/exact/ladder.hpp"
 #include "proptests/oracles/root_ball.hpp"
 
 namespace proptests::oracle {

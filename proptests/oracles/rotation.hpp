@@ -1,7 +1,7 @@
 // Whether two quaternions are one rotation, seen by what they do to the coordinate axes.
 #pragma once
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 
 namespace proptests {

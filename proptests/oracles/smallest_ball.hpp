@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace proptests::oracle {

@@ -3,7 +3,7 @@
 
 #include <gmp.h>
 
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace proptests {
 

@@ -15,7 +15,7 @@
 #include "experiments/explorer/pages/all.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/measure.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace {
 

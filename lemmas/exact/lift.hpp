@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "lemmas/vocabulary/cap.hpp"
-#include "lemmas/vocabulary/exact.hpp"
-#include "lemmas/vocabulary/interval.hpp"
-#include "lemmas/vocabulary/multiprecision_interval.hpp"
+#include "lemmas/exact/exact.hpp"
+#include "lemmas/exact/interval.hpp"
+#include "lemmas/exact/multiprecision_interval.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 #include "lemmas/vocabulary/weights.hpp"

@@ -1,4 +1,4 @@
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/quantize.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // arithmetic, mostly at the price of intervals of doubles.
 #pragma once
 
-#include "lemmas/vocabulary/lift.hpp"
+#include "lemmas/exact/lift.hpp"
 
 namespace refitlab {
 
