@@ -238,6 +238,28 @@ void statements_say_their_words(Suite& t) {
   });
 }
 
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
+    using Point = Vec<Interval, 2>;
+    const Interval zero(0), one(1), about_zero(-1e-3, 1e-3), about_one(1 - 1e-3, 1 + 1e-3);
+    const Point origin(zero, zero), right(one, zero), left(-one, zero), up(zero, one), far_up(zero, Interval(2));
+    const SquaredBall<Interval, 2> circle{origin, one};
+    const auto of_half_space = [&](const Interval& offset, const Point& x) {
+      return half_space_is_cap_repaired<Interval, 2>(circle, {right, offset}, one, x);
+    };
+    const auto of_cap = [&](const Interval& cosine, const Point& x) {
+      return cap_is_half_space_repaired<Interval, 2>({origin, right, cosine}, x);
+    };
+    return Checked(of_half_space(about_one, left) == Verdict::undecided &&     // whether there is an angle
+                       of_half_space(about_zero, up) == Verdict::undecided &&  // whether the point is in both
+                       of_half_space(about_zero, left) == Verdict::holds &&
+                       of_cap(about_one, left) == Verdict::undecided && of_cap(about_zero, up) == Verdict::undecided &&
+                       of_cap(about_zero, far_up) == Verdict::holds && of_cap(about_zero, left) == Verdict::holds,
+                   7);
+  });
+}
+
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a cap that is wrong in one part is rejected", {.number_type = "rational", .cases = 2000}, [] {
@@ -320,6 +342,7 @@ void checks_need_each_part(Suite& t) {
 
 PROPTEST(lemma1_cap_definitions) {
   using namespace lemma1;
+  undecided_parts_are_not_lost(t);
   hypotheses_need_each_part(t);
   statements_say_their_words(t);
   checks_need_each_part(t);

@@ -136,6 +136,28 @@ void hypotheses_need_each_part(Suite& t) {
           });
 }
 
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("what an interval cannot decide of one way between the hulls, it cannot decide of both", {}, [] {
+    const auto verdict = [](const std::vector<Rational>& vectors, const std::vector<Rational>& factors,
+                            const std::vector<Rational>& weights) {
+      VecList<Interval, 1> list;
+      for (const Rational& x : vectors) list.push_back(Vec<Interval, 1>(lift<Interval>(x)));
+      return normalisation_keeps_rays_repaired(list, lift<Interval>(factors), lift<Interval>(weights));
+    };
+    const std::vector<Rational> quarters{Rational(1, 4), Rational(3, 4)},
+        several{Rational(1, 2), Rational(1, 4), Rational(1, 4)};
+    return verdict({1, 1}, {1, 1}, quarters) == Verdict::holds &&
+           verdict({3, 1}, {3, 1}, quarters) == Verdict::undecided &&                  // 1/3 on the way back
+           verdict({1, 1, 1}, {2, Rational(1, 2), 1}, several) == Verdict::undecided;  // 11/8 on the way there
+  });
+  t.example("a blend that is certainly not 0 and one that may be do not vanish together for certain", {}, [] {
+    const Interval half(0.5), wide(0.1, 10);
+    const VecList<Interval, 1> vectors{Vec<Interval, 1>(Interval(2)), Vec<Interval, 1>(Interval(-1))};
+    return blends_vanish_together<Interval, 1>(vectors, {wide, wide}, {half, half}) == Verdict::undecided;
+  });
+}
+
 void verdicts_and_checks_need_each_part(Suite& t) {
   t.holds("the weights of a ray are good if and only if their sum and all of them have the right sign",
           {.number_type = "rational"}, [] {
@@ -225,6 +247,7 @@ void verdicts_and_checks_need_each_part(Suite& t) {
 
 PROPTEST(lemma2_normalization) {
   using namespace lemma2;
+  undecided_parts_are_not_lost(t);
   hypotheses_need_each_part(t);
   verdicts_and_checks_need_each_part(t);
 

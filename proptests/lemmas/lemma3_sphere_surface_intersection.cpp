@@ -183,6 +183,28 @@ void statements_say_their_words(Suite& t) {
   });
 }
 
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
+    using Point = Vec<Interval, 2>;
+    const Interval zero(0), one(1), about_one(1 - 1e-3, 1 + 1e-3), about_five(5 - 1e-3, 5 + 1e-3);
+    const Point left(-one, zero), up(zero, one);
+    const SquaredBall<Interval, 2> circle{Point(zero, zero), one};
+    const SquaredBall<Interval, 2> touching{Point(Interval(2), zero), about_one};
+    const SquaredBall<Interval, 2> through_top{Point(Interval(2), zero), about_five};
+    const SquaredBall<Interval, 2> third{Point(Interval(3), zero), lift<Interval>(Rational(1, 3))};
+    return Checked(
+        intersection_is_cap_repaired(circle, touching, left) == Verdict::undecided &&  // whether they meet
+            intersection_is_cap_repaired(circle, through_top, up) == Verdict::undecided &&
+            intersection_is_cap_repaired(circle, through_top, left) == Verdict::holds &&
+            intersection_is_cap_printed(circle, through_top, up) == Verdict::undecided &&
+            intersection_is_cap_printed(circle, through_top, left) == Verdict::holds &&
+            intersection_distance_repaired(circle, third) == Verdict::undecided &&  // equality of the distance
+            intersection_distance_printed(third) == Verdict::undecided,
+        7);
+  });
+}
+
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a half-space that is wrong in one coordinate or at the origin alone is rejected",
@@ -242,6 +264,7 @@ void checks_need_each_part(Suite& t) {
 
 PROPTEST(lemma3_sphere_surface_intersection) {
   using namespace lemma3;
+  undecided_parts_are_not_lost(t);
   hypotheses_need_each_part(t);
   statements_say_their_words(t);
   checks_need_each_part(t);

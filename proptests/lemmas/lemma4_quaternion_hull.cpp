@@ -169,6 +169,19 @@ void hypotheses_need_each_part(Suite& t) {
   });
 }
 
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
+    using Point = Vec<Interval, 2>;
+    const Interval zero(0), one(1), half(0.5), about_one(1 - 1e-3, 1 + 1e-3), about_two(2 - 1e-3, 2 + 1e-3);
+    const Point origin(zero, zero), right(one, zero), left(-one, zero), up(zero, one);
+    const VecList<Interval, 2> opposite{right, left}, only_up{up}, only_right{right};
+    return hull_stays_in_cap_repaired<Interval, 2>({up, about_two}, opposite, {half, half}) == Verdict::undecided &&
+           hull_stays_in_cap_repaired<Interval, 2>({right, about_two}, only_up, {one}) == Verdict::undecided &&
+           hull_stays_in_cap_printed<Interval, 2>({origin, about_one}, only_right, {one}) == Verdict::undecided;
+  });
+}
+
 void checks_need_each_part(Suite& t) {
   t.holds("a direction or a rotation is enclosed if its unit vectors are", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
@@ -211,6 +224,7 @@ void checks_need_each_part(Suite& t) {
 
 PROPTEST(lemma4_quaternion_hull) {
   using namespace lemma4;
+  undecided_parts_are_not_lost(t);
   hypotheses_need_each_part(t);
   checks_need_each_part(t);
 

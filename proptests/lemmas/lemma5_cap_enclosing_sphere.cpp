@@ -80,8 +80,8 @@ void hypotheses_need_each_part(Suite& t) {
       const auto made = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
       // A cap of no radius too.
       const Cap<Rational, d> no_radius{c.cap.center, c.cap.center, c.cap.cos_angle};
-      RC_ASSERT(smallest_cap_ball<Rational, d>(no_radius, Rational(0), gen::RationalVec<d>::Zero()).verdict ==
-                Verdict::fails);
+      const gen::RationalVec<d> none = gen::RationalVec<d>::Zero();
+      RC_ASSERT(smallest_cap_ball(no_radius, Rational(0), none).verdict == Verdict::fails);
       v = {cap_has_points(c.cap), made.verdict};
     });
     return v;

@@ -107,6 +107,20 @@ void hypotheses_need_each_part(Suite& t) {
   });
 }
 
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("a blend of points that intervals only enclose is decided for its weights, not for its place", {}, [] {
+    const WeightBounds<Interval> free{{Interval(0), Interval(0)}, {Interval(1), Interval(1)}};
+    const Corners<Interval> corners{{Interval(1), Interval(0)}, {Interval(0), Interval(1)}};
+    const std::vector<Interval> halves{Interval(0.5), Interval(0.5)};
+    const Interval third = lift<Interval>(Rational(1, 3)), zero(0);
+    const std::vector<Vec<Interval, 3>> points{{third, zero, zero}, {zero, third, zero}};
+    return corners_span(free, corners, halves).verdict == Verdict::holds &&
+           linear_part_in_hull<Interval, 3>(free, corners, points, halves).verdict == Verdict::undecided &&
+           hull_in_linear_part<Interval, 3>(free, corners, points, halves).verdict == Verdict::undecided;
+  });
+}
+
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a point of the hull or a blend that is wrong in one coordinate, in either direction, is rejected",
@@ -169,6 +183,7 @@ void checks_need_each_part(Suite& t) {
 }
 
 PROPTEST(s42_linear_part_hull) {
+  undecided_parts_are_not_lost(t);
   hypotheses_need_each_part(t);
   checks_need_each_part(t);
 

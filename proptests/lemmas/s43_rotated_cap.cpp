@@ -83,6 +83,11 @@ void hypotheses_need_each_part(Suite& t) {
 
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
+  t.example("an interval does not decide the rotation bound where it is attained", {}, [] {
+    const Interval third = lift<Interval>(Rational(1, 3));
+    const Quaternion<Interval> q(third, third, third, third);
+    return rotation_bound<Interval>(q, q, Vec<Interval, 3>(third, third, third)).verdict == Verdict::undecided;
+  });
   t.holds("a slack that is a square but another one, or no square, is rejected", {.number_type = "rational"}, [] {
     const CapOfRotations c;
     const Vector v = *gen::rational_vector<3>();

@@ -1,7 +1,9 @@
 #include "lemmas/s43_whole_sphere_fallback.hpp"
 
 #include "proptests/counterexamples/s43_whole_sphere_fallback.hpp"
+#include "proptests/gen/cap_angle.hpp"
 #include "proptests/gen/quaternion.hpp"
+#include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/vector.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
@@ -101,20 +103,24 @@ void hypotheses_need_each_part(Suite& t) {
     c.coefficients[k] = -amount;
     return Violation{is_convex<Rational>(c.coefficients), blend_of(c).verdict};
   });
-  needs_part(
-      t, "r^2 < 1 + ||c||^2",
-      [] {
-        Case c = any_mean_ball();
-        const Rational half = Rational(1) + squared_norm(c.center);
-        c.squared_radius = half + *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational()).as("more");
-        RC_PRE(units_of(c) == Verdict::holds);
-        const auto blend = blend_of(c);
-        RC_ASSERT(is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend) ==
-                  Verdict::fails);
-        RC_ASSERT(rotated_vectors_cap_repaired(c.center, c.squared_radius).cos_angle == -1);
-        return Violation{ball_makes_cap(c.center, c.squared_radius), blend.verdict};
-      },
-      500);
+  needs_part(t, "r^2 < 1 + ||c||^2, and not equal to it either", [] {
+    // Two units on the rim of a cap of a half or more: their middle is 0 or behind.
+    const auto frame = *gen::perpendicular_pair<4>();
+    const auto angle = *gen::cap_angle().as("angle");
+    RC_PRE(angle.cosine <= 0 && angle.sine > 0);
+    Case c;
+    c.center = frame.first * *gen::positive_rational().as("distance");
+    c.units = {frame.first * angle.cosine + frame.second * angle.sine,
+               frame.first * angle.cosine - frame.second * angle.sine};
+    c.squared_radius = squared_distance(c.units[0], c.center);
+    c.coefficients = *gen::convex_weights(2);
+    if (*rc::gen::arbitrary<bool>().as("their middle")) c.coefficients = {Rational(1, 2), Rational(1, 2)};
+    RC_ASSERT(units_of(c) == Verdict::holds);
+    const auto blend = blend_of(c);
+    RC_ASSERT(is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend) == Verdict::fails);
+    RC_ASSERT(rotated_vectors_cap_repaired(c.center, c.squared_radius).cos_angle == -1);
+    return Violation{ball_makes_cap(c.center, c.squared_radius), blend.verdict};
+  });
   t.holds("units on the surface of their ball are in it", {.number_type = "rational"}, [] {
     const auto u = *gen::unit_quaternion(), center = *gen::rational_vector<4>();
     const Rational square = squared_distance(u, center);
