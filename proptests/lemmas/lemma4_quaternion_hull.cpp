@@ -64,30 +64,37 @@ void says_nothing(const gen::EnclosedHull<D>& hull, const std::vector<Rational>&
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_part(
-      t, "one of the vectors is longer or shorter than 1, the others are units",
-      [] {
-        Violation v{};
-        gen::for_some_dimension<1, 4>([&v](auto d) {
-          auto hull = several_enclosed<d>();
-          const auto k = *rc::gen::inRange<std::size_t>(0, hull.units.size()).as("which");
-          const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
-          if (*rc::gen::arbitrary<bool>().as("longer"))
-            hull.units[k] *= factor;
-          else
-            hull.units[k] /= factor;
-          hull.ball.squared_radius =
-              max_of(hull.ball.squared_radius, squared_distance(hull.units[k], hull.ball.center));
-          RC_PRE(ball_keeps_hulls(hull.ball) == Verdict::holds);
-          const auto weights = weights_towards<d>(hull, k);
-          const auto b = combine<Rational, d>(weights, hull.units);
-          RC_PRE(b != gen::RationalVec<d>::Zero());
-          says_nothing<d>(hull, weights);
-          v = {are_units_enclosed(hull.ball, hull.units), direction_is_enclosed(hull.ball, b)};
-        });
-        return v;
-      },
-      300);
+  needs_part(t, "one of the vectors is longer or shorter than 1, the others are units", [] {
+    Violation v{};
+    gen::for_some_dimension<2, 4>([&v](auto d) {
+      // The others are along the center, far from 0 or not; the odd one is to the side, on the surface of the ball.
+      const auto frame = *gen::perpendicular_pair<d>().as("frame");
+      const Rational more = *gen::positive_rational().as("more");
+      const auto k = *rc::gen::inRange<std::size_t>(0, 4).as("which");
+      gen::EnclosedHull<d> hull;
+      hull.units.assign(4, frame.first);
+      Rational distance;
+      if (*rc::gen::arbitrary<bool>().as("longer")) {
+        const auto angle = *gen::cap_angle().as("angle");
+        RC_PRE(Rational(0) < angle.cosine && angle.cosine < Rational(1));
+        hull.units[k] = frame.first + frame.second * (angle.sine / angle.cosine);
+        distance = (Rational(1) + Rational(1) / angle.cosine) / (Rational(2) * angle.cosine) + more;
+      } else {
+        hull.units[k] = frame.second / (Rational(1) + more);
+        distance = Rational(1, 2) + more;
+      }
+      hull.ball.center = frame.first * distance;
+      hull.ball.squared_radius = squared_distance(hull.units[k], hull.ball.center);
+      for (const auto& n : hull.units) RC_ASSERT(encloses(hull.ball, n) == Verdict::holds);
+      RC_ASSERT(ball_keeps_hulls(hull.ball) == Verdict::holds);
+      hull.weights = *gen::convex_weights(4).as("weights");
+      const auto weights = weights_towards<d>(hull, k);
+      says_nothing<d>(hull, weights);
+      v = {are_units_enclosed(hull.ball, hull.units),
+           direction_is_enclosed(hull.ball, combine<Rational, d>(weights, hull.units))};
+    });
+    return v;
+  });
   needs_part(
       t, "one of the vectors is not in the ball, the others are",
       [] {

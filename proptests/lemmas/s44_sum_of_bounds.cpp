@@ -158,6 +158,11 @@ void hypotheses_need_each_part(Suite& t) {
 
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
+  t.example("intervals decide that a ball touches another from inside, but not where its farthest point is", {}, [] {
+    const Vec<Interval, 3> origin(Interval(0), Interval(0), Interval(0)), center(Interval(3), Interval(4), Interval(0));
+    const Ball3<Interval> outer{origin, Interval(6)}, inner{center, Interval(1)};
+    return encloses(outer, inner) == Verdict::holds && farthest_point_decides(outer, inner) == Verdict::undecided;
+  });
   t.holds("short enough steps that end elsewhere in one coordinate are rejected", {.number_type = "rational"}, [] {
     auto c = several_points();
     const auto sum = sum_of_bounds(c.ball, c.bounds, c.parts);
