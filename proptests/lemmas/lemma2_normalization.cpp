@@ -4,6 +4,7 @@
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/hull.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/rotation.hpp"
 
@@ -32,8 +33,224 @@ const auto keeps_rays = [](const auto& vectors, const auto& factors, const auto&
   return normalisation_keeps_rays_repaired(vectors, factors, weights);
 };
 
+// Three or four vectors, so that there is an element between the first and the last.
+template <int D>
+gen::ScaledHull<D> hull_of_several() {
+  gen::ScaledHull<D> hull{*gen::sphere_points<D>(3, 4).as("units"), {}, {}};
+  const std::size_t m = hull.vectors.size();
+  hull.lengths = *rc::gen::container<std::vector<Rational>>(m, gen::positive_rational()).as("lengths");
+  hull.weights = *gen::convex_weights(static_cast<int>(m)).as("weights");
+  for (std::size_t i = 0; i < m; ++i) hull.vectors[i] *= hull.lengths[i];
+  return hull;
+}
+
+void hypotheses_need_each_part(Suite& t) {
+  needs_part(t, "one of the factors is negative, the others are positive", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      const auto hull = hull_of_several<d>();
+      auto factors = hull.lengths;
+      RC_ASSERT(are_positive(factors) == Verdict::holds);
+      const auto k = *rc::gen::inRange<std::size_t>(0, factors.size()).as("which");
+      factors[k] = -factors[k];
+      Rational scale(0);
+      for (std::size_t i = 0; i < factors.size(); ++i) scale += hull.weights[i] * factors[i];
+      RC_PRE(scale != Rational(0));
+      RC_ASSERT(normalisation_keeps_rays_repaired(hull.vectors, factors, hull.weights) == Verdict::holds);
+      const auto made = weights_on_same_ray(hull.weights, factors);
+      const auto check = is_same_ray(hull.vectors, hull.weights, divided(hull.vectors, factors), made);
+      RC_ASSERT(check == made.verdict);
+      v = {are_positive(factors), made.verdict};
+    });
+    return v;
+  });
+  t.holds("one factor that is 0, wherever it stands, is refused", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto hull = *gen::scaled_hull<d>().as("case");
+      auto factors = hull.lengths;
+      factors[*rc::gen::inRange<std::size_t>(0, factors.size()).as("which")] = 0;
+      RC_ASSERT(are_positive(factors) == Verdict::fails);
+      RC_ASSERT(are_lengths(hull.vectors, factors) == Verdict::fails);
+      auto vectors = hull.vectors;
+      for (std::size_t i = 0; i < factors.size(); ++i) vectors[i] *= factors[i] / hull.lengths[i];
+      RC_ASSERT(are_lengths(vectors, factors) == Verdict::fails);
+      RC_ASSERT(normalisation_keeps_rays_repaired(vectors, factors, hull.weights) == Verdict::holds);
+      RC_ASSERT(normalisation_keeps_rotations_printed(vectors, factors, hull.weights) == Verdict::holds);
+    });
+  });
+  needs_part(t, "one of the numbers is not the length of its vector: longer, shorter, or of the other sign", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      const auto hull = hull_of_several<d>();
+      auto lengths = hull.lengths;
+      const auto k = *rc::gen::inRange<std::size_t>(0, lengths.size()).as("which");
+      const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+      const int kind = *rc::gen::inRange(0, 3).as("kind");
+      lengths[k] = kind == 0   ? Rational(lengths[k] * factor)
+                   : kind == 1 ? Rational(lengths[k] / factor)
+                               : Rational(-lengths[k]);
+      // What the lengths are for: that the divided vectors are units.
+      const auto units = divided(hull.vectors, lengths);
+      v = {are_lengths(hull.vectors, lengths), are_positive(lengths) & equal(squared_norm(units[k]), Rational(1))};
+    });
+    return v;
+  });
+  needs_part(t, "the weights are convex", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      const auto hull = hull_of_several<d>();
+      auto weights = hull.weights;
+      const auto k = *rc::gen::inRange<std::size_t>(0, weights.size()).as("which"), next = (k + 1) % weights.size();
+      const Rational amount = *gen::positive_rational().as("amount");
+      const bool keeps_sum = *rc::gen::arbitrary<bool>().as("keeps the sum");
+      if (keeps_sum) weights[next] += weights[k] + amount, weights[k] = -amount;
+      if (!keeps_sum) weights[k] += amount;
+      Rational scale(0), back(0);
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        scale += weights[i] * hull.lengths[i];
+        back += weights[i] / hull.lengths[i];
+      }
+      RC_PRE(scale != Rational(0) && back != Rational(0));
+      RC_ASSERT(normalisation_keeps_rays_repaired(hull.vectors, hull.lengths, weights) == Verdict::holds);
+      RC_ASSERT(normalisation_keeps_rotations_printed(hull.vectors, hull.lengths, weights) == Verdict::holds);
+      const auto made = weights_on_same_ray(weights, hull.lengths);
+      // The sum of the weights need not be 1 for a ray; a negative weight leaves it.
+      RC_ASSERT(made.verdict == verdict_of(!keeps_sum));
+      v = {is_convex<Rational>(weights), made.verdict};
+    });
+    return v;
+  });
+  t.holds("nothing is claimed of a blend that is 0 if the numbers are no lengths, or the weights not convex",
+          {.number_type = "rational"}, [] {
+            const auto q = *gen::nonzero_vector<4>().as("vector");
+            const Rational squared = squared_norm(q), amount = *gen::positive_rational().as("amount");
+            RC_PRE(amount * amount != squared);
+            const VecList<Rational, 4> pair{q, -q};
+            const std::vector<Rational> no_lengths{amount, amount}, halves{Rational(1, 2), Rational(1, 2)}, twos{2, 2};
+            RC_ASSERT(normalisation_keeps_rotations_printed(pair, no_lengths, halves) == Verdict::holds);
+            const auto unit = *gen::sphere_point<4>().as("unit");
+            const VecList<Rational, 4> units{unit, -unit};
+            RC_ASSERT(normalisation_keeps_rotations_printed(units, {1, 1}, halves) == Verdict::fails);
+            RC_ASSERT(normalisation_keeps_rotations_printed(units, {1, 1}, twos) == Verdict::holds);
+            RC_ASSERT(normalisation_keeps_rotations_repaired(units, {1, 1}, halves) == Verdict::holds);
+          });
+}
+
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("what an interval cannot decide of one way between the hulls, it cannot decide of both", {}, [] {
+    const auto verdict = [](const std::vector<Rational>& vectors, const std::vector<Rational>& factors,
+                            const std::vector<Rational>& weights) {
+      VecList<Interval, 1> list;
+      for (const Rational& x : vectors) list.push_back(Vec<Interval, 1>(lift<Interval>(x)));
+      return normalisation_keeps_rays_repaired(list, lift<Interval>(factors), lift<Interval>(weights));
+    };
+    const std::vector<Rational> quarters{Rational(1, 4), Rational(3, 4)},
+        several{Rational(1, 2), Rational(1, 4), Rational(1, 4)};
+    return verdict({1, 1}, {1, 1}, quarters) == Verdict::holds &&
+           verdict({3, 1}, {3, 1}, quarters) == Verdict::undecided &&                  // 1/3 on the way back
+           verdict({1, 1, 1}, {2, Rational(1, 2), 1}, several) == Verdict::undecided;  // 11/8 on the way there
+  });
+  t.example("a blend that is certainly not 0 and one that may be do not vanish together for certain", {}, [] {
+    const Interval half(0.5), wide(0.1, 10);
+    const VecList<Interval, 1> vectors{Vec<Interval, 1>(Interval(2)), Vec<Interval, 1>(Interval(-1))};
+    return blends_vanish_together<Interval, 1>(vectors, {wide, wide}, {half, half}) == Verdict::undecided;
+  });
+}
+
+void verdicts_and_checks_need_each_part(Suite& t) {
+  t.holds("the weights of a ray are good if and only if their sum and all of them have the right sign",
+          {.number_type = "rational"}, [] {
+            const auto weights = *rc::gen::container<std::vector<Rational>>(4, gen::rational()).as("weights");
+            const auto factors = *rc::gen::container<std::vector<Rational>>(4, gen::positive_rational()).as("factors");
+            Rational scale(0);
+            bool none_negative = true, none_positive = true;
+            for (std::size_t i = 0; i < 4; ++i) {
+              scale += weights[i] * factors[i];
+              none_negative = none_negative && weights[i] >= Rational(0);
+              none_positive = none_positive && weights[i] <= Rational(0);
+            }
+            RC_PRE(scale != Rational(0));
+            RC_CLASSIFY(none_negative || none_positive, "of one sign");
+            const auto made = weights_on_same_ray(weights, factors);
+            RC_ASSERT(made.scale == scale);
+            RC_ASSERT(made.verdict == verdict_of(none_negative));
+          });
+  t.holds("one weight below 0 and a sum below 0 are each seen by themselves", {.number_type = "rational"}, [] {
+    std::vector<Rational> weights = *gen::convex_weights(4).as("weights"), ones(4, Rational(1));
+    RC_ASSERT(weights_on_same_ray(weights, ones).verdict == Verdict::holds);
+    const auto k = *rc::gen::inRange<std::size_t>(0, 4).as("which");
+    auto one_negative = weights;
+    one_negative[(k + 1) % 4] += one_negative[k] + Rational(1);
+    one_negative[k] = -1;  // the sum is kept
+    RC_ASSERT(weights_on_same_ray(one_negative, ones).verdict == Verdict::fails);
+    for (auto& w : weights) w = -w;
+    RC_ASSERT(weights_on_same_ray(weights, ones).verdict == Verdict::fails);
+  });
+  t.holds("the inverses of factors of any sign are inverse to them", {.number_type = "rational"}, [] {
+    const auto factors = *rc::gen::container<std::vector<Rational>>(3, gen::rational()).as("factors");
+    for (const Rational& f : factors) RC_PRE(f != Rational(0));
+    for (std::size_t i = 0; i < 3; ++i) RC_ASSERT(inverses(factors)[i] * factors[i] == Rational(1));
+  });
+  t.holds("a ray that is wrong in one part is rejected", {.number_type = "rational", .cases = 2000}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto hull = *gen::scaled_hull<d>().as("case");
+      auto to = divided<Rational, d>(hull.vectors, hull.lengths);
+      auto w = weights_on_same_ray(hull.weights, hull.lengths);
+      const Rational amount = *gen::positive_rational().as("amount");
+      const int part = *rc::gen::inRange(0, 5).as("part");
+      RC_TAG(part);
+      if (part == 0) {  // the sign of the scale: the opposite hull
+        for (auto& p : to) p = -p;
+        w.scale = -w.scale;
+      }
+      if (part == 1) {  // one coordinate of one of the vectors that take part
+        const auto k = *rc::gen::inRange<std::size_t>(0, to.size()).as("which");
+        RC_PRE(w.weights[k] > Rational(0));
+        to[k][*rc::gen::inRange(0, int(d)).as("coordinate")] += amount;
+      }
+      if (part == 2) {  // a negative weight that makes the same blend: of two equal vectors
+        to.push_back(to[0]);
+        w.weights.push_back(-amount);
+        w.weights[0] += amount;
+      }
+      if (part == 3) {  // a weight too many, or too few
+        if (*rc::gen::arbitrary<bool>().as("too many"))
+          w.weights.push_back(Rational(0));
+        else
+          to.push_back(to[0]);
+      }
+      if (part == 4) {  // a scale of 0, where the blend is 0
+        RC_PRE(squared_norm(blend(hull)) == Rational(0));
+        w.scale = 0;
+      }
+      RC_ASSERT(is_same_ray(hull.vectors, hull.weights, to, w) == Verdict::fails);
+    });
+  });
+  t.holds("two quaternions are one rotation if neither is 0 and one is a multiple of the other",
+          {.number_type = "rational"}, [] {
+            const auto p = *gen::nonzero_vector<4>().as("p");
+            const Rational factor = *gen::rational().as("factor");
+            const gen::RationalVec<4> zero = gen::RationalVec<4>::Zero(), multiple = p * factor;
+            RC_ASSERT(are_same_rotation(p, multiple) == verdict_of(factor != Rational(0)));
+            RC_ASSERT(are_same_rotation(multiple, p) == verdict_of(factor != Rational(0)));
+            RC_ASSERT(are_same_rotation(zero, p) == Verdict::fails && are_same_rotation(p, zero) == Verdict::fails);
+            // Every pair of coordinates is looked at.
+            const int i = *rc::gen::inRange(0, 4).as("one coordinate"), j = *rc::gen::inRange(0, 4).as("another");
+            RC_PRE(i != j);
+            gen::RationalVec<4> along = zero, aside = zero;
+            along[i] = aside[i] = 1;
+            aside[j] = *gen::positive_rational().as("amount");
+            RC_ASSERT(are_same_rotation(along, aside) == Verdict::fails);
+          });
+}
+
 PROPTEST(lemma2_normalization) {
   using namespace lemma2;
+  undecided_parts_are_not_lost(t);
+  hypotheses_need_each_part(t);
+  verdicts_and_checks_need_each_part(t);
+
   t.example("blends that are 0 refute the printed statement", {.form = "printed"}, [] {
     return normalisation_keeps_rotations_printed(antipodal, ones, halves) == Verdict::fails &&
            normalisation_keeps_rotations_printed(three_around, three_ones, cancelling) == Verdict::fails &&

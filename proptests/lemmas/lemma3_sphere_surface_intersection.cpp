@@ -4,6 +4,7 @@
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/surface.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/nearest_on_surface.hpp"
 #include "proptests/oracles/number_types.hpp"
 
@@ -34,8 +35,240 @@ const auto is_outside = [](const auto& surface, const auto& ball) {
   return !contains(intersection_cap(surface, ball).half_space, surface.center);
 };
 
+// A surface and a ball about different centers, with r_a > 0.
+template <int D>
+gen::SurfaceAndBall<D> eccentric() {
+  const auto c = *gen::surface_and_ball<D>().as("case");
+  RC_PRE(c.surface.center != c.ball.center && c.surface.squared_radius > Rational(0));
+  return c;
+}
+
+void hypotheses_need_each_part(Suite& t) {
+  t.holds("a surface meets a ball from |delta - r_a| = r_b on", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      // All of them on one line through a, so that no root is needed.
+      const auto a = *gen::rational_vector<d>().as("center");
+      const auto u = *gen::sphere_point<d>().as("direction");
+      const Rational radius = abs(*gen::rational().as("radius")), delta = abs(*gen::rational().as("distance"));
+      const Rational edge = abs(delta - radius), amount = *gen::positive_rational().as("amount");
+      const SquaredBall<Rational, d> surface{a, radius * radius};
+      const gen::RationalVec<d> b = a + u * delta;
+      const auto with_radius = [&](const Rational& r) { return SquaredBall<Rational, d>{b, r * r}; };
+      RC_ASSERT(surface_meets_ball(surface, with_radius(edge)) == Verdict::holds);
+      RC_ASSERT(surface_meets_ball(surface, with_radius(edge + amount)) == Verdict::holds);
+      const Rational smaller = edge / (Rational(1) + amount);
+      RC_ASSERT(surface_meets_ball(surface, with_radius(smaller)) == verdict_of(edge == Rational(0)));
+      // A ball that holds all of the surface meets it.
+      RC_ASSERT(surface_meets_ball(surface, with_radius(delta + radius + amount)) == Verdict::holds);
+      const SquaredBall<Rational, d> none{a, -amount};
+      RC_ASSERT(surface_meets_ball(none, with_radius(delta + amount)) == Verdict::fails);
+      for (const Rational& r : {edge, Rational(edge + amount), smaller, Rational(delta + radius + amount)}) {
+        const auto ball = with_radius(r);
+        const auto made = intersection_cap(surface, ball);
+        RC_ASSERT(made.verdict == verdict_of(delta != Rational(0) && r >= edge));
+        RC_ASSERT(intersection_is_cap_repaired(surface, ball, gen::RationalVec<d>(a + u * radius)) == Verdict::holds);
+      }
+    });
+  });
+  needs_part(t, "b != a", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      auto c = eccentric<d>();
+      c.ball.center = c.surface.center;
+      c.ball.squared_radius = c.surface.squared_radius + abs(*gen::rational().as("more"));
+      RC_ASSERT(surface_meets_ball(c.surface, c.ball) == Verdict::holds);
+      RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
+      RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::fails);
+      RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
+      const auto made = intersection_cap(c.surface, c.ball);
+      RC_ASSERT(is_intersection_cap(c.surface, c.ball, made) == Verdict::fails);
+      v = {are_eccentric(c.surface, c.ball), made.verdict};
+    });
+    return v;
+  });
+  needs_part(t, "the ball meets the surface", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      auto c = eccentric<d>();
+      // Inside or beyond: less than the squared distance of the nearest point, which is at least the lower end of its
+      // root.
+      const Rational delta2 = squared_distance(c.surface.center, c.ball.center);
+      c.ball.squared_radius =
+          sq(Rational(delta2 - c.surface.squared_radius)) / (Rational(4) * (delta2 + c.surface.squared_radius));
+      RC_PRE(delta2 != c.surface.squared_radius);
+      RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
+      v = {surface_meets_ball(c.surface, c.ball), intersection_cap(c.surface, c.ball).verdict};
+    });
+    return v;
+  });
+  needs_part(t, "the point is on the surface", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      auto c = eccentric<d>();
+      c.point += *gen::nonzero_vector<d>().as("shift");
+      RC_PRE(on_surface(c.surface, c.point) == Verdict::fails);
+      RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
+      RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::holds);
+      const auto made = intersection_cap(c.surface, c.ball);
+      v = {on_surface(c.surface, c.point), ball_and_half_space_agree(c.ball, made.half_space, c.point)};
+    });
+    return v;
+  });
+  needs_part(t, "of the distance: e >= 0", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      auto c = eccentric<d>();
+      c.ball.squared_radius = c.surface.squared_radius + squared_distance(c.surface.center, c.ball.center);
+      // e = 0: the center is in the plane, and the distance 0.
+      const auto at_center = nearest_point_of_intersection_cap(c.surface, c.ball);
+      RC_ASSERT(at_center.verdict == Verdict::holds && at_center.squared_distance == Rational(0));
+      RC_ASSERT(center_is_outside_half_space(c.surface, c.ball) == Verdict::fails);
+      RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
+      c.ball.squared_radius += *gen::positive_rational().as("amount");
+      RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
+      const auto made = nearest_point_of_intersection_cap(c.surface, c.ball);
+      const auto h = intersection_cap(c.surface, c.ball).half_space;
+      v = {made.verdict, is_nearest_point(h, c.surface.center, made)};
+    });
+    return v;
+  });
+  t.holds(
+      "nothing is printed of negative squared radii, nor of a distance for r_b >= 1", {.number_type = "rational"}, [] {
+        gen::for_some_dimension<1, 4>([](auto d) {
+          auto c = eccentric<d>();
+          const Rational amount = *gen::positive_rational().as("amount");
+          auto none = c;
+          none.ball.squared_radius = -amount;
+          RC_ASSERT(intersection_is_cap_printed(none.surface, none.ball, none.point) == Verdict::holds);
+          RC_ASSERT(intersection_distance_printed(none.ball) == Verdict::holds);
+          none.ball.center = gen::RationalVec<d>::Zero();
+          RC_ASSERT(intersection_distance_printed(none.ball) == Verdict::holds);
+          auto wide = c;
+          // About 0, where no distance is defined, and so large that 0 is inside H.
+          for (const Rational& r2 : {Rational(1), Rational(1 + amount), Rational(2 + squared_norm(c.ball.center))}) {
+            wide.ball.squared_radius = r2;
+            RC_ASSERT(intersection_distance_printed(wide.ball) == Verdict::holds);
+            RC_ASSERT(intersection_distance_printed(SquaredBall<Rational, d>{gen::RationalVec<d>::Zero(), r2}) ==
+                      Verdict::holds);
+          }
+          const SquaredBall<Rational, d> concentric{gen::RationalVec<d>::Zero(), Rational(1) / (Rational(1) + amount)};
+          RC_ASSERT(intersection_distance_printed(concentric) == Verdict::fails);
+          // A squared radius of 0 is one.
+          const SquaredBall<Rational, d> origin{gen::RationalVec<d>::Zero(), Rational(0)};
+          RC_ASSERT(intersection_distance_printed(origin) == Verdict::fails);
+          const SquaredBall<Rational, d> inner{c.surface.center, c.surface.squared_radius / (Rational(1) + amount)};
+          RC_ASSERT(intersection_is_cap_printed(c.surface, inner, c.point) == Verdict::fails);
+          const SquaredBall<Rational, d> point{c.surface.center, Rational(0)};
+          RC_ASSERT(intersection_is_cap_printed(c.surface, point, c.point) == Verdict::fails);
+          RC_ASSERT(intersection_is_cap_printed(point, {point.center, amount}, point.center) == Verdict::fails);
+          // A surface of a negative squared radius has no points; a case that pretends one is not the theorem's.
+          const SquaredBall<Rational, d> no_surface{c.surface.center, -amount};
+          RC_ASSERT(intersection_is_cap_printed(no_surface, inner, c.point) == Verdict::holds);
+        });
+      });
+}
+
+void statements_say_their_words(Suite& t) {
+  t.holds("a ball and a half-space agree on a point if both hold it, or none", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto c = *gen::surface_and_ball<d>().as("ball and point");
+      auto h = (*gen::surface_in_half_space<d>().as("half-space")).half_space;
+      if (*rc::gen::arbitrary<bool>().as("on the plane")) h.offset = dot(c.point, h.normal);
+      const bool in_ball = squared_distance(c.point, c.ball.center) <= c.ball.squared_radius;
+      const bool in_half_space = dot(c.point, h.normal) >= h.offset;
+      RC_CLASSIFY(in_ball && !in_half_space, "only in the ball");
+      RC_CLASSIFY(!in_ball && in_half_space, "only in the half-space");
+      RC_ASSERT(ball_and_half_space_agree(c.ball, h, c.point) == verdict_of(in_ball == in_half_space));
+    });
+  });
+}
+
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
+    using Point = Vec<Interval, 2>;
+    const Interval zero(0), one(1), about_one(1 - 1e-3, 1 + 1e-3), about_five(5 - 1e-3, 5 + 1e-3);
+    const Point left(-one, zero), up(zero, one);
+    const SquaredBall<Interval, 2> circle{Point(zero, zero), one};
+    const SquaredBall<Interval, 2> touching{Point(Interval(2), zero), about_one};
+    const SquaredBall<Interval, 2> through_top{Point(Interval(2), zero), about_five};
+    const SquaredBall<Interval, 2> third{Point(Interval(3), zero), lift<Interval>(Rational(1, 3))};
+    return Checked(
+        intersection_is_cap_repaired(circle, touching, left) == Verdict::undecided &&  // whether they meet
+            intersection_is_cap_repaired(circle, through_top, up) == Verdict::undecided &&
+            intersection_is_cap_repaired(circle, through_top, left) == Verdict::holds &&
+            intersection_is_cap_printed(circle, through_top, up) == Verdict::undecided &&
+            intersection_is_cap_printed(circle, through_top, left) == Verdict::holds &&
+            intersection_distance_repaired(circle, third) == Verdict::undecided &&  // equality of the distance
+            intersection_distance_printed(third) == Verdict::undecided,
+        7);
+  });
+}
+
+// Wrong witnesses, each of them wrong in one part and right in all others.
+void checks_need_each_part(Suite& t) {
+  t.holds("a half-space that is wrong in one coordinate or at the origin alone is rejected",
+          {.number_type = "rational"}, [] {
+            gen::for_some_dimension<1, 4>([](auto d) {
+              const auto c = eccentric<d>();
+              const Rational amount = *gen::positive_rational().as("amount");
+              const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
+              auto coordinate = intersection_cap(c.surface, c.ball), origin = coordinate;
+              coordinate.half_space.normal[i] += amount;  // right at the origin and at the other coordinate vectors
+              RC_PRE(is_half_space(coordinate.half_space) == Verdict::holds);
+              RC_ASSERT(is_intersection_cap(c.surface, c.ball, coordinate) == Verdict::fails);
+              origin.half_space.offset += amount;  // right at all of the coordinate vectors
+              for (int k = 0; k < int(d); ++k) origin.half_space.normal[k] += amount;
+              RC_PRE(is_half_space(origin.half_space) == Verdict::holds);
+              RC_ASSERT(is_intersection_cap(c.surface, c.ball, origin) == Verdict::fails);
+            });
+          });
+  t.holds("a nearest point that is wrong in one part is rejected", {.number_type = "rational", .cases = 2000}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      using Vector = gen::RationalVec<d>;
+      const auto from = *gen::rational_vector<d>().as("from");
+      const Rational amount = *gen::positive_rational().as("amount");
+      const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
+      HalfSpace<Rational, d> h{*gen::nonzero_vector<d>().as("normal"), Rational(0)};
+      const auto verdict = [&](const Vector& way, const Rational& squared) {
+        return is_nearest_point(h, from, FootPoint<Rational, d>{Verdict::holds, from + way, squared});
+      };
+      const auto through = [&](const Vector& way) { h.offset = dot(Vector(from + way), h.normal); };
+      const Vector way = h.normal * amount, none = Vector::Zero();
+      const Rational square = squared_norm(way);
+      through(way);
+      RC_ASSERT(verdict(way, square) == Verdict::holds);
+      RC_ASSERT(verdict(way, square + amount) == Verdict::fails &&
+                verdict(way, square / 2) == Verdict::fails);                 // the distance
+      const Vector farther = way * Rational(2), nearer = way / Rational(2);  // not in the plane
+      RC_ASSERT(verdict(farther, squared_norm(farther)) == Verdict::fails);
+      RC_ASSERT(verdict(nearer, squared_norm(nearer)) == Verdict::fails);
+      through(-way);  // behind
+      RC_ASSERT(verdict(-way, square) == Verdict::fails);
+      through(none);  // in the plane
+      RC_ASSERT(verdict(none, Rational(0)) == Verdict::holds);
+      if constexpr (d > 1) {  // another point of the plane: aside along one coordinate, with a normal along another
+        const int j = (i + *rc::gen::inRange(1, int(d)).as("other coordinate")) % d;
+        h.normal = Vector::Zero();
+        h.normal[i] = amount;
+        Vector aside = h.normal;
+        aside[j] = amount;
+        through(aside);
+        RC_ASSERT(verdict(aside, squared_norm(aside)) == Verdict::fails);
+      }
+      h = {none, Rational(0)};  // no half-space
+      RC_ASSERT(verdict(none, Rational(0)) == Verdict::fails);
+    });
+  });
+}
+
 PROPTEST(lemma3_sphere_surface_intersection) {
   using namespace lemma3;
+  undecided_parts_are_not_lost(t);
+  hypotheses_need_each_part(t);
+  statements_say_their_words(t);
+  checks_need_each_part(t);
+
   t.example("empty intersections and equal centers refute the printed statement", {.form = "printed"}, [] {
     bool all = true;
     for (const Disc& disc : {inside, beyond, point_inside, point_beyond, concentric_small, concentric_large})

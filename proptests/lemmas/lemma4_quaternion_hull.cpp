@@ -5,6 +5,7 @@
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/hull.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests {
@@ -28,8 +29,212 @@ const auto direction_enclosed = [](const auto& ball, const auto& units, const au
 const auto rotation_enclosed = [](const auto& ball, const auto& blend) { return rotation_is_enclosed(ball, blend); };
 const auto keeps_hulls = [](const auto& ball) { return ball_keeps_hulls(ball); };
 
+// Three or four unit vectors in a ball that bounds hulls, so that there is one between the first and the last.
+template <int D>
+gen::EnclosedHull<D> several_enclosed() {
+  gen::EnclosedHull<D> hull;
+  hull.units = *gen::sphere_points<D>(3, 4).as("units");
+  hull.weights = *gen::convex_weights(static_cast<int>(hull.units.size())).as("weights");
+  for (auto& n : hull.units)  // on one side, so that a small ball holds them
+    if (dot(n, hull.units[0]) < Rational(0)) n = -n;
+  hull.ball.center = (hull.units[0] + hull.units[1] + hull.units[2]) / Rational(3);
+  for (const auto& n : hull.units)
+    hull.ball.squared_radius = max_of(hull.ball.squared_radius, squared_distance(n, hull.ball.center));
+  RC_PRE(ball_keeps_hulls(hull.ball) == Verdict::holds);
+  return hull;
+}
+
+// The weights of the blend, or all of the weight on one vector.
+template <int D>
+std::vector<Rational> weights_towards(const gen::EnclosedHull<D>& hull, std::size_t k) {
+  if (*rc::gen::arbitrary<bool>().as("the hull's weights")) return hull.weights;
+  std::vector<Rational> weights(hull.units.size(), Rational(0));
+  weights[k] = 1;
+  return weights;
+}
+
+// A case that the statements say nothing of.
+template <int D>
+void says_nothing(const gen::EnclosedHull<D>& hull, const std::vector<Rational>& weights) {
+  RC_ASSERT(hull_stays_in_cap_repaired(hull.ball, hull.units, weights) == Verdict::holds);
+  RC_ASSERT(rotations_stay_in_cap_repaired(hull.ball, hull.units, weights) == Verdict::holds);
+  RC_ASSERT(hull_stays_in_cap_printed(hull.ball, hull.units, weights) == Verdict::holds);
+  RC_ASSERT(rotations_stay_in_cap_printed(hull.ball, hull.units, weights) == Verdict::holds);
+  RC_ASSERT(hull_hypotheses_printed(hull.ball, hull.units, weights) == Verdict::fails);
+}
+
+void hypotheses_need_each_part(Suite& t) {
+  needs_part(t, "one of the vectors is longer or shorter than 1, the others are units", [] {
+    Violation v{};
+    gen::for_some_dimension<2, 4>([&v](auto d) {
+      // The others are along the center, far from 0 or not; the odd one is to the side, on the surface of the ball.
+      const auto frame = *gen::perpendicular_pair<d>().as("frame");
+      const Rational more = *gen::positive_rational().as("more");
+      const auto k = *rc::gen::inRange<std::size_t>(0, 4).as("which");
+      gen::EnclosedHull<d> hull;
+      hull.units.assign(4, frame.first);
+      Rational distance;
+      if (*rc::gen::arbitrary<bool>().as("longer")) {
+        const auto angle = *gen::cap_angle().as("angle");
+        RC_PRE(Rational(0) < angle.cosine && angle.cosine < Rational(1));
+        hull.units[k] = frame.first + frame.second * (angle.sine / angle.cosine);
+        distance = (Rational(1) + Rational(1) / angle.cosine) / (Rational(2) * angle.cosine) + more;
+      } else {
+        hull.units[k] = frame.second / (Rational(1) + more);
+        distance = Rational(1, 2) + more;
+      }
+      hull.ball.center = frame.first * distance;
+      hull.ball.squared_radius = squared_distance(hull.units[k], hull.ball.center);
+      for (const auto& n : hull.units) RC_ASSERT(encloses(hull.ball, n) == Verdict::holds);
+      RC_ASSERT(ball_keeps_hulls(hull.ball) == Verdict::holds);
+      hull.weights = *gen::convex_weights(4).as("weights");
+      const auto weights = weights_towards<d>(hull, k);
+      says_nothing<d>(hull, weights);
+      v = {are_units_enclosed(hull.ball, hull.units),
+           direction_is_enclosed(hull.ball, combine<Rational, d>(weights, hull.units))};
+    });
+    return v;
+  });
+  needs_part(
+      t, "one of the vectors is not in the ball, the others are",
+      [] {
+        Violation v{};
+        gen::for_some_dimension<1, 4>([&v](auto d) {
+          auto hull = several_enclosed<d>();
+          const auto k = *rc::gen::inRange<std::size_t>(0, hull.units.size()).as("which");
+          hull.units[k] = *gen::sphere_point<d>().as("another vector");
+          RC_PRE(encloses(hull.ball, hull.units[k]) == Verdict::fails);
+          const auto weights = weights_towards<d>(hull, k);
+          const auto b = combine<Rational, d>(weights, hull.units);
+          RC_PRE(b != gen::RationalVec<d>::Zero());
+          says_nothing<d>(hull, weights);
+          v = {are_units_enclosed(hull.ball, hull.units), rotation_is_enclosed(hull.ball, b)};
+        });
+        return v;
+      },
+      300);
+  needs_part(
+      t, "the weights are convex",
+      [] {
+        Violation v{};
+        gen::for_some_dimension<2, 4>([&v](auto d) {
+          const auto hull = several_enclosed<d>();
+          auto weights = hull.weights;
+          const auto k = *rc::gen::inRange<std::size_t>(0, weights.size()).as("which");
+          const Rational amount = *gen::positive_rational().as("amount");
+          weights[(k + 1) % weights.size()] += weights[k] + amount;
+          weights[k] = -amount;
+          const auto b = combine<Rational, d>(weights, hull.units);
+          RC_PRE(b != gen::RationalVec<d>::Zero());
+          says_nothing<d>(hull, weights);
+          v = {is_convex<Rational>(weights), rotation_is_enclosed(hull.ball, b)};
+        });
+        return v;
+      },
+      300);
+  t.holds("no vectors are in no ball; vectors on the surface of theirs are in it", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      auto hull = *gen::enclosed_hull<d>().as("case");
+      RC_ASSERT(are_units_enclosed(hull.ball, VecList<Rational, d>{}) == Verdict::fails);
+      const auto k = *rc::gen::inRange<std::size_t>(0, hull.units.size()).as("which");
+      const VecList<Rational, d> one{hull.units[k]};
+      hull.ball.squared_radius = squared_distance(one[0], hull.ball.center);
+      RC_ASSERT(are_units_enclosed(hull.ball, one) == Verdict::holds);
+    });
+  });
+  t.holds(
+      "a ball keeps hulls up to r^2 = 1 + c^2 and from r = 1 + c on, and nowhere between", {.number_type = "rational"},
+      [] {
+        gen::for_some_dimension<1, 4>([](auto d) {
+          const auto u = *gen::sphere_point<d>().as("direction");
+          const Rational c = *gen::positive_rational().as("distance"), amount = *gen::positive_rational().as("amount");
+          const Rational half = Rational(1) + c * c, whole = sq(Rational(Rational(1) + c));
+          const auto keeps = [&](const Rational& square) {
+            return ball_keeps_hulls(SquaredBall<Rational, d>{u * c, square});
+          };
+          RC_ASSERT(keeps(half) == Verdict::holds && keeps(half - amount) == Verdict::holds);
+          RC_ASSERT(keeps(whole) == Verdict::holds && keeps(whole + amount) == Verdict::holds);
+          const Rational share = Rational(1) / (Rational(1) + amount);
+          RC_ASSERT(keeps(half + (whole - half) * share) == Verdict::fails);
+          // The printed border is another: at r = 1 it is already passed.
+          RC_ASSERT(radius_below_one_is_needed_printed(SquaredBall<Rational, d>{u * c, Rational(1)}) == Verdict::fails);
+          RC_ASSERT(radius_below_one_is_needed_printed(SquaredBall<Rational, d>{u * c, share}) == Verdict::holds);
+        });
+      });
+  t.holds("the printed hypotheses are those of a radius strictly below 1", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      auto hull = *gen::enclosed_hull<d>().as("case");
+      RC_ASSERT(hull_hypotheses_printed(hull.ball, hull.units, hull.weights) ==
+                verdict_of(hull.ball.squared_radius < Rational(1)));
+      // At 1 a blend may be 0: of two opposite vectors about the origin.
+      const VecList<Rational, d> opposite{hull.units[0], -hull.units[0]};
+      const SquaredBall<Rational, d> unit{gen::RationalVec<d>::Zero(), Rational(1)};
+      RC_ASSERT(hull_hypotheses_printed(unit, opposite, lemma4::halves) == Verdict::fails);
+      RC_ASSERT(hull_stays_in_cap_printed(unit, opposite, lemma4::halves) == Verdict::holds);
+      RC_ASSERT(hull_stays_in_cap_repaired(unit, opposite, lemma4::halves) == Verdict::holds);
+    });
+  });
+}
+
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
+    using Point = Vec<Interval, 2>;
+    const Interval zero(0), one(1), half(0.5), about_one(1 - 1e-3, 1 + 1e-3), about_two(2 - 1e-3, 2 + 1e-3);
+    const Point origin(zero, zero), right(one, zero), left(-one, zero), up(zero, one);
+    const VecList<Interval, 2> opposite{right, left}, only_up{up}, only_right{right};
+    return hull_stays_in_cap_repaired<Interval, 2>({up, about_two}, opposite, {half, half}) == Verdict::undecided &&
+           hull_stays_in_cap_repaired<Interval, 2>({right, about_two}, only_up, {one}) == Verdict::undecided &&
+           hull_stays_in_cap_printed<Interval, 2>({origin, about_one}, only_right, {one}) == Verdict::undecided;
+  });
+}
+
+void checks_need_each_part(Suite& t) {
+  t.holds("a direction or a rotation is enclosed if its unit vectors are", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      using Vector = gen::RationalVec<d>;
+      const Vector u = *gen::sphere_point<d>().as("direction"), b = u * *gen::positive_rational().as("length");
+      SquaredBall<Rational, d> ball{*gen::rational_vector<d>().as("center"),
+                                    abs(*gen::rational().as("squared radius"))};
+      if (*rc::gen::arbitrary<bool>().as("on the surface")) ball.squared_radius = squared_distance(u, ball.center);
+      const Vector opposite = -u;
+      const bool ahead = squared_distance(u, ball.center) <= ball.squared_radius;
+      const bool behind = squared_distance(opposite, ball.center) <= ball.squared_radius;
+      RC_CLASSIFY(hull_offset(ball) < Rational(0), "more than half of the surface");
+      RC_CLASSIFY(ahead != behind, "one of both");
+      RC_ASSERT(direction_is_enclosed(ball, b) == verdict_of(ahead));
+      RC_ASSERT(rotation_is_enclosed(ball, b) == verdict_of(ahead || behind));
+    });
+  });
+  t.holds("a blend that is wrong in one part is rejected", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      using Vector = gen::RationalVec<d>;
+      const Vector u = *gen::sphere_point<d>().as("unit");
+      const Rational amount = *gen::positive_rational().as("amount"), longer = Rational(1) + amount;
+      const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
+      const auto verdict = [&](const SquaredBall<Rational, d>& ball, const Vector& unit, const Vector& blend) {
+        return is_hull_element(ball, VecList<Rational, d>{unit}, {Rational(1)},
+                               HullElement<Rational, d>{Verdict::holds, blend, dot(blend, ball.center)});
+      };
+      const SquaredBall<Rational, d> point{u, Rational(0)}, opposite{-u, Rational(0)},
+          origin{Vector::Zero(), Rational(1)};
+      RC_ASSERT(verdict(point, u, u) == Verdict::holds);  // with equality in the length and in the offset
+      RC_ASSERT(verdict(point, u * longer, u * longer) == Verdict::fails);  // the length
+      RC_ASSERT(verdict(opposite, u, u) == Verdict::fails);                 // the offset
+      Vector mirrored = u;
+      mirrored[i] = -mirrored[i];
+      RC_ASSERT(verdict(origin, u, u) == Verdict::holds);
+      RC_ASSERT(verdict(origin, u, mirrored) == verdict_of(u[i] == Rational(0)));  // one coordinate
+    });
+  });
+}
+
 PROPTEST(lemma4_quaternion_hull) {
   using namespace lemma4;
+  undecided_parts_are_not_lost(t);
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+
   t.example("a mean ball of radius 6/5 bounds its hull: a radius below 1 is not needed", {.form = "printed"}, [] {
     const Disc& disc = mean_of_three_and_one;
     const Q o = hull_offset(disc), d_H_squared = o * o / (Q(4) * squared_norm(disc.center));

@@ -4,6 +4,7 @@
 #include "proptests/gen/cap.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests {
@@ -25,7 +26,211 @@ gen::CapPoint<D> about_origin(const gen::CapPoint<D>& c) {
   return {{gen::RationalVec<D>::Zero(), c.cap.apex - c.cap.center, c.cap.cos_angle}, c.point - c.cap.center};
 }
 
+// A cap with r > 0 and an angle strictly between 0 and pi/2.
+template <int D>
+gen::RimmedCap<D> narrow_cap() {
+  const auto c = *gen::rimmed_cap<D>().as("cap");
+  RC_PRE(c.cap.apex != c.cap.center && c.cap.cos_angle > Rational(0) && c.cap.cos_angle < Rational(1));
+  return c;
+}
+
+void hypotheses_need_each_part(Suite& t) {
+  const auto made_by = [](const auto& c) {
+    return is_smallest_cap_ball(c.cap, smallest_cap_ball(c.cap, c.sine, c.rim_direction));
+  };
+  needs_part(t, "v is perpendicular to the axis, to either side", [=] {
+    Violation v{};
+    gen::for_some_dimension<2, 4>([&](auto d) {
+      auto c = narrow_cap<d>();
+      const auto tilt = *gen::cap_angle().as("tilt");
+      RC_PRE(tilt.cosine != Rational(0));
+      c.rim_direction = (c.cap.apex - c.cap.center) * tilt.cosine + c.rim_direction * tilt.sine;  // as long
+      v = {is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
+    });
+    return v;
+  });
+  needs_part(t, "v is as long as the axis, not longer and not shorter", [=] {
+    Violation v{};
+    gen::for_some_dimension<2, 4>([&](auto d) {
+      auto c = narrow_cap<d>();
+      const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+      c.rim_direction = *rc::gen::arbitrary<bool>().as("longer") ? gen::RationalVec<d>(c.rim_direction * factor)
+                                                                 : gen::RationalVec<d>(c.rim_direction / factor);
+      v = {is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
+    });
+    return v;
+  });
+  needs_part(t, "cos^2 + sin^2 = 1, not more and not less", [=] {
+    Violation v{};
+    gen::for_some_dimension<2, 4>([&](auto d) {
+      auto c = narrow_cap<d>();
+      const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+      c.sine = *rc::gen::arbitrary<bool>().as("more") ? Rational(c.sine * factor) : Rational(c.sine / factor);
+      v = {is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
+    });
+    return v;
+  });
+  needs_part(t, "cos(alpha) <= 1", [] {
+    Violation v{};
+    gen::for_some_dimension<2, 4>([&v](auto d) {
+      auto c = narrow_cap<d>();
+      c.cap.cos_angle = 1;
+      RC_ASSERT(cap_has_points(c.cap) == Verdict::holds);
+      c.cap.cos_angle += *gen::positive_rational().as("amount");
+      const auto made = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
+      // A cap of no radius too.
+      const Cap<Rational, d> no_radius{c.cap.center, c.cap.center, c.cap.cos_angle};
+      const gen::RationalVec<d> none = gen::RationalVec<d>::Zero();
+      RC_ASSERT(smallest_cap_ball(no_radius, Rational(0), none).verdict == Verdict::fails);
+      v = {cap_has_points(c.cap), made.verdict};
+    });
+    return v;
+  });
+  t.holds("a sine is not negative; that of the angles 0 and pi is 0", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<2, 4>([](auto d) {
+      const auto c = *gen::rimmed_cap<d>().as("cap");
+      RC_ASSERT(is_rim(c.cap, c.sine, c.rim_direction) == Verdict::holds);
+      RC_ASSERT(is_rim(c.cap, Rational(-c.sine), c.rim_direction) == verdict_of(c.sine == Rational(0)));
+      auto whole = c.cap, point = c.cap;
+      whole.cos_angle = -1, point.cos_angle = 1;
+      RC_ASSERT(is_rim(whole, Rational(0), c.rim_direction) == Verdict::holds);
+      RC_ASSERT(is_rim(point, Rational(0), c.rim_direction) == Verdict::holds);
+    });
+  });
+  needs_part(t, "the point is in the cap", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      auto c = about_origin(*gen::cap_point<d>().as("case"));
+      c.point = *gen::sphere_point<d>().as("direction") * *gen::positive_rational().as("distance");
+      RC_PRE(contains(c.cap, c.point) == Verdict::fails);
+      RC_ASSERT(cap_ball_encloses_repaired(c.cap, c.point) == Verdict::holds);
+      RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
+      v = {contains(c.cap, c.point), encloses(cap_ball_repaired(c.cap), c.point)};
+    });
+    return v;
+  });
+  needs_part(t, "as printed, the cap's center is 0", [] {
+    Violation v{};
+    gen::for_some_dimension<1, 4>([&v](auto d) {
+      const auto c = *gen::cap_point<d>().as("case");
+      RC_PRE(c.cap.center != gen::RationalVec<d>::Zero());
+      RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
+      v = {cap_ball_hypotheses_printed(c.cap), encloses(cap_ball_printed(c.cap), c.point)};
+    });
+    return v;
+  });
+  t.holds("as printed, the cosine is that of an angle", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      auto c = about_origin(*gen::cap_point<d>().as("case"));
+      const Rational cosine =
+          *rc::gen::oneOf(rc::gen::element(Rational(1), Rational(-1)), gen::rational()).as("cosine");
+      c.cap.cos_angle = cosine;
+      RC_ASSERT(cap_ball_hypotheses_printed(c.cap) == verdict_of(abs(cosine) <= Rational(1)));
+      c.cap.cos_angle = Rational(-1) - *gen::positive_rational().as("amount");  // its ball has no real radius
+      RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
+    });
+  });
+  t.example("an interval of angles about pi/2 decides neither of the two shapes of the ball", {}, [] {
+    const Interval around_zero(-1e-3, 1e-3);
+    const Cap<Interval, 2> cap{{Interval(0), Interval(0)}, {Interval(1), Interval(0)}, around_zero};
+    return smallest_cap_ball<Interval, 2>(cap, Interval(1), {Interval(0), Interval(1)}).verdict == Verdict::undecided;
+  });
+  t.example("the axis may point along any coordinate, forwards or backwards", {.number_type = "exact root"}, [] {
+    long tried = 0;
+    bool all = true;
+    const auto along_axes = [&](auto d) {
+      for (int i = 0; i < int(d); ++i)
+        for (const int sign : {1, -1}) {
+          Vec<ExactRoot, d> apex = Vec<ExactRoot, d>::Constant(ExactRoot(0));
+          const Vec<ExactRoot, d> center = apex;
+          apex[i] = sign;
+          const Cap<ExactRoot, d> cap{center, apex, ExactRoot(0.5)};
+          all = all && is_smallest_cap_ball(cap, smallest_cap_ball_by_roots(cap)) == Verdict::holds;
+          ++tried;
+        }
+    };
+    along_axes(gen::Dimension<2>{}), along_axes(gen::Dimension<3>{}), along_axes(gen::Dimension<4>{});
+    return Checked(all, tried);
+  });
+}
+
+// Wrong witnesses, each of them wrong in one part and right in all others.
+void checks_need_each_part(Suite& t) {
+  t.holds("a ball about another cross-section of the sphere misses a part of the cap", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<2, 4>([](auto d) {
+      auto c = *gen::rimmed_cap<d>().as("cap");
+      RC_PRE(c.cap.apex != c.cap.center);
+      const auto section = *gen::cap_angle().as("section");
+      const Rational h = section.cosine;
+      // Its ends are in the cap. The farthest point of the cap is missed if 0 < h, the apex if h < 0.
+      RC_PRE(c.cap.cos_angle < h && h < Rational(1) && h != Rational(0));
+      RC_CLASSIFY(h < Rational(0), "a negative height");
+      CapBall<Rational, d> bad;
+      bad.verdict = Verdict::holds;
+      bad.height = h;
+      bad.ball = {c.cap.center + (c.cap.apex - c.cap.center) * h, (Rational(1) - h * h) * squared_radius(c.cap)};
+      bad.first = bad.ball.center + c.rim_direction * section.sine;
+      bad.second = bad.ball.center - c.rim_direction * section.sine;
+      RC_ASSERT(contains(c.cap, bad.first) == Verdict::holds && contains(c.cap, bad.second) == Verdict::holds);
+      RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
+    });
+  });
+  t.holds("an end that is not in the cap, or not opposite in one coordinate, is rejected", {.number_type = "rational"},
+          [] {
+            gen::for_some_dimension<2, 4>([](auto d) {
+              const auto center = *gen::rational_vector<d>().as("center");
+              const auto u = *gen::sphere_point<d>().as("axis");
+              // From pi/2 on the ball is the whole sphere's.
+              const Rational cosine = -*gen::unit_interval_rational().as("- cosine");
+              const Cap<Rational, d> cap{center, center + u, cosine}, whole{center, center + u, Rational(-1)};
+              CapBall<Rational, d> w{Verdict::holds, {center, Rational(1)}, Rational(0), center + u, center - u};
+              RC_ASSERT(is_smallest_cap_ball(whole, w) == Verdict::holds);
+              RC_ASSERT(is_smallest_cap_ball(cap, w) == verdict_of(cosine == Rational(-1)));  // the second is behind
+              std::swap(w.first, w.second);
+              RC_ASSERT(is_smallest_cap_ball(cap, w) == verdict_of(cosine == Rational(-1)));  // the first is
+              const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
+              w.second[i] = w.first[i];
+              RC_ASSERT(is_smallest_cap_ball(whole, w) == verdict_of(u[i] == Rational(0)));
+            });
+          });
+  t.holds("a ball of the whole sphere, with one point of the cap for both ends, is not the smallest",
+          {.number_type = "rational"}, [] {
+            gen::for_some_dimension<2, 4>([](auto d) {
+              const auto c = narrow_cap<d>();
+              const CapBall<Rational, d> w{
+                  Verdict::holds, {c.cap.center, squared_radius(c.cap)}, Rational(0), c.cap.apex, c.cap.apex};
+              RC_ASSERT(is_smallest_cap_ball(c.cap, w) == Verdict::fails);
+            });
+          });
+  t.holds(
+      "what is said of another ball is what its words say, whatever the witness",
+      {.number_type = "rational", .cases = 2000}, [] {
+        gen::for_some_dimension<2, 4>([](auto d) {
+          const auto c = *gen::rimmed_cap<d>().as("cap");
+          auto w = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
+          if (*rc::gen::arbitrary<bool>().as("one end only")) w.second = w.first;
+          if (*rc::gen::arbitrary<bool>().as("a larger ball"))
+            w.ball.squared_radius += *gen::positive_rational().as("more");
+          const auto center = *rc::gen::oneOf(rc::gen::just(w.ball.center), rc::gen::just(w.first),
+                                              rc::gen::just(w.second), gen::rational_vector<d>())
+                                   .as("center of the other");
+          const Rational first = squared_distance(center, w.first), second = squared_distance(center, w.second);
+          const Rational square =
+              *rc::gen::element(first, second, w.ball.squared_radius, Rational(0)).as("squared radius of the other");
+          const bool holds_both = first <= square && second <= square;
+          const bool same = center == w.ball.center && square == w.ball.squared_radius;
+          RC_CLASSIFY(holds_both && !same && square <= w.ball.squared_radius, "refutes the witness");
+          RC_CLASSIFY(holds_both && !same && square == w.ball.squared_radius, "as large, about another center");
+          RC_ASSERT(no_other_ball_that_small(w, {center, square}) ==
+                    verdict_of(!holds_both || same || w.ball.squared_radius < square));
+        });
+      });
+}
+
 PROPTEST(lemma5_cap_enclosing_sphere) {
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+
   t.example("the printed ball misses the apex of caps beyond a right angle, the repaired one does not",
             {.form = "printed"}, [] {
               bool all = true;

@@ -6,6 +6,7 @@
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests {
@@ -37,7 +38,155 @@ struct LinearPart {
   Weights coefficients() const { return *gen::convex_weights(static_cast<int>(weights.corners.size())); }
 };
 
+// A linear part of free weights of three or four points: as many corners, so that there is one between the first and
+// the last.
+struct SeveralCorners {
+  gen::BoundsWithCorners weights;
+  std::vector<Vec<Rational, 3>> points =
+      *rc::gen::oneOf(rc::gen::container<std::vector<Vec<Rational, 3>>>(3, gen::rational_vector<3>()),
+                      rc::gen::container<std::vector<Vec<Rational, 3>>>(4, gen::rational_vector<3>()));
+
+  SeveralCorners() {
+    const std::size_t n = points.size();
+    weights.bounds = {Weights(n, Rational(0)), Weights(n, Rational(1))};
+    weights.corners.assign(n, Weights(n, Rational(0)));
+    for (std::size_t k = 0; k < n; ++k) weights.corners[k][k] = 1;
+  }
+  auto in_hull(const Weights& w) const {
+    return linear_part_in_hull<Rational, 3>(weights.bounds, weights.corners, points, w);
+  }
+  auto from_hull(const Weights& u) const {
+    return hull_in_linear_part<Rational, 3>(weights.bounds, weights.corners, points, u);
+  }
+  Weights coefficients() const { return *gen::convex_weights(static_cast<int>(weights.corners.size())); }
+  Verdict hypotheses() const {
+    return linear_part_hull_hypotheses<Rational, 3>(weights.bounds, weights.corners, points);
+  }
+  std::size_t some_corner() const {
+    return *rc::gen::inRange<std::size_t>(0, weights.corners.size()).as("which corner");
+  }
+};
+
+void hypotheses_need_each_part(Suite& t) {
+  needs_part(t, "one of the corners is not listed", [] {
+    SeveralCorners part;
+    const auto k = static_cast<std::ptrdiff_t>(part.some_corner());
+    const Weights missing = part.weights.corners[static_cast<std::size_t>(k)];
+    part.weights.corners.erase(part.weights.corners.begin() + k);
+    return Violation{part.hypotheses(), part.in_hull(missing).verdict};
+  });
+  needs_part(t, "one of the listed corners is not admissible", [] {
+    SeveralCorners part;
+    const auto k = part.some_corner();
+    auto& corners = part.weights.corners;
+    Weights outside = corners[k], only(corners.size() + 1, Rational(0));
+    outside[0] -= Rational(2), outside[1] += Rational(2);
+    corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(k), outside);
+    only[k] = 1;
+    return Violation{part.hypotheses(), part.from_hull(only).verdict};
+  });
+  t.holds("a point more or less than there are weights is refused", {.number_type = "rational"}, [] {
+    SeveralCorners part;
+    RC_ASSERT(part.hypotheses() == Verdict::holds);
+    auto fewer = part, more = part;
+    fewer.points.pop_back();
+    more.points.push_back(part.points[0]);
+    RC_ASSERT(fewer.hypotheses() == Verdict::fails && more.hypotheses() == Verdict::fails);
+  });
+  needs_part(t, "the weights are admissible", [] {
+    SeveralCorners part;
+    const bool at_one_place = *rc::gen::arbitrary<bool>().as("all points at one place");
+    if (at_one_place)
+      part.points.assign(part.points.size(), part.points[0]);  // then the blend is in the hull all the same
+    Weights w = *gen::admissible_weights(part.weights.bounds);
+    const auto i = *rc::gen::inRange<std::size_t>(0, w.size()).as("which weight");
+    const Rational way = part.weights.bounds.high[i] - w[i] + *gen::positive_rational().as("amount");
+    w[i] += way, w[(i + 1) % w.size()] -= way;
+    RC_ASSERT(part.in_hull(w).verdict == Verdict::fails);
+    return Violation{admits<Rational>(part.weights.bounds, w), part.in_hull(w).verdict};
+  });
+}
+
+// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+void undecided_parts_are_not_lost(Suite& t) {
+  t.example("a blend of points that intervals only enclose is decided for its weights, not for its place", {}, [] {
+    const WeightBounds<Interval> free{{Interval(0), Interval(0)}, {Interval(1), Interval(1)}};
+    const Corners<Interval> corners{{Interval(1), Interval(0)}, {Interval(0), Interval(1)}};
+    const std::vector<Interval> halves{Interval(0.5), Interval(0.5)};
+    const Interval third = lift<Interval>(Rational(1, 3)), zero(0);
+    const std::vector<Vec<Interval, 3>> points{{third, zero, zero}, {zero, third, zero}};
+    return corners_span(free, corners, halves).verdict == Verdict::holds &&
+           linear_part_in_hull<Interval, 3>(free, corners, points, halves).verdict == Verdict::undecided &&
+           hull_in_linear_part<Interval, 3>(free, corners, points, halves).verdict == Verdict::undecided;
+  });
+}
+
+// Wrong witnesses, each of them wrong in one part and right in all others.
+void checks_need_each_part(Suite& t) {
+  t.holds("a point of the hull or a blend that is wrong in one coordinate, in either direction, is rejected",
+          {.number_type = "rational"}, [] {
+            const SeveralCorners part;
+            const auto images = corner_images<Rational, 3>(part.weights.corners, part.points);
+            const auto forward = part.in_hull(*gen::admissible_weights(part.weights.bounds));
+            const auto backward = part.from_hull(part.coefficients());
+            const Rational amount = *gen::positive_rational().as("amount");
+            const Rational change = *rc::gen::element(amount, Rational(-amount)).as("change");
+            const int i = *rc::gen::inRange(0, 3).as("coordinate");
+            auto moved = forward.point, other = backward.point;
+            moved[i] += change, other[i] += change;
+            RC_ASSERT((is_hull_point<Rational, 3>(images, moved, forward.coefficients) == Verdict::fails));
+            RC_ASSERT((is_admissible_blend<Rational, 3>(part.weights.bounds, part.points, other,
+                                                        backward.coefficients) == Verdict::fails));
+          });
+  t.holds("a coefficient or a weight too many or too few is rejected", {.number_type = "rational"}, [] {
+    const SeveralCorners part;
+    auto images = corner_images<Rational, 3>(part.weights.corners, part.points);
+    const auto forward = part.in_hull(*gen::admissible_weights(part.weights.bounds));
+    auto longer = forward.coefficients;
+    longer.push_back(Rational(0));
+    RC_ASSERT((is_hull_point<Rational, 3>(images, forward.point, longer) == Verdict::fails));
+    images.push_back(images[0]);
+    RC_ASSERT((is_hull_point<Rational, 3>(images, forward.point, forward.coefficients) == Verdict::fails));
+    RC_ASSERT((is_hull_point<Rational, 3>({}, forward.point, {}) == Verdict::fails));
+    const auto backward = part.from_hull(part.coefficients());
+    auto points = part.points;
+    points.push_back(Vec<Rational, 3>::Zero());
+    RC_ASSERT((is_admissible_blend<Rational, 3>(part.weights.bounds, points, backward.point, backward.coefficients) ==
+               Verdict::fails));
+    points.resize(part.points.size() - 1);
+    RC_ASSERT((is_admissible_blend<Rational, 3>(part.weights.bounds, points, backward.point, backward.coefficients) ==
+               Verdict::fails));
+  });
+  t.holds("the images are the corners' sums, coordinate by coordinate", {.number_type = "rational"}, [] {
+    const SeveralCorners part;
+    const auto images = corner_images<Rational, 3>(part.weights.corners, part.points);
+    RC_ASSERT(images.size() == part.weights.corners.size());
+    for (std::size_t k = 0; k < images.size(); ++k)
+      for (int i = 0; i < 3; ++i) {
+        Rational sum(0);
+        for (std::size_t j = 0; j < part.points.size(); ++j) sum += part.weights.corners[k][j] * part.points[j][i];
+        RC_ASSERT(images[k][i] == sum);
+      }
+  });
+  t.holds("a normal separates a point from others only if it is strictly beyond each of them",
+          {.number_type = "rational"}, [] {
+            const auto points =
+                *rc::gen::container<std::vector<Vec<Rational, 3>>>(3, gen::rational_vector<3>()).as("points");
+            const Vec<Rational, 3> normal = *gen::rational_vector<3>().as("normal");
+            const Vec<Rational, 3> x =
+                *rc::gen::oneOf(rc::gen::elementOf(points), gen::rational_vector<3>()).as("point");
+            bool beyond = true;
+            for (const auto& p : points) beyond = beyond && dot(normal, p) < dot(normal, x);
+            RC_CLASSIFY(beyond, "separated");
+            RC_ASSERT((separates<Rational, 3>(normal, x, points) == verdict_of(beyond)));
+          });
+}
+
 PROPTEST(s42_linear_part_hull) {
+  undecided_parts_are_not_lost(t);
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+
   t.holds("the blend of the points with admissible weights is in the hull of the corner images",
           {.form = "printed", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.15}, [] {
             gen::for_some_dimension<3, 4>([](auto d) {

@@ -4,6 +4,7 @@
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests {
@@ -24,7 +25,129 @@ struct BallAndSphere {
   bool touches() const { return radius == abs(length - 1); }
 };
 
+// Each predicate beside the inequality of its words, which can be read off as the norm of the center is known.
+void predicates_say_their_words(Suite& t) {
+  t.holds("every condition and the range are right up to their edges, and for a radius below 0",
+          {.number_type = "rational", .cases = 3000}, [] {
+            const Rational c =
+                *rc::gen::weightedOneOf<Rational>(
+                     {{1, rc::gen::just(Rational(0))}, {1, rc::gen::just(Rational(1))}, {4, gen::positive_rational()}})
+                     .as("||c||");
+            const Vec<Rational, 3> center = *gen::sphere_point<3>().as("direction") * c;
+            const Rational near = c - 1, far = c + 1, zero(0), one(1);
+            const Rational r = *rc::gen::oneOf(rc::gen::element(zero, one, near, Rational(-near), far, Rational(-far)),
+                                               gen::rational())
+                                    .as("radius");
+            // At r^2 = 1 + c^2 too, which has no rational root.
+            const Rational half = one + c * c;
+            const Rational square =
+                *rc::gen::element(Rational(r * r), half, Rational(half + 1), Rational(half / 2)).as("r^2");
+            const Rational n = half - square;
+            RC_ASSERT(scaled_distance(center, square) == n);
+            RC_ASSERT(distance_is_in_range(center, square) == verdict_of(c > 0 && n >= 0 && n <= 2 * c));
+            RC_ASSERT(is_at_most_half(center, square) == verdict_of(square <= half));
+            if (r >= 0) {
+              RC_ASSERT(reaches_surface_from_inside(center, r) == verdict_of(c + r >= 1));
+              RC_ASSERT(reaches_surface_from_outside(center, r) == verdict_of(c - r <= 1));
+            }
+            const bool printed = r >= 0 && r < 1 && c + r >= 1;
+            const bool repaired = c > 0 && r >= 0 && c + r >= 1 && c - r <= 1 && r * r <= half;
+            const bool in_range = c > 0 && half - r * r >= 0 && half - r * r <= 2 * c;
+            RC_CLASSIFY(repaired, "the hypotheses hold");
+            RC_CLASSIFY(printed && !in_range, "refutes the printed range");
+            RC_ASSERT(distance_range_hypotheses_printed(center, r) == verdict_of(printed));
+            RC_ASSERT(distance_range_hypotheses_repaired(center, r) == verdict_of(repaired));
+            RC_ASSERT(distance_range(center, r).verdict == verdict_of(in_range));
+            // The factors are those of a triangle with a side of length r.
+            if (r >= 0) RC_ASSERT(is_distance_range(center, r, distance_range(center, r)) == verdict_of(in_range));
+            RC_ASSERT(distance_range_printed(center, r) == verdict_of(!printed || in_range));
+            RC_ASSERT(distance_range_repaired(center, r) == Verdict::holds);
+          });
+}
+
+// A ball of at most half of the sphere that holds the unit vector x.
+template <int D>
+struct BallAndUnit {
+  Vec<Rational, D> x = *gen::sphere_point<D>(), center = *gen::nonzero_vector<D>();
+  Rational squared_radius = squared_distance(x, center);
+
+  BallAndUnit() { RC_PRE(dot(x, center) >= 0); }  // squared_radius = 1 + c^2 - 2 (x, c)
+  Verdict hypotheses() const { return distance_range_hypotheses_by_point(center, squared_radius, x); }
+  Verdict conclusion() const { return distance_range_by_point(center, squared_radius, x); }
+};
+
+void hypotheses_by_point_need_each_part(Suite& t) {
+  t.holds("a unit vector on the ball's surface, and a ball of exactly half of the sphere, meet the hypotheses",
+          {.number_type = "rational"}, [] {
+            gen::for_some_dimension<1, 4>([](auto d) {
+              BallAndUnit<d()> b;
+              RC_ASSERT(b.hypotheses() == Verdict::holds && b.conclusion() == Verdict::holds);
+              b.squared_radius = Rational(1) + squared_norm(b.center);
+              RC_ASSERT(b.hypotheses() == Verdict::holds && b.conclusion() == Verdict::holds);
+            });
+          });
+  needs_part(t, "c is not 0", [] {
+    BallAndUnit<3> b;
+    b.center = Vec<Rational, 3>::Zero();
+    b.squared_radius = 1;
+    return Violation{b.hypotheses(), b.conclusion()};
+  });
+  needs_part(t, "x is a unit vector, no longer and no shorter", [] {
+    BallAndUnit<3> b;
+    const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+    b.x = *rc::gen::arbitrary<bool>().as("longer") ? Vec<Rational, 3>(b.x * factor) : Vec<Rational, 3>(b.x / factor);
+    b.squared_radius = squared_distance(b.x, b.center);
+    RC_PRE(is_at_most_half(b.center, b.squared_radius) == Verdict::holds);
+    return Violation{b.hypotheses(), b.conclusion()};
+  });
+  needs_part(t, "x is in the ball", [] {
+    BallAndUnit<3> b;
+    b.squared_radius /= Rational(1) + *gen::positive_rational().as("factor");
+    RC_PRE(b.squared_radius > 0);
+    return Violation{b.hypotheses(), b.conclusion()};
+  });
+  needs_part(t, "r^2 <= 1 + ||c||^2", [] {
+    BallAndUnit<3> b;
+    b.squared_radius = Rational(1) + squared_norm(b.center) + *gen::positive_rational().as("amount");
+    return Violation{b.hypotheses(), b.conclusion()};
+  });
+  t.holds("a vector is a witness of the range only if it is short enough and in the ball", {.number_type = "rational"},
+          [] {
+            // About a unit vector u, with r = 1: N = 1, so the witness needs 1/2 <= (x, u) <= 1.
+            const Vec<Rational, 3> u = *gen::sphere_point<3>(), x = u * *gen::rational();
+            const Rational along = dot(x, u);
+            RC_ASSERT(distance_range_by_point(u, Rational(1), x) ==
+                      verdict_of(along >= Rational(1, 2) && along <= Rational(1)));
+            for (const Rational& edge : {Rational(1, 2), Rational(1)})
+              RC_ASSERT((distance_range_by_point<Rational, 3>(u, Rational(1), u * edge) == Verdict::holds));
+          });
+}
+
+// Wrong witnesses, each of them wrong in one part and right in all others.
+void checks_need_each_part(Suite& t) {
+  t.holds("factors of which one is below 0, or whose product is too small or too large, are rejected",
+          {.number_type = "rational"}, [] {
+            const BallAndSphere<3> b;
+            RC_PRE(distance_range_hypotheses_repaired(b.center, b.radius) == Verdict::holds);
+            const auto good = distance_range(b.center, b.radius);
+            const Rational amount = *gen::positive_rational(), product = good.from_inside * good.from_outside;
+            const auto verdict = [&](const Rational& outside, const Rational& inside) {
+              return is_distance_range(b.center, b.radius, DistanceRange<Rational>{Verdict::holds, outside, inside});
+            };
+            RC_ASSERT(verdict(product + amount, 1) == Verdict::fails && verdict(1, product + amount) == Verdict::fails);
+            if (product > 0) RC_ASSERT(verdict(product / (1 + amount), 1) == Verdict::fails);
+            RC_ASSERT(verdict(product, 1) == Verdict::holds);
+            if (product == 0)  // touching: one of them may be anything but negative
+              RC_ASSERT(verdict(0, -amount) == Verdict::fails && verdict(-amount, 0) == Verdict::fails &&
+                        verdict(0, amount) == Verdict::holds);
+          });
+}
+
 PROPTEST(s43_distance_range) {
+  predicates_say_their_words(t);
+  hypotheses_by_point_need_each_part(t);
+  checks_need_each_part(t);
+
   t.refuted("r < 1 and ||c|| + r >= 1 give a distance in [0, 1]", {.form = "printed", .number_type = "rational"}, [] {
     const BallAndSphere<2> b;
     RC_ASSERT(distance_range_printed(b.center, b.radius) == Verdict::holds);

@@ -5,6 +5,7 @@
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests {
@@ -31,7 +32,110 @@ struct CapOfRotations {
   Quaternion<Rational> rotation = point_within(frame, angle) * *gen::positive_rational();
 };
 
+void hypotheses_need_each_part(Suite& t) {
+  needs_part(t, "the rotation is within the angle of the apex", [] {
+    CapOfRotations c;
+    RC_PRE(c.angle.cosine > Rational(-1));
+    const gen::CapAngle beyond = *gen::cap_angle().as("angle beyond");
+    RC_PRE(beyond.cosine < c.angle.cosine);
+    c.rotation = (c.frame.first * beyond.cosine + c.frame.second * beyond.sine) * *gen::positive_rational();
+    const Vector v = *gen::nonzero_vector<3>();
+    return Violation{rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation),
+                     rotated_cap(c.apex, c.rotation, v, rotated_cap_cosine_repaired(c.angle.cosine)).verdict};
+  });
+  t.holds("neither the apex nor the rotation of a cap is 0, nor the apex of a filled one", {.number_type = "rational"},
+          [] {
+            const CapOfRotations c;
+            const Quaternion<Rational> zero = Quaternion<Rational>::Zero();
+            const Vector v = *gen::rational_vector<3>();
+            RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation) == Verdict::holds);
+            RC_ASSERT((within_angle<Rational, 4>(zero, c.rotation, c.angle.cosine) == Verdict::holds));
+            RC_ASSERT(rotated_cap_hypotheses(zero, c.angle.cosine, c.rotation) == Verdict::fails);
+            RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, zero) == Verdict::fails);
+            RC_ASSERT(filled_cap_hypotheses<Rational>(zero, v, v, Rational(-1)) == Verdict::fails);
+            // For them the conclusions are empty: 0 takes every vector to every other.
+            RC_ASSERT(is_rotated<Rational>(zero, v, *gen::rational_vector<3>()) == Verdict::holds);
+            RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, v, zero) == Verdict::fails);
+            RC_ASSERT(is_rotation_onto<Rational>(zero, c.angle.cosine, v, v, identity_quaternion<Rational>()) ==
+                      Verdict::fails);
+          });
+  needs_part(t, "x is as long as v, not longer and not shorter", [] {
+    const CapOfRotations c;
+    const Vector v = *gen::nonzero_vector<3>();
+    const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+    const Vector turned = rotate_by(c.apex, v);
+    const Vector x = *rc::gen::arbitrary<bool>().as("longer") ? Vector(turned * factor) : Vector(turned / factor);
+    return Violation{filled_cap_hypotheses(c.apex, v, x, rotated_cap_cosine_repaired(c.angle.cosine)),
+                     rotation_onto(c.apex, c.angle.cosine, v, x).verdict};
+  });
+  needs_part(t, "x is within the doubled angle", [] {
+    const CapOfRotations c;
+    const Rational cosine = rotated_cap_cosine_repaired(c.angle.cosine);
+    RC_PRE(cosine > Rational(-1));
+    const auto frame = *gen::perpendicular_pair<3>();
+    const gen::CapAngle beyond = *gen::cap_angle().as("angle beyond");
+    RC_PRE(beyond.cosine < cosine);
+    const Vector v = rotate_by<Rational>(conjugate(c.apex), frame.first);
+    const Vector x = frame.first * beyond.cosine + frame.second * beyond.sine;
+    return Violation{filled_cap_hypotheses(c.apex, v, x, cosine), rotation_onto(c.apex, c.angle.cosine, v, x).verdict};
+  });
+}
+
+// Wrong witnesses, each of them wrong in one part and right in all others.
+void checks_need_each_part(Suite& t) {
+  t.example("an interval does not decide the rotation bound where it is attained", {}, [] {
+    const Interval third = lift<Interval>(Rational(1, 3));
+    const Quaternion<Interval> q(third, third, third, third);
+    return rotation_bound<Interval>(q, q, Vec<Interval, 3>(third, third, third)).verdict == Verdict::undecided;
+  });
+  t.holds("a slack that is a square but another one, or no square, is rejected", {.number_type = "rational"}, [] {
+    const CapOfRotations c;
+    const Vector v = *gen::rational_vector<3>();
+    const auto good = rotation_bound(c.apex, c.rotation, v);
+    auto other = good, no_square = good;
+    other.along_axis = *gen::rational().as("another square");
+    RC_PRE(sq(other.along_axis) != sq(good.along_axis));
+    no_square.along_axis = other.along_axis;
+    other.slack = Rational(2) * sq(other.along_axis);
+    RC_CLASSIFY(other.slack < good.slack, "too small");
+    RC_ASSERT(is_rotation_bound(c.apex, c.rotation, v, other) == Verdict::fails);
+    RC_ASSERT(is_rotation_bound(c.apex, c.rotation, v, no_square) == Verdict::fails);
+  });
+  t.holds("a rotated pair is as close as its scalar product says, and no closer", {.number_type = "rational"}, [] {
+    const CapOfRotations c;
+    const Vector v = *gen::nonzero_vector<3>();
+    const Rational cosine = dot(rotate_by(c.apex, v), rotate_by(c.rotation, v)) / squared_norm(v);
+    const Rational amount = *gen::positive_rational().as("amount");
+    const auto pair = rotated_cap(c.apex, c.rotation, v, cosine);
+    RC_ASSERT(pair.verdict == Verdict::holds);
+    RC_ASSERT(is_rotated_pair(c.apex, c.rotation, v, cosine, pair) == Verdict::holds);
+    RC_ASSERT(rotated_cap<Rational>(c.apex, c.rotation, v, cosine + amount).verdict == Verdict::fails);
+    RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, cosine + amount, pair) == Verdict::fails);
+  });
+  t.holds("a rotated pair of which one vector is wrong is rejected, though it is close enough",
+          {.number_type = "rational"}, [] {
+            const CapOfRotations c;
+            const Vector v = *gen::nonzero_vector<3>(), wrong = *gen::nonzero_vector<3>();
+            const Vector at_apex = rotate_by(c.apex, v), rotated = rotate_by(c.rotation, v);
+            const Rational any =
+                min_of(dot(Vector(at_apex + wrong), rotated), dot(at_apex, Vector(rotated + wrong))) / squared_norm(v);
+            RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, any,
+                                                {Verdict::holds, at_apex + wrong, rotated}) == Verdict::fails);
+            RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, any,
+                                                {Verdict::holds, at_apex, rotated + wrong}) == Verdict::fails);
+          });
+  t.holds("0 is within every angle of every vector, and every vector of it", {.number_type = "rational"}, [] {
+    const Vector a = *gen::rational_vector<3>(), zero = Vector::Zero();
+    const auto angle = *gen::cap_angle();
+    RC_ASSERT((within_angle<Rational, 3>(a, zero, angle.cosine) == Verdict::holds));
+    RC_ASSERT((within_angle<Rational, 3>(zero, a, angle.cosine) == Verdict::holds));
+  });
+}
+
 PROPTEST(s43_rotated_cap) {
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+
   t.holds("(R_p v, R_q v) >= ||v||^2 (2 c^2 - 1), and the slack is a square",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1}, [] {
             const Quaternion<Rational> p = *gen::rational_vector<4>(), q = *gen::rational_vector<4>();

@@ -1,9 +1,13 @@
 #include "lemmas/s43_whole_sphere_fallback.hpp"
 
 #include "proptests/counterexamples/s43_whole_sphere_fallback.hpp"
+#include "proptests/gen/cap_angle.hpp"
 #include "proptests/gen/quaternion.hpp"
+#include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/vector.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests {
@@ -49,7 +53,153 @@ bool is_degenerate(const Case& c) {
   return equal_units || c.squared_radius == 0 || c.squared_radius == 1 || squared_norm(c.center) == 0;
 }
 
+// Three or four units in a ball that makes a cap, so that there is one between the first and the last.
+Case several_in_cap() {
+  auto units = *gen::unit_quaternions(3, 4);
+  for (auto& n : units)
+    if (dot(n, units[0]) < 0) n = -n;
+  auto coefficients = *gen::convex_weights(static_cast<int>(units.size()));
+  Case c = mean_ball_of(std::move(units), std::move(coefficients));
+  RC_PRE(ball_makes_cap(c.center, c.squared_radius) == Verdict::holds);
+  return c;
+}
+
+// All of the weight on one unit, or the case's own weights.
+void lean_on(Case& c, std::size_t k) {
+  if (*rc::gen::arbitrary<bool>().as("the case's own weights")) return;
+  c.coefficients.assign(c.units.size(), Rational(0));
+  c.coefficients[k] = 1;
+}
+
+Verdict units_of(const Case& c) { return units_in_ball<Rational>(c.units, c.center, c.squared_radius); }
+std::size_t some_unit(const Case& c) { return *rc::gen::inRange<std::size_t>(0, c.units.size()).as("which unit"); }
+
+void hypotheses_need_each_part(Suite& t) {
+  needs_part(t, "one of the vectors is longer or shorter than 1, the others are units", [] {
+    Case c = several_in_cap();
+    const auto k = some_unit(c);
+    const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+    const bool longer = *rc::gen::arbitrary<bool>().as("longer");
+    c.units[k] = longer ? Quaternion<Rational>(c.units[k] * factor) : Quaternion<Rational>(c.units[k] / factor);
+    c.squared_radius = max_of(c.squared_radius, squared_distance(c.units[k], c.center));
+    RC_PRE(ball_makes_cap(c.center, c.squared_radius) == Verdict::holds);
+    lean_on(c, k);
+    return Violation{units_of(c),
+                     is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c))};
+  });
+  needs_part(t, "one of the units is not in the ball, the others are", [] {
+    Case c = several_in_cap();
+    const auto k = some_unit(c);
+    c.units[k] = *gen::unit_quaternion();
+    RC_PRE(squared_distance(c.units[k], c.center) > c.squared_radius);
+    lean_on(c, k);
+    return Violation{units_of(c), blend_of(c).verdict};
+  });
+  needs_part(t, "the coefficients are convex", [] {
+    Case c = several_in_cap();
+    const auto k = some_unit(c);
+    const Rational amount = *gen::positive_rational().as("amount");
+    c.coefficients[(k + 1) % c.units.size()] += c.coefficients[k] + amount;
+    c.coefficients[k] = -amount;
+    return Violation{is_convex<Rational>(c.coefficients), blend_of(c).verdict};
+  });
+  needs_part(t, "r^2 < 1 + ||c||^2, and not equal to it either", [] {
+    // Two units on the rim of a cap of a half or more: their middle is 0 or behind.
+    const auto frame = *gen::perpendicular_pair<4>();
+    const auto angle = *gen::cap_angle().as("angle");
+    RC_PRE(angle.cosine <= 0 && angle.sine > 0);
+    Case c;
+    c.center = frame.first * *gen::positive_rational().as("distance");
+    c.units = {frame.first * angle.cosine + frame.second * angle.sine,
+               frame.first * angle.cosine - frame.second * angle.sine};
+    c.squared_radius = squared_distance(c.units[0], c.center);
+    c.coefficients = *gen::convex_weights(2);
+    if (*rc::gen::arbitrary<bool>().as("their middle")) c.coefficients = {Rational(1, 2), Rational(1, 2)};
+    RC_ASSERT(units_of(c) == Verdict::holds);
+    const auto blend = blend_of(c);
+    RC_ASSERT(is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend) == Verdict::fails);
+    RC_ASSERT(rotated_vectors_cap_repaired(c.center, c.squared_radius).cos_angle == -1);
+    return Violation{ball_makes_cap(c.center, c.squared_radius), blend.verdict};
+  });
+  t.holds("units on the surface of their ball are in it", {.number_type = "rational"}, [] {
+    const auto u = *gen::unit_quaternion(), center = *gen::rational_vector<4>();
+    const Rational square = squared_distance(u, center);
+    RC_ASSERT(units_in_ball<Rational>(std::vector{u}, center, square) == Verdict::holds);
+  });
+  t.holds("the printed border is r_E = 1 and the repaired one N = 0, both with the border", {.number_type = "rational"},
+          [] {
+            const auto center = *gen::rational_vector<4>();
+            const Rational half = Rational(1) + squared_norm(center), amount = *gen::positive_rational();
+            RC_ASSERT(fallback_is_needed_printed(Rational(1)) == Verdict::holds);
+            RC_ASSERT(fallback_is_needed_printed(Rational(1 / (1 + amount))) == Verdict::fails);
+            RC_ASSERT(fallback_is_needed_repaired(center, half) == Verdict::holds);
+            RC_ASSERT(fallback_is_needed_repaired(center, Rational(half / (1 + amount))) ==
+                      verdict_of(center == Quaternion<Rational>::Zero()));
+          });
+}
+
+void verdicts_and_checks_need_each_part(Suite& t) {
+  t.holds("the verdict on a blend of known length is that of its words, for any ball",
+          {.number_type = "rational", .cases = 2000}, [] {
+            const auto u = *gen::unit_quaternion(), center = *gen::rational_vector<4>();
+            const Rational length = *gen::rational().as("signed length"), along = length * dot(u, center);
+            Rational n = *gen::rational().as("N");
+            if (length != 0 && *rc::gen::arbitrary<bool>().as("on the rim")) n = Rational(2) * along / abs(length);
+            const Rational square = Rational(1) + squared_norm(center) - n;
+            const auto made = blend_in_cap<Rational>(std::vector{u}, center, square, std::vector{length});
+            const bool in_cap = Rational(2) * along >= n * abs(length);
+            RC_CLASSIFY(in_cap && n < 0, "more than half, and in the cap");
+            RC_CLASSIFY(!in_cap && n < 0, "more than half, and not in the cap");
+            RC_ASSERT(made.along == along);
+            RC_ASSERT(made.verdict == verdict_of(length != 0 && in_cap));
+          });
+  t.holds("a blend that is wrong in one part is rejected", {.number_type = "rational"}, [] {
+    using Q4 = Quaternion<Rational>;
+    const int j = *rc::gen::inRange(0, 4).as("axis"), i = *rc::gen::inRange(0, 4).as("coordinate");
+    Q4 axis = Q4::Zero(), other = Q4::Zero();
+    axis[j] = 1, other[i] = 1;
+    // About the axis with r^2 = 1: N / 2 = 1/2.
+    const auto verdict = [&](const Q4& unit, const Rational& coefficient, const Q4& blend, const Rational& square) {
+      return is_blend_in_cap<Rational>(std::vector{unit}, axis, square, std::vector{coefficient},
+                                       {Verdict::holds, blend, dot(blend, axis)});
+    };
+    const Rational half(1, 2), amount = *gen::positive_rational().as("amount");
+    const Q4 middle = axis * half;
+    RC_ASSERT(verdict(axis, half, middle, Rational(1)) == Verdict::holds);       // with equality in (b, c) >= N / 2
+    RC_ASSERT(verdict(axis, Rational(1), axis, Rational(1)) == Verdict::holds);  // and in ||b|| <= 1
+    RC_ASSERT(verdict(axis, half, middle + other * half, Rational(1)) == Verdict::fails);  // one coordinate
+    RC_ASSERT(verdict(axis, half + amount, axis * (half + amount), Rational(1)) ==
+              verdict_of(amount <= half));                                                                // the length
+    RC_ASSERT(verdict(axis, half / (1 + amount), middle / (1 + amount), Rational(1)) == Verdict::fails);  // the height
+    RC_ASSERT(verdict(axis, half, middle, Rational(2)) == Verdict::fails);                                // N = 0
+    RC_ASSERT(verdict(axis, half, middle, Rational(2 + amount)) == Verdict::fails);                       // N < 0
+    const BlendInCap<Rational> higher{Verdict::holds, middle, half + amount};
+    RC_ASSERT(is_blend_in_cap<Rational>(std::vector{axis}, axis, Rational(1), std::vector{half}, higher) ==
+              Verdict::fails);
+  });
+  t.holds("a bound on rotated vectors has the cosine of an angle, and the angle between them within it",
+          {.number_type = "rational"}, [] {
+            const auto apex = *gen::nonzero_quaternion(), q = *gen::nonzero_quaternion();
+            const Vec<Rational, 3> v = *gen::nonzero_vector<3>(), zero = Vec<Rational, 3>::Zero();
+            const Rational amount = *gen::positive_rational();
+            const auto bounded = [&](const Rational& cosine, const Quaternion<Rational>& blend,
+                                     const Vec<Rational, 3>& x) {
+              return rotated_blend_is_bounded<Rational>({apex, cosine}, blend, x);
+            };
+            RC_ASSERT(bounded(Rational(-1), q, v) == Verdict::holds);
+            RC_ASSERT(bounded(-1 - amount, q, v) == Verdict::fails);
+            RC_ASSERT(bounded(Rational(1), apex, v) == Verdict::holds);
+            RC_ASSERT(bounded(1 + amount, q, zero) == Verdict::fails);
+            const Rational cosine = dot(rotate_by(apex, v), rotate_by(q, v)) / squared_norm(v);
+            RC_ASSERT(bounded(cosine, q, v) == Verdict::holds);
+            if (cosine < 1) RC_ASSERT(bounded(cosine + (1 - cosine) / (1 + amount), q, v) == Verdict::fails);
+          });
+}
+
 PROPTEST(s43_whole_sphere_fallback) {
+  hypotheses_need_each_part(t);
+  verdicts_and_checks_need_each_part(t);
+
   t.refuted("a ball with r_E >= 1 needs the whole sphere", {.form = "printed", .number_type = "rational"}, [] {
     const Case c = any_cap();
     RC_ASSERT(implies(fallback_is_needed_printed(c.squared_radius),

@@ -5,6 +5,7 @@
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
@@ -55,7 +56,177 @@ Ball3<Rational> ball_around(const std::vector<SquaredBall<Rational, 3>>& parts) 
   return ball;
 }
 
+// Im(q x q*) / ||q||^2 by products of quaternions.
+Point turned_by(const Quaternion<Rational>& q, const Point& x) {
+  return imaginary(multiply(multiply(q, Quaternion<Rational>(0, x[0], x[1], x[2])), conjugate(q))) / squared_norm(q);
+}
+
+bool is_vertex(const Node& n) {
+  return is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds;
+}
+
+// The case of the theorem: the ball around the balls of all joint-sets.
+Violation of(const Node& n) {
+  const auto ball = ball_around(joint_set_balls_repaired<Rational>(n.sets, n.reference.center));
+  return {is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients),
+          joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict};
+}
+
+void formulas_are_those_of_the_paper(Suite& t) {
+  t.holds(
+      "the blend, the vertex and the balls are the sums that they are said to be",
+      {.number_type = "rational", .cases = 400}, [] {
+        const Node n;
+        RC_PRE(is_vertex(n));
+        const auto& set = n.own();
+        Quaternion<Rational> q = Quaternion<Rational>::Zero();
+        Point linear = Point::Zero();
+        std::vector<Point> images;
+        for (std::size_t i = 0; i < n.weights.size(); ++i) {
+          images.push_back(turned_by(set.transforms[i].rotation, set.rotation_center) + set.transforms[i].translation);
+          q += set.transforms[i].rotation * n.weights[i];
+          linear += images[i] * n.weights[i];
+        }
+        RC_CLASSIFY(n.weights.size() > 2, "three joints");
+        RC_ASSERT(blended_rotation<Rational>(set.transforms, n.weights) == q);
+        const Point deformed = linear + turned_by(q, n.vertex - set.rotation_center);
+        RC_ASSERT(blend_vertex<Rational>(set, n.weights, n.vertex) == deformed);
+        const JointSets alone{set};
+        const auto balls = joint_set_balls_repaired<Rational>(alone, n.reference.center);
+        RC_ASSERT(balls.size() == set.corners.size());
+        for (std::size_t k = 0; k < balls.size(); ++k) {
+          Point center = Point::Zero();
+          for (std::size_t i = 0; i < images.size(); ++i) center += images[i] * set.corners[k][i];
+          RC_ASSERT(balls[k].center == center);
+          RC_ASSERT(balls[k].squared_radius == squared_distance(n.reference.center, set.rotation_center));
+        }
+        // Of several joint-sets: one after the other.
+        std::size_t count = 0;
+        for (const auto& s : n.sets) count += s.corners.size();
+        RC_ASSERT(joint_set_balls_repaired<Rational>(n.sets, n.reference.center).size() == count);
+      });
+  t.holds("the verdict on a vertex is whether the ball, larger by r, encloses it",
+          {.number_type = "rational", .cases = 400}, [] {
+            const Node n;
+            RC_PRE(is_vertex(n));
+            const Point deformed = blend_vertex<Rational>(n.own(), n.weights, n.vertex);
+            const Rational radius = abs(*gen::rational().as("R")), amount = *gen::positive_rational().as("amount");
+            const Point way = *gen::sphere_point<3>();
+            const auto verdict = [&](const Rational& distance) {
+              const Ball3<Rational> ball{deformed + way * distance, radius};
+              return joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict;
+            };
+            RC_ASSERT(verdict(radius + n.reference.radius) == Verdict::holds);
+            RC_ASSERT(verdict(radius + n.reference.radius + amount) == Verdict::fails);
+          });
+  t.holds("a ball encloses balls if it encloses each of them, to the farthest point", {.number_type = "rational"}, [] {
+    const Ball3<Rational> ball{*gen::rational_vector<3>(), abs(*gen::rational().as("R"))};
+    const Rational amount = *gen::positive_rational().as("amount");
+    std::vector<SquaredBall<Rational, 3>> parts;
+    const auto at = [&](const Rational& distance, const Rational& radius) {
+      return SquaredBall<Rational, 3>{ball.center + *gen::sphere_point<3>() * distance, radius * radius};
+    };
+    for (int k = 0; k < 3; ++k) {
+      const Rational share = *gen::unit_interval_rational().as("share");
+      parts.push_back(at(ball.radius * share, ball.radius * (Rational(1) - share)));  // touching from inside
+    }
+    RC_ASSERT(encloses_parts<Rational>(ball, parts) == Verdict::holds);
+    const auto k = *rc::gen::inRange<std::size_t>(0, 3).as("which");
+    for (const auto& wrong : {at(amount, ball.radius), at(ball.radius, amount), at(ball.radius + amount, Rational(0)),
+                              at(Rational(0), ball.radius + amount)}) {
+      auto others = parts;
+      others[k] = wrong;
+      RC_ASSERT(encloses_parts<Rational>(ball, others) == Verdict::fails);
+    }
+    RC_ASSERT(encloses_part<Rational>({ball.center, -amount}, at(Rational(0), Rational(0))) == Verdict::fails);
+    RC_ASSERT(encloses_part<Rational>({ball.center, Rational(0)}, at(Rational(0), Rational(0))) == Verdict::holds);
+  });
+}
+
+void hypotheses_need_each_part(Suite& t) {
+  t.holds("a vertex on the surface of the reference ball is in it", {.number_type = "rational"}, [] {
+    Node n;
+    RC_PRE(is_vertex(n));
+    n.vertex = n.reference.center + *gen::sphere_point<3>() * n.reference.radius;
+    RC_ASSERT(of(n).hypothesis == Verdict::holds && of(n).conclusion == Verdict::holds);
+  });
+  needs_part(
+      t, "the vertex is in the reference ball",
+      [] {
+        Node n;
+        RC_PRE(is_vertex(n));
+        n.vertex = n.reference.center +
+                   *gen::sphere_point<3>() * (n.reference.radius + *gen::positive_rational().as("amount"));
+        return of(n);
+      },
+      150);
+  needs_part(
+      t, "the weights are the combination of the corners",
+      [] {
+        Node n;
+        RC_PRE(is_vertex(n));
+        const Rational amount = *gen::positive_rational().as("amount");
+        const auto i = *rc::gen::inRange<std::size_t>(0, n.weights.size()).as("which");
+        n.weights[i] += amount;
+        if (n.weights.size() > 1) n.weights[(i + 1) % n.weights.size()] -= amount;  // keeps the sum
+        RC_PRE(minkowski_sum_hypotheses(blended_rotation<Rational>(n.own().transforms, n.weights)) == Verdict::holds);
+        return of(n);
+      },
+      150);
+  t.holds("a blend that is 0 is no rotation of a vertex", {.number_type = "rational"}, [] {
+    const auto joint = *gen::rigid_transform();
+    auto opposite = joint;
+    opposite.rotation = -joint.rotation;
+    const Point center = *gen::rational_vector<3>(), v = *gen::rational_vector<3>();
+    const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, thirds{Rational(1, 3), Rational(2, 3)},
+        alone{1};
+    const Ball3<Rational> reference{v, Rational(0)};
+    const auto is_vertex = [&](const std::vector<Rational>& w) {
+      return is_vertex_of<Rational>({{joint, opposite}, center, {w}}, reference, w, v, alone);
+    };
+    RC_ASSERT(is_vertex(halves) == Verdict::fails);
+    RC_ASSERT(is_vertex(thirds) == Verdict::holds);
+  });
+}
+
+// Wrong witnesses, each of them wrong in one part and right in all others.
+void checks_need_each_part(Suite& t) {
+  t.holds("a part that is too long or not in its hull is rejected, with the right sum",
+          {.number_type = "rational", .cases = 600}, [] {
+            Node n;
+            n.vertex = n.reference.center;  // no offset
+            n.reference.radius = *gen::positive_rational().as("r");
+            RC_PRE(is_vertex(n));
+            const auto good = joint_set_vertex<Rational>({n.vertex, 1}, n.own(), n.reference, n.weights, n.vertex);
+            const auto verdict = [&](const JointSetVertex<Rational>& w) {
+              return is_joint_set_vertex<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients, w);
+            };
+            RC_ASSERT(verdict(good) == Verdict::holds);
+            RC_ASSERT(good.offset == Point(Point::Zero()));
+            const Rational length = squared_norm(good.spherical);
+            RC_PRE(length > 0);
+            auto hull = good, spherical = good, offset = good, sum = good;
+            hull.linear += good.spherical * Rational(2), hull.spherical = -good.spherical;  // as long
+            RC_ASSERT(verdict(hull) == Verdict::fails);
+            // Longer, by at most r: ||s|| is at most ||s||^2 + 1.
+            const Point more = good.spherical * (n.reference.radius / (length + Rational(1)));
+            spherical.spherical += more, spherical.offset -= more;
+            RC_ASSERT(squared_norm(spherical.offset) <= sq(n.reference.radius));
+            RC_ASSERT(verdict(spherical) == Verdict::fails);
+            sum.offset[*rc::gen::inRange(0, 3)] += *rc::gen::element(n.reference.radius, Rational(-n.reference.radius));
+            RC_ASSERT(verdict(sum) == Verdict::fails);
+            offset.spherical = Point::Zero(), offset.offset = good.spherical;
+            RC_ASSERT(verdict(offset) == verdict_of(length <= sq(n.reference.radius)));
+            n.reference.radius = length / (Rational(1) + length) / Rational(2);  // less than the length
+            RC_ASSERT(verdict(offset) == Verdict::fails);
+          });
+}
+
 PROPTEST(s44_joint_sets) {
+  formulas_are_those_of_the_paper(t);
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+
   t.refuted(
       "a ball of the balls made with the corners and rotation center of the first joint-set encloses every vertex",
       {.form = "printed", .number_type = "rational"}, [] {

@@ -4,6 +4,7 @@
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
@@ -42,7 +43,180 @@ bool is_degenerate(const s44_sum::Case& c) {
          c.bounds.spherical.radius == 0;
 }
 
+// Three or four points, so that there is one between the first and the last; F, r and a ball around it all.
+s44_sum::Case several_points() {
+  s44_sum::Case c;
+  const int m = *rc::gen::element(3, 4).as("points");
+  c.bounds.linear = *rc::gen::container<std::vector<Point>>(static_cast<std::size_t>(m), gen::rational_vector<3>());
+  c.bounds.spherical = {*gen::rational_vector<3>(), any_radius()};
+  c.bounds.inflation = any_radius();
+  c.parts = {*gen::convex_weights(m), c.bounds.spherical.center + point_within(c.bounds.spherical.radius),
+             point_within(c.bounds.inflation)};
+  c.ball.center = *gen::rational_vector<3>();
+  for (const Point& r : c.bounds.linear)
+    c.ball.radius =
+        max_of(c.ball.radius, upper_root(squared_distance<Rational, 3>(r + c.bounds.spherical.center, c.ball.center)));
+  c.ball.radius += c.bounds.spherical.radius;
+  return c;
+}
+
+Violation of(const s44_sum::Case& c) {
+  return {sum_of_bounds_hypotheses(c.ball, c.bounds, c.parts), sum_of_bounds(c.ball, c.bounds, c.parts).verdict};
+}
+
+// All of the weight on one of the points.
+void lean_on(s44_sum::Case& c, std::size_t k) {
+  c.parts.coefficients.assign(c.bounds.linear.size(), Rational(0));
+  c.parts.coefficients[k] = 1;
+}
+
+void hypotheses_need_each_part(Suite& t) {
+  t.holds("parts of exactly their bounds, and a ball that touches all of one ball, meet the hypotheses",
+          {.number_type = "rational"}, [] {
+            auto c = several_points();
+            RC_ASSERT(of(c).hypothesis == Verdict::holds);
+            c.parts.spherical = c.bounds.spherical.center + *gen::sphere_point<3>() * c.bounds.spherical.radius;
+            c.parts.offset = *gen::sphere_point<3>() * c.bounds.inflation;
+            RC_ASSERT(of(c).hypothesis == Verdict::holds && of(c).conclusion == Verdict::holds);
+            c.bounds.linear.assign(3, c.ball.center - c.bounds.spherical.center + *gen::sphere_point<3>());
+            lean_on(c, 0);
+            c.ball.radius = c.bounds.spherical.radius + Rational(1);
+            RC_ASSERT(of(c).hypothesis == Verdict::holds && of(c).conclusion == Verdict::holds);
+          });
+  needs_part(t, "one of the equal balls is not in the ball, the others are", [] {
+    auto c = several_points();
+    const auto k = *rc::gen::inRange<std::size_t>(0, c.bounds.linear.size()).as("which");
+    const Point way = *gen::sphere_point<3>();
+    const Rational amount = *gen::positive_rational().as("amount");
+    // Its center is in the ball or not.
+    c.bounds.linear[k] =
+        c.ball.center - c.bounds.spherical.center + way * (c.ball.radius - c.bounds.spherical.radius + amount);
+    RC_ASSERT(encloses_equal_balls(c.ball, c.bounds) == Verdict::fails);
+    lean_on(c, k);
+    c.parts.spherical = c.bounds.spherical.center + way * c.bounds.spherical.radius;
+    c.parts.offset = way * c.bounds.inflation;
+    return of(c);
+  });
+  needs_part(t, "the ball is no smaller than F", [] {
+    auto c = several_points();
+    c.bounds.linear.assign(3, c.ball.center - c.bounds.spherical.center);
+    lean_on(c, 0);
+    const Rational amount = *gen::positive_rational().as("amount");
+    const Point way = *gen::sphere_point<3>();
+    c.bounds.spherical.radius = c.ball.radius + amount;
+    c.parts.spherical = c.bounds.spherical.center + way * c.bounds.spherical.radius;
+    c.parts.offset = way * c.bounds.inflation;
+    return of(c);
+  });
+  needs_part(t, "the coefficients are convex: none is below 0, and they sum to 1", [] {
+    auto c = several_points();
+    const auto m = c.parts.coefficients.size(), k = *rc::gen::inRange<std::size_t>(0, m).as("which");
+    const Rational amount = *gen::positive_rational().as("amount");
+    if (*rc::gen::arbitrary<bool>().as("keeps the sum"))
+      c.parts.coefficients[(k + 1) % m] += c.parts.coefficients[k] + amount, c.parts.coefficients[k] = -amount;
+    else
+      c.parts.coefficients[k] += amount;
+    return of(c);
+  });
+  t.holds("a coefficient more or less than there are points is refused", {.number_type = "rational"}, [] {
+    const auto c = several_points();
+    auto fewer = c, more = c;
+    fewer.parts.coefficients.assign(c.bounds.linear.size() - 1, Rational(0));
+    fewer.parts.coefficients[0] = 1;
+    more.parts.coefficients.push_back(Rational(0));
+    RC_ASSERT(of(c).hypothesis == Verdict::holds);
+    RC_ASSERT(sum_of_bounds_hypotheses(c.ball, c.bounds, fewer.parts) == Verdict::fails);
+    RC_ASSERT(sum_of_bounds_hypotheses(c.ball, c.bounds, more.parts) == Verdict::fails);
+    RC_ASSERT(encloses_equal_balls<Rational>(c.ball, {{}, c.bounds.spherical, c.bounds.inflation}) == Verdict::fails);
+  });
+  needs_part(t, "the spherical part is in F", [] {
+    auto c = several_points();
+    c.parts.spherical = c.bounds.spherical.center +
+                        *gen::sphere_point<3>() * (c.bounds.spherical.radius + *gen::positive_rational().as("amount"));
+    return of(c);
+  });
+  needs_part(t, "the offset is at most r", [] {
+    auto c = several_points();
+    c.parts.offset = *gen::sphere_point<3>() * (c.bounds.inflation + *gen::positive_rational().as("amount"));
+    return of(c);
+  });
+  needs_part(t, "r is not negative", [] {
+    auto c = several_points();
+    RC_PRE(c.bounds.inflation > 0);
+    c.bounds.inflation = -c.bounds.inflation;  // its square is as large
+    RC_ASSERT(parts_are_bounded(c.bounds, c.parts) == Verdict::holds);
+    return of(c);
+  });
+  t.holds("F's radius is not negative", {.number_type = "rational"}, [] {
+    auto c = several_points();
+    RC_PRE(c.bounds.spherical.radius > 0);
+    c.bounds.spherical.radius = -c.bounds.spherical.radius;
+    RC_ASSERT(encloses_equal_balls(c.ball, c.bounds) == Verdict::holds);
+    RC_ASSERT(parts_are_bounded(c.bounds, c.parts) == Verdict::fails);
+  });
+}
+
+// Wrong witnesses, each of them wrong in one part and right in all others.
+void checks_need_each_part(Suite& t) {
+  t.example("intervals decide that a ball touches another from inside, but not where its farthest point is", {}, [] {
+    const Vec<Interval, 3> origin(Interval(0), Interval(0), Interval(0)), center(Interval(3), Interval(4), Interval(0));
+    const Ball3<Interval> outer{origin, Interval(6)}, inner{center, Interval(1)};
+    return encloses(outer, inner) == Verdict::holds && farthest_point_decides(outer, inner) == Verdict::undecided;
+  });
+  t.holds("short enough steps that end elsewhere in one coordinate are rejected", {.number_type = "rational"}, [] {
+    auto c = several_points();
+    const auto sum = sum_of_bounds(c.ball, c.bounds, c.parts);
+    RC_ASSERT(is_sum_steps(c.ball, c.bounds, sum.vertex, sum.steps) == Verdict::holds);
+    Point elsewhere = sum.vertex;
+    const Rational amount = *gen::positive_rational().as("amount");
+    elsewhere[*rc::gen::inRange(0, 3)] += *rc::gen::element(amount, Rational(-amount));
+    RC_ASSERT(is_sum_steps(c.ball, c.bounds, elsewhere, sum.steps) == Verdict::fails);
+  });
+  t.holds("steps of a ball that is smaller than F are rejected", {.number_type = "rational"}, [] {
+    auto c = several_points();
+    const Rational amount = *gen::positive_rational().as("amount");
+    c.bounds.spherical.radius = c.ball.radius;
+    const SumSteps<Rational> rest{Point::Zero(), Point::Zero(), Point::Zero()};
+    RC_ASSERT(is_sum_steps(c.ball, c.bounds, c.ball.center, rest) == Verdict::holds);
+    c.bounds.spherical.radius += amount;
+    RC_ASSERT(is_sum_steps(c.ball, c.bounds, c.ball.center, rest) == Verdict::fails);
+  });
+  t.holds("a sum is in the inflated ball up to its surface, and a hull of balls in the sum up to F's",
+          {.number_type = "rational"}, [] {
+            auto c = several_points();
+            const Rational amount = *gen::positive_rational().as("amount");
+            const Point way = *gen::sphere_point<3>();
+            const Point to_surface = way * (c.ball.radius + c.bounds.inflation);
+            c.parts.spherical = Point::Zero();
+            c.parts.offset = c.ball.center + to_surface - combine<Rational, 3>(c.parts.coefficients, c.bounds.linear);
+            RC_ASSERT(of(c).conclusion == Verdict::holds);
+            c.parts.offset += way * amount;
+            RC_ASSERT(of(c).conclusion == Verdict::fails);
+            for (const bool beyond : {false, true}) {
+              std::vector<Point> points;
+              for (const Point& r : c.bounds.linear)
+                points.push_back(r + c.bounds.spherical.center +
+                                 way * (c.bounds.spherical.radius + (beyond ? amount : Rational(0))));
+              RC_ASSERT(hull_of_balls_in_sum<Rational>(c.bounds, points, c.parts.coefficients).verdict ==
+                        verdict_of(!beyond));
+            }
+          });
+  t.holds(
+      "a ball encloses another, about the same center too, as its farthest point says",
+      {.number_type = "exact root", .cases = 100}, [] {
+        const Point center = *gen::rational_vector<3>();
+        const Rational inner = any_radius(), outer = any_radius();
+        const auto small = lift<ExactRoot>(Ball3<Rational>{center, inner}),
+                   large = lift<ExactRoot>(Ball3<Rational>{center, outer});
+        RC_ASSERT(encloses(large, farthest_point(small, large.center)) == verdict_of(inner <= outer));
+        RC_ASSERT(squared_distance(farthest_point(small, large.center), small.center) == lift<ExactRoot>(sq(inner)));
+      });
+}
+
 PROPTEST(s44_sum_of_bounds) {
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+
   t.holds("a ball of the equal balls r'_k + F, inflated by r, encloses every sum of the parts",
           {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
             const auto c = any_case();

@@ -1,0 +1,32 @@
+// Two tests of one part of a hypothesis (one sign, one element of a list, one side of an inequality): without it
+// another theorem would be stated, and a false one.
+#pragma once
+
+#include <string>
+
+#include "lemmas/vocabulary/verdict.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+
+// What a case that violates one part of a hypothesis, and no other, makes of the theorem.
+struct Violation {
+  refitlab::Verdict hypothesis, conclusion;
+};
+
+// draw() makes a Violation of that part. The hypothesis must refuse all of them, and the conclusion must fail for some;
+// the tag says for what share of the cases.
+template <class Draw>
+void needs_part(Suite& t, const std::string& part, const Draw& draw, int cases = 200) {
+  using refitlab::Verdict;
+  t.holds("the hypothesis refuses what violates this part of it alone: " + part,
+          {.number_type = "rational", .cases = cases}, [draw] {
+            const Violation v = draw();
+            RC_CLASSIFY(v.conclusion != Verdict::holds, "the conclusion fails");
+            RC_ASSERT(v.hypothesis == Verdict::fails);
+          });
+  t.refuted("the conclusion holds without this part of the hypothesis: " + part,
+            {.number_type = "rational", .cases = cases}, [draw] { RC_ASSERT(draw().conclusion == Verdict::holds); });
+}
+
+}  // namespace proptests
