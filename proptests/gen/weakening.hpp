@@ -1,6 +1,8 @@
-// Cases that break one part of one hypothesis: the hypothesis must say so, and the conclusion must fail for a share of them.
+// Cases that break one part of one hypothesis: the hypothesis must say so, and the conclusion must fail for a share of
+// them.
 //
-// A hypothesis that lost a part is another theorem, and a wrong one. A test sees it only on cases that break just that part.
+// A hypothesis that lost a part is another theorem, and a wrong one. A test sees it only on cases that break just that
+// part.
 #pragma once
 
 #include <map>
@@ -16,12 +18,13 @@ namespace proptests {
 struct Weakening {
   std::string part;  // what is broken, in words: "the first quaternion"
   refitlab::Verdict hypothesis;
-  std::optional<refitlab::Verdict> conclusion;  // none where there is nothing to conclude, or the theorem has room to spare
+  std::optional<refitlab::Verdict>
+      conclusion;  // none where there is nothing to conclude, or the theorem has room to spare
 };
 
-// Draws cases that break a part each. The hypothesis must fail on all of them, and the conclusion on at least the given share
-// of those of each part, so that the theorem needs it. Of a part that came up less than 20 times nothing is asked, and of a
-// share of 0, for a predicate that no theorem comes with, nothing of any.
+// Draws cases that break a part each. The hypothesis must fail on all of them, and the conclusion on at least the given
+// share of those of each part, so that the theorem needs it. Of a part that came up less than 20 times nothing is
+// asked, and of a share of 0, for a predicate that no theorem comes with, nothing of any.
 template <class Draw>
 void needs_each_part(Suite& t, const std::string& sentence, double share, const Draw& draw, int cases = 300) {
   using refitlab::Verdict;
@@ -47,7 +50,8 @@ void needs_each_part(Suite& t, const std::string& sentence, double share, const 
     for (const auto& [part, count] : counts) {
       ok = ok && (count.asked < 20 || static_cast<double>(count.failed) >= share * static_cast<double>(count.asked));
       drawn += count.drawn;
-      text += (drawn == count.drawn ? ": " : "; ") + part + " " + std::to_string(count.failed) + " of " + std::to_string(count.asked);
+      text += (drawn == count.drawn ? ": " : "; ") + part + " " + std::to_string(count.failed) + " of " +
+              std::to_string(count.asked);
       if (count.asked < count.drawn) text += " (" + std::to_string(count.drawn - count.asked) + " not asked)";
     }
     return Checked(ok, drawn, text);
@@ -63,21 +67,28 @@ void reaches_share(Suite& t, const std::string& sentence, double share, const Dr
     ++drawn, reached += is;
   });
   t.example(sentence + ": often enough", {}, [&] {
-    return Checked(static_cast<double>(reached) >= share * static_cast<double>(drawn), drawn, std::to_string(reached) + " of " + std::to_string(drawn));
+    return Checked(static_cast<double>(reached) >= share * static_cast<double>(drawn), drawn,
+                   std::to_string(reached) + " of " + std::to_string(drawn));
   });
 }
 
 namespace gen {
 
 // Any of 0 ... n - 1, as often each whatever RapidCheck's size.
-inline std::size_t any_place(std::size_t n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, n)); }
+inline std::size_t any_place(std::size_t n) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, n));
+}
 
 // A place of a list, in words.
-inline std::string place(std::size_t k, std::size_t n) { return k == 0 ? "the first" : k + 1 == n ? "the last" : "a middle one"; }
+inline std::string place(std::size_t k, std::size_t n) {
+  return k == 0 ? "the first" : k + 1 == n ? "the last" : "a middle one";
+}
 
 // By how much an inequality is missed: plainly, or by what no double would see.
 inline rc::Gen<Rational> excess() {
-  return rc::gen::oneOf(positive_rational(), rc::gen::element(Rational(1, 1000), Rational(std::string("1/1000000000000000000000000000000"))));
+  return rc::gen::oneOf(
+      positive_rational(),
+      rc::gen::element(Rational(1, 1000), Rational(std::string("1/1000000000000000000000000000000"))));
 }
 
 // Weights that are convex but for one thing.

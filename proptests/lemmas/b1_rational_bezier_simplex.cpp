@@ -151,7 +151,7 @@ PROPTEST(b1_rational_bezier_simplex) {
 
   t.holds("multi-indices are all sorted lists, and their Bernstein polynomials the terms of the power of the sum",
           {.number_type = "rational", .cases = 60}, [] {
-            const std::size_t m = (1 + gen::any_place(5 - 1));
+            const std::size_t m = 1 + gen::any_place(4);
             const int degree = *rc::gen::inRange(0, 5);
             const Weights u = *rc::gen::container<Weights>(m, gen::rational());
             std::map<std::vector<std::size_t>, Rational> terms;  // by counting through all ordered lists
@@ -179,17 +179,21 @@ PROPTEST(b1_rational_bezier_simplex) {
             });
             RC_ASSERT(visited == terms.size());
           });
-  needs_each_part(t, "weights of another sum are refused, and spherical blending tells them apart", 0.5, [] {
-    const auto c = *gen::blend_case(gen::Spread::any, 4);
-    auto u = *gen::affine_weights(static_cast<int>(c.weights.size()));
-    RC_ASSERT(bezier_simplex_hypotheses<Rational>(u) == Verdict::holds);
-    const std::size_t k = gen::any_place(u.size());
-    const Rational amount = *gen::excess();
-    const bool more = *rc::gen::arbitrary<bool>();
-    u[k] += more ? amount : Rational(-amount);
-    return Weakening{gen::place(k, u.size()) + (more ? " is too much" : " is too little"), bezier_simplex_hypotheses<Rational>(u),
-                     bezier_simplex(c.blend, std::span<const Rational>(u)).verdict};
-  }, 600);
+  needs_each_part(
+      t, "weights of another sum are refused, and spherical blending tells them apart", 0.5,
+      [] {
+        const auto c = *gen::blend_case(gen::Spread::any, 4);
+        auto u = *gen::affine_weights(static_cast<int>(c.weights.size()));
+        RC_ASSERT(bezier_simplex_hypotheses<Rational>(u) == Verdict::holds);
+        const std::size_t k = gen::any_place(u.size());
+        const Rational amount = *gen::excess();
+        const bool more = *rc::gen::arbitrary<bool>();
+        u[k] += more ? amount : Rational(-amount);
+        return Weakening{gen::place(k, u.size()) + (more ? " is too much" : " is too little"),
+                         bezier_simplex_hypotheses<Rational>(u),
+                         bezier_simplex(c.blend, std::span<const Rational>(u)).verdict};
+      },
+      600);
   t.holds("a blend that is 0 has no image, and any other has one", {.number_type = "rational", .cases = 300}, [] {
     auto c = *gen::blend_case(gen::Spread::any, 4);
     // One corner more, that takes the others back: half of each is 0, or what is left over.
@@ -199,7 +203,8 @@ PROPTEST(b1_rational_bezier_simplex) {
     c.weights.push_back(Rational(1, 2));
     RationalQuaternion sum(0, 0, 0, 0);
     for (std::size_t k = 0; k + 1 < c.weights.size(); ++k) sum += c.blend.rotations[k] * c.weights[k];
-    c.blend.rotations.push_back(RationalQuaternion(sum * Rational(-2)) + (vanishes ? RationalQuaternion(0, 0, 0, 0) : left));
+    c.blend.rotations.push_back(RationalQuaternion(sum * Rational(-2)) +
+                                (vanishes ? RationalQuaternion(0, 0, 0, 0) : left));
     c.blend.center_images.push_back(RationalVec<3>(0, 0, 0));
     const std::span<const Rational> u(c.weights);
     RC_ASSERT(blend_has_image(c.blend, u) == verdict_of(!vanishes));
@@ -227,7 +232,8 @@ PROPTEST(b1_rational_bezier_simplex) {
   t.holds("each field of each control point is checked", {.number_type = "rational", .cases = 60}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 3);
     assert_each_field_checked(c.blend, c.weights);
-    assert_each_field_checked(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x}, c.weights);
+    assert_each_field_checked(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x},
+                              c.weights);
     assert_each_field_checked(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });
   reaches_share(t, "cases of several corners that differ, with none at a right angle or 0", 0.25,
