@@ -221,7 +221,7 @@ PROPTEST(b1_rational_bezier_simplex) {
       RC_ASSERT(is_blended_image(blend, u, image) == Verdict::holds);
       for (int i = 0; i < 3; ++i) {
         RationalVec<3> wrong = image;
-        wrong[i] += *gen::excess();
+        wrong[i] += *gen::excess() * (*rc::gen::arbitrary<bool>() ? 1 : -1);
         RC_ASSERT(is_blended_image(blend, u, wrong) == Verdict::fails);
       }
     };

@@ -204,10 +204,11 @@ PROPTEST(b2_control_hull_encloses) {
       });
   t.example("where a weight is negative, a ball around the control balls need not hold the vertex", {}, [] {
     // From far below: the image is above all control points.
-    const auto ball = ball_around(b2::upwards * Rational(-1000000), positions(control_points(b2::far_apart)), Rational(0));
-    return encloses_control_balls<Rational>(ball, control_points(b2::far_apart), 0) == Verdict::holds &&
-           control_balls_enclose<b2::Blend>(b2::far_apart, std::span<const Rational>(b2::halves), ball, 0,
-                                            RationalVec<3>(0, 0, 0)) == Verdict::fails;
+    const auto points = control_points(b2::far_apart);
+    const auto ball = ball_around(b2::upwards * Rational(-1000000), positions(points), Rational(0));
+    return encloses_control_balls(ball, points, Rational(0)) == Verdict::holds &&
+           control_balls_enclose(b2::far_apart, std::span<const Rational>(b2::halves), ball, Rational(0),
+                                 RationalVec<3>(0, 0, 0)) == Verdict::fails;
   });
   t.holds("a single control ball that is not inside is enough, whichever it is",
           {.number_type = "rational", .cases = 100}, [] {

@@ -228,9 +228,12 @@ PROPTEST(b5_rotation_axis) {
     // From (3, 4, 0) to (5, 0, 0), about the z axis.
     const b5::Fallback towards{{b5::Rotation(2, 0, 0, -1)}, {b5::Point(0, 0, 0)}, b5::Rotation(1, 0, 0, 0), 0};
     const auto found = twist_keeps_axis(b5::x_axis, towards, b5::Point(3, 4, 0), Span(b5::all));
+    auto split_after = found;  // at the image: then its part along is kept, but the point's part across is not across
+    split_after.parts = {b5::Point(5, 0, 0), b5::Point(-2, 4, 0)};
     return found.rotated == b5::Point(5, 0, 0) &&
            encloses(twist_ball(towards, found.parts), found.rotated) == Verdict::holds &&
-           found.verdict == Verdict::fails;
+           found.verdict == Verdict::fails &&
+           is_twisted_point(b5::x_axis, towards, b5::Point(3, 4, 0), Span(b5::all), split_after) == Verdict::fails;
   });
   t.holds("of control points only what is said of rotations about the axis is said",
           {.number_type = "rational", .cases = 300}, [] {
