@@ -34,8 +34,9 @@ Verdict is_nearest_point(std::span<const Vec<S, D>> points, std::span<const S> c
 
 template <class S, int D>
 Verdict smallest_cap_hypotheses(std::span<const Vec<S, D>> units, std::span<const S> coefficients) {
-  return are_units(units) & is_nearest_point(units, coefficients) &
-         less(S(0), squared_norm(combine(coefficients, units)));
+  const Verdict v = are_units(units) & is_nearest_point(units, coefficients);
+  if (v == Verdict::fails) return v;  // there may be no combination: not one coefficient a unit
+  return v & less(S(0), squared_norm(combine(coefficients, units)));
 }
 
 // --- Conclusion ---

@@ -13,7 +13,7 @@ using Fallback = refitlab::CapFallback<Q>;
 
 inline const Point x_axis(1, 0, 0), y_axis(0, 1, 0);
 inline const std::vector<Point> at_origin{Point(0, 0, 0), Point(0, 0, 0)};
-inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)};
+inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)}, all{1};
 
 // A twist about the x axis with the cap cos alpha = 7/25. A point of the axis does not move; the paper's ball for it
 // has the squared radius 576/625.

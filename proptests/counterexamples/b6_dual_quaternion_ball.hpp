@@ -17,6 +17,8 @@ inline const Rotation identity(1, 0, 0, 0), none(0, 0, 0, 0);
 // thirds of the way the origin is at (-2, 0, 0). Half-way the blend is 0.
 inline const Blend opposite{{identity, Rotation(-1, 0, 0, 0)}, {none, Rotation(0, -1, 0, 0)}, Point(0, 0, 0)};
 inline const Point between(1, 0, 0);
+// Two signs of no motion: half-way both parts of the blend are 0.
+inline const Blend still{{identity, Rotation(-1, 0, 0, 0)}, {none, none}, Point(0, 0, 0)};
 inline const std::vector<Q> third{Q(2, 3), Q(1, 3)};
 
 // No motion and a turn by 74 degrees: weights beyond the first corner turn the other way, by 106 degrees.

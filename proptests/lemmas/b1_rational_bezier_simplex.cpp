@@ -3,6 +3,7 @@
 #include "proptests/counterexamples/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/rigid.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
@@ -11,6 +12,7 @@ namespace proptests {
 namespace {
 
 using namespace refitlab;
+using gen::RationalQuaternion;
 using gen::RationalVec;
 using Weights = std::vector<Rational>;
 using Transforms = std::vector<RigidTransform<Rational>>;
@@ -68,6 +70,37 @@ void assert_rejected(const Blend& blend) {
   RC_ASSERT(is_bezier_simplex(blend, points) == Verdict::fails);
 }
 
+// A change of any number of any control point, up or down, or another multi-index is no Bezier simplex of the blend. At
+// weights that are all positive each control point counts, so there the verdict is false too.
+template <class Blend>
+void assert_each_field_checked(const Blend& blend, const Weights& u) {
+  const auto good = control_points(blend);
+  const Rational amount = *gen::excess() * (*rc::gen::arbitrary<bool>() ? 1 : -1);
+  const bool all_count = std::all_of(u.begin(), u.end(), [](const Rational& x) { return x > 0; });
+  const auto reject = [&](const std::vector<ControlPoint<Rational>>& points) {
+    RC_ASSERT(is_bezier_simplex(blend, points) == Verdict::fails);
+    if (all_count) RC_ASSERT((agrees_at<Blend, Rational>(blend, points, u) == Verdict::fails));
+  };
+  for (std::size_t k = 0; k < good.size(); ++k) {
+    for (int i = 0; i < 3; ++i) {
+      auto points = good;
+      points[k].numerator[i] += amount;
+      reject(points);
+    }
+    auto points = good;
+    points[k].weight += amount;
+    reject(points);
+    if (good[k].weight == 0) continue;
+    points = good;
+    points.erase(points.begin() + static_cast<long>(k));
+    reject(points);
+    if (blend.corner_count() < 2) continue;
+    points = good;
+    points[k].index.back() = (points[k].index.back() + 1) % blend.corner_count();
+    RC_ASSERT(is_bezier_simplex(blend, points) == Verdict::fails);
+  }
+}
+
 PROPTEST(b1_rational_bezier_simplex) {
   const Options exact{.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2};
   t.holds("spherical blending is a rational Bezier simplex of degree 3 in the weights", exact, [] {
@@ -115,6 +148,96 @@ PROPTEST(b1_rational_bezier_simplex) {
     assert_rejected(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x});
     assert_rejected(LinearBlend<Rational>{c.blend.center_images});
   });
+
+  t.holds("multi-indices are all sorted lists, and their Bernstein polynomials the terms of the power of the sum",
+          {.number_type = "rational", .cases = 60}, [] {
+            const std::size_t m = 1 + gen::any_place(4);
+            const int degree = *rc::gen::inRange(0, 5);
+            const Weights u = *rc::gen::container<Weights>(m, gen::rational());
+            std::map<std::vector<std::size_t>, Rational> terms;  // by counting through all ordered lists
+            std::vector<std::size_t> digits(static_cast<std::size_t>(degree), 0);
+            for (bool more = true; more;) {
+              auto sorted = digits;
+              std::sort(sorted.begin(), sorted.end());
+              Rational product(1);
+              for (const std::size_t k : digits) product *= u[k];
+              terms[sorted] += product;
+              more = false;
+              for (auto& digit : digits) {
+                if (++digit < m) {
+                  more = true;
+                  break;
+                }
+                digit = 0;
+              }
+            }
+            std::size_t visited = 0;
+            for_each_index(m, degree, [&](const std::vector<std::size_t>& index) {
+              ++visited;
+              RC_ASSERT(terms.count(index) == 1u);
+              RC_ASSERT(bernstein<Rational>(index, u) == terms.at(index));
+            });
+            RC_ASSERT(visited == terms.size());
+          });
+  needs_each_part(
+      t, "weights of another sum are refused, and spherical blending tells them apart", 0.5,
+      [] {
+        const auto c = *gen::blend_case(gen::Spread::any, 4);
+        auto u = *gen::affine_weights(static_cast<int>(c.weights.size()));
+        RC_ASSERT(bezier_simplex_hypotheses<Rational>(u) == Verdict::holds);
+        const std::size_t k = gen::any_place(u.size());
+        const Rational amount = *gen::excess();
+        const bool more = *rc::gen::arbitrary<bool>();
+        u[k] += more ? amount : Rational(-amount);
+        return Weakening{gen::place(k, u.size()) + (more ? " is too much" : " is too little"),
+                         bezier_simplex_hypotheses<Rational>(u),
+                         bezier_simplex(c.blend, std::span<const Rational>(u)).verdict};
+      },
+      600);
+  t.holds("a blend that is 0 has no image, and any other has one", {.number_type = "rational", .cases = 300}, [] {
+    auto c = *gen::blend_case(gen::Spread::any, 4);
+    // One corner more, that takes the others back: half of each is 0, or what is left over.
+    const bool vanishes = *rc::gen::arbitrary<bool>();
+    const RationalQuaternion left = *gen::nonzero_quaternion() * *gen::excess();
+    for (auto& x : c.weights) x /= 2;
+    c.weights.push_back(Rational(1, 2));
+    RationalQuaternion sum(0, 0, 0, 0);
+    for (std::size_t k = 0; k + 1 < c.weights.size(); ++k) sum += c.blend.rotations[k] * c.weights[k];
+    c.blend.rotations.push_back(RationalQuaternion(sum * Rational(-2)) +
+                                (vanishes ? RationalQuaternion(0, 0, 0, 0) : left));
+    c.blend.center_images.push_back(RationalVec<3>(0, 0, 0));
+    const std::span<const Rational> u(c.weights);
+    RC_ASSERT(blend_has_image(c.blend, u) == verdict_of(!vanishes));
+    const DualQuaternionBlend<Rational> dual{c.blend.rotations, c.blend.rotations, c.blend.x};
+    RC_ASSERT(blend_has_image(dual, u) == verdict_of(!vanishes));
+  });
+  t.holds("an image that is wrong in one coordinate is rejected", {.number_type = "rational", .cases = 200}, [] {
+    const auto c = *gen::blend_case(gen::Spread::any, 4);
+    const std::span<const Rational> u(c.weights);
+    RC_PRE(blend_has_image(c.blend, u) == Verdict::holds);
+    const auto only_right_one = [&](const auto& blend) {
+      const auto at = blend.at(u);
+      const RationalVec<3> image = at.numerator / at.denominator;
+      RC_ASSERT(is_blended_image(blend, u, image) == Verdict::holds);
+      for (int i = 0; i < 3; ++i) {
+        RationalVec<3> wrong = image;
+        wrong[i] += *gen::excess() * (*rc::gen::arbitrary<bool>() ? 1 : -1);
+        RC_ASSERT(is_blended_image(blend, u, wrong) == Verdict::fails);
+      }
+    };
+    only_right_one(c.blend);
+    only_right_one(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x});
+    only_right_one(LinearBlend<Rational>{c.blend.center_images});
+  });
+  t.holds("each field of each control point is checked", {.number_type = "rational", .cases = 60}, [] {
+    const auto c = *gen::blend_case(gen::Spread::any, 3);
+    assert_each_field_checked(c.blend, c.weights);
+    assert_each_field_checked(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x},
+                              c.weights);
+    assert_each_field_checked(LinearBlend<Rational>{c.blend.center_images}, c.weights);
+  });
+  reaches_share(t, "cases of several corners that differ, with none at a right angle or 0", 0.25,
+                [] { return !(*gen::blend_case(gen::Spread::any, 4)).is_degenerate(); });
 
   t.example("with weights that do not sum to 1 the parts are scaled apart",
             {.form = "beyond", .hypothesis = "the weights sum to 1"}, [] {

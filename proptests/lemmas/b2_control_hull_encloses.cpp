@@ -3,6 +3,7 @@
 #include "proptests/counterexamples/b2_control_hull_encloses.hpp"
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
@@ -11,6 +12,7 @@ namespace proptests {
 namespace {
 
 using namespace refitlab;
+using gen::RationalQuaternion;
 using gen::RationalVec;
 using Weights = std::vector<Rational>;
 
@@ -96,6 +98,136 @@ PROPTEST(b2_control_hull_encloses) {
     RC_ASSERT((is_hull_point<Rational, 3>(points, moved, good.coefficients) == Verdict::fails));
     RC_ASSERT(is_blended_image(c.blend, u, moved) == Verdict::fails);
   });
+
+  needs_each_part(
+      t, "each control point's weight and all of the weights are looked at by themselves", 0.1,
+      [] {
+        auto c = *gen::blend_case(gen::Spread::positive, 4);
+        const std::size_t m = c.blend.corner_count();
+        RC_PRE(m > 1u);
+        if (*rc::gen::inRange(0, 3) == 0) {
+          const auto broken = gen::broken_weights(c.weights);
+          const std::span<const Rational> u(broken.weights);
+          RC_PRE(blend_has_image(c.blend, u) == Verdict::holds);
+          return Weakening{broken.part, control_hull_hypotheses(control_points(c.blend), u),
+                           image_in_control_hull(c.blend, u).verdict};
+        }
+        // One corner turned until just a part of the control points has a weight below 0.
+        const std::size_t k = gen::any_place(m);
+        c.blend.rotations[k] = *gen::nonzero_quaternion();
+        const auto points = control_points(c.blend);
+        long negative = 0, zero = 0;
+        for (const auto& p : points) negative += p.weight < 0, zero += p.weight == 0;
+        const std::span<const Rational> u(c.weights);
+        RC_PRE(negative > 0 && zero == 0 && blend_has_image(c.blend, u) == Verdict::holds);
+        return Weakening{"the weight of a control point", control_hull_hypotheses(points, u),
+                         image_in_control_hull(c.blend, u).verdict};
+      },
+      500);
+  t.holds("one weight that is not positive is enough to refuse, whichever it is",
+          {.number_type = "rational", .cases = 100}, [] {
+            const auto c = *gen::blend_case(gen::Spread::positive, 4);
+            const auto good = control_points(c.blend);
+            for (std::size_t k = 0; k < good.size(); ++k) {
+              auto points = good;
+              points[k].weight =
+                  *rc::gen::oneOf(rc::gen::just(Rational(0)),
+                                  rc::gen::map(gen::excess(), [](const Rational& x) { return Rational(-x); }));
+              RC_ASSERT(control_weights_are_positive(points) == Verdict::fails);
+              points[k].weight = *gen::excess();
+              RC_ASSERT(control_weights_are_positive(points) == Verdict::holds);
+            }
+          });
+  needs_each_part(
+      t, "each pair of corners, and each corner with itself, is looked at", 0.2,
+      [] {
+        auto q = (*gen::blend_case(gen::Spread::positive, 4)).blend.rotations;
+        RC_PRE(q.size() > 2u);
+        const std::size_t m = q.size(), k = gen::any_place(m);
+        std::string part;
+        if (*rc::gen::arbitrary<bool>()) {
+          part = gen::place(k, m) + " is 0";
+          q[k].setZero();
+        } else {
+          const std::size_t l = (k + 1 + gen::any_place(m - 1)) % m;
+          part = "the pair of " + gen::place(std::min(k, l), m) + " and " + gen::place(std::max(k, l), m);
+          const Rational below = *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::excess());
+          const RationalQuaternion other = q[k];
+          q[l] -= other * Rational((dot(q[l], other) + below) / squared_norm(other));
+          RC_PRE(squared_norm(q[l]) > 0);
+          for (std::size_t i = 0; i < m; ++i)
+            for (std::size_t j = 0; j < m; ++j)
+              if (i != j && std::minmax(i, j) != std::minmax(k, l)) RC_PRE(dot(q[i], q[j]) > 0);
+        }
+        // What it is sufficient for: positive weights of the control points of degree 2.
+        const DualQuaternionBlend<Rational> blend{q, q, RationalVec<3>(1, 2, 3)};
+        return Weakening{part, pairs_are_positive(q), control_weights_are_positive(control_points(blend))};
+      },
+      500);
+  t.holds(
+      "what is said of control balls is said of just those cases that it speaks of",
+      {.number_type = "rational", .cases = 600}, [] {
+        auto c = *gen::blend_case(*rc::gen::element(gen::Spread::any, gen::Spread::positive), 3);
+        const std::span<const Rational> u(c.weights);
+        const auto control = control_points(c.blend);
+        for (const auto& p : control) RC_PRE(p.weight != 0);
+        RC_PRE(blend_has_image(c.blend, u) == Verdict::holds);
+        const Rational size = *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational()),
+                       excess = *gen::excess();
+        const Rational radius = size * *rc::gen::element(Rational(1), Rational(1), Rational(-1));
+        const RationalVec<3> offset =
+            *gen::sphere_point<3>() *
+            Rational(size * *rc::gen::element(Rational(1), Rational(1, 2), Rational(1 + excess), Rational(20)));
+        Ball3<Rational> ball = ball_around(*gen::rational_vector<3>(), positions(control), radius);
+        ball.radius +=
+            *rc::gen::element(Rational(0), Rational(0), excess, Rational(-excess), Rational(-2 * ball.radius));
+        bool around = true;
+        std::vector<RationalVec<3>> centers;
+        for (const auto& p : control) centers.push_back(p.numerator / p.weight);
+        for (const auto& p : centers) {
+          const RationalVec<3> gap = p - ball.center;
+          const Rational room = ball.radius - radius;
+          around = around && room >= 0 && gap.dot(gap) <= room * room;
+        }
+        const auto at = c.blend.at(u);
+        const RationalVec<3> vertex = at.numerator / at.denominator + offset, gap = vertex - ball.center;
+        const bool inside = ball.radius >= 0 && gap.dot(gap) <= ball.radius * ball.radius;
+        const bool short_enough = offset.dot(offset) <= radius * radius;
+        RC_CLASSIFY(around && short_enough && radius >= 0 && inside, "holds as the theorem says");
+        RC_CLASSIFY(around && short_enough && radius >= 0 && !inside, "fails: a weight is not positive");
+        RC_CLASSIFY(around && short_enough && radius < 0 && !inside, "nothing is said: only the radius is negative");
+        RC_CLASSIFY(around && !short_enough && radius >= 0 && !inside, "nothing is said: only the offset is too long");
+        RC_CLASSIFY(!around && short_enough && radius >= 0 && !inside, "nothing is said: only the ball is too small");
+        RC_ASSERT(encloses_control_balls(ball, control, radius) == verdict_of(around));
+        RC_ASSERT(control_balls_enclose(c.blend, u, ball, radius, offset) ==
+                  verdict_of(!(around && short_enough && radius >= 0) || inside));
+      });
+  t.example("where a weight is negative, a ball around the control balls need not hold the vertex", {}, [] {
+    // From far below: the image is above all control points.
+    const auto points = control_points(b2::far_apart);
+    const auto ball = ball_around(b2::upwards * Rational(-1000000), positions(points), Rational(0));
+    return encloses_control_balls(ball, points, Rational(0)) == Verdict::holds &&
+           control_balls_enclose(b2::far_apart, std::span<const Rational>(b2::halves), ball, Rational(0),
+                                 RationalVec<3>(0, 0, 0)) == Verdict::fails;
+  });
+  t.holds("a single control ball that is not inside is enough, whichever it is",
+          {.number_type = "rational", .cases = 100}, [] {
+            const auto c = *gen::blend_case(gen::Spread::positive, 4);
+            const auto good = control_points(c.blend);
+            const Rational radius = *gen::positive_rational();
+            auto ball = ball_around(*gen::rational_vector<3>(), positions(good), radius);
+            for (std::size_t k = 0; k < good.size(); ++k) {
+              auto points = good;
+              const RationalVec<3> direction = *gen::sphere_point<3>(),
+                                   touching = ball.center + direction * Rational(ball.radius - radius);
+              points[k].numerator = touching * points[k].weight;
+              RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::holds);
+              points[k].numerator += direction * *gen::excess();
+              RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::fails);
+            }
+          });
+  reaches_share(t, "cases of several corners that differ, at neither right angle nor 0", 0.3,
+                [] { return !(*gen::blend_case(gen::Spread::positive, 4)).is_degenerate(); });
 
   t.example("with a negative weight the image is outside the hull",
             {.form = "beyond", .hypothesis = "all W_I are positive"}, [] {

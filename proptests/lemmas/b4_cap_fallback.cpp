@@ -5,16 +5,20 @@
 #include "proptests/counterexamples/b4_cap_fallback.hpp"
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
+#include "proptests/oracles/skinning.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
 namespace proptests {
 namespace {
 
 using namespace refitlab;
+using gen::RationalQuaternion;
 using gen::RationalVec;
 using Span = std::span<const Rational>;
+using Span4 = std::span<const RationalQuaternion>;
 using Fallback = CapFallback<Rational>;
 
 // The best cap about the sum of the corners, about one of them or about any axis; where there is none, all rotations.
@@ -43,6 +47,25 @@ struct FallbackCase {
         offset(*gen::sphere_point<3>() * radius) {}
   Span u() const { return c.weights; }
   bool applies() const { return cap_fallback_hypotheses(cap, u()) == Verdict::holds; }
+};
+
+// Three or four corners in a cap of kappa^2 > 1/2, which claims something: drawn together until they are.
+struct NarrowCap {
+  Fallback cap;
+  std::vector<Rational> weights;
+  NarrowCap() {
+    const int m = *rc::gen::inRange(3, 5);
+    cap.axis = *gen::nonzero_quaternion();
+    cap.rotations = *rc::gen::container<std::vector<RationalQuaternion>>(m, gen::nonzero_quaternion());
+    cap.center_images = *rc::gen::container<std::vector<RationalVec<3>>>(m, gen::rational_vector<3>());
+    const auto is_near = [&](const RationalQuaternion& q) {
+      return dot(q, cap.axis) > 0 && 2 * sq(dot(q, cap.axis)) > squared_norm(q) * squared_norm(cap.axis);
+    };
+    for (auto& q : cap.rotations)
+      while (!is_near(q)) q = (q + cap.axis) / Rational(2);
+    cap.squared_cosine = squared_cap_cosine<Rational>(cap.rotations, cap.axis);
+    weights = *gen::convex_weights(m);
+  }
 };
 
 PROPTEST(b4_cap_fallback) {
@@ -126,6 +149,145 @@ PROPTEST(b4_cap_fallback) {
     hull.hull_point += bump, hull.vertex += bump;     // consistent, but off the hull point of u
     step.rotation_step += bump, step.vertex += bump;  // consistent, but no rotation of x by the blend
     RC_ASSERT(rejected(vertex) && rejected(hull) && rejected(step));
+  });
+
+  needs_each_part(
+      t, "each part of the hypotheses is looked at by itself", 0.05,
+      [] {
+        NarrowCap n;
+        auto& cap = n.cap;
+        const std::size_t m = cap.rotations.size(), k = gen::any_place(m);
+        auto& q = cap.rotations[k];
+        const Rational excess = *gen::excess();
+        std::string part;
+        const std::size_t kind = gen::any_place(5);
+        bool is_image = true;
+        if (kind == 0) {
+          part = gen::place(k, m) + " is behind the axis";
+          q = -q;
+        } else if (kind == 1) {
+          part = gen::place(k, m) + " is outside the cap";
+          const RationalQuaternion other = *gen::unit_quaternion();
+          const Rational ratio = sq(dot(other, cap.axis)) / squared_norm(cap.axis);
+          RC_PRE(ratio < cap.squared_cosine);
+          q = dot(other, cap.axis) < 0 ? RationalQuaternion(-other) : other;
+        } else if (kind == 2) {
+          const auto broken = gen::broken_weights(n.weights);
+          part = broken.part;
+          n.weights = broken.weights;
+        } else if (kind == 3) {
+          part = "the blend is 0";
+          q.setZero(), n.weights.assign(m, Rational(0)), n.weights[k] = 1;
+          is_image = false;
+        } else {
+          part = "the axis is 0";
+          cap.axis.setZero();
+          is_image = false;
+        }
+        if (kind == 0) {  // by itself it is the same rotation: what is half-way to it is far off
+          for (auto& w : n.weights) w /= 2;
+          n.weights[k] += Rational(1, 2);
+        }
+        if (kind == 1 && *rc::gen::arbitrary<bool>()) n.weights.assign(m, Rational(0)), n.weights[k] = 1;
+        if (squared_norm(combine<Rational, 4>(Span(n.weights), Span4(cap.rotations))) == 0) is_image = false;
+        const Verdict hypothesis = cap_fallback_hypotheses(cap, Span(n.weights));
+        // Without a blend or an axis there is no image or no ball.
+        if (!is_image) return Weakening{part, hypothesis, {}};
+        const RationalVec<3> x = *gen::nonzero_vector<3>();
+        return Weakening{part, hypothesis,
+                         cap_fallback_encloses(cap, x, Span(n.weights), RationalVec<3>(0, 0, 0)).verdict};
+      },
+      900);
+  t.holds("a cap is valid if nothing is claimed, and at 1/2 nothing is", {.number_type = "rational", .cases = 300}, [] {
+    const FallbackCase f(3);
+    Fallback cap = f.cap;
+    const Rational excess = *gen::excess();
+    cap.axis.setZero();
+    cap.squared_cosine = Rational(1, 2);
+    RC_ASSERT(cap_is_valid(cap) == Verdict::holds && fallback_height(cap) == 0);
+    const auto all = fallback_ball(cap, f.c.blend.x);
+    RC_ASSERT(squared_norm(all.center) == 0 && all.squared_radius == squared_norm(f.c.blend.x));
+    cap.squared_cosine += excess;
+    RC_ASSERT(cap_is_valid(cap) == Verdict::fails);
+    // Corners that are all 0 are in every cap, even in one of a cosine that is none.
+    for (auto& q : cap.rotations) q.setZero();
+    cap.axis = *gen::nonzero_quaternion();
+    cap.squared_cosine = 1;
+    RC_ASSERT(cap_is_valid(cap) == Verdict::holds);
+    cap.squared_cosine += excess;
+    RC_ASSERT(cap_is_valid(cap) == Verdict::fails);
+    cap.squared_cosine = Rational(1, 2) - Rational(excess / (1 + excess) / 2);
+    RC_ASSERT(cap_is_valid(cap) == Verdict::holds && fallback_height(cap) == 0);
+  });
+  t.holds(
+      "the ball of a cap is about h R_c x and has the squared radius (1 - h^2) ||x||^2",
+      {.number_type = "rational", .cases = 300}, [] {
+        Fallback cap = NarrowCap().cap;
+        cap.squared_cosine = *gen::unit_interval_rational();
+        const RationalVec<3> x = *gen::rational_vector<3>(), zero(0, 0, 0);
+        const Rational h = std::max<Rational>(2 * cap.squared_cosine - 1, Rational(0));
+        RC_CLASSIFY(h > 0, "a cap");
+        const RationalVec<3> center = oracle::times(oracle::affine_of(cap.axis, zero), x) * h;
+        const auto ball = fallback_ball(cap, x);
+        RC_ASSERT(fallback_height(cap) == h && ball.center == center && ball.squared_radius == (1 - h * h) * x.dot(x));
+      });
+  t.holds("each part of the steps is checked by itself", {.number_type = "rational", .cases = 400}, [] {
+    const NarrowCap n;
+    Fallback cap = n.cap;
+    if (*rc::gen::arbitrary<bool>()) cap.squared_cosine = Rational(1, 2);
+    const Span u(n.weights);
+    const RationalVec<3> x = *gen::nonzero_vector<3>(), offset = *gen::rational_vector<3>();
+    const auto good = cap_fallback_encloses(cap, x, u, offset);
+    RC_ASSERT(good.verdict == Verdict::holds);
+    const auto rejected = [&](const Fallback& of, const FallbackSteps<Rational>& steps, Span w) {
+      return is_fallback_steps(of, x, w, offset, steps) == Verdict::fails;
+    };
+    const Rational amount = *gen::excess();
+    for (int i = 0; i < 3; ++i) {
+      auto vertex = good, hull = good;
+      vertex.vertex[i] += amount;
+      hull.hull_point[i] += amount, hull.vertex[i] += amount;
+      RC_ASSERT(rejected(cap, vertex, u) && rejected(cap, hull, u));
+    }
+    auto rests = good;  // a step of length 0 is short enough, but no rotation
+    rests.rotation_step.setZero(), rests.vertex = rests.hull_point + offset;
+    if (squared_norm(good.rotation_step) > 0) RC_ASSERT(rejected(cap, rests, u));
+    auto narrower = cap;  // all is right, but for the length of the step
+    const Rational allowed = fallback_ball(cap, x).squared_radius;
+    narrower.squared_cosine = 1;
+    const auto steps = cap_fallback_encloses(narrower, x, u, offset);
+    RC_ASSERT(steps.verdict == verdict_of(squared_norm(steps.rotation_step) == 0));
+    RC_ASSERT(squared_norm(good.rotation_step) <= allowed);
+    // Weights of another sum, with a hull point and a rotation that fit them.
+    auto broken = n.weights;
+    broken[0] += amount;
+    const Rational sum = Rational(1) + amount;
+    auto same = cap;
+    for (auto& q : same.rotations) q = cap.axis;
+    for (auto& r : same.center_images) r = cap.center_images[0];
+    const RationalVec<3> turned = fallback_ball(same, x).center;
+    FallbackSteps<Rational> scaled{Verdict::undecided,
+                                   {},
+                                   RationalVec<3>((same.center_images[0] + turned) * sum),
+                                   rotate_by(cap.axis, x) - turned};
+    scaled.vertex = scaled.hull_point + scaled.rotation_step + offset;
+    RC_ASSERT(rejected(same, scaled, Span(broken)));
+  });
+  t.holds("a cap of less than all rotations holds every vertex, for corners of any length",
+          {.number_type = "rational", .cases = 300}, [] {
+            const NarrowCap n;
+            const Span u(n.weights);
+            const RationalVec<3> x = *gen::rational_vector<3>(), offset = *gen::rational_vector<3>();
+            RC_ASSERT(cap_fallback_hypotheses(n.cap, u) == Verdict::holds);
+            const auto steps = cap_fallback_encloses(n.cap, x, u, offset);
+            RC_ASSERT(steps.verdict == Verdict::holds);
+            const RationalVec<3> image = steps.vertex - offset;
+            RC_ASSERT(is_blended_image(SphericalBlend<Rational>{n.cap.rotations, n.cap.center_images, x}, u, image) ==
+                      Verdict::holds);
+          });
+  reaches_share(t, "cases of several corners, with a cap between the axis alone and all rotations", 0.7, [] {
+    const NarrowCap n;
+    return n.cap.squared_cosine > Rational(1, 2) && n.cap.squared_cosine < 1;
   });
 
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const b4::Fallback& cap,

@@ -1,10 +1,13 @@
 #include "lemmas/b5_rotation_axis.hpp"
 
 #include "proptests/counterexamples/b5_rotation_axis.hpp"
+#include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/vector.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
+#include "proptests/oracles/skinning.hpp"
 
 namespace proptests {
 namespace {
@@ -41,6 +44,23 @@ struct Twist {
   bool applies() const { return twist_hypotheses<Rational>(axis, cap, weights) == Verdict::holds; }
   bool is_degenerate() const {
     return cap.rotations.size() == 1 || squared_norm<Rational, 3>(cross<Rational>(x, axis)) == 0 || dot(x, axis) == 0;
+  }
+};
+
+// Three corners in a cap of kappa^2 > 1/2, drawn together until they are, and a point that is not on the axis.
+struct NarrowTwist : Twist {
+  NarrowTwist() {
+    cap.axis = about_axis();
+    RC_PRE(squared_norm(cap.axis) > 0 && cross<Rational>(x, axis) != RationalVec<3>::Zero());
+    cap.rotations = {about_axis(), about_axis(), about_axis()};
+    cap.center_images.assign(3, RationalVec<3>::Zero());
+    const auto is_near = [&](const Quaternion<Rational>& q) {
+      return dot(q, cap.axis) > 0 && 2 * sq(dot(q, cap.axis)) > squared_norm(q) * squared_norm(cap.axis);
+    };
+    for (auto& q : cap.rotations)
+      while (!is_near(q)) q = (q + cap.axis) / Rational(2);
+    cap.squared_cosine = squared_cap_cosine<Rational>(cap.rotations, cap.axis);
+    weights = *gen::convex_weights(3);
   }
 };
 
@@ -103,6 +123,140 @@ PROPTEST(b5_rotation_axis) {
     sum.parts.across += bump;
     image.rotated += bump;
     RC_ASSERT(rejected(split) && rejected(sum) && rejected(image));
+  });
+
+  t.holds(
+      "an axis is refused if it is 0, or if a quaternion turns about another in one coordinate",
+      {.number_type = "rational", .cases = 100}, [] {
+        const Rational s = *gen::rational(), length = *gen::excess(), off = *gen::excess();
+        RC_ASSERT(turns_about<Rational>(RationalVec<3>(0, 0, 0), Quaternion<Rational>(1, 0, 0, 0)) == Verdict::fails);
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) {
+            if (i == j) continue;
+            RationalVec<3> axis(0, 0, 0);
+            axis[i] = length;
+            Quaternion<Rational> q(s, 0, 0, 0);
+            q[1 + i] = *gen::rational();
+            RC_ASSERT(turns_about(axis, q) == Verdict::holds);
+            q[1 + j] = off;  // the cross product differs from 0 in the third coordinate alone
+            RC_ASSERT(turns_about(axis, q) == Verdict::fails);
+          }
+      });
+  needs_each_part(
+      t, "each part of the hypotheses is looked at by itself", 0.1,
+      [] {
+        Twist w;
+        while (w.cap.rotations.size() < 3) {
+          w.cap.rotations.push_back(w.about_axis());
+          w.cap.center_images.push_back(RationalVec<3>(0, 0, 0));
+        }
+        const std::size_t m = w.cap.rotations.size(), k = gen::any_place(m);
+        w.weights = *gen::convex_weights(static_cast<int>(m));
+        w.cap.squared_cosine = 0;  // nothing is claimed of the angle
+        const auto other = *gen::nonzero_quaternion();
+        RC_PRE(turns_about(w.axis, other) == Verdict::fails);
+        std::string part;
+        const std::size_t kind = gen::any_place(4);
+        bool is_needed = true;
+        if (kind < 2) {
+          part = gen::place(k, m) + " turns about another axis";
+          w.cap.rotations[k] = other;
+        } else if (kind == 2) {
+          part = "the cap's axis turns about another axis";
+          w.cap.axis = other;
+          is_needed = false;  // without a cap
+        } else {
+          const auto broken = gen::broken_weights(w.weights);
+          part = broken.part;
+          w.weights = broken.weights;
+          is_needed = false;  // on a twist any weights keep the axis
+        }
+        RC_PRE(squared_norm(combine<Rational, 4>(Span(w.weights), w.cap.rotations)) > 0);
+        const Verdict hypothesis = twist_hypotheses<Rational>(w.axis, w.cap, w.weights);
+        if (!is_needed) return Weakening{part, hypothesis, {}};
+        return Weakening{part, hypothesis, twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights).verdict};
+      },
+      600);
+  t.holds("each part of a twisted point is checked by itself", {.number_type = "rational", .cases = 300}, [] {
+    Twist w;
+    w.cap.squared_cosine = 0;
+    RC_PRE(w.applies());
+    RC_PRE((squared_norm<Rational, 3>(cross<Rational>(w.x, w.axis)) > 0));
+    const auto good = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
+    RC_ASSERT(good.verdict == Verdict::holds);
+    const auto rejected = [&](const TwistedPoint<Rational>& p) {
+      return is_twisted_point<Rational>(w.axis, w.cap, w.x, w.weights, p) == Verdict::fails;
+    };
+    const Rational amount = *gen::excess();
+    auto along = good, rests = good;
+    along.parts.along += w.axis * amount, along.parts.across -= w.axis * amount;
+    rests.rotated = good.parts.along;  // in the ball and across, but no image
+    RC_ASSERT(rejected(along) && rejected(rests));
+    for (int i = 0; i < 3; ++i) {
+      auto sum = good, image = good, split = good;
+      sum.parts.across[i] += amount;
+      image.rotated[i] += amount;
+      split.parts.along[i] += amount, split.parts.across[i] -= amount;
+      RC_ASSERT(rejected(sum) && rejected(image) && rejected(split));
+    }
+    // A part across that is longer, but still across: only the sum tells.
+    auto longer = good;
+    longer.parts.across *= Rational(1) + amount;
+    RC_ASSERT(rejected(longer));
+  });
+  t.holds("only the ball tells that a cap is too narrow", {.number_type = "rational", .cases = 300}, [] {
+    Twist w;
+    RC_PRE(squared_norm(w.cap.axis) > 0 && squared_norm(combine<Rational, 4>(Span(w.weights), w.cap.rotations)) > 0);
+    w.cap.squared_cosine = *gen::unit_interval_rational();
+    const RationalVec<3> along = w.axis * Rational(w.axis.dot(w.x) / w.axis.dot(w.axis)), across = w.x - along,
+                         zero(0, 0, 0);
+    const Rational h = std::max<Rational>(2 * w.cap.squared_cosine - 1, Rational(0));
+    const RationalVec<3> center = along + oracle::times(oracle::affine_of(w.cap.axis, zero), across) * h;
+    const Rational r2 = (1 - h * h) * across.dot(across);
+    const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
+    RC_ASSERT(found.parts.along == along && found.parts.across == across);
+    const auto ball = twist_ball(w.cap, found.parts);
+    RC_ASSERT(ball.center == center && ball.squared_radius == r2);
+    const RationalVec<3> rotated = oracle::times(
+        oracle::affine_of(Quaternion<Rational>(combine<Rational, 4>(Span(w.weights), w.cap.rotations)), zero), w.x);
+    const RationalVec<3> gap = rotated - center;
+    const bool inside = gap.dot(gap) <= r2;
+    RC_CLASSIFY(!inside, "outside");
+    RC_ASSERT(found.rotated == rotated && found.verdict == verdict_of(inside));
+  });
+  t.example("turned towards the axis a point is in the ball about its part along, but does not keep that part", {}, [] {
+    // From (3, 4, 0) to (5, 0, 0), about the z axis.
+    const b5::Fallback towards{{b5::Rotation(2, 0, 0, -1)}, {b5::Point(0, 0, 0)}, b5::Rotation(1, 0, 0, 0), 0};
+    const auto found = twist_keeps_axis(b5::x_axis, towards, b5::Point(3, 4, 0), Span(b5::all));
+    auto split_after = found;  // at the image: then its part along is kept, but the point's part across is not across
+    split_after.parts = {b5::Point(5, 0, 0), b5::Point(-2, 4, 0)};
+    return found.rotated == b5::Point(5, 0, 0) &&
+           encloses(twist_ball(towards, found.parts), found.rotated) == Verdict::holds &&
+           found.verdict == Verdict::fails &&
+           is_twisted_point(b5::x_axis, towards, b5::Point(3, 4, 0), Span(b5::all), split_after) == Verdict::fails;
+  });
+  t.holds("of control points only what is said of rotations about the axis is said",
+          {.number_type = "rational", .cases = 300}, [] {
+            const Twist w;
+            const auto other = *gen::nonzero_quaternion(), p = w.about_axis();
+            RC_PRE(turns_about(w.axis, other) == Verdict::fails);
+            RC_ASSERT(control_points_keep_axis(w.axis, p, other, w.x) == Verdict::holds);
+            RC_ASSERT(control_points_keep_axis(w.axis, other, p, w.x) == Verdict::holds);
+            const RationalVec<3> moved =
+                mixed_rotation(p, other, w.x) -
+                RationalVec<3>(w.axis * Rational(w.axis.dot(w.x) / w.axis.dot(w.axis))) * dot(p, other);
+            RC_CLASSIFY(moved.dot(w.axis) != 0, "the part along the axis is not kept");
+          });
+  t.holds("with a cap of less than all rotations the ball of a twist is as small as is said",
+          {.number_type = "rational", .cases = 300}, [] {
+            const NarrowTwist w;
+            RC_ASSERT(w.applies());
+            const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
+            RC_ASSERT(found.verdict == Verdict::holds);
+          });
+  reaches_share(t, "twists of several corners, with a point beside the axis and a cap of its own", 0.5, [] {
+    const NarrowTwist w;
+    return w.applies() && !w.is_degenerate() && w.cap.squared_cosine > Rational(1, 2) && w.cap.squared_cosine < 1;
   });
 
   t.example("with rotations about two axes no axis is kept",

@@ -3,6 +3,7 @@
 #include "proptests/counterexamples/b6_dual_quaternion_ball.hpp"
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/rigid.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/nearest_point.hpp"
 #include "proptests/oracles/number_types.hpp"
@@ -40,6 +41,17 @@ struct BallCase {
   }
   Span u() const { return weights; }
   bool applies() const { return dual_quaternion_ball_hypotheses(blend, axis, u()) == Verdict::holds; }
+};
+
+// The same with at least so many corners, all of them turned to the axis' side.
+struct AheadCase : BallCase {
+  explicit AheadCase(std::size_t least) : BallCase(4) {
+    RC_PRE(blend.corner_count() >= least && squared_norm(axis) > 0);
+    for (auto& q : blend.rotations) {
+      RC_PRE(dot(q, axis) != 0);
+      if (dot(q, axis) < 0) q = -q;
+    }
+  }
 };
 
 PROPTEST(b6_dual_quaternion_ball) {
@@ -122,6 +134,101 @@ PROPTEST(b6_dual_quaternion_ball) {
     RC_ASSERT(rejected(image) && rejected(longer));
     const auto led = [&](const ReachedImage<Rational>& r) { return imaginary(multiply(r.reach, conjugate(q))); };
     RC_ASSERT(rejected(reach) || led(reach) == led(good));
+  });
+
+  needs_each_part(
+      t, "each corner and each of the weights is looked at by itself", 0.03,
+      [] {
+        const AheadCase c(3);
+        auto blend = c.blend;
+        auto u = c.weights;
+        const std::size_t m = blend.corner_count(), k = gen::any_place(m);
+        auto& q = blend.rotations[k];
+        std::string part;
+        const std::size_t kind = gen::any_place(3);
+        if (kind == 0) {
+          part = gen::place(k, m) + " is behind the axis";
+          q = -q;
+        } else if (kind == 1) {
+          part = gen::place(k, m) + " is at a right angle to the axis";
+          q -= c.axis * Rational(dot(q, c.axis) / squared_norm(c.axis));
+        } else {
+          const auto broken = gen::broken_weights(u);
+          part = broken.part, u = broken.weights;
+        }
+        const Verdict hypothesis = dual_quaternion_ball_hypotheses(blend, c.axis, Span(u));
+        // At a right angle the ball's radius is no number; of weights the image tells the ratios, not the sum.
+        if (kind == 1 || (kind == 2 && std::none_of(u.begin(), u.end(), [](const Rational& x) { return x < 0; })))
+          return Weakening{part, hypothesis, {}};
+        RC_PRE(squared_norm(combine<Rational, 4>(Span(u), blend.rotations)) > 0);
+        return Weakening{part, hypothesis, dual_quaternion_ball_encloses(blend, c.axis, c.center, Span(u)).verdict};
+      },
+      900);
+  t.holds("the ball's radius is the greatest of the corners', and its verdict is whether the image is inside",
+          {.number_type = "rational", .cases = 500}, [] {
+            const AheadCase c(1);
+            auto blend = c.blend;
+            for (auto& q : blend.rotations)
+              if (*rc::gen::inRange(0, 4) == 0) q = -q;
+            RC_PRE(squared_norm(combine<Rational, 4>(c.u(), blend.rotations)) > 0);
+            const auto pure = [](const RationalVec<3>& x) { return RationalQuaternion(0, x[0], x[1], x[2]); };
+            Rational greatest(0);
+            RationalQuaternion reach(0, 0, 0, 0), q(0, 0, 0, 0), d(0, 0, 0, 0);
+            for (std::size_t k = 0; k < blend.corner_count(); ++k) {
+              const auto& r = blend.rotations[k];
+              const RationalQuaternion e = blend.duals[k] * Rational(2) + oracle::hamilton(r, pure(blend.point)) -
+                                           oracle::hamilton(pure(c.center), r);
+              RC_ASSERT(reach_at(blend, k, c.center) == e);
+              greatest = std::max<Rational>(greatest, e.dot(e) / (r.dot(c.axis) * r.dot(c.axis)));
+              reach += e * c.weights[k], q += r * c.weights[k], d += blend.duals[k] * c.weights[k];
+            }
+            const auto ball = dual_quaternion_ball(blend, c.axis, c.center);
+            RC_ASSERT(ball.center == c.center && ball.squared_radius == greatest * c.axis.dot(c.axis));
+            // ||q||^2 v' = Im(q p q* + 2 d q*).
+            const RationalQuaternion back(q[0], -q[1], -q[2], -q[3]);
+            const RationalQuaternion scaled = oracle::hamilton(oracle::hamilton(q, pure(blend.point)), back) +
+                                              oracle::hamilton(d, back) * Rational(2);
+            const RationalVec<3> image = RationalVec<3>(scaled[1], scaled[2], scaled[3]) / q.dot(q),
+                                 gap = image - c.center;
+            const auto found = dual_quaternion_ball_encloses(blend, c.axis, c.center, c.u());
+            RC_ASSERT(found.image == image && found.reach == reach);
+            const bool inside = gap.dot(gap) <= ball.squared_radius;
+            RC_CLASSIFY(!inside, "outside");
+            RC_ASSERT(found.verdict == verdict_of(inside));
+          });
+  t.holds("each part of a witness is checked by itself", {.number_type = "rational", .cases = 300}, [] {
+    const AheadCase c(2);
+    const auto good = dual_quaternion_ball_encloses(c.blend, c.axis, c.center, c.u());
+    const SquaredBall<Rational, 3> huge{c.center, Rational(1000000000) * Rational(1000000000) * Rational(1000000000)};
+    const auto verdict = [&](const SquaredBall<Rational, 3>& ball, const ReachedImage<Rational>& w) {
+      return is_reached_image(c.blend, c.axis, ball, c.u(), w);
+    };
+    RC_ASSERT(verdict(huge, good) == Verdict::holds);
+    const RationalQuaternion q = combine<Rational, 4>(c.u(), c.blend.rotations);
+    const Rational amount = *gen::excess();
+    for (int i = 0; i < 3; ++i) {
+      RationalVec<3> step(0, 0, 0);
+      step[i] = amount;
+      const RationalQuaternion led = multiply(pure_quaternion(step), q);  // leads to an image that is off by the step
+      auto image = good, reach = good, both = good;
+      image.image += step, reach.reach += led;
+      both.image += step, both.reach += led;
+      RC_ASSERT(verdict(huge, image) == Verdict::fails && verdict(huge, reach) == Verdict::fails &&
+                verdict(huge, both) == Verdict::fails);
+    }
+    // A ball that the witness just reaches, and one a little smaller.
+    const Rational along = dot(q, c.axis), reached = squared_norm(good.reach) * squared_norm(c.axis) / (along * along);
+    RC_ASSERT(verdict({c.center, reached}, good) == Verdict::holds);
+    RC_ASSERT(verdict({c.center, reached - amount}, good) == Verdict::fails);
+  });
+  t.example("where the blend is 0 nothing is reached, though nothing else says so", {}, [] {
+    const std::vector<b6::Q> halves{b6::Q(1, 2), b6::Q(1, 2)};
+    return is_reached_image<b6::Q>(b6::still, b6::identity, {b6::between, 1}, Span(halves),
+                                   {Verdict::holds, b6::between, b6::none}) == Verdict::fails;
+  });
+  reaches_share(t, "cases of several corners ahead of the axis, that differ", 0.1, [] {
+    const BallCase c(4);
+    return c.applies() && !c.is_degenerate;
   });
 
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const b6::Blend& blend,

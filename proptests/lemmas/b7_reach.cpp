@@ -2,6 +2,7 @@
 
 #include "proptests/counterexamples/b7_reach.hpp"
 #include "proptests/gen/rigid.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
@@ -168,6 +169,168 @@ PROPTEST(b7_reach) {
     RC_ASSERT(rejected(carried) && rejected(strayed));
     RC_ASSERT(rejected(turned) || squared_norm(turned.turned) == squared_norm(good.turned));
   });
+
+  needs_each_part(
+      t, "each quaternion, each pair and each bound of the hypotheses is looked at by itself", 0.02,
+      [] {
+        auto transforms = *rc::gen::container<Transforms>(3, gen::rigid_transform());
+        while (least_cosine(transforms) < Rational(1, 2))
+          for (auto& t : transforms) t.rotation = drawn_in(t.rotation);
+        Rational cosine = least_cosine(transforms);
+        auto weights = *gen::convex_weights(3);
+        const std::size_t k = gen::any_place(3), l = (k + 1 + gen::any_place(2)) % 3;
+        std::string part;
+        std::optional<RationalVec<3>> point = *gen::rational_vector<3>();
+        const std::size_t kind = gen::any_place(5);
+        if (kind == 0) {
+          part = gen::place(k, 3) + " is too long";
+          transforms[k].rotation *= *rc::gen::element(Rational(2), Rational(1001, 1000), Rational(100));
+        } else if (kind == 1) {
+          part = gen::place(k, 3) + " is too short";
+          // Still at the cosine from the others, so that its length alone is wrong.
+          cosine = 0,
+          transforms[k].rotation *= *rc::gen::element(Rational(1, 2), Rational(999, 1000), Rational(1, 100));
+        } else if (kind == 2) {
+          part = "the pair of " + gen::place(std::min(k, l), 3) + " and " + gen::place(std::max(k, l), 3);
+          const std::size_t other = 3 - k - l;
+          transforms[k].rotation = *gen::unit_quaternion(), transforms[l].rotation = *gen::unit_quaternion();
+          for (const std::size_t i : {k, l})
+            if (dot(transforms[i].rotation, transforms[other].rotation) < 0)
+              transforms[i].rotation = -transforms[i].rotation;
+          cosine = std::min<Rational>(dot(transforms[k].rotation, transforms[other].rotation),
+                                      dot(transforms[l].rotation, transforms[other].rotation));
+          RC_PRE(dot(transforms[k].rotation, transforms[l].rotation) < cosine);
+        } else if (kind == 3) {
+          part = "the cosine is negative";
+          cosine = -*gen::excess();
+          point.reset();  // of three that are close the bound holds then too
+        } else {
+          const auto broken = gen::broken_weights(weights);
+          part = broken.part, weights = broken.weights;
+        }
+        const Verdict hypothesis = reach_hypotheses(transforms, cosine, Span(weights));
+        RC_PRE(blend_has_image(dual_blend(transforms, RationalVec<3>(0, 0, 0)), Span(weights)) == Verdict::holds);
+        // A little off unit length the bound, which is sharp at one place only, has room; so it has for a close pair.
+        if (!point || kind == 1 || kind == 2) return Weakening{part, hypothesis, {}};
+        return Weakening{part, hypothesis, dual_reach(transforms, cosine, *point, Span(weights), *point).verdict};
+      },
+      900);
+  t.holds("the hypotheses hold up to their edges", {.number_type = "rational", .cases = 300}, [] {
+    const ReachCase c(4);
+    const Rational least = least_cosine(c.transforms), excess = *gen::excess();
+    RC_ASSERT(are_within(c.transforms, least) == Verdict::holds &&
+              are_within(c.transforms, Rational(0)) == Verdict::holds);
+    if (c.transforms.size() > 1) RC_ASSERT(are_within(c.transforms, Rational(least + excess)) == Verdict::fails);
+    RC_ASSERT(are_within(c.transforms, Rational(-excess)) == Verdict::fails);
+  });
+  t.holds("a center is not least-squares if one of the normal equations is not met",
+          {.number_type = "rational", .cases = 50}, [] {
+            const Rational amount = *gen::excess();
+            for (int axis = 0; axis < 3; ++axis)
+              for (int i = 0; i < 3; ++i) {
+                RationalQuaternion half_turn(0, 0, 0, 0);
+                half_turn[1 + axis] = 1;
+                const Transforms joints{{{1, 0, 0, 0}, {0, 0, 0}}, {half_turn, {0, 0, 0}}};
+                RationalVec<3> center(0, 0, 0);
+                center[i] = amount;  // the gradient is 8 times as much in this coordinate, or 0 along the axis
+                RC_ASSERT(is_least_squares_center(joints, center) == verdict_of(i == axis));
+              }
+          });
+  t.holds("both bounds of a stray are those of the statement, at their edges too",
+          {.number_type = "rational", .cases = 1000}, [] {
+            const Rational excess = *gen::excess(),
+                           spread = *rc::gen::oneOf(gen::positive_rational(), rc::gen::just(Rational(0)));
+            const Rational cosine = *rc::gen::oneOf(
+                rc::gen::element(Rational(0), Rational(3, 5), Rational(3, 5) - excess / (1 + 2 * excess), Rational(1)),
+                gen::unit_interval_rational());
+            const Rational first = Rational(9, 16) * (1 - cosine) * spread,
+                           second = (1 - cosine) * spread / (4 * (1 + cosine));
+            const Rational length =
+                *rc::gen::element(first, second, Rational(first + excess), Rational(second + excess), Rational(0));
+            const bool within = length <= first && (cosine < Rational(3, 5) || length <= second);
+            RC_CLASSIFY(length <= first && !within, "only the sharp bound is missed");
+            RC_CLASSIFY(length <= first && length > second && within, "between both, too far apart for the sharp one");
+            RC_ASSERT(strays_little(length, cosine, spread) == verdict_of(within));
+          });
+  t.holds("each part of a witness is checked by itself", {.number_type = "rational", .cases = 300}, [] {
+    const ReachCase c(4);
+    const auto good = dual_reach(c.transforms, c.cosine, c.point, c.u(), c.vertex);
+    const auto rejected = [&](const ReachedVertex<Rational>& w, const Rational& cosine) {
+      return is_reached_vertex(c.transforms, cosine, c.point, c.u(), c.vertex, w) == Verdict::fails;
+    };
+    const Rational amount = *gen::excess();
+    for (int i = 0; i < 3; ++i) {
+      auto carried = good;
+      carried.carried[i] += amount;
+      RC_ASSERT(rejected(carried, c.cosine));
+    }
+    auto longer = good, shorter = good;
+    longer.turned *= Rational(1) + amount, shorter.turned /= Rational(1) + amount;
+    if (c.vertex != c.point) RC_ASSERT(rejected(longer, c.cosine) && rejected(shorter, c.cosine));
+    // Of a cosine of 1 nothing may stray.
+    if (squared_norm(good.strayed) > 0) RC_ASSERT(rejected(good, Rational(1)));
+    RC_ASSERT(good.verdict == Verdict::holds);
+    auto none = dual_reach(c.transforms, Rational(1), c.point, c.u(), c.vertex);
+    RC_ASSERT(none.verdict == verdict_of(squared_norm(none.strayed) == 0));
+    none = spherical_reach(c.transforms, Rational(1), c.vertex, c.point, c.u(), c.vertex);
+    RC_ASSERT(none.verdict == verdict_of(squared_norm(none.strayed) == 0));
+  });
+  needs_each_part(t, "the identity of the pairs needs unit quaternions and weights of sum 1", 0.2, [] {
+    auto transforms = *rc::gen::container<Transforms>(3, gen::rigid_transform());
+    auto weights = *gen::convex_weights(3);
+    const std::size_t k = gen::any_place(3);
+    std::string part;
+    if (*rc::gen::arbitrary<bool>()) {
+      part = gen::place(k, 3) + " is no unit";
+      transforms[k].rotation *= *rc::gen::element(Rational(2), Rational(999, 1000));
+      if (*rc::gen::arbitrary<bool>()) {  // without a weight it is in no blend: only the length of its pairs tells
+        part += ", nor in the blend";
+        weights[(k + 1) % 3] += weights[k], weights[k] = 0;
+      }
+    } else {
+      part = "the sum of the weights";
+      weights[k] += *gen::excess();
+    }
+    return Weakening{part, reach_hypotheses(transforms, Rational(0), Span(weights)),
+                     strays_by_pairs(transforms, *gen::rational_vector<3>(), Span(weights))};
+  });
+  t.holds("a sum of pairs that is wrong in one coordinate is seen", {.number_type = "rational", .cases = 50}, [] {
+    for (int i = 0; i < 3; ++i) {
+      RationalVec<3> moved(0, 0, 0);
+      moved[i] = *gen::excess();
+      const Transforms shifted{{{1, 0, 0, 0}, {0, 0, 0}}, {{1, 0, 0, 0}, moved}};
+      // Of a sum s what is carried is s times too long, in this coordinate alone.
+      const std::vector<Rational> twice{1, 1};
+      RC_ASSERT(strays_by_pairs(shifted, RationalVec<3>(0, 0, 0), Span(twice)) == Verdict::fails);
+    }
+  });
+  t.holds("what rotations spread is compared with the bound of the statement, on both sides",
+          {.number_type = "rational", .cases = 400}, [] {
+            const ReachCase c(4);
+            Rational spread(0);
+            for (std::size_t k = 0; k < c.transforms.size(); ++k)
+              for (std::size_t l = 0; l < k; ++l) {
+                const RationalVec<3> none(0, 0, 0);
+                const RationalVec<3> gap = oracle::times(oracle::affine_of(c.transforms[k].rotation, none), c.vertex) -
+                                           oracle::times(oracle::affine_of(c.transforms[l].rotation, none), c.vertex);
+                spread += gap.dot(gap);
+              }
+            const Rational n(static_cast<int>(c.transforms.size())),
+                cosine = *rc::gen::oneOf(gen::unit_interval_rational(), rc::gen::just(c.cosine));
+            const bool little = spread <= 2 * n * (n - 1) * (1 - cosine * cosine) * c.vertex.dot(c.vertex);
+            RC_CLASSIFY(!little, "a cosine that is not theirs");
+            RC_ASSERT(turns_little(c.transforms, cosine, c.vertex) == verdict_of(little));
+          });
+  t.holds("of a center that is not least-squares nothing is said", {.number_type = "rational", .cases = 300}, [] {
+    const ReachCase c(4);
+    const RationalVec<3> center = *gen::rational_vector<3>();
+    RC_ASSERT(splits_spread(c.transforms, center, c.point) == Verdict::holds);
+    const Rational split = squared_spread(images_of(c.transforms, center)) +
+                           squared_spread(images_of(rotations_alone(c.transforms), RationalVec<3>(center - c.point)));
+    RC_CLASSIFY(squared_spread(images_of(c.transforms, c.point)) != split, "the spread does not split");
+  });
+  reaches_share(t, "cases of several joints that differ, close and not", 0.4,
+                [] { return !ReachCase(4).is_degenerate(); });
 
   const auto strays_without = [&t](const std::string& hypothesis, const std::string& sentence,
                                    const b7::Transforms& transforms, const b7::Q& cosine, const std::vector<b7::Q>& u) {

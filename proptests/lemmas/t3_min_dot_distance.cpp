@@ -3,6 +3,7 @@
 #include "proptests/counterexamples/t3_min_dot_distance.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
@@ -79,6 +80,81 @@ PROPTEST(t3_min_dot_distance) {
       other.nearest = k;
       other.least_dot = dot(c.units[k], c.center);
       if (other.least_dot != c.distance().least_dot) RC_ASSERT(rejected(other));
+    }
+  });
+
+  t.holds("each verdict is that of its inequality, on both sides and at its edge",
+          {.number_type = "rational", .cases = 600}, [] {
+            gen::for_some_dimension<2, 4>([](auto d) {
+              UnitsAndCenter<d()> c;
+              if (*rc::gen::inRange(0, 6) == 0) c.center.setZero(), c.squared_radius = 1;
+              const bool is_center = squared_norm(c.center) != 0;
+              const Rational largest = c.squared_radius, excess = *gen::excess();
+              c.squared_radius += *rc::gen::element(Rational(0), excess, Rational(-excess));
+              std::vector<Rational> dots;
+              for (const auto& n : c.units) dots.push_back(n.dot(c.center));
+              const auto found = c.distance();
+              RC_ASSERT(found.least_dot == *std::min_element(dots.begin(), dots.end()));
+              RC_ASSERT(dots.at(found.nearest) == found.least_dot);
+              const bool is_largest = c.squared_radius == largest;
+              RC_ASSERT(found.verdict == verdict_of(is_center && is_largest));
+              RC_ASSERT(found.not_looser == verdict_of(c.squared_radius >= largest));
+              RC_ASSERT(
+                  (is_largest_distance<Rational, d()>(c.units, c.center, c.squared_radius) == verdict_of(is_largest)));
+              RC_ASSERT((min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) ==
+                         verdict_of(is_center && is_largest)));
+            });
+          });
+  needs_each_part(
+      t, "each part of the hypotheses is looked at by itself", 0.2,
+      [] {
+        auto units = *rc::gen::mapcat(rc::gen::inRange(3, 6), [](int m) {
+          return rc::gen::container<std::vector<Vec<Rational, 3>>>(m, gen::sphere_point<3>());
+        });
+        const std::size_t n = units.size(), k = gen::any_place(n);
+        Vec<Rational, 3> center = *gen::nonzero_vector<3>();
+        const auto distance = [&](std::size_t i) { return squared_distance(units[i], center); };
+        const auto farthest = [&] {
+          std::size_t far = 0;
+          for (std::size_t i = 1; i < n; ++i)
+            if (distance(far) < distance(i)) far = i;
+          return far;
+        };
+        std::string part;
+        Rational r2;
+        const std::size_t kind = gen::any_place(4);
+        if (kind == 0) {
+          part = gen::place(k, n) + " is no unit";
+          units[k] *= *rc::gen::element(Rational(2), Rational(1, 2), Rational(1001, 1000), Rational(0));
+          r2 = distance(farthest());
+        } else if (kind == 1) {
+          part = gen::place(k, n) + " is farther";
+          std::swap(units[k], units[farthest()]);
+          const Rational far = distance(k);
+          r2 = 0;
+          for (std::size_t i = 0; i < n; ++i)
+            if (i != k) r2 = std::max<Rational>(r2, distance(i));
+          RC_PRE(r2 < far);
+        } else if (kind == 2) {
+          part = "none is as far";
+          r2 = distance(farthest()) + *gen::excess();
+        } else {
+          part = "the center is 0";
+          center.setZero();
+          r2 = 1;
+        }
+        return Weakening{part, min_dot_distance_hypotheses<Rational, 3>(units, center, r2),
+                         min_dot_distance<Rational, 3>(units, center, r2).verdict};
+      },
+      600);
+  t.holds("a minimum of another unit is rejected", {.number_type = "rational", .cases = 300}, [] {
+    const UnitsAndCenter<3> c;
+    const auto good = c.distance();
+    for (std::size_t k = 0; k < c.units.size(); ++k) {
+      auto other = good;
+      other.nearest = k;
+      const bool attains = dot(c.units[k], c.center) == good.least_dot;
+      RC_ASSERT((is_least_dot<Rational, 3>(c.units, c.center, other) == verdict_of(attains)));
     }
   });
 

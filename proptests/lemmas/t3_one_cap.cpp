@@ -2,9 +2,11 @@
 
 #include "proptests/counterexamples/t3_one_cap.hpp"
 #include "proptests/gen/quaternion.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
+#include "proptests/oracles/skinning.hpp"
 
 namespace proptests {
 namespace {
@@ -13,8 +15,8 @@ using namespace refitlab;
 using t3_cap::Case;
 
 // Quaternions of any length, none behind the axis, which is one of them, their sum, or any direction. The best kappa.
-Case any_case() {
-  auto quaternions = *rc::gen::mapcat(rc::gen::inRange(1, 6), [](int m) {
+Case any_case(int least = 1) {
+  auto quaternions = *rc::gen::mapcat(rc::gen::inRange(least, 6), [](int m) {
     return rc::gen::container<std::vector<Quaternion<Rational>>>(m, gen::nonzero_vector<4>());
   });
   Quaternion<Rational> axis = *rc::gen::oneOf(rc::gen::just(quaternions[0]), gen::nonzero_vector<4>());
@@ -34,6 +36,44 @@ OneCap<Rational> cap_of(const Case& c) {
 }
 Verdict hypotheses_of(const Case& c) {
   return one_cap_hypotheses<Rational>(c.quaternions, c.axis, c.squared_cosine, c.coefficients);
+}
+
+Quaternion<Rational> blend_of(const Case& c) {
+  Quaternion<Rational> blend = Quaternion<Rational>::Zero();
+  for (std::size_t k = 0; k < c.quaternions.size(); ++k) blend += c.quaternions[k] * c.coefficients[k];
+  return blend;
+}
+
+// (q_k, c)^2 / (||q_k||^2 ||c||^2).
+Rational squared_cosine_to(const Case& c, std::size_t k) {
+  const auto& q = c.quaternions[k];
+  const Rational along = q.dot(c.axis);
+  return along * along / (q.dot(q) * c.axis.dot(c.axis));
+}
+
+// The statement, by itself: the blend is in the cap.
+Verdict one_cap_holds(const Case& c) {
+  const Quaternion<Rational> blend = blend_of(c);
+  const Rational along = blend.dot(c.axis);
+  const bool all_ahead =
+      std::all_of(c.quaternions.begin(), c.quaternions.end(), [&](const auto& q) { return q.dot(c.axis) > 0; });
+  return verdict_of(along >= 0 && c.squared_cosine * c.axis.dot(c.axis) * blend.dot(blend) <= along * along &&
+                    (!all_ahead || blend.dot(blend) > 0));
+}
+
+// What no hypothesis allows too: quaternions on both sides, a cap that is too narrow, coefficients of any sum.
+Case wild_case() {
+  Case c = any_case();
+  for (auto& q : c.quaternions)
+    if (*rc::gen::inRange(0, 4) == 0)
+      q = *rc::gen::oneOf(
+          gen::rational_vector<4>(),
+          rc::gen::just(Quaternion<Rational>(q - c.axis * Rational(dot(q, c.axis) / squared_norm(c.axis)))));
+  const std::size_t kind = gen::any_place(4);
+  if (kind == 0) c.squared_cosine = *gen::unit_interval_rational();
+  if (kind == 1) c.coefficients = gen::broken_weights(c.coefficients).weights;
+  if (kind == 2) c.coefficients.assign(c.quaternions.size(), Rational(0));
+  return c;
 }
 
 PROPTEST(t3_one_cap) {
@@ -98,6 +138,125 @@ PROPTEST(t3_one_cap) {
     Case larger = c;
     larger.squared_cosine += *gen::positive_rational();
     RC_ASSERT(rejected(larger.squared_cosine, cap_of(larger).gram));
+  });
+
+  needs_each_part(
+      t, "each part of the hypotheses is looked at by itself", 0.1,
+      [] {
+        Case c = any_case(3);
+        const std::size_t m = c.quaternions.size(), k = gen::any_place(m);
+        auto& q = c.quaternions[k];
+        const std::size_t kind = gen::any_place(4);
+        std::string part;
+        if (kind == 0) {
+          part = gen::place(k, m) + " is behind the axis";
+          RC_PRE(dot(q, c.axis) > 0);
+          q = -q;
+        } else if (kind == 1) {
+          part = gen::place(k, m) + " is just behind the axis";
+          const Rational along = dot(q, c.axis) / squared_norm(c.axis) + *gen::excess();
+          q -= c.axis * along;
+          c.squared_cosine = 0;
+        } else if (kind == 2) {
+          part = gen::place(k, m) + " is outside the cap";
+          for (std::size_t i = 0; i < m; ++i)
+            if (squared_cosine_to(c, i) < squared_cosine_to(c, k)) std::swap(c.quaternions[i], q);
+          c.squared_cosine = 1;
+          for (std::size_t i = 0; i < m; ++i)
+            if (i != k) c.squared_cosine = std::min<Rational>(c.squared_cosine, squared_cosine_to(c, i));
+          RC_PRE(squared_cosine_to(c, k) < c.squared_cosine);
+        } else {
+          auto broken = gen::broken_weights(c.coefficients);
+          part = broken.part;
+          c.coefficients = broken.weights;
+        }
+        // One of the blends that the theorem speaks of, or the corner itself.
+        if (kind < 3 && *rc::gen::arbitrary<bool>()) {
+          c.coefficients.assign(m, Rational(0));
+          c.coefficients[k] = 1;
+        }
+        return Weakening{part, hypotheses_of(c), one_cap_holds(c)};
+      },
+      900);
+  t.holds("on the edge of a hypothesis it holds", {.number_type = "rational", .cases = 300}, [] {
+    Case c = any_case(3);
+    RC_ASSERT(hypotheses_of(c) == Verdict::holds);
+    auto& q = c.quaternions[gen::any_place(c.quaternions.size())];
+    q -= c.axis * Rational(dot(q, c.axis) / squared_norm(c.axis));  // at a right angle
+    c.squared_cosine = 0;
+    RC_ASSERT(hypotheses_of(c) == Verdict::holds);
+    RC_ASSERT(cap_of(c).verdict == Verdict::holds);
+  });
+  t.holds(
+      "the verdict is that of its three parts, whatever the inputs", {.number_type = "rational", .cases = 1000}, [] {
+        const Case c = wild_case();
+        const Quaternion<Rational> blend = blend_of(c);
+        const Rational along = blend.dot(c.axis), b2 = blend.dot(blend);
+        const bool all_ahead =
+            std::all_of(c.quaternions.begin(), c.quaternions.end(), [&](const auto& q) { return q.dot(c.axis) > 0; });
+        const bool ahead = along >= 0, inside = c.squared_cosine * c.axis.dot(c.axis) * b2 <= along * along,
+                   is_blend = !all_ahead || b2 > 0;
+        RC_CLASSIFY(!ahead && inside && is_blend, "only the side is wrong");
+        RC_CLASSIFY(ahead && !inside && is_blend, "only the angle is wrong");
+        RC_CLASSIFY(ahead && inside && !is_blend, "only the blend is 0");
+        RC_CLASSIFY(ahead && inside && b2 == 0 && !all_ahead, "the blend may be 0");
+        const auto cap = cap_of(c);
+        RC_ASSERT(cap.verdict == verdict_of(ahead && inside && is_blend));
+        const std::size_t m = c.quaternions.size();
+        RC_ASSERT(cap.gram.size() == m * m);
+        bool is_witness = true;
+        for (std::size_t k = 0; k < m; ++k) {
+          is_witness = is_witness && c.quaternions[k].dot(c.axis) >= 0;
+          for (std::size_t l = 0; l < m; ++l) {
+            const auto &p = c.quaternions[k], &q = c.quaternions[l];
+            const Rational expected = p.dot(c.axis) * q.dot(c.axis) - c.squared_cosine * c.axis.dot(c.axis) * p.dot(q);
+            RC_ASSERT(cap.gram[k * m + l] == expected);
+            is_witness = is_witness && expected >= 0;
+          }
+        }
+        RC_ASSERT(is_one_cap<Rational>(c.quaternions, c.axis, c.squared_cosine, cap.gram) == verdict_of(is_witness));
+      });
+  t.holds("each entry of the matrix is checked from both sides, and so is the side of the axis",
+          {.number_type = "rational", .cases = 200}, [] {
+            Case c = any_case(3);
+            const auto good = cap_of(c).gram;
+            const auto rejected = [&](const std::vector<Rational>& gram) {
+              return is_one_cap<Rational>(c.quaternions, c.axis, c.squared_cosine, gram) == Verdict::fails;
+            };
+            const Rational amount = *gen::excess();
+            for (std::size_t i = 0; i < good.size(); ++i) {
+              auto more = good, less = good;
+              more[i] += amount;
+              less[i] = good[i] > 0 ? Rational(good[i] / 2) : Rational(-amount);
+              RC_ASSERT(rejected(more) && rejected(less));
+            }
+            auto longer = good;
+            longer.push_back(Rational(0));
+            RC_ASSERT(rejected(longer));
+            // Of all quaternions turned round the matrix is the same.
+            RC_PRE(std::any_of(c.quaternions.begin(), c.quaternions.end(),
+                               [&](const auto& q) { return dot(q, c.axis) > 0; }));
+            for (auto& q : c.quaternions) q = -q;
+            RC_ASSERT(cap_of(c).gram == good && rejected(good));
+          });
+  t.holds("the rotated pair and its verdict are those of the rotation matrices",
+          {.number_type = "rational", .cases = 500}, [] {
+            const Quaternion<Rational> blend = *gen::nonzero_vector<4>(), axis = *gen::nonzero_vector<4>();
+            const Vec<Rational, 3> v = *gen::rational_vector<3>(), zero(0, 0, 0);
+            const Vec<Rational, 3> at_axis = oracle::times(oracle::affine_of(axis, zero), v),
+                                   rotated = oracle::times(oracle::affine_of(blend, zero), v);
+            const Rational along = at_axis.dot(rotated), v2 = v.dot(v), excess = *gen::excess();
+            // Just what the angle allows, a little more or less, or anything.
+            Rational kappa2 = *gen::unit_interval_rational();
+            if (v2 > 0 && *rc::gen::arbitrary<bool>())
+              kappa2 = (along / v2 + 1) / 2 + *rc::gen::element(Rational(0), excess, Rational(-excess));
+            const auto pair = one_cap_rotated(blend, axis, kappa2, v);
+            RC_ASSERT(pair.at_apex == at_axis && pair.rotated == rotated);
+            RC_ASSERT(pair.verdict == verdict_of(v2 * (2 * kappa2 - 1) <= along));
+          });
+  reaches_share(t, "cases of several quaternions with a cap between none and all", 0.4, [] {
+    const Case c = any_case();
+    return c.quaternions.size() > 1 && c.squared_cosine > 0 && c.squared_cosine < 1;
   });
 
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const Case& c) {

@@ -3,6 +3,7 @@
 #include "proptests/counterexamples/t3_smallest_ball_smallest_cap.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/nearest_point.hpp"
@@ -129,6 +130,142 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
     return mean_cosine(once.units) == Rational(0) && mean_cosine(twice.units) == Rational(-3, 5) &&
            cap.verdict == Verdict::holds && repeated.verdict == Verdict::holds &&
            cap.squared_distance == repeated.squared_distance && cap.center == repeated.center;
+  });
+
+  needs_each_part(
+      t, "each part of the hypotheses is looked at by itself", 0.5,
+      [] {
+        UnitsOnOneSide<3> c;
+        auto& units = c.units;
+        auto& u = c.coefficients;
+        const auto insert = [&](std::size_t k, const Vec<Rational, 3>& unit, const Rational& coefficient) {
+          units.insert(units.begin() + static_cast<long>(k), unit);
+          u.insert(u.begin() + static_cast<long>(k), coefficient);
+        };
+        const std::size_t k = gen::any_place(units.size() + 1), n = units.size() + 1;
+        const Vec<Rational, 3> nearest = combine<Rational, 3>(u, units);
+        std::string part;
+        const std::size_t kind = gen::any_place(6);
+        if (kind == 0) {
+          part = gen::place(k, n) + " is no unit";
+          insert(k, *gen::sphere_point<3>() * *rc::gen::element(Rational(2), Rational(1, 2), Rational(1001, 1000)), 0);
+          u = nearest_point_coefficients<3>(units);
+          RC_PRE(squared_norm(combine<Rational, 3>(u, units)) != 0);
+        } else if (kind == 1) {
+          part = gen::place(k, n) + " is on the near side";
+          const Vec<Rational, 3> unit = *gen::sphere_point<3>();
+          RC_PRE(dot(unit, nearest) < squared_norm(nearest));
+          insert(k, unit, 0);
+        } else if (kind == 2) {
+          part = "a coefficient is negative, of a repeated point";
+          const std::size_t i = gen::any_place(units.size());
+          const Rational amount = *gen::excess();
+          u[i] += amount;
+          insert(k, units[i], -amount);
+        } else if (kind == 3) {
+          part = "the coefficients' sum is less than 1";
+          const Rational rest = *rc::gen::element(Rational(1, 2), Rational(999, 1000));
+          for (auto& x : u) x *= rest;
+        } else if (kind == 4) {
+          part = "0 is the nearest point";
+          units.push_back(-units[0]);
+          u.assign(units.size(), Rational(0));
+          u.front() = u.back() = Rational(1, 2);
+        } else {
+          part = "there is not one coefficient a point";
+          if (*rc::gen::arbitrary<bool>())
+            u.push_back(Rational(0));
+          else
+            units.push_back(units[0]);
+        }
+        const Verdict hypothesis = smallest_cap_hypotheses<Rational, 3>(units, u);
+        if (units.size() != u.size())  // nothing that could be concluded from; the certificate must see it too
+          return Weakening{part, hypothesis,
+                           is_smallest_ball<Rational, 3>(units, u, nearest, Rational(1) - squared_norm(nearest))};
+        return Weakening{part, hypothesis, smallest_cap<Rational, 3>(units, u).verdict};
+      },
+      900);
+  t.holds("the ball and the cap that are claimed are those of the formulas", {.number_type = "rational", .cases = 200},
+          [] {
+            const UnitsOnOneSide<3> c;
+            Vec<Rational, 3> center(0, 0, 0);
+            for (std::size_t k = 0; k < c.units.size(); ++k) center += c.units[k] * c.coefficients[k];
+            const Rational c2 = center.dot(center);
+            const auto cap = c.cap();
+            RC_ASSERT(cap.center == center && cap.squared_distance == c2 && cap.squared_radius == Rational(1) - c2);
+          });
+  t.holds("a ball about another point through the only one is not certified, whatever coordinate differs",
+          {.number_type = "rational", .cases = 100}, [] {
+            const std::vector<Vec<Rational, 3>> one{*gen::rational_vector<3>()};
+            for (int i = 0; i < 3; ++i) {
+              Vec<Rational, 3> center = one[0];
+              center[i] += *gen::excess();
+              const Rational r2 = squared_distance(one[0], center);
+              RC_ASSERT((is_smallest_ball<Rational, 3>(one, std::vector<Rational>{1}, center, r2) == Verdict::fails));
+            }
+          });
+  t.holds("each point has to be in the ball, and each of the support on its boundary",
+          {.number_type = "rational", .cases = 300}, [] {
+            UnitsOnOneSide<3> c;
+            const auto cap = c.cap();
+            const std::size_t n = c.units.size() + 1, k = gen::any_place(n);
+            const auto certified_with = [&](const Vec<Rational, 3>& point, const Rational& coefficient) {
+              auto points = c.units;
+              auto u = c.coefficients;
+              points.insert(points.begin() + static_cast<long>(k), point);
+              u.insert(u.begin() + static_cast<long>(k), coefficient);
+              return is_smallest_ball<Rational, 3>(points, u, cap.center, cap.squared_radius);
+            };
+            std::size_t support = 0;
+            while (c.coefficients[support] == 0) ++support;
+            const Vec<Rational, 3> direction = c.units[support] - cap.center;
+            RC_ASSERT(certified_with(cap.center, 0) == Verdict::holds);
+            if (squared_norm(direction) > 0) {
+              RC_ASSERT(certified_with(cap.center + direction, 0) == Verdict::holds);
+              const Rational stretch = Rational(1) + *gen::excess();
+              RC_ASSERT(certified_with(cap.center + direction * stretch, 0) == Verdict::fails);
+              // The center itself as a point of the support: the combination is as before, but it is not on the
+              // boundary.
+              for (auto& x : c.coefficients) x /= 2;
+              RC_ASSERT(certified_with(cap.center, Rational(1, 2)) == Verdict::fails);
+            }
+            const std::vector<Vec<Rational, 3>> none;
+            RC_ASSERT((is_smallest_ball<Rational, 3>(none, std::vector<Rational>{}, cap.center, cap.squared_radius) ==
+                       Verdict::fails));
+            RC_ASSERT((is_nearest_point<Rational, 3>(none, std::vector<Rational>{}) == Verdict::fails));
+          });
+  t.holds("whether a ball or a cap is not smaller is decided by the farthest unit, on both sides and at the edge",
+          {.number_type = "rational", .cases = 400}, [] {
+            const UnitsOnOneSide<3> c;
+            const Vec<Rational, 3> rival = *rc::gen::oneOf(gen::nonzero_vector<3>(), rc::gen::just(c.cap().center),
+                                                           rc::gen::just(Vec<Rational, 3>(-c.cap().center)));
+            Rational farthest(0), least = c.units[0].dot(rival);
+            for (const auto& n : c.units) {
+              const Vec<Rational, 3> gap = n - rival;
+              farthest = std::max<Rational>(farthest, gap.dot(gap)), least = std::min<Rational>(least, n.dot(rival));
+            }
+            auto claim = c.cap();
+            const Rational excess = *gen::excess(), length2 = rival.dot(rival);
+            claim.squared_radius = farthest + *rc::gen::element(Rational(0), excess, Rational(-excess));
+            RC_ASSERT((is_not_smaller_ball<Rational, 3>(c.units, claim, rival) ==
+                       verdict_of(claim.squared_radius <= farthest)));
+            claim.squared_distance =
+                least * least / length2 + *rc::gen::element(Rational(0), excess, Rational(-excess));
+            const bool expected = least <= 0 || least * least <= claim.squared_distance * length2;
+            RC_ASSERT((is_not_smaller_cap<Rational, 3>(c.units, claim, rival) == verdict_of(expected)));
+          });
+  t.example(
+      "a certified ball along the way to 0 has no right angle to it: its least dot product is not ||c||^2", {}, [] {
+        const std::vector<t3_smallest::Point> along{t3_smallest::Point(Rational(7, 5), 0),
+                                                    t3_smallest::Point(Rational(-1, 5), 0)};
+        const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)};
+        return is_smallest_ball<Rational, 2>(along, halves, t3_smallest::Point(Rational(3, 5), 0), Rational(16, 25)) ==
+                   Verdict::holds &&
+               smallest_cap<Rational, 2>(along, halves).verdict == Verdict::fails;
+      });
+  t.example("a repeated unit with coefficients 2 and -1 makes no certificate", {}, [] {
+    const std::vector<t3_smallest::Point> twice{t3_smallest::x, t3_smallest::x};
+    return smallest_cap<Rational, 2>(twice, std::vector<Rational>{2, -1}).verdict == Verdict::fails;
   });
 
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence,
