@@ -5,7 +5,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "algorithms/certificate/sha256.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/queries/refit_query.hpp"
@@ -24,17 +23,10 @@ namespace {
 using namespace refitlab;
 using nlohmann::json;
 using oracle::CheckedFolder;
+using oracle::sealed;
 using Numbers = std::vector<Rational>;
 
 // --- Documents ---
-
-// With the digest that fits: a forger can do that too.
-std::string sealed(json document) {
-  const auto text = [&] { return document.dump(1, ' ', true) + "\n"; };
-  document["digest"] = "";
-  document["digest"] = sha256(text());
-  return text();
-}
 
 Rational number(const json& x) { return Rational(x.get<std::string>()); }
 template <int D>
