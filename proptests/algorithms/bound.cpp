@@ -69,6 +69,12 @@ void check_least_radius(Skinning skinning, int most_corners) {
   const SkinnedPiece piece(random, skinning, most_corners);
   Ball3<double> ball = ball_to_try(piece, random);
   RC_CLASSIFY(piece.corners.size() == 1, "degenerate");
+  if (piece.has_relation) {  // which of equally wide edges is halved is not said
+    RC_TAG("exact relation");
+    for (const double radius : {0.5, 1., 2., 4., 8., 1e9})
+      if (const auto bound = found(piece, {ball.center, radius})) RC_ASSERT(proves(piece, *bound, {ball.center, radius}, 1e-9 * radius));
+    return;
+  }
   if (!(ball.radius < 1e4)) {  // some blend is 0, or so near to it that double does not tell
     if (ball.radius == infinity) {
       RC_TAG("no bound");
@@ -84,6 +90,20 @@ void check_least_radius(Skinning skinning, int most_corners) {
   RC_ASSERT(!found(piece, {ball.center, ball.radius - margin}));
   const double share = std::uniform_real_distribution<double>(0, 1)(random);
   RC_ASSERT(!found(piece, {ball.center, share * (ball.radius - margin)}));
+}
+
+// Hints are those of the refits: what they prove at once is not left to control points, nor to halves.
+void check_first_tried(Skinning skinning) {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const SkinnedPiece piece(random, skinning, 5);
+  const Ball3<double> ball = ball_to_try(piece, random);
+  for (const Bound& first : oracle::first_tried(corners_of(piece))) {
+    const double radius = piece.reference.radius + oracle::needed_radius(corners_of(piece), first, ball.center);
+    if (piece.has_relation || !(radius < 1e4)) continue;
+    const auto bound = found(piece, {ball.center, radius + 1e-9 * (1 + radius + ball.center.norm())});
+    RC_ASSERT(bound.has_value());
+    RC_ASSERT(bound->by == By::cap || bound->by == By::all_rotations || bound->by == By::reach);
+  }
 }
 
 // --- Where the least radius is a double: found exactly there, and not one ulp below ---
@@ -131,6 +151,14 @@ PROPTEST(bound) {
     return Checked(linear && longer && any && cap && reach && mixed, 6,
                    std::to_string(linear) + std::to_string(longer) + std::to_string(any) + std::to_string(cap) +
                        std::to_string(reach) + std::to_string(mixed));
+  });
+  t.holds("spherical blending: caps are tried first, about both axes", {.cases = 150}, [] { check_first_tried(Skinning::spherical); });
+  t.holds("dual quaternions: the reach is tried first, about the mean image", {.cases = 150},
+          [] { check_first_tried(Skinning::dual_quaternion); });
+  t.example("corners so long that their mean overflows have no axis, and no error", {}, [] {
+    const SkinnedPiece piece(Skinning::dual_quaternion, pose_of({{1.5e308, 0, 0, 0}, {1.5e308, 1e300, 0, 0}}), {{1, 0}, {0, 1}},
+                             {{0, 0, 0}, 1});
+    return found(piece, {{0, 0, 0}, 2}).has_value();
   });
   t.example("a ball smaller than the reference ball is found nothing, and one as large is", {}, [] {
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {

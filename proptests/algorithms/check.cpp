@@ -486,7 +486,7 @@ Checked check_statuses() {
 }  // namespace
 
 PROPTEST(check) {
-  t.holds("a ball is accepted if its bound needs as little, and a slightly smaller one is rejected", {.cases = 20}, check_least_radii);
+  t.holds("a ball is accepted if its bound needs as little, and a slightly smaller one is rejected", {.cases = 10}, check_least_radii);
   t.example("equality is accepted, and a radius smaller by 1e-380 rejected, whichever corner, triple or piece is the farthest", {},
             check_tight);
   t.example("each condition broken alone is rejected for its reason", {}, check_broken);

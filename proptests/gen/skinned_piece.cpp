@@ -27,6 +27,10 @@ Quaternion<double> with_some_length(Quaternion<double> q, int kind, std::mt19937
 // 64 parts, spread over some of n.
 std::vector<double> some_weights(std::mt19937& random, std::size_t n) {
   std::vector<double> w(n);
+  if (random() % 3 == 0) {
+    w[random() % n] = 1;
+    return w;
+  }
   const auto any = [&] { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   for (int left = 64, part; left > 0; left -= part) {
     part = std::uniform_int_distribution<int>(1, left)(random);
@@ -39,6 +43,7 @@ std::vector<double> some_weights(std::mt19937& random, std::size_t n) {
 
 SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_corners) : skinning(skinning) {
   const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+  has_relation = pick(4) == 0;
   const int n = 1 + pick(5), kind = pick(4), m = 1 + pick(most_corners);
   const double spread = std::array{0., 0.1, 0.4, 0.8, 100.}[pick(5)];
   const bool has_other_signs = pick(6) == 0, has_other_duals = pick(4) == 0;
@@ -51,6 +56,11 @@ SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_cor
     pose.transforms.push_back({q, normal<3>(random, 1)});
     pose.center_images.push_back(normal<3>(random, pick(2)));
     pose.duals.push_back(has_other_duals ? normal<4>(random, 1) : dual_part(pose.transforms[i]));
+  }
+  if (has_relation && n > 1) {
+    const Quaternion<double> half_turn = {0, 1, 0, 0}, first = pose.transforms[0].rotation;
+    pose.transforms[1].rotation = pick(2) ? Quaternion<double>(-first) : multiply<double>(first, half_turn);
+    if (n > 2) pose.transforms[2].rotation = -pose.transforms[1].rotation;
   }
   for (int k = 0; k < m; ++k) corners.push_back(some_weights(random, n));
   reference = {normal<3>(random, 1), pick(4) ? std::uniform_real_distribution<double>(0, 1)(random) : 0};

@@ -22,6 +22,7 @@ class SkinnedPiece {
   refitlab::OwnedJointSetPose<double> pose;
   std::vector<std::vector<double>> corners;  // multiples of 1/64 whose sum is 1
   refitlab::Ball3<double> reference;
+  bool has_relation = false;  // two joints are exactly opposite or a half-turn apart: blends of length 0, edges equally wide
 
  private:
   void store();

@@ -64,7 +64,7 @@ double needed_by_cap(const BlendCorners& c, const Point& center, const Q& axis) 
   double angle = length(axis) == 0 ? std::numbers::pi : 0;
   for (const Q& q : c.rotations) {
     if (length(axis) == 0) break;
-    if (along(q, axis) <= 0) return nothing;
+    if (!(along(q, axis) > 0)) return nothing;
     const Q across = q - axis * (along(q, axis) / along(axis, axis));
     angle = std::max(angle, 2 * std::atan2(length(across) * length(axis), along(q, axis)));
   }
@@ -81,7 +81,7 @@ double needed_by_cap(const BlendCorners& c, const Point& center, const Q& axis) 
 double needed_by_reach(const BlendCorners& c, const Point& center, const Q& axis, const Point& f) {
   double reach = 0;
   for (std::size_t k = 0; k < c.rotations.size(); ++k) {
-    if (along(c.rotations[k], axis) <= 0) return nothing;
+    if (!(along(c.rotations[k], axis) > 0)) return nothing;
     const Q e = 2 * c.duals[k] + multiply<double>(c.rotations[k], pure(c.x)) - multiply<double>(pure(f), c.rotations[k]);
     reach = std::max(reach, length(e) * length(axis) / along(c.rotations[k], axis));
   }
@@ -94,30 +94,6 @@ BlendCorners half(BlendCorners c, std::size_t replaced, std::size_t other) {
   if (c.duals.empty()) c.center_images[replaced] = (c.center_images[replaced] + c.center_images[other]) / 2;
   else c.duals[replaced] = (c.duals[replaced] + c.duals[other]) / 2;
   return c;
-}
-
-double needed_by_one(const BlendCorners& c, const Point& center) {
-  double least = needed_by_control(c, center);
-  const std::size_t m = c.rotations.size();
-  if (c.duals.empty()) {
-    least = std::min(least, needed_by_cap(c, center, {0, 0, 0, 0}));
-    std::vector<Q> units;
-    for (const Q& q : c.rotations) units.push_back(q / length(q));
-    least = std::min(least, needed_by_cap(c, center, SmallestBalls::center_of_points(std::span<const Q>(units))));
-    Q mean = {0, 0, 0, 0};
-    for (const Q& q : units) mean += q;
-    return std::min(least, needed_by_cap(c, center, mean));
-  }
-  std::vector<BlendedDuals<double>> blends;
-  for (std::size_t k = 0; k < m; ++k) blends.push_back({c.rotations[k], c.duals[k]});
-  const Q axis = DualQuaternionPiece<double>::axis_of(blends);  // a hint, which proves nothing
-  Point f = {0, 0, 0};
-  for (std::size_t k = 0; k < m; ++k) {
-    Control at;
-    add(at, c, k, k);
-    f += at.numerator / at.weight / double(m);
-  }
-  return std::min(least, needed_by_reach(c, center, axis, f));
 }
 
 }  // namespace
@@ -155,8 +131,35 @@ double needed_radius(const BlendCorners& corners, const Bound& bound, const Poin
                   needed_radius(half(corners, l, k), bound.halves[1], center));
 }
 
+std::vector<Bound> first_tried(const BlendCorners& c) {
+  if (!c.duals.empty()) {
+    std::vector<BlendedDuals<double>> blends;
+    Point f = {0, 0, 0};
+    for (std::size_t k = 0; k < c.rotations.size(); ++k) {
+      blends.push_back({c.rotations[k], c.duals[k]});
+      Control at;
+      add(at, c, k, k);
+      f += at.numerator / at.weight / double(c.rotations.size());
+    }
+    // The axis is a hint, which proves nothing.
+    return {{.by = By::reach, .axis = DualQuaternionPiece<double>::axis_of(blends), .center = f}};
+  }
+  std::vector<Bound> out{{.by = By::all_rotations}};
+  std::vector<Q> units;
+  for (const Q& q : c.rotations) {
+    if (length(q) == 0) return out;
+    units.push_back(q / length(q));
+  }
+  Q mean = {0, 0, 0, 0};
+  for (const Q& q : units) mean += q;
+  out.push_back({.by = By::cap, .axis = mean});
+  out.push_back({.by = By::cap, .axis = SmallestBalls::center_of_points(std::span<const Q>(units))});
+  return out;
+}
+
 double least_found_radius(const BlendCorners& corners, const Point& center, int halvings) {
-  const double here = needed_by_one(corners, center);
+  double here = needed_by_control(corners, center);
+  for (const Bound& bound : first_tried(corners)) here = std::min(here, needed_radius(corners, bound, center));
   const std::size_t m = corners.rotations.size();
   if (halvings == 0 || m == 1) return here;
   std::size_t k = 1, l = 0;

@@ -23,6 +23,9 @@ BlendCorners blend_corners(const refitlab::JointSetPose<double>& pose, const std
 // Whatever is not proved at all needs an infinite radius.
 double needed_radius(const BlendCorners& corners, const refitlab::Bound& bound, const refitlab::Vec<double, 3>& center);
 
+// The bounds that are tried before the control points, with the axes and centers that they are to have.
+std::vector<refitlab::Bound> first_tried(const BlendCorners& corners);
+
 // The least radius for which find_bound finds something: of all bounds that it is to try, halvings included, the best.
 double least_found_radius(const BlendCorners& corners, const refitlab::Vec<double, 3>& center, int halvings);
 
