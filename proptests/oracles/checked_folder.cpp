@@ -5,14 +5,17 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "algorithms/certificate/sha256.hpp"
 
 namespace proptests::oracle {
 
 std::string checker() { return PROPTESTS_CHECKER; }
 
 CheckerRun run_checker(const std::string& path) {
-  std::FILE* pipe = ::popen(("python3 '" + checker() + "' " + path + " 2>&1").c_str(), "r");
+  std::FILE* pipe = ::popen(("ulimit -t 120; python3 '" + checker() + "' " + path + " 2>&1").c_str(), "r");
   if (!pipe) throw std::runtime_error("cannot run " + checker());
   std::string text;
   std::array<char, 4096> buffer;
@@ -24,6 +27,13 @@ CheckerRun run_checker(const std::string& path) {
     run.lines.push_back(text.substr(at, end - at));
   }
   return run;
+}
+
+std::string sealed(nlohmann::json document) {
+  const auto text = [&] { return document.dump(1, ' ', true) + "\n"; };
+  document["digest"] = "";
+  document["digest"] = refitlab::sha256(text());
+  return text();
 }
 
 std::string CheckedFolder::file(std::size_t number) const {
@@ -40,9 +50,10 @@ std::vector<CheckedLine> CheckedFolder::check() const {
   std::vector<CheckedLine> out;
   bool all_accepted = true;
   for (const std::string& line : run.lines) {
-    const std::string start = file(out.size()) + ": ";
-    if (out.size() == count_ || !line.starts_with(start)) throw std::runtime_error("the checker says: " + line);
-    out.push_back({line.substr(start.size())});
+    const std::string name = ": \"" + file(out.size()) + "\": ";
+    const std::size_t at = line.find(name);
+    if (out.size() == count_ || at == std::string::npos) throw std::runtime_error("the checker says: " + line);
+    out.push_back({line.substr(0, at) + ": " + line.substr(at + name.size())});
     if (!out.back().is_accepted() && !out.back().is_rejected()) throw std::runtime_error("the checker says: " + line);
     all_accepted = all_accepted && out.back().is_accepted();
   }

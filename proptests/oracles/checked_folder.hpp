@@ -1,6 +1,7 @@
 // Running proptests/certificate/check on certificates in a folder.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,13 @@ struct CheckerRun {
   std::vector<std::string> lines;  // of both its streams
 };
 std::string checker();  // the path of its program
-// path: a file or folder without spaces, or nothing.
+// path: a file or folder without spaces, or several, or nothing. A run of more than two minutes of processor time is ended.
 CheckerRun run_checker(const std::string& path);
 
-// What the checker says of a file.
+// A document as a certificate's text, with the digest that fits: a forger can do that too.
+std::string sealed(nlohmann::json document);
+
+// What the checker says of a file: verdict and reason.
 struct CheckedLine {
   std::string text;
   bool is_accepted() const { return text.starts_with("accepted: "); }

@@ -1,0 +1,499 @@
+// The independent checker, proptests/certificate/check: each of its conditions at its edge, what it says of hostile files,
+// and that it refuses what would take long before it begins.
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "algorithms/queries/refit_query.hpp"  // as_text
+#include "proptests/gen/skinned_piece.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/bounds.hpp"
+#include "proptests/oracles/checked_folder.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using nlohmann::json;
+using oracle::CheckedFolder;
+using oracle::sealed;
+using By = Bound::By;
+using Texts = std::vector<std::string>;
+
+// --- Documents from parts ---
+
+json point(const char* x, const char* y, const char* z) { return {x, y, z}; }
+const json origin = point("0", "0", "0"), unturned = {"1", "0", "0", "0"}, zero_dual = {"0", "0", "0", "0"};
+
+json ball(const json& center, const json& radius) { return {{"center", center}, {"radius", radius}}; }
+
+// A list of one, which braces alone do not make.
+json alone(const json& item) { return json::array({item}); }
+json nested(const json& list) { return list.front().is_structured() ? list : alone(list); }
+const json one_corner = alone(alone("1"));
+
+json piece(const json& corners, const json& reference, const json& bound) {
+  return {{"joint_set", 0}, {"corners", corners}, {"reference", reference}, {"bound", bound}};
+}
+
+json document(const char* skinning, const json& rotations, const json& data, const json& pieces, const json& around) {
+  json set{{"rotations", nested(rotations)}};
+  if (skinning == std::string("linear")) set["translations"] = nested(data);
+  else if (skinning == std::string("dual_quaternion")) set["duals"] = nested(data);
+  else set["center_images"] = nested(data), set["rotation_center"] = origin;
+  return {{"about", ""}, {"ball", around}, {"joint_sets", alone(set)}, {"pieces", pieces.is_array() ? pieces : alone(pieces)}, {"skinning", skinning}};
+}
+
+json repeated(const json& item, std::size_t times) { return json(json::array_t(times, item)); }
+
+const json control{{"by", "control"}}, all_rotations{{"by", "all_rotations"}};
+json cap(const json& axis) { return {{"by", "cap"}, {"axis", axis}}; }
+json reach(const json& axis, const json& center) { return {{"by", "reach"}, {"axis", axis}, {"center", center}}; }
+json halves(int k, int l, const json& first, const json& second) {
+  return {{"by", "halves"}, {"edge", {k, l}}, {"halves", {first, second}}};
+}
+
+json exactly(double x) { return as_text(Rational(x)); }
+template <int D>
+json exactly(const Vec<double, D>& v) {
+  json out;
+  for (int i = 0; i < D; ++i) out.push_back(exactly(v[i]));
+  return out;
+}
+
+json document(const gen::SkinnedPiece& p, const json& bound, const Ball3<double>& around) {
+  json rotations, data, corners;
+  for (std::size_t i = 0; i < p.pose.transforms.size(); ++i) {
+    rotations.push_back(exactly<4>(p.pose.transforms[i].rotation));
+    data.push_back(p.skinning == Skinning::linear      ? exactly<3>(p.pose.transforms[i].translation)
+                   : p.skinning == Skinning::spherical ? exactly<3>(p.pose.center_images[i])
+                                                       : exactly<4>(p.pose.duals[i]));
+  }
+  for (const auto& w : p.corners) {
+    json weights;
+    for (const double x : w) weights.push_back(exactly(x));
+    corners.push_back(weights);
+  }
+  json out = document(p.skinning == Skinning::linear      ? "linear"
+                      : p.skinning == Skinning::spherical ? "spherical"
+                                                          : "dual_quaternion",
+                      rotations, data,
+                      {piece(corners, ball(exactly<3>(p.reference.center), exactly(p.reference.radius)), bound)},
+                      ball(exactly<3>(around.center), exactly(around.radius)));
+  if (p.skinning == Skinning::spherical) out["joint_sets"][0]["rotation_center"] = exactly<3>(p.pose.rotation_center);
+  return out;
+}
+
+// --- Any bound, against what the twin needs ---
+
+Bound some_bound(const gen::SkinnedPiece& p, std::mt19937& random, int depth) {
+  const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  const std::size_t m = p.corners.size();
+  if (depth > 0 && pick(2)) {
+    Bound out{.by = By::halves, .edge = {pick(m), pick(m)}};
+    for (int i = 0; i < 2; ++i) out.halves.push_back(some_bound(p, random, depth - 1));
+    return out;
+  }
+  Quaternion<double> axis = p.pose.transforms[pick(p.pose.transforms.size())].rotation;
+  if (pick(2)) axis += p.pose.transforms[0].rotation * std::normal_distribution<double>(0.5, 1)(random);
+  if (pick(2)) return {.by = By::control};
+  if (p.skinning == Skinning::dual_quaternion) return {.by = By::reach, .axis = axis, .center = p.pose.transforms[0].translation};
+  return pick(3) ? Bound{.by = By::cap, .axis = axis} : Bound{.by = By::all_rotations};
+}
+
+json as_json(const Bound& b) {
+  switch (b.by) {
+    case By::control: return control;
+    case By::all_rotations: return all_rotations;
+    case By::cap: return cap(exactly<4>(b.axis));
+    case By::reach: return reach(exactly<4>(b.axis), exactly<3>(b.center));
+    default: return halves(int(b.edge[0]), int(b.edge[1]), as_json(b.halves[0]), as_json(b.halves[1]));
+  }
+}
+
+// Documents of random pieces and bounds, of balls just large enough and just too small; whatever proves nothing is too small.
+void check_least_radii() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  CheckedFolder folder;
+  std::vector<bool> is_large_enough;
+  for (int i = 0; i < 60; ++i) {
+    const Skinning skinning = std::array{Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}[i % 3];
+    const gen::SkinnedPiece p(random, skinning, 4);
+    const Bound bound = skinning == Skinning::linear ? Bound{.by = By::control} : some_bound(p, random, 3);
+    Vec<double, 3> center;
+    for (double& x : center) x = std::normal_distribution<double>(0, i % 4)(random);
+    const double needed =
+        skinning == Skinning::linear
+            ? oracle::needed_radius_linear(p.pose, p.corners, p.reference, center)
+            : p.reference.radius + oracle::needed_radius(oracle::blend_corners(p.pose, p.corners, p.reference.center, skinning),
+                                                         bound, center);
+    RC_CLASSIFY(std::isinf(needed), "degenerate");
+    if (std::isinf(needed)) {
+      folder.add(sealed(document(p, as_json(bound), {center, 1e12}))), is_large_enough.push_back(false);
+    } else if (needed < 1e4) {
+      const double margin = 1e-9 * (1 + needed + center.norm());
+      folder.add(sealed(document(p, as_json(bound), {center, needed + margin}))), is_large_enough.push_back(true);
+      folder.add(sealed(document(p, as_json(bound), {center, needed - margin}))), is_large_enough.push_back(false);
+    }
+  }
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < lines.size(); ++i) RC_ASSERT(lines[i].is_accepted() == is_large_enough[i]);
+}
+
+// --- Equality, and the smallest step beyond it, at each place of each list ---
+
+struct Tight {
+  const char* what;
+  json document;
+};
+
+// Each holds with equality, of a radius that is a fraction.
+std::vector<Tight> tight_documents() {
+  std::vector<Tight> out;
+  const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}};
+  const json small = ball(origin, "1"), left = {"2", "1", "0", "0"}, right = {"2", "-1", "0", "0"};
+  for (int far = 0; far < 3; ++far) {  // which corner is the farthest
+    json moved = repeated(origin, 3), duals = repeated(zero_dual, 3);
+    moved[far] = point("12", "0", "0");
+    duals[far] = {"0", "6", "0", "0"};
+    const json same = repeated(unturned, 3), around = ball(point("0", "5", "0"), "14");
+    out.push_back({"linear", document("linear", same, moved, {piece(units, small, control)}, around)});
+    out.push_back({"spherical control", document("spherical", same, moved, {piece(units, small, control)}, around)});
+    out.push_back({"all rotations", document("spherical", same, moved, {piece(units, small, all_rotations)}, around)});
+    out.push_back({"dual control", document("dual_quaternion", same, duals, {piece(units, small, control)}, around)});
+    out.push_back({"reach", document("dual_quaternion", same, duals, {piece(units, small, reach({"3", "0", "0", "0"}, origin))},
+                                     ball(point("0", "5", "0"), "18"))});
+    json turned = same;
+    turned[far] = left;
+    out.push_back({"cap", document("spherical", turned, repeated(origin, 3),
+                                   {piece(units, ball(point("0", "0", "5"), "1"), cap({"7", "0", "0", "0"}))},
+                                   ball(point("0", "0", "3"), "5"))});
+    json pieces = repeated(piece(units, small, control), 3);
+    pieces[far]["reference"]["radius"] = "2";
+    out.push_back({"pieces", document("linear", same, repeated(origin, 3), pieces, ball(origin, "2"))});
+  }
+  const json both = json::array({json::array({"1", "0"}), json::array({"0", "1"})}), two = repeated(origin, 2);
+  const json turns = {{"1", "1/2", "0", "0"}, {"1", "-1/2", "0", "0"}};
+  out.push_back({"mixed control points", document("spherical", turns, two, {piece(both, ball(point("0", "0", "1"), "1"), control)},
+                                                  ball(point("0", "0", "17/55"), "107/55"))});
+  out.push_back({"mixed dual control points",  // N_12 / W_12 is (0, 0, 5/3), the corners' images are (0, -+4/5, 3/5)
+                 document("dual_quaternion", turns, repeated(zero_dual, 2), {piece(both, ball(point("0", "0", "1"), "1"), control)},
+                          ball(point("0", "0", "0"), "8/3"))});
+  out.push_back({"a longer joint", document("linear", {{"2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "7"))});
+  out.push_back({"a shorter joint", document("linear", {{"1/2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
+  out.push_back({"nothing but the reference", document("spherical", {unturned}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
+  out.push_back({"halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
+                                    {piece(both, small, halves(0, 1, control, all_rotations))}, ball(point("0", "5", "0"), "14"))});
+  out.push_back({"other halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
+                                          {piece(both, small, halves(1, 0, all_rotations, control))}, ball(point("0", "5", "0"), "14"))});
+  return out;
+}
+
+// By the smallest fraction that a document may have.
+json with_less_radius(json document) {
+  Rational radius(document["ball"]["radius"].get<std::string>());
+  radius -= 1 / Rational("1" + std::string(380, '0'));
+  document["ball"]["radius"] = as_text(radius);
+  return document;
+}
+
+Checked check_tight() {
+  CheckedFolder folder;
+  const auto list = tight_documents();
+  for (const Tight& t : list) folder.add(sealed(t.document)), folder.add(sealed(with_less_radius(t.document)));
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool is_less = i % 2, is_said = lines[i].is_rejected_for("outside") || lines[i].is_rejected_for("smaller than");
+    if (is_less ? !is_said : !lines[i].is_accepted()) return Checked(false, long(i), list[i / 2].what + (": " + lines[i].text));
+  }
+  return Checked(true, long(lines.size()));
+}
+
+// --- One condition broken, each for its reason ---
+
+struct Broken {
+  std::string what;
+  json document;
+  const char* reason;
+};
+
+std::vector<Broken> broken_documents() {
+  std::vector<Broken> out;
+  const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
+  const json good = document("linear", repeated(unturned, 3), repeated(origin, 3), repeated(piece(units, small, control), 3), ball(origin, "1"));
+  const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
+    json changed = good;
+    changed[json::json_pointer(pointer)] = value;
+    out.push_back({pointer + " = " + value.dump(), changed, reason});
+  };
+  const std::string tiny = "/1" + std::string(380, '0');
+  for (const std::string p : {"0", "1", "2"}) {
+    const std::string at = "/pieces/" + p + "/";
+    for (const std::string k : {"0", "1", "2"}) {
+      const std::string corner = at + "corners/" + k;
+      for (int i = 0; i < 3; ++i) {
+        json weights = {"1/3", "1/3", "1/3"};
+        weights[i] = "1" + std::string(380, '0') + "/3" + std::string(379, '0') + "1";
+        with(corner, weights, "weights are not convex");  // the sum is a little less
+        weights[i] = "1" + std::string(379, '0') + "1/3" + std::string(380, '0');
+        with(corner, weights, "weights are not convex");  // a little more
+        weights = {"0", "0", "0"};
+        weights[i] = "-1" + tiny;
+        weights[(i + 1) % 3] = "1" + std::string(379, '0') + "1" + tiny;
+        with(corner, weights, "weights are not convex");  // one below 0
+      }
+      with(corner, {"1", "0"}, "weights are not convex");
+      with(corner, {"1", "0", "0", "0"}, "weights are not convex");
+      with(corner, json::array(), "is no list of something");
+    }
+    with(at + "reference/radius", "-1" + tiny, "reference.radius is negative");
+    with(at + "joint_set", 1, "joint_set is none of them");
+    with(at + "joint_set", -1, "joint_set is none of them");
+    with(at + "joint_set", true, "joint_set is no int");
+    with(at + "joint_set", "0", "joint_set is no int");
+    with(at + "joint_set", 0.0, "no integer");
+    with(at + "joint_set", 1234567890, "no integer");
+    with(at + "corners", json::array(), "is no list of something");
+    with(at + "bound/axis", unturned, "has not the members");
+    with(at + "bound/by", "all_rotations", "no bound of this skinning");
+    with(at + "bound/by", "halves", "no bound of this skinning");
+  }
+  for (const char* number : {"1.0", "1e0", "+1", " 1", "1 ", "1\n", "1_0", "0x1", "1/", "/1", "1/0", "1/-1", "1/+1", "--1", "", "-", "inf", "NaN",
+                             "1/01", "\u00b2", "1/1/1"})
+    for (const char* place : {"/ball/radius", "/ball/center/0", "/ball/center/2", "/joint_sets/0/rotations/1/3", "/joint_sets/0/translations/2/0"})
+      with(place, number, "is no Fraction");
+  for (const json& value : {json(1), json(true), json(nullptr), json::array({"1"}), json::object()}) with("/ball/radius", value, "is no Fraction");
+  with("/about", 1, "certificate.about is no str");
+  with("/ball/radius", std::string(401, '1'), "is no Fraction of at most 400 digits");
+  with("/ball/radius", "1/1" + std::string(400, '0'), "is no Fraction of at most 400 digits");
+  with("/joint_sets/0/translations/3", origin, "lists differ in length");
+  with("/joint_sets", json::array(), "is no list of something");
+  const auto rigid = [&](const char* what, const json& rotations, const json& bound, const char* reason, const char* skinning = "spherical") {
+    const bool is_dual = skinning != std::string("spherical");
+    out.push_back({what, document(skinning, rotations, repeated(is_dual ? zero_dual : origin, 3), {piece(units, small, bound)}, ball(origin, "1000")), reason});
+  };
+  const json across = {"0", "1", "0", "0"};
+  for (int k = 0; k < 3; ++k) {
+    json turned = repeated(unturned, 3);
+    turned[k] = across;
+    for (const char* skinning : {"spherical", "dual_quaternion"}) {
+      rigid("a right angle", turned, control, "a right angle apart", skinning);
+      rigid("halves with a right angle", turned, halves((k + 1) % 3, (k + 2) % 3, control, control), "a right angle apart", skinning);
+      for (const int edge : {-1, 3}) {
+        rigid("an edge from nowhere", repeated(unturned, 3), halves(edge, k, control, control), "edge ends at no corner", skinning);
+        rigid("an edge to nowhere", repeated(unturned, 3), halves(k, edge, control, control), "edge ends at no corner", skinning);
+      }
+    }
+    rigid("a cap across", turned, cap(unturned), "not ahead");
+    rigid("a reach across", turned, reach(unturned, origin), "not ahead", "dual_quaternion");
+    turned[k] = {"-1", "0", "0", "0"};
+    rigid("a cap behind", turned, cap(unturned), "not ahead");
+    rigid("a reach behind", turned, reach(unturned, origin), "not ahead", "dual_quaternion");
+  }
+  for (const int half : {0, 1}) {
+    json bound = halves(0, 1, control, control);
+    bound["halves"][half] = cap({"0", "1", "0", "0"});
+    rigid("a half that proves nothing", repeated(unturned, 3), bound, "not ahead");
+    bound["halves"][half] = {{"by", "reach"}};
+    rigid("a half by another skinning's bound", repeated(unturned, 3), bound, "no bound of this skinning");
+    bound["halves"][half] = "control";
+    rigid("a half that is a text", repeated(unturned, 3), bound, "is no dict");
+  }
+  return out;
+}
+
+Checked check_broken() {
+  CheckedFolder folder;
+  const auto list = broken_documents();
+  for (const Broken& b : list) folder.add(sealed(b.document));
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!lines[i].is_rejected_for(list[i].reason)) return Checked(false, long(i), list[i].what + ": " + lines[i].text);
+  return Checked(true, long(lines.size()));
+}
+
+Checked check_digests() {
+  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const json whole = json::parse(sealed(good));
+  const std::string digest = whole["digest"];
+  CheckedFolder folder;
+  folder.add(sealed(good));
+  Texts others{"", std::string(64, '0'), digest + "0", digest.substr(1), digest.substr(0, 63), " " + digest};
+  for (const std::size_t at : {0, 31, 63}) others.push_back(digest), others.back()[at] = digest[at] == '0' ? '1' : '0';
+  others.push_back(digest);
+  for (char& c : others.back()) c = static_cast<char>(std::toupper(c));
+  for (const std::string& other : others) {
+    json changed = whole;
+    changed["digest"] = other;
+    folder.add(changed.dump(1) + "\n");
+  }
+  const auto lines = folder.check();
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (!lines[i].is_rejected_for("digest")) return Checked(false, long(i), lines[i].text);
+  return Checked(lines[0].is_accepted(), long(lines.size()), lines[0].text);
+}
+
+// --- Work ---
+
+// A number of so many digits, no power of two and different for each seed.
+std::string digits(int count, int seed) {
+  std::string out = "9";
+  for (int i = 1; i < count; ++i) out += static_cast<char>('1' + (i * i + 7 * seed + i * seed) % 9);
+  return out;
+}
+
+json with_corners(const char* skinning, std::size_t m, const json& bound) {
+  const json data = skinning == std::string("dual_quaternion") ? zero_dual : origin;
+  return document(skinning, {unturned}, {data}, {piece(repeated(alone("1"), m), ball(origin, "1"), bound)}, ball(origin, "1"));
+}
+
+json halved(int depth) { return depth == 0 ? control : halves(0, 1, halved(depth - 1), halved(depth - 1)); }
+
+Checked check_work() {
+  std::vector<Broken> list;
+  const char* work = "the proofs take too much work";
+  list.push_back({"thousands of corners", with_corners("spherical", 4000, control), work});
+  list.push_back({"thousands of corners, of degree 2", with_corners("dual_quaternion", 4000, control), work});
+  list.push_back({"halves of halves of halves", with_corners("dual_quaternion", 40, halved(10)), work});
+  json pieces = with_corners("spherical", 60, control);
+  pieces["pieces"] = repeated(pieces["pieces"][0], 60);
+  list.push_back({"many pieces", pieces, work});
+  json wide = with_corners("linear", 1, control);
+  wide["pieces"][0]["corners"] = one_corner;
+  wide["joint_sets"][0] = {{"rotations", repeated(unturned, 900)}, {"translations", repeated(origin, 900)}};
+  json weights = repeated("0", 900);
+  weights[0] = "1/1" + std::string(390, '0');
+  wide["pieces"][0]["corners"] = repeated(weights, 40);
+  list.push_back({"many joints", wide, work});
+  json dense = with_corners("spherical", 30, control);
+  dense["ball"]["radius"] = "1/1" + std::string(390, '0');
+  dense["pieces"][0]["reference"]["radius"] = digits(400, 1) + "/7" + std::string(390, '0');
+  list.push_back({"long numbers", dense, work});
+  json coprime = with_corners("spherical", 2, control);
+  for (int i = 0; i < 8; ++i) {
+    json q = {"1", "1/" + digits(390, 3 * i), "1/" + digits(391, 3 * i + 1), "1/" + digits(392, 3 * i + 2)};
+    coprime["joint_sets"][0]["rotations"].push_back(q), coprime["joint_sets"][0]["center_images"].push_back(origin);
+  }
+  list.push_back({"denominators without common divisors", coprime, "the common denominator has more than 8192 bits"});
+  CheckedFolder folder;
+  for (const Broken& b : list) folder.add(sealed(b.document));
+  const Texts texts{"{\n \"about\": " + std::string(100000, '9') + "\n}\n", "{\n \"about\": 0." + std::string(100000, '9') + "\n}\n",
+                    "{\n \"about\": 1e400\n}\n", "{\n \"about\": NaN\n}\n", "{\n \"about\": -Infinity\n}\n"};
+  for (const std::string& text : texts) folder.add(text);
+  // What nests is much longer in canonical form: 900 spaces for each of 30000 numbers.
+  std::string nested = std::string(900, '[') + "1";
+  for (int i = 0; i < 30000; ++i) nested += ",1";
+  folder.add("{\"a\":" + nested + std::string(900, ']') + "}\n");
+  folder.add(std::string((1 << 24) + 1, ' '));
+  folder.add(std::string(1 << 24, ' '));
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!lines[i].is_rejected_for(list[i].reason)) return Checked(false, long(i), list[i].what + ": " + lines[i].text);
+  std::size_t at = list.size();
+  for (std::size_t i = 0; i < texts.size(); ++i, ++at)
+    if (!lines[at].is_rejected_for("no integer of at most 9 digits")) return Checked(false, long(at), lines[at].text);
+  return Checked(lines[at].is_rejected() && lines[at + 1].is_rejected_for("the file has more than 16777216 bytes") &&
+                     lines[at + 2].is_rejected_for("Expecting value"),
+                 long(lines.size()), lines[at].text + lines[at + 1].text + lines[at + 2].text);
+}
+
+// --- Names and texts from outside ---
+
+// Each line begins with a verdict, is printable ASCII, and there are as many as files.
+bool is_orderly(const oracle::CheckerRun& run, std::size_t files, const std::string& verdict) {
+  for (const std::string& line : run.lines) {
+    if (!line.starts_with(verdict + ": \"")) return false;
+    for (const char c : line)
+      if (c < ' ' || c > '~') return false;
+  }
+  return run.lines.size() == files;
+}
+
+Checked check_names() {
+  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const Texts names{"a\nb", "x\naccepted: \"good.json\": 1 linear pieces", "\naccepted: y", "\x1b[2J\x1b[1;1Haccepted: z", "\xff\xfe", "\r", "\t",
+                    "accepted: \"good.json\": 1 linear pieces", "q\": accepted", "b\\", "\xc3\xa4", "\xe2\x80\xa8", "\x7f", " ", "-", "$(id)", "'", "*"};
+  for (const bool is_good : {false, true}) {
+    gen::TemporaryFolder folder;
+    for (const std::string& name : names) std::ofstream(folder.file(name + ".json")) << (is_good ? sealed(good) : "");
+    const auto run = oracle::run_checker(folder.path());
+    if (run.status != (is_good ? 0 : 1) || !is_orderly(run, names.size(), is_good ? "accepted" : "rejected"))
+      return Checked(false, long(run.lines.size()), run.lines.empty() ? "nothing said" : run.lines[0]);
+  }
+  CheckedFolder abouts;
+  for (const std::string about : {"x\naccepted: \"y\": 1 linear pieces", "\x1b[2J", "\r", "\x7f", "\u00e4\u2028", "\"", std::string(100000, 'x').c_str()}) {
+    json named = good;
+    named["about"] = about;
+    abouts.add(sealed(named));
+  }
+  if (!is_orderly(oracle::run_checker(abouts.path()), abouts.size(), "accepted")) return Checked(false, 0, "about");
+  CheckedFolder texts;
+  const std::string forged = "x\naccepted: \"y\": 1 linear pieces\x1b[2J\u00e4";
+  for (const char* place : {"/skinning", "/ball/radius", "/ball/center/0", "/pieces/0/bound/by", "/pieces/0/joint_set", "/digest"}) {
+    json changed = good;
+    changed[json::json_pointer(place)] = forged;
+    texts.add(sealed(changed));
+  }
+  for (const char* place : {"", "/ball", "/pieces/0", "/pieces/0/bound", "/joint_sets/0"}) {
+    json changed = good;
+    changed[json::json_pointer(place)][forged] = forged;
+    texts.add(sealed(changed));
+  }
+  texts.add(forged), texts.add("{\"" + forged), texts.add("{" + forged);
+  // The digest put there is sealed away, so that this one is accepted.
+  const auto run = oracle::run_checker(texts.path());
+  for (const std::string& line : run.lines)
+    if (!line.starts_with("rejected: \"") && !line.starts_with("accepted: \"" + texts.path() + "/000005.json\": 1 linear pieces, said to be \"\""))
+      return Checked(false, 0, line);
+  return Checked(run.lines.size() == texts.size(), long(names.size() + abouts.size() + texts.size()));
+}
+
+// --- What cannot be read ---
+
+Checked check_statuses() {
+  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  gen::TemporaryFolder folder, empty;
+  const std::string accepted = folder.file("good"), rejected = folder.file("bad"), absent = folder.file("absent"), odd = folder.file("odd");
+  std::ofstream(accepted) << sealed(good);
+  std::ofstream(rejected) << "";
+  std::filesystem::create_directories(odd + "/folder.json");
+  std::filesystem::create_symlink(absent, odd + "/link.json");
+  std::ofstream(odd + "/z.json") << sealed(good);
+  struct Case {
+    std::string arguments;
+    int status;
+    Texts verdicts;
+  };
+  const Case cases[] = {{accepted, 0, {"accepted"}},
+                        {rejected, 1, {"rejected"}},
+                        {absent, 2, {"unreadable"}},
+                        {empty.path(), 2, {"unreadable"}},
+                        {accepted + " " + rejected, 1, {"accepted", "rejected"}},
+                        {rejected + " " + accepted, 1, {"rejected", "accepted"}},
+                        {absent + " " + rejected + " " + accepted, 2, {"unreadable", "rejected", "accepted"}},
+                        {rejected + " " + absent, 2, {"rejected", "unreadable"}},
+                        {accepted + " " + empty.path(), 2, {"accepted", "unreadable"}},
+                        {odd, 2, {"unreadable", "unreadable", "accepted"}}};
+  for (const Case& c : cases) {
+    const auto run = oracle::run_checker(c.arguments);
+    bool is_said = run.status == c.status && run.lines.size() == c.verdicts.size();
+    for (std::size_t i = 0; is_said && i < c.verdicts.size(); ++i) is_said = run.lines[i].starts_with(c.verdicts[i] + ": \"");
+    if (!is_said) return Checked(false, run.status, c.arguments + ": " + (run.lines.empty() ? "" : run.lines[0]));
+  }
+  return Checked(oracle::run_checker("").status == 2, std::size(cases));
+}
+
+}  // namespace
+
+PROPTEST(check) {
+  t.holds("a ball is accepted if its bound needs as little, and a slightly smaller one is rejected", {.cases = 10}, check_least_radii);
+  t.example("equality is accepted, and a radius smaller by 1e-380 rejected, whichever corner, triple or piece is the farthest", {},
+            check_tight);
+  t.example("each condition broken alone is rejected for its reason", {}, check_broken);
+  t.example("another digest is rejected", {}, check_digests);
+  t.example("what would take long is rejected before it begins", {}, check_work);
+  t.example("no name and no text of a file forges a verdict", {}, check_names);
+  t.example("exit status and verdicts of files that are accepted, rejected and unreadable", {}, check_statuses);
+}
+
+}  // namespace proptests
