@@ -43,8 +43,9 @@ bool is_near_a_right_angle(const std::vector<Quaternion<double>>& unit) {
   return !(std::abs(8 * far * (1 - far) - 1) > 1e-3) || !(sum.norm() > 1e-3);
 }
 
-// Exact.
+// By the last bit; most are far from the edge.
 bool exact_encloses(const Ball3<double>& ball, const Point3& v) {
+  if (norm<double, 3>(v - ball.center) * (1 + 1e-14) + 1e-150 < ball.radius) return true;
   return !std::isfinite(ball.radius) ||
          encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(v)) == Verdict::holds;
 }

@@ -139,7 +139,10 @@ WideModel wide_model(std::mt19937& random, int most_joints) {
     t.rotation = with_defect(d, defects, turn(d, turns, about));
     if (moves > 0) t.translation = in_range(d.point(), moves == 1 ? common : moves == 2 ? 0 : d.exponent());
   }
-  out.largest_length = 0;
+  out.largest_length = 0, out.least_coordinate = largest_coordinate;
+  for (const Point3& v : m.vertices)
+    for (const double x : v)
+      if (x != 0) out.least_coordinate = std::min(out.least_coordinate, std::abs(x));
   for (const Point3& v : m.vertices) out.largest_length = std::max(out.largest_length, v.stableNorm());
   for (const Joint& j : m.joints) out.largest_length = std::max(out.largest_length, j.origin.stableNorm());
   for (const auto& t : out.posture) out.largest_length = std::max(out.largest_length, t.translation.stableNorm());

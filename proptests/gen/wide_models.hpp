@@ -12,6 +12,7 @@ struct WideModel {
   refitlab::Posture posture;
   int triangles_per_leaf;
   double largest_length;  // at least any length of the model and of the posture's translations
+  double least_coordinate;  // of those of vertices that are not 0
   std::string what;
 };
 
