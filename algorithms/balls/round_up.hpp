@@ -7,11 +7,16 @@
 
 namespace refitlab {
 
-// What underflow may take from a distance: the root of the least numbers that its square is made of.
+// What underflow may take from a radius. Sums and differences never underflow, and a product is off by at most the least
+// number, 2^-1074 in double and 2^-149 in float. What is linear in lengths is off by a few of those; a distance, as the
+// root of four squares at most, by 2 times their root: 2^-536 and 2^-73.5. A radius is made of a few distances. Where
+// what underflows becomes 0, as in many programs beside this one, the least numbers are 2^-1022 and 2^-126, and the
+// distances off by 2^-510 and 2^-62. The rest is room for what divides a distance by less than 1: by the cosine of a
+// blend to its axis, in double (algorithms/refit/dual_quaternion.hpp).
 template <class S>
 constexpr S underflow_of_distance() {
   static_assert(std::is_same_v<S, double> || std::is_same_v<S, float>);
-  return std::is_same_v<S, double> ? S(0x1p-530) : S(0x1p-70);
+  return std::is_same_v<S, double> ? S(0x1p-480) : S(0x1p-60);
 }
 
 // radius was computed as the greatest norm(c_k - center) + r_k of some balls, by squared distances and roots. With

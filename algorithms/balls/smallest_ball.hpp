@@ -11,8 +11,10 @@
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/balls/scaling.hpp"
 
 namespace refitlab {
 
@@ -169,9 +171,21 @@ class SmallestBallWalk {
 };
 
 // points is not empty. In double the result always encloses all points up to the rounding of one squared distance; it is
-// smallest up to rounding if converged.
+// smallest up to rounding if converged, as long as squares of distances do not overflow.
 template <class S, int D>
 SmallestBall<S, D> smallest_ball(std::span<const Vec<S, D>> points) {
+  if constexpr (std::is_floating_point_v<S>) {
+    S greatest(0);
+    for (const Vec<S, D>& p : points) greatest = max_of(greatest, S((p - points[0]).cwiseAbs().maxCoeff()));
+    if (const int scaling = scaling_of(greatest); scaling != 0) {
+      std::vector<Vec<S, D>> of_size_one;
+      for (const Vec<S, D>& p : points) of_size_one.push_back(times_power_of_two(Vec<S, D>(p - points[0]), -scaling));
+      SmallestBall<S, D> ball = SmallestBallWalk<S, D>(of_size_one).run();
+      ball.center = points[0] + times_power_of_two(ball.center, scaling);
+      ball.squared_radius = farthest_squared_distance(ball.center, points);
+      return ball;
+    }
+  }
   return SmallestBallWalk<S, D>(points).run();
 }
 

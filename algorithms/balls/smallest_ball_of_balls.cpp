@@ -5,10 +5,12 @@
 #include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/Min_sphere_of_spheres_d_traits_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "algorithms/balls/scaling.hpp"
 #include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
@@ -32,6 +34,13 @@ Ball3<double> ball_about(const Vec<double, 3>& center, std::span<const Ball3<dou
   Ball3<double> out{center, 0};
   for (const auto& b : balls) out.radius = std::max(out.radius, norm<double, 3>(b.center - center) + b.radius);
   return out;
+}
+
+// The greatest radius, or coordinate relative to the first center.
+double size_of(std::span<const Ball3<double>> balls) {
+  double size = 0;
+  for (const auto& b : balls) size = std::max({size, b.radius, (b.center - balls[0].center).cwiseAbs().maxCoeff()});
+  return size;
 }
 
 // In rationals, to far more digits than a double has: the solver's results are differences a + b sqrt(x) of large numbers.
@@ -59,6 +68,13 @@ Ball3<double> smallest_ball_of_balls(std::span<const Ball3<double>> balls) {
   for (const auto& b : balls)
     if (!b.center.allFinite() || !(b.radius >= 0) || !std::isfinite(b.radius))
       return {Vec<double, 3>::Constant(undefined), undefined};
+  if (const int scaling = scaling_of(size_of(balls)); scaling != 0) {
+    std::vector<Ball3<double>> of_size_one;
+    for (const auto& b : balls)
+      of_size_one.push_back({times_power_of_two(Vec<double, 3>(b.center - balls[0].center), -scaling), std::scalbn(b.radius, -scaling)});
+    const Vec<double, 3> center = smallest_ball_of_balls(of_size_one).center;
+    return ball_about(balls[0].center + times_power_of_two(center, scaling), balls);
+  }
   auto smallest = solve<Quick>(balls);
   const double* c = smallest.center_cartesian_begin();
   const Ball3<double> out = ball_about({c[0], c[1], c[2]}, balls);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "algorithms/batch/single_precision.hpp"
+#include "algorithms/packs/float_above.hpp"
 #include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
@@ -45,10 +46,14 @@ const PackedBalls& BatchRefit::linear(const SkinningPose<double>& pose, Target t
   for (std::size_t s = 0; s < pose.size(); ++s) {
     const JointSetPose<double> set = pose[s];
     first_number_.push_back(static_cast<int>(numbers_.size()));
-    double size = 0;
-    for (const auto& t : set.transforms) size = std::max(size, squared_norm(t.translation));
+    double size = 0, defect = 0;
+    for (const auto& t : set.transforms) {
+      size = std::max(size, squared_norm(t.translation));
+      defect = std::max(defect, std::abs(squared_norm(t.rotation) - 1));
+    }
     const auto joints = static_cast<float>(set.transforms.size());
     numbers_.push_back(epsilon * (8 + joints) * (static_cast<float>(checked_single(1.001 * std::sqrt(size))) + packed_.largest_reference()));
+    numbers_.push_back(float_above(2 * (defect + 0x1p-48)));  // what is below the rounding of ||q||^2 included
     for (const auto& t : set.transforms) {
       Point3 column[3];
       for (int i = 0; i < 3; ++i) column[i] = rotate<double>(t.rotation, Point3::Unit(i));

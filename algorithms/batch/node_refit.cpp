@@ -94,7 +94,7 @@ float NodeRefit::place_corners(const NodeJointSet& piece, const Four& p, Corner*
   const Four x = p - set.rotation_center;
   const float longer = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);  // than x
   const float slack = epsilon * static_cast<float>(66 + 2 * set.joint_count);
-  if (piece.corner_count == 1 && !std::isnan(direction[0])) {
+  if (piece.corner_count == 1 && longest_inverse < std::numeric_limits<float>::infinity()) {
     out[0].center += rotated(direction, x);
     return slack * (longer * longest_inverse + set.size);
   }

@@ -75,7 +75,7 @@ class Weights {
 // Algorithm 1 repaired. joints and corners are how many the set has, or 0 if that is only known at run time.
 struct Spherical {
   template <int joints, int corners>
-  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, Reader& read,
+  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S&, Reader& read,
                            Quaternion<S>* units, CornerBalls& out) {
     const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
     ByJoint<RigidTransform<S>, joints> transforms(n);
@@ -131,16 +131,17 @@ struct Spherical {
 
 struct Linear {
   template <int joints, int corners>
-  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, Reader& read, Quaternion<S>*,
-                           CornerBalls& out) {
+  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S& r, Reader& read,
+                           Quaternion<S>*, CornerBalls& out) {
     const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
     ByJoint<Vec<S, 3>, joints> images(n);
     Weights<joints> weights(n);
-    out.radius = S(*numbers++);
+    const S slack(*numbers++), stretch(*numbers++);
+    out.radius = slack + stretch * r;
     for (int i = 0; i < n; ++i)
       for (int row = 0; row < 3; ++row) {
-        const Vec<S, 3> r = broadcast<3>(numbers);
-        images[i][row] = dot(r, p) + S(*numbers++);
+        const Vec<S, 3> of_rotation = broadcast<3>(numbers);
+        images[i][row] = dot(of_rotation, p) + S(*numbers++);
       }
     out.offset = out.sum = Vec<S, 3>(S(0), S(0), S(0));
     for (int k = 0; k < m; ++k) {
@@ -152,17 +153,17 @@ struct Linear {
 };
 
 template <class Blending>
-void corner_balls(const BlockSet& set, const FrameNumbers& frame, const Vec<S, 3>& p, Reader& read, Quaternion<S>* units,
-                  CornerBalls& out) {
+void corner_balls(const BlockSet& set, const FrameNumbers& frame, const Vec<S, 3>& p, const S& r, Reader& read,
+                  Quaternion<S>* units, CornerBalls& out) {
   const float* numbers = frame.numbers + frame.first[set.joint_set];
   switch (set.joint_count) {
-    case 1: return Blending::template corner_balls<1, 1>(set, numbers, p, read, units, out);
+    case 1: return Blending::template corner_balls<1, 1>(set, numbers, p, r, read, units, out);
     case 2:
-      if (set.corner_count == 2) return Blending::template corner_balls<2, 2>(set, numbers, p, read, units, out);
-      return Blending::template corner_balls<2, 1>(set, numbers, p, read, units, out);
-    case 3: return Blending::template corner_balls<3, 0>(set, numbers, p, read, units, out);
-    case 4: return Blending::template corner_balls<4, 0>(set, numbers, p, read, units, out);
-    default: return Blending::template corner_balls<0, 0>(set, numbers, p, read, units, out);
+      if (set.corner_count == 2) return Blending::template corner_balls<2, 2>(set, numbers, p, r, read, units, out);
+      return Blending::template corner_balls<2, 1>(set, numbers, p, r, read, units, out);
+    case 3: return Blending::template corner_balls<3, 0>(set, numbers, p, r, read, units, out);
+    case 4: return Blending::template corner_balls<4, 0>(set, numbers, p, r, read, units, out);
+    default: return Blending::template corner_balls<0, 0>(set, numbers, p, r, read, units, out);
   }
 }
 
@@ -187,7 +188,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
         const BlockSet& set = all.sets[block->first_set + e];
         CornerBalls& own = of_set[e];
         own.center = scratch.centers.data() + corners;
-        corner_balls<Blending>(set, frame, p, read, scratch.units.data(), own);
+        corner_balls<Blending>(set, frame, p, r, read, scratch.units.data(), own);
         sum = sum + own.sum;
         corners += set.corner_count;
       }
@@ -215,11 +216,10 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
     const BlockSet& set = all.sets[block->first_set];
     for (int first = 0; first < Lanes<float>::count; first += pack_size) {
       Reader read(all.data + block->first_data, first);
-      const S px = read(), py = read(), pz = read();
-      read();  // r, which only the merged node needs
+      const S px = read(), py = read(), pz = read(), r = read();
       CornerBalls own;
       own.center = scratch.centers.data();
-      corner_balls<Blending>(set, frame, {px, py, pz}, read, scratch.units.data(), own);
+      corner_balls<Blending>(set, frame, {px, py, pz}, r, read, scratch.units.data(), own);
       const int* targets = all.targets + block->first_target + first;
       for (int k = 0; k < set.corner_count; ++k) {
         alignas(64) float numbers[4][pack_size];

@@ -7,8 +7,10 @@
 // difference x are off by (n + 4) u times their sizes. All of that is less than
 //     epsilon (64 + 2 n) (||x|| / min ||q'_k|| + size),     epsilon = 2 u, size = max ||r_i|| + 2 ||r_c||,
 // which is added to the radius, and the sums of radii are less than 8 epsilon times the radius off. The means need no
-// bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||).
-// Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few of them.
+// bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||), and,
+// as of rotations whose ||q_i||^2 = 1 + e are off by e (pose_rounding.hpp), 2 |e| r.
+// Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few
+// of them (balls/round_up.hpp).
 #pragma once
 
 #include "algorithms/balls/round_up.hpp"
@@ -21,7 +23,7 @@ namespace refitlab {
 inline constexpr float underflow_slack = underflow_of_distance<float>();  // of each radius
 
 // Numbers of one joint-set in one frame. Spherical: r_c (3), size (1), then q_i (4) and r_i (3) of each joint. Linear: slack
-// (1), then the rows of R_i and t_i, (3 + 1) x 3, of each joint.
+// (1), what r is stretched by (1), then the rows of R_i and t_i, (3 + 1) x 3, of each joint.
 struct FrameNumbers {
   const float* numbers;
   const int* first;  // by joint-set

@@ -3,7 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <vector>
 
+#include "algorithms/balls/scaling.hpp"
 #include "algorithms/packs/float_environment.hpp"
 
 namespace refitlab {
@@ -57,6 +59,13 @@ std::pair<Point, Point> long_side(std::span<const Ball3<double>> balls) {
 
 std::array<Quaternion<double>, 5> box_orientations(std::span<const Ball3<double>> balls) {
   const DefaultFloatEnvironment environment;
+  double size = 0;
+  for (const auto& b : balls) size = std::max(size, (b.center - balls[0].center).cwiseAbs().maxCoeff());
+  if (const int scaling = scaling_of(size); scaling != 0) {
+    std::vector<Ball3<double>> of_size_one;
+    for (const auto& b : balls) of_size_one.push_back({times_power_of_two(Point(b.center - balls[0].center), -scaling), 0});
+    return box_orientations(of_size_one);
+  }
   const auto ends = long_side(balls);
   const Point a = ends.first, b = ends.second, side = b - a;
   const auto squared_area = [&](const Ball3<double>& ball) { return side.cross(ball.center - a).squaredNorm(); };

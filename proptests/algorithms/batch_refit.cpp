@@ -1,15 +1,18 @@
 #include "algorithms/batch/batch_refit.hpp"
 #include "algorithms/batch/node_refit.hpp"
+#include "algorithms/batch/single_precision.hpp"
 
 #include <algorithm>
 #include <random>
 
 #include "algorithms/model/procedural.hpp"
+#include "algorithms/queries/exact_skin.hpp"
 #include "algorithms/refit/algorithm1_repaired.hpp"
 #include "algorithms/refit/linear.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {
@@ -17,16 +20,41 @@ namespace {
 
 using namespace refitlab;
 
-Posture random_posture(const Model& model, unsigned seed, double calm) {
+// defect: of the squared lengths of all quaternions.
+Posture random_posture(const Model& model, unsigned seed, double calm, double defect) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   Posture posture = reference_posture(model);
   for (auto& t : posture) {
     t.rotation = {calm + normal(random), normal(random), normal(random), normal(random)};
-    t.rotation.normalize();
+    t.rotation = gen::of_defect(t.rotation.normalized(), defect);
     t.translation = {normal(random), normal(random), normal(random)};
   }
   return posture;
+}
+
+// Of vectors of unit length, that their greatest angle to their mean is within float's rounding of what makes the cap of
+// their rotations' images a half-sphere, or their own.
+bool is_near_a_right_angle(const std::vector<Quaternion<double>>& unit) {
+  Quaternion<double> sum = Quaternion<double>::Zero();
+  for (const auto& q : unit) sum += q;
+  double far = 0;
+  for (const auto& q : unit) far = std::max(far, squared_distance<double, 4>(q, sum.normalized()) / 4);
+  return !(std::abs(8 * far * (1 - far) - 1) > 1e-3) || !(sum.norm() > 1e-3);
+}
+
+// By the last bit; most are far from the edge.
+bool exact_encloses(const Ball3<double>& ball, const Point3& v) {
+  if (norm<double, 3>(v - ball.center) * (1 + 1e-14) + 1e-150 < ball.radius) return true;
+  return !std::isfinite(ball.radius) ||
+         encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(v)) == Verdict::holds;
+}
+
+// Certainly so: near a right angle, and near a half-sphere of quaternions, float may know it otherwise.
+bool is_any_rotation(const RefitNode<double>& node, const NodeJointSet& set) {
+  std::vector<Quaternion<double>> unit;
+  return set.corner_count > 1 && bound_joint_set_rotations<MeanBalls>(node, set, unit).center_ratio == 0 &&
+         !is_near_a_right_angle(unit);
 }
 
 // What rounding may do to a node's ball, by the formulas of refit_kernel.hpp.
@@ -37,20 +65,91 @@ double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning 
   for (const NodeJointSet& set : node.joint_sets) {
     const JointSetPose<double> pose = node.pose[set.joint_set];
     const auto n = static_cast<double>(pose.transforms.size());
-    double size = 0, shortest = 1;
-    for (const auto& t : pose.transforms) size = std::max(size, t.translation.norm());
+    double size = 0, shortest = 1, defect = 0;
+    for (const auto& t : pose.transforms) {
+      size = std::max(size, t.translation.norm());
+      defect = std::max(defect, std::abs(squared_norm(t.rotation) - 1));
+    }
     if (skinning == Skinning::linear) {
-      slack = std::max(slack, epsilon * (8 + n) * (size + largest));
+      slack = std::max(slack, epsilon * (8 + n) * (size + largest) + 2 * (defect + 0x1p-48) * node.reference.radius);
       continue;
     }
     size = 0;
     for (const auto& image : pose.center_images) size = std::max(size, image.norm());
-    for (int k = 0; k < set.corner_count; ++k)
-      shortest = std::min(shortest, norm(blend_quaternion<double>(pose, node.corner(set, k))));
+    if (!is_any_rotation(node, set))  // of which none would be off
+      for (int k = 0; k < set.corner_count; ++k)
+        shortest = std::min(shortest, norm(blend_quaternion<double>(pose, node.corner(set, k))));
     const double x = (node.reference.center - pose.rotation_center).lpNorm<1>();
     slack = std::max(slack, epsilon * (66 + 2 * n) * (x / shortest + size + 2 * pose.rotation_center.norm()));
   }
   return 1.01 * slack;
+}
+
+// Nothing if the balls of a model that may be at any end of what is accepted hold all vertices, skinned exactly and in
+// double; by the last bit.
+std::string what_is_missed(const gen::WideModel& wide) {
+  const Model& model = wide.model;
+  const JointSets sets(model);
+  const SphereTree tree = build_sphere_tree(model, sets, {.triangles_per_leaf = wide.triangles_per_leaf});
+  const NodeVertices vertices(tree, model);
+  for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::hejl}) {
+    const auto pose = make_skinning_pose(model, sets, wide.posture, skinning);
+    const auto deformed = skin(model, sets, pose, skinning);
+    ExactSkin exact(model, sets, pose, skinning);
+    const auto complaint = [&](const std::string& how, auto&& ball_of) -> std::string {
+      for (int n = 0; n < static_cast<int>(tree.nodes.size()); ++n) {
+        const Ball3<float> of_floats = ball_of(n);
+        const Ball3<double> ball{of_floats.center.cast<double>(), of_floats.radius};
+        const std::string which = "node " + std::to_string(n) + " of skinning " + std::to_string(int(skinning)) + " by " + how;
+        if (!ball.center.allFinite() || !(ball.radius >= 0)) return which + " is not a ball";
+        if (wide.largest_length < 0x1p40 && !std::isfinite(ball.radius)) return which + " is all of space";
+        for (const int v : vertices[n])
+          if (!exact.is_in(ball, v) || !exact_encloses(ball, deformed[v])) return which + " misses vertex " + std::to_string(v);
+      }
+      return "";
+    };
+    try {
+      BatchRefit batch(tree, sets);
+      for (const Target target : available_targets()) {
+        const PackedBalls& balls = skinning == Skinning::linear ? batch.linear(pose, target) : batch.spherical(pose, target);
+        if (const auto wrong = complaint(name_of(target), [&](int n) { return balls[n]; }); !wrong.empty()) return wrong;
+      }
+      if (skinning == Skinning::linear) continue;
+      NodeRefit one(tree, sets);
+      one.begin(pose);
+      if (const auto wrong = complaint("NodeRefit", [&](int n) { return one(n); }); !wrong.empty()) return wrong;
+    } catch (const std::range_error& e) {  // only for what is too large
+      if (wide.largest_length < 0x1p54) return e.what();
+    }
+  }
+  return "";
+}
+
+// An octahedron about the origin, all of whose vertices are as far out as its ball is wide, between joints that turn it
+// alike, by a half-turn about an axis, and move its parts a little way to both sides: so much and no less is the least ball.
+gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(0.98, 1.02);
+  const int joints = 1 + static_cast<int>(random() % 3), axis = static_cast<int>(random() % 3);
+  const double r = uniform(random), way = std::ldexp(uniform(random), -static_cast<int>(random() % 12) - 1);
+  gen::WideModel out;
+  out.model.name = "octahedron";
+  for (int j = 0; j < joints; ++j) out.model.joints.push_back({"joint " + std::to_string(j), j - 1, Point3::Zero()});
+  for (int i = 0; i < 3; ++i)
+    for (const int side : {1, -1}) {
+      out.model.vertices.push_back(Point3::Unit(i) * (side * r));
+      // The turned vertex goes on outwards.
+      out.model.influences.push_back({{i == axis && side == 1 ? joints - 1 : 0, 1}});
+    }
+  out.model.triangles = {{0, 2, 4}, {1, 3, 5}};
+  out.triangles_per_leaf = 1 + static_cast<int>(random() % 2);
+  const int about = (axis + 1) % 3;
+  const double defects[] = {0, 1e-7, 1e-6, -1e-6};
+  const double defect = defects[random() % 4];
+  for (int j = 0; j < joints; ++j)
+    out.posture.push_back({gen::of_defect(Quaternion<double>::Unit(1 + about), defect), Point3::Unit(axis) * (j == 0 ? way : -way)});
+  out.largest_length = 2;
+  out.what = std::to_string(joints) + " joints, r " + std::to_string(r);
+  return out;
 }
 
 // A node of one joint-set whose rotations are not all.
@@ -96,7 +195,7 @@ std::string what_is_wrong(const Model& model, const Posture& posture, Skinning s
       // The center is a mean, so many terms of which may be off by more: a ball is measured from whatever came out.
       if (!(off <= slack * (1 + corners / 64.))) return which + ": center off by " + std::to_string(off / slack) + " slacks";
       if (!(radius >= expected.radius - off)) return which + ": smaller than in double";
-      if (skinning == Skinning::spherical && is_bounded(node) && !(radius >= expected.radius - off + 0.8 * slack))
+      if ((skinning == Skinning::linear ? node.joint_sets.size() == 1 : is_bounded(node)) && !(radius >= expected.radius - off + 0.8 * slack))
         return which + ": without the slack, " + std::to_string((radius - expected.radius) / slack) + " of it";
       if (!(radius <= (expected.radius + off + 2 * slack) * (1 + 2e-6))) return which + ": larger than the slack allows";
       for (const int v : vertices[n])
@@ -116,7 +215,8 @@ PROPTEST(batch_refit) {
               const auto plan = *gen::mesh_plan();
               RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
               const Model model = gen::make_mesh(plan);
-              const auto posture = random_posture(model, plan.seed, *rc::gen::element(0., 1., 5.));
+              const double defect = *rc::gen::element(0., 1e-7, 1e-6, -1e-6);
+              const auto posture = random_posture(model, plan.seed, *rc::gen::element(0., 1., 5.), defect);
               RC_ASSERT(what_is_wrong(model, posture, skinning) == "");
             });
     t.example("the same of the built-in man and creature in mid-clip: " + name, {.number_type = "float pack"}, [skinning] {
@@ -150,6 +250,65 @@ PROPTEST(batch_refit) {
             const auto wrong = what_is_wrong(soup.model, soup.posture, Skinning::spherical);
             if (!wrong.empty()) RC_FAIL(wrong);
           });
+  t.holds("nor of what the interface accepts at its ends, be it skinned exactly: tiny, huge, of many joints, of lengths off 1",
+          {.number_type = "float pack", .cases = 1500, .degenerate_at_least = 0.5}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const gen::WideModel wide = gen::wide_model(random);
+            RC_CLASSIFY(wide.largest_length < 0x1p-126 || wide.largest_length > 0x1p50 || wide.model.joints.size() > 4,
+                        "degenerate");
+            RC_CLASSIFY(wide.model.joints.size() > 30);
+            RC_CLASSIFY(wide.largest_length < 0x1p-126, "tiny");
+            if (const auto wrong = what_is_missed(wide); !wrong.empty()) RC_FAIL(wrong + ": " + wide.what);
+          });
+  t.example("nor where the bound is attained: vertices on the edge of their ball, moved outwards by joints that turn them alike",
+            {.number_type = "float pack"}, [] {
+              std::mt19937 random(2006);
+              constexpr long cases = 3000;
+              for (long c = 0; c < cases; ++c) {
+                const gen::WideModel wide = where_the_bound_is_attained(random);
+                if (const auto wrong = what_is_missed(wide); !wrong.empty()) return Checked(false, c, wrong + ": " + wide.what);
+              }
+              return Checked(true, cases);
+            });
+  t.example("lengths are taken up to 2^58, by 0.1 % more or less for rounding, and refused beyond, be they of a node or of a joint", {}, [] {
+    long refused = 0, taken = 0;
+    for (const double share : {0.998, 1.002})
+      for (const bool moved : {true, false}) {
+        const double length = share * largest_single_length;
+        Model model;
+        model.name = "a far triangle";
+        model.joints = {{"a", -1, Point3::Zero()}};
+        const Point3 p(moved ? 0 : length, 0, 0);
+        model.vertices = {p, p + Point3::UnitY(), p + Point3::UnitZ()};
+        model.triangles = {{0, 1, 2}};
+        model.influences.assign(3, {{0, 1}});
+        Posture posture = reference_posture(model);
+        if (moved) posture[0].translation = {length, 0, 0};
+        const JointSets sets(model);
+        const SphereTree tree = build_sphere_tree(model, sets);
+        for (const Skinning skinning : {Skinning::linear, Skinning::spherical})
+          for (const bool one_by_one : {true, false}) {
+            if (one_by_one && skinning == Skinning::linear) continue;
+            try {
+              const auto pose = make_skinning_pose(model, sets, posture, skinning);
+              Ball3<float> ball;
+              if (one_by_one) {
+                NodeRefit one(tree, sets);
+                one.begin(pose);
+                ball = one(0);
+              } else {
+                BatchRefit batch(tree, sets);
+                ball = (skinning == Skinning::linear ? batch.linear(pose) : batch.spherical(pose))[0];
+              }
+              if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return Checked(false, taken, "not finite");
+              taken += share < 1;
+            } catch (const std::range_error&) {
+              refused += share > 1;
+            }
+          }
+      }
+    return Checked(taken == 6 && refused == 6, taken + refused);
+  });
   t.example("of the built-in man's nodes most are refitted whole and some are merged, in lanes of unlike corners too", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);

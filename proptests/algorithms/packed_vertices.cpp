@@ -7,6 +7,7 @@
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "proptests/gen/posed_model.hpp"
+#include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {
@@ -70,6 +71,15 @@ PROPTEST(packed_vertices) {
             const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(kinds), std::end(kinds)));
             const auto pose = make_skinning_pose(posed.model, sets, posed.posture, skinning);
             RC_ASSERT(is_as_skin(packed, posed.model, sets, pose, skinning));
+          });
+  t.holds("also at the ends of what is accepted: up to 90 joints a joint-set, tiny and huge, quaternions off unit length",
+          {.number_type = "double pack", .cases = 200}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const gen::WideModel wide = gen::wide_model(random);
+            const JointSets sets(wide.model);
+            const PackedVertices packed(wide.model, sets);
+            for (const Skinning skinning : kinds)
+              RC_ASSERT(is_as_skin(packed, wide.model, sets, make_skinning_pose(wide.model, sets, wide.posture, skinning), skinning));
           });
   t.example("the built-in man and creature are, as a whole, in mid-clip", {.number_type = "double pack"}, [] {
     long checked = 0;

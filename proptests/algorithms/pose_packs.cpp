@@ -5,6 +5,7 @@
 #include "algorithms/model/procedural.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {
@@ -57,6 +58,21 @@ PROPTEST(pose_packs) {
           }
         }
       });
+  t.holds("also at the ends of what is accepted: up to 90 joints a joint-set, tiny and huge, quaternions off unit length",
+          {.number_type = "double", .cases = 200}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const gen::WideModel wide = gen::wide_model(random);
+            const JointSets sets(wide.model);
+            for (const Skinning skinning : all_skinnings) {
+              const PosePacks packs(wide.model, sets, skinning);
+              const auto expected = make_skinning_pose(wide.model, sets, wide.posture, skinning);
+              SkinningPose<double> pose;
+              for (const Target target : available_targets()) {
+                packs.make(wide.posture, pose, target);
+                RC_ASSERT(are_equal(pose, expected));
+              }
+            }
+          });
   t.example("also those of a man who walks, with joint-sets of one to four joints", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);

@@ -88,6 +88,11 @@ std::vector<ExtremeModel> extreme_models() {
   };
   add("coordinates of 1e30", scaled(tube(3), 1e30), 1e30);
   add("coordinates of 1e-30", scaled(tube(3), 1e-30), 1e-30);
+  add("coordinates of 1e-79, whose fourth powers underflow", scaled(tube(3), 1e-79), 1e-79);
+  add("coordinates of 1e-120", scaled(tube(3), 1e-120), 1e-120);
+  add("coordinates of 1e-160, whose squares underflow", scaled(tube(3), 1e-160), 1e-160);
+  add("coordinates of 1e-310, denormals", scaled(tube(3), 1e-310), 1e-310);
+  add("coordinates of 1e39, the largest", scaled(tube(3), 1e39), 1e39);
   add("coordinates of 1e-30, moved by 1", scaled(tube(3), 1e-30), 1);
   add("coordinates of 1, moved by 1e30", tube(3), 1e30);
   Model far_vertex = tube(3), close_vertices = tube(3);
