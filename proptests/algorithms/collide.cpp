@@ -127,9 +127,11 @@ PROPTEST(collide) {
             const double most = *rc::gen::element(1.0, 1000.0, 1e15, 1e30, 1e150, 1e300);
             const RigidTransform<double> first = gen::accepted_placement(random, most);
             RigidTransform<double> second = first;
+            if (*rc::gen::arbitrary<bool>()) second.rotation.normalize();
             second.translation = apply(first, Point3(2, 0, 0));  // so that its corner at the origin is the first one's other
             QueryCounts counts;
             RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
+            RC_ASSERT(collide({body, second}, {body, first}, Query::full, counts).size() == 1);
           });
   t.holds("so are they at every scale at which vertices are numbers",
           {.number_type = "double", .cases = 500}, [] {

@@ -66,15 +66,18 @@ Attained attained(std::mt19937& random, const AttainedOptions& options) {
   const int joints = options.joints ? options.joints : one_of({1, 2, 3, 4, 5, 6, 8, 9, 16, 17, 90}, random);
   const double radius = options.unit * one_of({1.0, 1 - 0x1p-40, 1.9, 0.1 + 0.9 * std::abs(u(random))}, random);
   const Point3 center =
-      random() % 2 ? Point3(0, 0, 0) : Point3(u(random), u(random), u(random)) * options.unit * one_of({1.0, 10.0}, random);
+      random() % 2 ? Point3(0, 0, 0) : Point3(u(random), u(random), u(random)) * options.unit * one_of({1.0, 10.0, 1e4}, random);
   Attained out{.model = {}, .posture = {}, .placement = accepted_placement(random, options.far), .size = 0, .what = ""};
   Model& m = out.model;
   m.name = "octahedron";
   add_joints(m, joints, center);
+  const bool are_weights_one = random() % 2;  // of all vertices
   std::vector<std::pair<int, double>> weights;
-  for (int j = 0; j < joints; ++j) weights.emplace_back(j, random() % 2 ? 1 : 0.1 + std::abs(u(random)));
   for (int axis = 0; axis < 3; ++axis)
     for (const int sign : {1, -1}) {
+      if (!are_weights_one) weights.clear();
+      for (int j = static_cast<int>(weights.size()); j < joints; ++j)
+        weights.emplace_back(j, random() % 2 ? 1 : 0.01 + std::abs(u(random)));
       m.vertices.push_back(center + Point3::Unit(axis) * (sign * radius));
       m.influences.emplace_back();
       for (const auto& [joint, weight] : quantize_weights(weights)) m.influences.back().push_back({joint, weight});
