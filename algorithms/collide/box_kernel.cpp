@@ -71,7 +71,8 @@ class BoxKernel {
   // for its numerator and 120 u * 8/3 (2 |x| + |r|) for its denominator: below 1450 u |x| + 800 u |r|. Turning it adds
   // 8 u of its size, and x itself is off by 3 u (|x| + |p|). For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) >
   // 1/6, the same steps end below 850 u |p| + 1600 u 2 |d|; linear blending stays below 50 u of its sizes. 2048 u of
-  // the sum of all sizes leaves a fourth for what was rounded here.
+  // the sum of all sizes leaves a fourth for what was rounded here, and for quaternions whose squared lengths are off by
+  // 1e-6: the placement's, and the joint's in linear blending, stretch the radius by 34 u each.
   static constexpr float slack = 2048 * 0x1p-24f;
 
   template <int N>

@@ -18,6 +18,9 @@ namespace refitlab {
 
 inline constexpr int box_lanes = 16;
 inline constexpr int most_box_joints = 4;  // of a piece in a pack
+// Boxes are wider than their vertices by this at least, which is more than what underflows of a control point: less than
+// 1e5 times 2^-150. Of lengths that are greater than the other sums of products might overflow.
+inline constexpr float least_box = 1e-37f, largest_box = 1e35f;
 
 // Plain arrays by lane. Lanes beyond the last piece repeat it.
 struct BoxPack {
@@ -25,7 +28,7 @@ struct BoxPack {
   alignas(64) std::int32_t set[box_lanes];                    // the joint-set
   alignas(64) float low[most_box_joints][box_lanes];          // the least weights of its joints
   alignas(64) float rest[box_lanes];                          // 1 - sum low
-  alignas(64) float center[3][box_lanes], radius[box_lanes];  // the reference ball, not rounded inwards
+  alignas(64) float center[3][box_lanes], radius[box_lanes];  // the reference ball, with least_box; infinite if too large
   std::int32_t target[box_lanes];                             // the box it belongs to
 };
 
@@ -47,14 +50,16 @@ struct JointFloats {
   std::vector<float> slots;
   std::vector<float> centers;   // r_c of each joint-set, eight floats each, of which three are used
   std::vector<int> first_slot;  // by joint-set
+  float largest = 0;            // of the coordinates that the skinning looks at
 
   explicit JointFloats(const JointSets& sets);
   void fill(const SkinningPose<double>& pose, Skinning skinning);
 };
 
-// Encloses all vertices of each node after skinning and then turning by rotation (unit): boxes[target] for every
-// target. Everything is rounded outwards by more than float can have lost. A piece that blends rotations far apart gets
-// a box that holds it however it turns; where not even that is known (dual quaternions), an infinite one.
+// Encloses all vertices of each node after skinning and then turning by rotation: boxes[target] for every target. The
+// squared lengths of rotation and of the joints' quaternions are within 1e-6 of 1. Everything is rounded outwards by more
+// than float can have lost. A piece that blends rotations far apart gets a box that holds it however it turns; where not
+// even that is known (dual quaternions, lengths beyond largest_box), an infinite one.
 void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
                  const SkinningPose<double>& pose, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
                  Target target = best_target());

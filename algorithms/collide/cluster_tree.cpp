@@ -23,36 +23,62 @@ ClusterTree::ClusterTree(const Character& character, const ClusterOptions& optio
     : character_(&character), options_(options), vertices_(character.model, character.sets, {}) {
   const DefaultFloatEnvironment environment;
   check(options);
-  add_fan(0);
+  add_fan(part_of_node(0));
   pack_clusters();
 }
 
-// The node of most triangles that is no cluster is opened as long as there is room for its children. A root that is a
-// cluster is a fan of itself.
-int ClusterTree::add_fan(int node) {
-  const SphereTree& tree = character_->tree;
-  const auto is_cluster = [&](int n) {
-    return tree.nodes[n].triangle_count <= options_.most_triangles || tree.nodes[n].child_count == 0;
-  };
-  std::vector<int> open{node};
+ClusterTree::Part ClusterTree::part_of_node(int node) const {
+  const TreeNode& n = character_->tree.nodes[node];
+  return {node, n.first_triangle, n.triangle_count};
+}
+
+std::vector<ClusterTree::Part> ClusterTree::children_of(const Part& part) const {
+  std::vector<Part> out;
+  if (part.node >= 0) {
+    const TreeNode& n = character_->tree.nodes[part.node];
+    for (int c = n.first_child; c < n.first_child + n.child_count; ++c) out.push_back(part_of_node(c));
+  }
+  if (!out.empty()) return out;
+  const int half = part.triangle_count / 2;
+  return {{-1, part.first_triangle, half}, {-1, part.first_triangle + half, part.triangle_count - half}};
+}
+
+// Distinct, in increasing order.
+std::vector<int> ClusterTree::vertices_of(const Part& part) const {
+  if (part.node >= 0) {
+    const auto vertices = character_->vertices[part.node];
+    return {vertices.begin(), vertices.end()};
+  }
+  std::vector<int> out;
+  for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+    for (const int v : character_->model.triangles[character_->tree.triangle_order[t]]) out.push_back(v);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+// The part of most triangles is opened as long as it is too large for a cluster and there is room for its children. A
+// root that is a cluster is a fan of itself.
+int ClusterTree::add_fan(const Part& part) {
+  const auto is_cluster = [&](const Part& p) { return p.triangle_count <= options_.most_triangles; };
+  std::vector<Part> open{part};
   for (bool is_first = true;; is_first = false) {
-    const auto most = std::max_element(open.begin(), open.end(), [&](int a, int b) {
-      return std::pair(!is_cluster(a), tree.nodes[a].triangle_count) <
-             std::pair(!is_cluster(b), tree.nodes[b].triangle_count);
-    });
-    const TreeNode& n = tree.nodes[*most];
-    if (is_cluster(*most) || (!is_first && static_cast<int>(open.size()) - 1 + n.child_count > options_.most_children))
-      break;
-    const int first = n.first_child;
-    *most = first;
-    for (int c = first + 1; c < first + n.child_count; ++c) open.push_back(c);
+    const auto most = std::max_element(
+        open.begin(), open.end(), [](const Part& a, const Part& b) { return a.triangle_count < b.triangle_count; });
+    if (is_cluster(*most)) break;
+    const std::vector<Part> below = children_of(*most);
+    if (!is_first && open.size() - 1 + below.size() > static_cast<std::size_t>(options_.most_children)) break;
+    *most = below[0];
+    open.insert(open.end(), below.begin() + 1, below.end());
   }
   // In the order of their triangles, so that neighbours in the fan are neighbours in space.
   std::sort(open.begin(), open.end(),
-            [&](int a, int b) { return tree.nodes[a].first_triangle < tree.nodes[b].first_triangle; });
+            [](const Part& a, const Part& b) { return a.first_triangle < b.first_triangle; });
 
   const int fan = static_cast<int>(fans_.size());
-  const std::vector<NodePiece> pieces = pieces_of_nodes(*character_, open);
+  std::vector<std::vector<int>> vertices;
+  for (const Part& p : open) vertices.push_back(vertices_of(p));
+  const std::vector<NodePiece> pieces = pieces_of_vertices(*character_, vertices);
   fans_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()),
                    make_box_pieces(*character_, pieces), make_reach_packs(*character_, pieces)});
   children_.resize(children_.size() + open.size());
@@ -63,19 +89,17 @@ int ClusterTree::add_fan(int node) {
   return fan;
 }
 
-int ClusterTree::add_cluster(int node) {
-  const TreeNode& n = character_->tree.nodes[node];
-  clusters_.push_back({0, static_cast<int>(groups_.size()), (n.triangle_count + group_size - 1) / group_size});
+int ClusterTree::add_cluster(const Part& part) {
+  clusters_.push_back({0, static_cast<int>(groups_.size()), (part.triangle_count + group_size - 1) / group_size});
   groups_.resize(groups_.size() + clusters_.back().group_count);
-  cluster_nodes_.push_back(node);
+  cluster_parts_.push_back(part);
   return static_cast<int>(clusters_.size()) - 1;
 }
 
 void ClusterTree::pack_clusters() {
   const Model& model = character_->model;
   std::vector<std::vector<int>> vertices;
-  for (const int node : cluster_nodes_)
-    vertices.emplace_back(character_->vertices[node].begin(), character_->vertices[node].end());
+  for (const Part& part : cluster_parts_) vertices.push_back(vertices_of(part));
   vertices_ = PackedVertices(model, character_->sets, vertices);
   std::vector<std::uint16_t> place_of(model.vertices.size());
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
@@ -84,10 +108,10 @@ void ClusterTree::pack_clusters() {
     cluster.corner_count = static_cast<int>(places.size());
     for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
 
-    const TreeNode& node = character_->tree.nodes[cluster_nodes_[c]];
-    for (int t = 0; t < node.triangle_count; ++t) {
+    const Part& part = cluster_parts_[c];
+    for (int t = 0; t < part.triangle_count; ++t) {
       TriangleGroup& group = groups_[cluster.first_group + t / group_size];
-      const int triangle = character_->tree.triangle_order[node.first_triangle + t];
+      const int triangle = character_->tree.triangle_order[part.first_triangle + t];
       group.count = t % group_size + 1;
       group.triangles[t % group_size] = triangle;
       for (int i = 0; i < 3; ++i) group.corners[t % group_size][i] = place_of[model.triangles[triangle][i]];

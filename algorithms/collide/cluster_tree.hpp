@@ -12,11 +12,12 @@
 
 namespace refitlab {
 
-inline constexpr int most_cluster_triangles = 4096;  // so that places fit 16 bits, padding included
+// So that places fit 16 bits even if each corner is alone in its joint-set, and so in eight lanes.
+inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<double>::count);
 
 struct ClusterOptions {
-  int most_triangles = 256;  // of a cluster; at least 1
-  int most_children = 16;    // of a fan; at least 2
+  int most_triangles = 256;  // of a cluster; from 1 to most_cluster_triangles
+  int most_children = 16;    // of a fan, at least 2; but a node of the sphere tree that has more makes a fan of its own
 };
 
 struct Cluster {
@@ -50,8 +51,18 @@ class ClusterTree {
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
 
  private:
-  int add_fan(int node);
-  int add_cluster(int node);
+  // Triangles side by side in SphereTree::triangle_order: those of a node, or some of a leaf's, which is halved until
+  // clusters have as few as they should.
+  struct Part {
+    int node;  // -1 for some of a leaf's
+    int first_triangle, triangle_count;
+  };
+
+  Part part_of_node(int node) const;
+  std::vector<Part> children_of(const Part& part) const;
+  std::vector<int> vertices_of(const Part& part) const;
+  int add_fan(const Part& part);
+  int add_cluster(const Part& part);
   void pack_clusters();
 
   const Character* character_;
@@ -60,7 +71,7 @@ class ClusterTree {
   std::vector<FanChild> children_;
   std::vector<Cluster> clusters_;
   std::vector<TriangleGroup> groups_;
-  std::vector<int> cluster_nodes_;  // in the sphere tree
+  std::vector<Part> cluster_parts_;
   PackedVertices vertices_;
 };
 

@@ -50,7 +50,8 @@ class Traversal {
     const Ball3<double>&p = first_.body.ball(a), &q = second_.body.ball(b);
     const double radii = p.radius + q.radius, size = upper_norm(p.center) + upper_norm(q.center) + radii + way_;
     const double reach = radii + slack_ * size;  // by far more than the rounding here
-    return squared_distance<double, 3>(p.center, apply(to_first_, q.center)) > reach * reach;
+    constexpr double least = 1e-300;  // of what is less, squares lose digits by underflow
+    return squared_distance<double, 3>(p.center, apply(to_first_, q.center)) > reach * reach + least;
   }
 
   // Goes down on the side of the larger ball.

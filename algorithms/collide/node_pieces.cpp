@@ -12,7 +12,7 @@ namespace {
 
 // A ball around the points whose numbers are floats.
 Ball3<double> float_ball(const std::vector<Point3>& points) {
-  const Point3 center = smallest_ball<double, 3>(points).center.cast<float>().cast<double>();
+  const Point3 center = middle_of(points).cast<float>().cast<double>();
   double radius = 0;
   for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
   return {center, float_above(radius * (1 + 1e-15))};
@@ -39,16 +39,27 @@ NodePiece piece_of(const Character& c, int joint_set, const std::vector<int>& ve
 
 }  // namespace
 
-std::vector<NodePiece> pieces_of_nodes(const Character& c, std::span<const int> nodes) {
+std::vector<NodePiece> pieces_of_vertices(const Character& c, std::span<const std::vector<int>> lists) {
   const DefaultFloatEnvironment environment;
   std::vector<NodePiece> pieces;
   std::map<int, std::vector<int>> by_set;
-  for (std::size_t target = 0; target < nodes.size(); ++target) {
+  for (std::size_t target = 0; target < lists.size(); ++target) {
     by_set.clear();
-    for (const int v : c.vertices[nodes[target]]) by_set[c.sets.of_vertex(v)].push_back(v);
+    for (const int v : lists[target]) by_set[c.sets.of_vertex(v)].push_back(v);
     for (const auto& [set, vertices] : by_set) pieces.push_back(piece_of(c, set, vertices, static_cast<int>(target)));
   }
   return pieces;
+}
+
+std::vector<NodePiece> pieces_of_nodes(const Character& c, std::span<const int> nodes) {
+  std::vector<std::vector<int>> lists;
+  for (const int n : nodes) lists.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
+  return pieces_of_vertices(c, lists);
+}
+
+Point3 middle_of(const std::vector<Point3>& points) {
+  const Point3 center = smallest_ball<double, 3>(points).center;
+  return center.allFinite() ? center : points[0];
 }
 
 }  // namespace refitlab

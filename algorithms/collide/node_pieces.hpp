@@ -22,6 +22,11 @@ struct NodePiece {
   int target;               // the node's position in a list
 };
 
+// Of the vertices in each list, which is the target of their pieces; none is empty.
+std::vector<NodePiece> pieces_of_vertices(const Character& character, std::span<const std::vector<int>> lists);
 std::vector<NodePiece> pieces_of_nodes(const Character& character, std::span<const int> nodes);
+
+// The center of the smallest ball of points, or one of them where that is undefined: squares of tiny lengths underflow.
+Point3 middle_of(const std::vector<Point3>& points);
 
 }  // namespace refitlab

@@ -8,8 +8,9 @@
 // With u = 2^-53 and X, Y, Z the largest computed |differences| of coordinates: a determinant of differences is a sum
 // of six products of three of them, each at most XYZ (1 + u)^3 in exact differences, with at most 3 + 2 + 3 roundings
 // (of differences, products and sums), each a factor within 1 +- u. So it is off by at most 6 XYZ ((1 + u)^11 - 1) < 67
-// u XYZ < 7.5e-15 XYZ; the bound used leaves a third for its own roundings. Where XYZ is so small that products may
-// have underflowed, no sign is certain.
+// u XYZ < 7.5e-15 XYZ; the bound used leaves a fourth for its own roundings, and for products that underflow: with X, Y
+// and Z below 1e100 and XYZ above 1e-186 those of two are above 1e-286, of which 2^-1075 is nothing. For others no sign
+// is certain: products may underflow, or determinants overflow where their bounds do not.
 #pragma once
 
 #include <array>
@@ -38,8 +39,8 @@ class DifferenceExtent {
   }
   auto sign_of(const S& determinant) const {
     const S error = largest_[0] * largest_[1] * largest_[2] * S(1e-14);
-    const auto has_digits = error > S(1e-280);
-    return Sign<decltype(determinant > error)>{has_digits && determinant > error, has_digits && determinant < -error};
+    const auto is_in_range = error > S(1e-200) && largest_[0] + largest_[1] + largest_[2] < S(1e100);
+    return Sign<decltype(determinant > error)>{is_in_range && determinant > error, is_in_range && determinant < -error};
   }
 
  private:
@@ -112,7 +113,7 @@ auto sign_of_gap(const PlaneSides<S>& of_a, const PlaneSides<S>& of_b, TriangleO
 enum class Filtered : unsigned char { apart, meet, unknown };
 
 // apart and meet are right for the doubles as they are; unknown for triangles that touch or nearly do, lie in one
-// plane, or are flat.
+// plane, are flat, or are too small or too large for products of three of their lengths.
 Filtered filter_triangles(const TrianglePoints& a, const TrianglePoints& b);
 
 }  // namespace refitlab

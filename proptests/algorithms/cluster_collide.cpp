@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "algorithms/model/procedural.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -21,7 +22,77 @@ Skinning drawn_skinning() {
   return *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
 }
 ClusterOptions drawn_options() {
-  return {.most_triangles = *rc::gen::element(1, 3, 10, 25, 1000), .most_children = *rc::gen::element(2, 3, 9, 32)};
+  return {.most_triangles = *rc::gen::element(1, 3, 10, 25, most_cluster_triangles),
+          .most_children = *rc::gen::element(2, 3, 9, 32)};
+}
+
+// How many pairs of triangles have boxes that meet: so many come to the test of triangles, whatever bounded them before.
+long meeting_boxes(const oracle::Posed& a, const oracle::Posed& b, Skinning skinning) {
+  const auto boxes_of = [&](const oracle::Posed& posed) {
+    const auto points = posed.vertices(skinning);
+    std::vector<std::array<Point3, 2>> boxes;
+    for (const Triangle& t : posed.character.model.triangles)
+      boxes.push_back({points[t[0]].cwiseMin(points[t[1]]).cwiseMin(points[t[2]]),
+                       points[t[0]].cwiseMax(points[t[1]]).cwiseMax(points[t[2]])});
+    return boxes;
+  };
+  long count = 0;
+  const auto first = boxes_of(a), second = boxes_of(b);
+  for (const auto& p : first)
+    for (const auto& q : second) count += (p[0].array() <= q[1].array()).all() && (q[0].array() <= p[1].array()).all();
+  return count;
+}
+
+bool holds(const Box6& box, const Point3& p) {
+  for (int i = 0; i < 3; ++i)
+    if (!(box[i] <= p[i] && p[i] <= box[3 + i])) return false;
+  return true;
+}
+
+int triangles_below(const ClusterTree& tree, const FanChild& child) {
+  int count = 0;
+  if (child.fan >= 0)
+    for (int i = 0; i < tree.fans()[child.fan].child_count; ++i) count += triangles_below(tree, tree.child(child.fan, i));
+  else
+    for (int g = 0; g < tree.clusters()[child.cluster].group_count; ++g) count += tree.group(child.cluster, g).count;
+  return count;
+}
+
+// Triangles beside each other, each of three vertices of its own, in the plane z = 0. joints_of: two of them by vertex, or
+// the same one twice.
+template <class JointsOf>
+Model row_of_triangles(int count, int joints, const JointsOf& joints_of) {
+  Model m;
+  m.name = "row";
+  for (int j = 0; j < joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, {0, 0, 0}});
+  for (int t = 0; t < count; ++t) {
+    const Point3 at(t % 200, t / 200, 0);
+    for (const Point3& corner : {Point3(0, 0, 0), Point3(0.4, 0, 0), Point3(0, 0.4, 0)}) {
+      const auto [i, j] = joints_of(static_cast<int>(m.vertices.size()));
+      m.vertices.push_back(at + corner);
+      if (i == j) m.influences.push_back({{i, 1.0}});
+      else m.influences.push_back({{i, 0.5}, {j, 0.5}});
+    }
+    m.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  validate(m);
+  return m;
+}
+
+// How many of some triangles of a row are not found by a triangle that is put upon them, or others are.
+long lost_of_row(const ClusterTree& row, const std::vector<int>& triangles) {
+  const Character stamp(row_of_triangles(1, 1, [](int) { return std::pair(0, 0); }));
+  const ClusterTree stamp_tree(stamp);
+  ClusterBody first(row, Skinning::linear), second(stamp_tree, Skinning::linear);
+  first.begin(reference_posture(row.character().model), {});
+  long lost = 0;
+  for (const int t : triangles) {
+    second.begin(Posture(1), {identity_quaternion<double>(), row.character().model.vertices[3 * t]});
+    QueryCounts counts;
+    lost += collide(first, second, Query::full, counts) != std::vector<TrianglePair>{{t, 0}};
+    lost += collide(second, first, Query::full, counts) != std::vector<TrianglePair>{{0, t}};
+  }
+  return lost;
 }
 
 }  // namespace
@@ -44,8 +115,9 @@ PROPTEST(cluster_collide) {
             std::mt19937 random(plan_a.seed);
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 3; ++frame) {
-              const Posture posture_a = gen::random_posture(a.model, random),
-                            posture_b = gen::random_posture(b.model, random);
+              const auto length = gen::random_unit_length(random);
+              const Posture posture_a = gen::with_lengths(gen::random_posture(a.model, random), length, random),
+                            posture_b = gen::with_lengths(gen::random_posture(b.model, random), length, random);
               const double apart = frame == 2 ? 3 : 0.5;
               const RigidTransform<double> at_a{gen::random_rotation(random, 1), {normal(random), 0, 0}},
                   at_b{gen::random_rotation(random, 1),
@@ -59,7 +131,9 @@ PROPTEST(cluster_collide) {
               const auto again = collide(first, second, Query::yes_no, counts, &memory);
               RC_ASSERT(again.size() == one.size());
               if (!one.empty()) RC_ASSERT(std::find(expected.begin(), expected.end(), again[0]) != expected.end());
-              RC_ASSERT(sorted(collide(first, second, Query::full, counts, &memory)) == expected);
+              QueryCounts of_all;
+              RC_ASSERT(sorted(collide(first, second, Query::full, of_all, &memory)) == expected);
+              RC_ASSERT(of_all.triangle_tests == meeting_boxes({a, posture_a, at_a}, {b, posture_b, at_b}, skinning));
               RC_TAG(expected.empty() ? "apart" : "in contact");
             }
           });
@@ -79,6 +153,171 @@ PROPTEST(cluster_collide) {
             RC_ASSERT(sorted(collide(first, second, Query::full, counts)) ==
                       oracle::all_pairs({c, posture, here}, {c, posture, at}, skinning));
           });
+  t.holds(
+      "a needle that touches a body in one vertex, where a bound is attained, touches it: of 1 to 90 joints, at every "
+      "scale and place, however long quaternions are",
+      {.number_type = "double", .cases = 2000}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        const double unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-36, 1e-44, 1e-160, 1e-300, 1e12, 1e18, 1e33, 1e35),
+                     far = *rc::gen::element(0.0, 0.0, 1.0, 1e6, 1e30, 1e300);
+        const gen::Attained scene = gen::attained(random, {.unit = unit, .far = far});
+        const Skinning skinning = gen::random_skinning(random);
+        const Character c(scene.model, {.triangles_per_leaf = *rc::gen::element(1, 8)});
+        const auto points = oracle::Posed{c, scene.posture, scene.placement}.vertices(skinning);
+        const int axis = static_cast<int>(random() % 3), sign = random() % 2 ? 1 : -1;
+        Point3 tip = points[0];
+        for (const Point3& p : points)
+          if (sign * p[axis] > sign * tip[axis]) tip = p;
+        const int joints = *rc::gen::element(1, 5, 9);
+        // A power of two, so that weights of it add up to it.
+        const double length = std::exp2(std::max(-990.0, std::round(std::log2(unit)) - *rc::gen::element(0, 30)));
+        const Character needle(gen::needle(axis, sign, length, joints));
+        const Posture still = reference_posture(needle.model);
+        const RigidTransform<double> at{identity_quaternion<double>(), tip};
+        const ClusterTree tree(c, drawn_options()), tree_of_needle(needle);
+        ClusterBody body(tree, skinning), other(tree_of_needle, Skinning::spherical);
+        body.begin(scene.posture, scene.placement), other.begin(still, at);
+        std::vector<TrianglePair> expected;
+        const auto needle_points = oracle::Posed{needle, still, at}.vertices(Skinning::spherical);
+        for (std::size_t t = 0; t < c.model.triangles.size(); ++t) {
+          const Triangle& v = c.model.triangles[t];
+          if (triangles_meet({points[v[0]], points[v[1]], points[v[2]]},
+                             {needle_points[0], needle_points[1], needle_points[2]}))
+            expected.push_back({static_cast<int>(t), 0});
+        }
+        RC_LOG() << scene.what;
+        QueryCounts counts;
+        RC_ASSERT(!expected.empty());
+        RC_ASSERT(sorted(collide(body, other, Query::full, counts)) == expected);
+        RC_ASSERT(collide(other, body, Query::yes_no, counts).size() == 1u);
+        for (const Point3& p : points) RC_ASSERT(holds(body.reach(), p) && holds(body.fan_box(0), p));
+        RC_ASSERT(holds(other.reach(), tip) && holds(other.fan_box(0), tip));
+      });
+  t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {},
+            [] {
+              const Character c(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }),
+                                {.triangles_per_leaf = 1000000});
+              long lost = 0, tried = 0;
+              bool ok = c.tree.nodes.size() == 1;
+              for (const int most : {7, 256, most_cluster_triangles}) {
+                const ClusterTree tree(c, {.most_triangles = most});
+                for (const Cluster& cluster : tree.clusters())
+                  ok = ok && cluster.corner_count <= 1 << 16 && 8 * (cluster.group_count - 1) < most;
+                std::vector<int> triangles;
+                for (int t = 0; t < 30000; t += 997) triangles.push_back(t);
+                triangles.push_back(21866), triangles.push_back(29999);
+                lost += lost_of_row(tree, triangles), tried += static_cast<long>(triangles.size());
+                ok = ok && triangles_below(tree, {-1, 0}) == 30000;
+              }
+              return Checked(ok && lost == 0, tried, std::to_string(lost) + " lost");
+            });
+  t.example("a cluster of the most triangles, each corner alone in its joint-set, has places that 16 bits hold", {}, [] {
+    std::vector<std::pair<int, int>> pairs;
+    for (int i = 0; i < 130; ++i)
+      for (int j = i + 1; j < 130; ++j) pairs.emplace_back(i, j);
+    const int count = most_cluster_triangles;
+    const Character c(row_of_triangles(count, 130, [&](int v) { return pairs[v]; }), {.triangles_per_leaf = count});
+    const ClusterTree tree(c, {.most_triangles = most_cluster_triangles});
+    const bool is_one = tree.clusters().size() == 1 && tree.clusters()[0].corner_count == 8 * 3 * count &&
+                        tree.clusters()[0].corner_count <= 1 << 16;
+    const long lost = lost_of_row(tree, {0, 1, count / 2, count - 2, count - 1});
+    return Checked(is_one && lost == 0, 5, std::to_string(lost) + " lost");
+  });
+  t.holds("clusters and fans are as large as they may be and no larger, and every triangle is in one of them",
+          {.cases = 100}, [] {
+            const auto plan = *gen::mesh_plan();
+            const int per_leaf = *rc::gen::element(1, 2, 7, 1000);
+            const Character c(gen::make_mesh(plan), {.triangles_per_leaf = per_leaf, .prune_ratio = 1e9});  // binary
+            const ClusterOptions options = drawn_options();
+            const ClusterTree tree(c, options);
+            std::vector<int> seen;
+            for (std::size_t i = 0; i < tree.clusters().size(); ++i) {
+              const int count = triangles_below(tree, {static_cast<int>(i), -1});
+              RC_ASSERT(count >= 1 && count <= options.most_triangles);
+              const auto places = tree.vertices().vertices(static_cast<int>(i));
+              for (int g = 0; g < tree.clusters()[i].group_count; ++g) {
+                const TriangleGroup& group = tree.group(static_cast<int>(i), g);
+                RC_ASSERT(group.count == group_size || g + 1 == tree.clusters()[i].group_count);
+                for (int t = 0; t < group.count; ++t) {
+                  seen.push_back(group.triangles[t]);
+                  for (int k = 0; k < 3; ++k)
+                    RC_ASSERT(places[group.corners[t][k]] == c.model.triangles[group.triangles[t]][k]);
+                }
+              }
+            }
+            std::sort(seen.begin(), seen.end());
+            RC_ASSERT(seen.size() == c.model.triangles.size());
+            for (std::size_t t = 0; t < seen.size(); ++t) RC_ASSERT(seen[t] == static_cast<int>(t));
+            for (int f = 0; f < static_cast<int>(tree.fans().size()); ++f) {
+              const int children = tree.fans()[f].child_count;
+              RC_ASSERT(children <= options.most_children);
+              int least = 1 << 30, most = 0;
+              bool has_fans = false;
+              for (int i = 0; i < children; ++i) {
+                const int count = triangles_below(tree, tree.child(f, i));
+                least = std::min(least, count), most = std::max(most, count);
+                has_fans = has_fans || tree.child(f, i).fan >= 0;
+                RC_ASSERT(tree.child(f, i).fan < 0 || (tree.child(f, i).fan > f && count > options.most_triangles));
+              }
+              if (has_fans) RC_ASSERT(children == options.most_children);
+              RC_ASSERT(most <= 2 * least + 1);  // the largest is opened first, into halves
+            }
+            RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
+          });
+  t.example("what is counted: of single triangles every box once, none where reaches are apart, and sums over queries", {},
+            [] {
+              Model m = gen::needle(0, 1, 1, 1);
+              const Character c(m);
+              const ClusterTree tree(c);
+              ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+              const Posture still = reference_posture(c.model);
+              const auto counts_at = [&](double x, Query query, PairMemory* memory) {
+                first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
+                QueryCounts counts{100, 1000};  // of queries before
+                collide(first, second, query, counts, memory);
+                return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
+              };
+              PairMemory memory;
+              // Reaches, the first's fan against the second's whole, the second's, groups of the first, groups of the
+              // second; with a memory of bodies that were near no reaches; and then no box at all, but the pair.
+              const std::pair<long, long> touching{5, 1}, apart{1, 0}, again{4, 1}, remembered{0, 1};
+              bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
+              ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
+              ok = ok && counts_at(0.5, Query::full, &memory) == again && first.nodes_bounded() == 1 &&
+                   first.clusters_skinned() == 1 && first.corners_skinned() == 8 && second.corners_skinned() == 8;
+              ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
+              return Checked(ok, 5);
+            });
+  t.example("no more is looked at than is near: boxes, pairs of triangles and corners of two men, at three distances", {},
+            [] {
+              const Character man(make_man());
+              const ClusterTree tree(man);
+              const Clip& walk = man.model.clips[0];
+              ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+              struct Most {
+                double distance;
+                long ball_tests, triangle_tests, corners, nodes;
+              };
+              bool ok = true;
+              std::string text;
+              for (const Most& most : {Most{0.6, 130, 100, 1000, 60}, Most{0.35, 9000, 2960, 5500, 100},
+                                       Most{0.1, 31700, 7950, 11800, 168}}) {
+                a.begin(walk.sample(0.2 * walk.duration), {});
+                b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {most.distance, 0, 0}});
+                QueryCounts counts;
+                collide(a, b, Query::full, counts);
+                QueryCounts of_first;  // of a pair, which ends the query
+                const auto first = collide(a, b, Query::yes_no, of_first);
+                ok = ok && (first.empty() || 4 * of_first.triangle_tests < counts.triangle_tests);
+                const long corners = a.corners_skinned() + b.corners_skinned(),
+                           nodes = a.nodes_bounded() + b.nodes_bounded();
+                ok = ok && counts.ball_tests <= most.ball_tests && counts.triangle_tests <= most.triangle_tests &&
+                     corners <= most.corners && nodes <= most.nodes;
+                text += std::to_string(counts.ball_tests) + " boxes, " + std::to_string(counts.triangle_tests) +
+                        " pairs, " + std::to_string(corners) + " corners, " + std::to_string(nodes) + " nodes; ";
+              }
+              return Checked(ok, 3, text);
+            });
   t.example(
       "two walking men: nothing is bounded or skinned far apart, a part close by, and the pairs are those of the "
       "sphere trees",
@@ -169,6 +408,12 @@ PROPTEST(cluster_collide) {
         return e.what();
       }
     };
+    const bool takes_edges = message([&] {
+                               ClusterTree(c, {.most_triangles = 1, .most_children = 2});
+                               ClusterTree(c, {.most_triangles = most_cluster_triangles});
+                             }).empty(),
+               refuses_more =
+                   !message([&] { ClusterTree(c, {.most_triangles = most_cluster_triangles + 1}); }).empty();
     const std::string small = message([&] { ClusterTree(c, {.most_triangles = 0}); }),
                       narrow = message([&] { ClusterTree(c, {.most_children = 1}); });
     const ClusterTree tree(c);
@@ -184,7 +429,13 @@ PROPTEST(cluster_collide) {
     Posture posture = still;
     posture[1].translation[2] = nan;
     const std::string refused = message([&] { body.begin(posture, {}); });
-    return Checked(small.find("most_triangles is 0") != std::string::npos &&
+    for (const double off : {1e-6 - 1e-14, -1e-6 + 1e-14, 1e-6 + 1e-14, -1e-6 - 1e-14}) {
+      const bool is_refused = !message([&] {
+                                 body.begin(still, {{0, std::sqrt(1 + off), 0, 0}, {0, 0, 0}});
+                               }).empty();
+      if (is_refused != (std::abs(off) > 1e-6)) return Checked(false, 1, "at the edge of the tolerance");
+    }
+    return Checked(takes_edges && refuses_more && small.find("most_triangles is 0") != std::string::npos &&
                        narrow.find("most_children is 1") != std::string::npos &&
                        stretched.find("not rigid") != std::string::npos &&
                        lost.find("not finite") != std::string::npos && refused.find("joint 1") != std::string::npos,

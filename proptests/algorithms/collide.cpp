@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "algorithms/model/procedural.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -123,13 +124,31 @@ PROPTEST(collide) {
             std::mt19937 random(*rc::gen::inRange(0u, ~0u));
             Body body(c, refit_variant("control_mixed"));
             body.begin(reference_posture(c.model));
-            const auto far = [&] { return std::normal_distribution<double>(0, 1000)(random); };
-            // Rotations may be off unit length, which stretches.
-            const double stretch = *rc::gen::element(1.0, 1 + 2e-7, 1 - 2e-7);
-            RigidTransform<double> first{random_rotation(random, 1) * stretch, {far(), far(), far()}}, second = first;
+            const double most = *rc::gen::element(1.0, 1000.0, 1e15, 1e30, 1e150, 1e300);
+            const RigidTransform<double> first = gen::accepted_placement(random, most);
+            RigidTransform<double> second = first;
+            if (*rc::gen::arbitrary<bool>()) second.rotation.normalize();
             second.translation = apply(first, Point3(2, 0, 0));  // so that its corner at the origin is the first one's other
             QueryCounts counts;
             RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
+            RC_ASSERT(collide({body, second}, {body, first}, Query::full, counts).size() == 1);
+          });
+  t.holds("so are they at every scale at which vertices are numbers",
+          {.number_type = "double", .cases = 500}, [] {
+            const double unit = std::ldexp(1.0, *rc::gen::inRange(-1070, 132));
+            Model model = lone_triangle();
+            for (Point3& v : model.vertices) v *= unit;
+            const Character c(std::move(model));
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            for (const char* variant : {"control_mixed", "spherical_repaired", "linear"}) {
+              Body body(c, refit_variant(variant));
+              body.begin(reference_posture(c.model));
+              const RigidTransform<double> first = gen::accepted_placement(random, unit);
+              RigidTransform<double> second = first;
+              second.translation = apply(first, Point3(2 * unit, 0, 0));
+              QueryCounts counts;
+              RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
+            }
           });
   t.example("two walking men far apart cost one test and no vertex; close by they are refitted in part only", {}, [] {
     const Men far = two_men("spherical_repaired", 5, Query::full), near = two_men("spherical_repaired", 0.6, Query::full),

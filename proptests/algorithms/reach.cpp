@@ -4,6 +4,7 @@
 
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -101,6 +102,30 @@ PROPTEST(reach) {
                                  box_of_vertices(model, sets, posture, skinning, placement)));
             }
           });
+  t.holds(
+      "the box holds vertices that are where a ball's bound is attained, of 1 to 90 joints, at every scale and place, "
+      "however long quaternions are; and is wider by no more than what rounding is allowed",
+      {.number_type = "float", .cases = 2000}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        const double unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-18, 1e-30, 1e-45, 1e-300, 1e9, 1e10),
+                     far = *rc::gen::element(0.0, 1.0, 1e6, 1e30, 1e300);
+        const gen::Attained scene = gen::attained(random, {.unit = unit, .far = far});
+        const JointSets sets(scene.model);
+        const Skinning skinning = gen::random_skinning(random);
+        const int joints = static_cast<int>(scene.model.joints.size());
+        Reach reach(scene.model, sets, skinning);
+        const Box6 of_vertices = box_of_vertices(scene.model, sets, scene.posture, skinning, scene.placement);
+        for (const Target target : available_targets()) {
+          const Box6 box = reach.box(scene.posture, scene.placement, target);
+          RC_LOG() << scene.what;
+          RC_ASSERT(encloses(box, of_vertices));
+          RC_ASSERT(is_everything(box) == (skinning == Skinning::dual_quaternion && joints > most_reach_joints));
+          if (is_everything(box)) continue;
+          const double most = 2 * unit * 1.9 + 4 * lost_of_reach * joints * scene.size + 1e-17 +
+                              1e-13 * upper_norm(scene.placement.translation);
+          for (int i = 0; i < 3; ++i) RC_ASSERT(box[3 + i] - box[i] <= std::max(of_vertices[3 + i] - of_vertices[i], most));
+        }
+      });
   t.example("a vertex swept about an axis bulges out of its joints' chord, and stays in the box", {}, [] {
     Model model;
     model.name = "swept";
@@ -181,7 +206,7 @@ PROPTEST(reach) {
         ok = ok && encloses(box, of_vertices);
         bounded += widths(box), exact += widths(of_vertices);
       }
-      ok = ok && bounded < 1.3 * exact;
+      ok = ok && bounded < (skinning == Skinning::hejl ? 1.21 : 1.16) * exact;
       text += (skinning == all_skinnings[0] ? "" : ", ") + std::to_string(bounded / exact);
     }
     return Checked(ok, 80, text);

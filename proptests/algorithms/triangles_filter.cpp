@@ -67,6 +67,40 @@ PROPTEST(triangles_filter) {
             RC_TAG(filter_triangles(a_unit, b) == Filtered::unknown ? "unknown" : "decided");
             RC_ASSERT(never_wrong_in_any_order(a_unit, b));
           });
+  t.holds("nor where coordinates have units of their own, from the smallest to the largest, whose products underflow or overflow",
+          {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.5}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const auto whole = [&] { return Vec<double, 3>(int(random() % 17) - 8, int(random() % 17) - 8, int(random() % 17) - 8); };
+            TrianglePoints a{whole(), whole(), whole()}, b{whole(), whole(), whole()};
+            const bool is_near = random() % 4 != 0;
+            if (is_near) b[0] = a[0] + (a[1] - a[0]) * 0.25 + (a[2] - a[0]) * (random() % 2 ? 0.5 : 0.0);
+            RC_CLASSIFY(is_near, "degenerate");
+            const int most = *rc::gen::element(30, 345, 1000);
+            const auto exponent = [&] { return int(random() % (2 * most + 1)) - most; };
+            const int all = exponent();
+            const bool is_even = random() % 2;
+            for (int i = 0; i < 3; ++i) {
+              const double unit = std::ldexp(1.0, is_even ? all : exponent());
+              for (auto* t : {&a, &b})
+                for (auto& p : *t) p[i] *= unit;
+            }
+            RC_TAG(filter_triangles(a, b) == Filtered::unknown ? "unknown" : "decided");
+            RC_ASSERT(never_wrong_in_any_order(a, b));
+          });
+  t.example("triangles of common sizes are decided, those of sizes beyond 1e100 and below 1e-66 are not", {}, [] {
+    const TrianglePoints a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, through{{{0.2, 0.2, -1}, {0.2, 0.3, 1}, {0.3, 0.2, 1}}},
+        above{{{0.2, 0.2, 1}, {0.2, 0.3, 2}, {0.3, 0.2, 3}}};
+    bool ok = true;
+    for (const double unit : {1e-60, 1e-30, 1.0, 1e30, 1e98, 1e-67, 1e101}) {
+      TrianglePoints p = a, q = through, r = above;
+      for (auto* t : {&p, &q, &r})
+        for (auto& x : *t) x *= unit;
+      const bool is_common = unit > 1e-61 && unit < 1e99;
+      ok = ok && filter_triangles(p, q) == (is_common ? Filtered::meet : Filtered::unknown) &&
+           filter_triangles(p, r) == (is_common ? Filtered::apart : Filtered::unknown);
+    }
+    return Checked(ok, 14);
+  });
   t.example("flat triangles, those in one plane, those that touch, and tiny or non-finite ones are left open", {}, [] {
     const TrianglePoints a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, flat{{{0, 0, 0}, {0.25, 0.25, 0}, {0.5, 0.5, 0}}},
         beside{{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}}, standing{{{0.2, 0.2, 0}, {0.2, 0.2, 1}, {0.3, 0.2, 1}}};
