@@ -20,8 +20,8 @@ MARKERS = ["o", "s", "^", "D"]  # of the first eight lines, the second eight, an
 SYMBOLS = ["<circle cx='14' cy='6' r='3.4'/>", "<rect x='11' y='3' width='6' height='6'/>", "<path d='M14 2l4 7h-8z'/>",
            "<path d='M14 2l4 4-4 4-4-4z'/>"]
 INK, RULE = "#010203", "#d0d1d2"  # stand for colours of the page's style sheet
-STYLE = {"svg.fonttype": "none", "svg.hashsalt": "refitlab", "font.size": 10, "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK,
-         "xtick.color": INK, "ytick.color": INK, "axes.titlesize": 11, "axes.titleweight": "semibold", "axes.titlelocation": "left",
+STYLE = {"svg.fonttype": "none", "svg.hashsalt": "refitlab", "font.size": 11, "figure.facecolor": "none", "axes.facecolor": "none", "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK,
+         "xtick.color": INK, "ytick.color": INK, "axes.titlesize": 12, "axes.titleweight": "semibold", "axes.titlelocation": "left",
          "axes.grid": True, "grid.color": RULE, "grid.linewidth": 0.8, "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True}
 SVG = "{http://www.w3.org/2000/svg}"
 made = 0  # plots so far: each gets ids of its own in the page
@@ -50,7 +50,7 @@ class Plot:
         lines = [line for line in self.lines if line.points]
         styles = [(INK if line.color == "ink" else COLORS[i % len(COLORS)], i // len(COLORS) % len(MARKERS)) for i, line in enumerate(lines)]
         with matplotlib.rc_context(STYLE):
-            figure = Figure(figsize=(6.4, 3.7), layout="constrained")
+            figure = Figure(figsize=(6, 3.6), layout="constrained")
             axes = figure.add_subplot(title=self.title, xlabel=self.x_label, ylabel=self.y_label)
             if self.front:
                 axes.step(*zip(*sorted(self.front)), where="post", color=INK, linewidth=0.9, linestyle=":")
@@ -59,7 +59,7 @@ class Plot:
                           linestyle="--" if line.dashed else "-", gid=f"line{lines.index(line)}")
             format_axis(axes, "x", self.log_x)
             format_axis(axes, "y", self.log_y)
-            svg = page_svg(figure, self.title, "plot", {f"line{i}": line for i, line in enumerate(lines)})
+            svg = page_svg(figure, self.title, "plot", 0.8, {f"line{i}": line for i, line in enumerate(lines)})
         keys = "".join(f"<li>{symbol(color, marker, line.dashed)}{escape(line.label)}</li>" for line, (color, marker) in zip(lines, styles))
         front = f"<li>{symbol(INK, None, True)}best at its price</li>" if self.front else ""
         return Markup(f'<div class="scroll">{svg}</div><ul class="legend of-plot">{keys}{front}</ul>')
@@ -83,13 +83,13 @@ class BarPanels:
         shown = [v for row in self.rows for v in row.values if v]
         if not shown:
             return ""
-        with matplotlib.rc_context({**STYLE, "axes.grid.axis": "x", "axes.titlesize": 10, "axes.titleweight": "normal"}):
+        with matplotlib.rc_context({**STYLE, "font.size": 10, "axes.grid.axis": "x", "axes.titlesize": 10, "axes.titleweight": "normal"}):
             figure = Figure(figsize=(2.1 + 1.75 * len(self.panels), 1.1 + 0.21 * len(self.rows)), layout="constrained")
             figure.suptitle(self.title, x=0.01, ha="left", fontsize=11, fontweight="semibold")
             all_axes = figure.subplots(1, len(self.panels), sharey=True, squeeze=False)[0]
             for panel, axes in enumerate(all_axes):
                 self._draw(axes, panel, min(shown), max(shown))
-            return Markup(f'<div class="scroll">{page_svg(figure, self.title, "bars", {})}</div>')
+            return Markup(f'<div class="scroll">{page_svg(figure, self.title, "bars", 1, {})}</div>')
 
     def _draw(self, axes, panel, least, most):
         axes.set_title(self.panels[panel])
@@ -131,7 +131,7 @@ def of_page(color):
 def format_axis(axes, which, is_log):
     axis = axes.xaxis if which == "x" else axes.yaxis
     if not is_log:
-        axis.set_major_locator(MaxNLocator(nbins=7, steps=[1, 2, 5, 10], integer=axes.get_xlabel().startswith("level") and which == "x"))
+        axis.set_major_locator(MaxNLocator(nbins=8, steps=[1, 2, 5, 10], integer=axes.get_xlabel().startswith("level") and which == "x"))
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.6g}"))
         return
     axes.set_xscale("log") if which == "x" else axes.set_yscale("log")
@@ -141,8 +141,8 @@ def format_axis(axes, which, is_log):
     axis.set_minor_formatter(NullFormatter())
 
 
-def page_svg(figure, title, kind, lines):
-    """The figure as an SVG element for the page. lines: {gid: Line}, whose markers get titles."""
+def page_svg(figure, title, kind, least, lines):
+    """The figure as an SVG element for the page, at the least so many pixels a point. lines: {gid: Line}, whose markers get titles."""
     global made
     made += 1
     text = io.StringIO()
@@ -162,7 +162,7 @@ def page_svg(figure, title, kind, lines):
     for attribute in ("width", "height", "version"):
         root.attrib.pop(attribute, None)
     root.set("class", kind)
-    root.set("style", f"min-width:{0.8 * width:.0f}px;max-width:{1.6 * width:.0f}px")
+    root.set("style", f"min-width:{least * width:.0f}px;max-width:{1.6 * width:.0f}px")
     root.set("role", "img")
     root.set("aria-label", title)
     ET.register_namespace("", SVG[1:-1])
