@@ -77,8 +77,9 @@ SCHEMAS = {
     "detectors": {"detector": text, "origin": ORIGIN, "found": yes_no, "tolerated_share": number, "description": text},
     "constants": {"constant": text, "value": number, "unit": one_of(*UNITS)},
     "run": {"file": text, "effort": one_of("quick", "default", "full"), "models": one_of("default", "own")},
-    "verdicts": {"lemma": text, "form": text, "verdict": text, "cases": count, "degenerate_share": number,
-                 "number_type": text, "statement": text},
+    "verdicts": {"lemma": text, "role": one_of("statement", "hypothesis", "other"), "form": text,
+                 "verdict": one_of("holds", "refuted", "TEST FAILED"), "cases": count, "degenerate_share": number, "number_type": text,
+                 "hypothesis": text, "statement": text},
 }
 
 
