@@ -127,4 +127,4 @@ def section(results, page):
     return {"models": models, "queries": QUERIES, "stages": STAGES, "differences": differences(results),
             "detectors": [(d, COLORS[d.origin], ORIGINS[d.origin]) for d in detectors if d.detector in there and d.found == "yes"],
             "absent": [d for d in detectors if d.found == "no"], "table_2": table_2(results),
-            "shares": [row for row in shares if row[2]], "sphere_costs": sphere_costs(results)}
+            "shares": [row for row in shares if row[2]], "share_levels": max(len(row[2]) for row in shares), "sphere_costs": sphere_costs(results)}

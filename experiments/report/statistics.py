@@ -11,15 +11,6 @@ def mean(values):
     return sum(values) / len(values)
 
 
-def median(values):
-    """The middle number of an odd count; of an even one, the mean of the two in the middle. At least one number."""
-    ordered = sorted(values)
-    if not ordered:
-        raise ValueError("the median of no numbers")
-    half = len(ordered) // 2
-    return ordered[half] if len(ordered) % 2 else (ordered[half - 1] + ordered[half]) / 2
-
-
 Span = namedtuple("Span", "least most")
 
 
@@ -27,11 +18,6 @@ def span(values):
     """The least and the largest of at least one number."""
     values = list(values)
     return Span(min(values), max(values))
-
-
-def ratios(values, bases):
-    """Each value over its base; as many of the one as of the other."""
-    return [value / base for value, base in zip(values, bases, strict=True)]
 
 
 def weighted_mean(values, weights):
