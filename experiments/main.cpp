@@ -1,4 +1,5 @@
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes tables and pictures.
+#include <functional>
 #include <future>
 #include <iostream>
 
@@ -166,7 +167,7 @@ int main(int argc, char** argv) try {
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);
-  pictures.write(result);
+  pictures.write(std::ref(result));
   if (!models.models.empty()) write_results_by_model(options, results, result);
   if (runs_without_model(options)) run_without_model(options, run, result);
   result.write();
