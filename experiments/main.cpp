@@ -1,18 +1,16 @@
-// experiments: the main job. Runs the experiments on the default models or on the user's own, and writes results and report.
-#include <filesystem>
+// experiments: the main job. Runs the experiments on the default models or on the user's own, and writes tables and pictures.
+#include <functional>
 #include <future>
 #include <iostream>
 
 #include "algorithms/model/procedural.hpp"
-#include "algorithms/results/write_whole.hpp"
+#include "experiments/catalogue/catalogue.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
-#include "experiments/report/cap_figure.hpp"
-#include "experiments/report/encounter_figures.hpp"
-#include "experiments/report/failing_figure.hpp"
-#include "experiments/report/packed_models.hpp"
-#include "experiments/report/report.hpp"
-#include "experiments/report/twist_figures.hpp"
+#include "experiments/pictures/cap_figure.hpp"
+#include "experiments/pictures/encounter_figures.hpp"
+#include "experiments/pictures/failing_figure.hpp"
+#include "experiments/pictures/twist_figures.hpp"
 #include "experiments/resume/resume.hpp"
 #include "experiments/run_file.hpp"
 #include "experiments/speed/balls.hpp"
@@ -25,20 +23,31 @@ namespace {
 
 void append(auto& all, const auto& results) { all.insert(all.end(), results.begin(), results.end()); }
 
-// The figures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
-void add_figures(const Character& character, const NamedPosture& twist, const std::shared_future<NamedPosture>& worst,
-                 std::size_t index, std::size_t models, const std::string& folder, std::vector<Figure>& figures) {
+// What was measured of the models.
+struct ModelResults {
+  std::vector<TightnessResult> tightness;
+  std::vector<SpeedResult> speed;
+  std::vector<BatchSpeed> batches;
+  VolumeResults volumes;
+  std::vector<RoundingResult> rounding;
+  std::vector<CollisionResult> collisions;
+};
+
+// The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
+void draw_pictures(const Character& character, const NamedPosture& twist, const std::shared_future<NamedPosture>& worst,
+                   std::size_t index, std::size_t models, PictureTable& pictures) {
   if (index == 0) {
-    append(figures, twist_figures(character, twist, folder));
-    figures.push_back(failing_figure(character, worst.get(), folder));
-    figures.push_back(cap_figure(folder));
-    figures.push_back(walking_figure(character, folder));
+    draw_twist(character, twist, pictures);
+    draw_failing(character, worst.get(), pictures);
+    draw_caps(pictures);
+    draw_walking(character, pictures);
   }
-  if (index == std::min<std::size_t>(1, models - 1)) figures.push_back(walk_through_figure(character, folder));
+  if (index == std::min<std::size_t>(1, models - 1)) draw_walk_through(character, pictures);
 }
 
 // All that is wanted of one model, which is number index of so many.
-void run_on(Model&& model, std::size_t index, std::size_t models, const Options& options, const RunFolder& run, Report& report) {
+void run_on(Model&& model, std::size_t index, std::size_t models, const Options& options, Units& run, PictureTable& pictures,
+            ModelResults& results) {
   std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
             << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
   const std::string identity = identify(model), of_model = " of " + model.name;
@@ -46,67 +55,86 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
   const NamedPosture twist = figure_twist(character.model);
   // Seconds of work: done when first asked for, which a resumed run may never do.
   const auto worst = std::async(std::launch::deferred, worst_twist, std::cref(character)).share();
-  add_figures(character, twist, worst, index, models, options.out + "/report/pictures", report.figures);
+  draw_pictures(character, twist, worst, index, models, pictures);
   if (options.wants("tightness"))
-    append(report.tightness, resumed_or(run, "tightness" + of_model, options.tightness, identity, [&] {
+    append(results.tightness, resumed_or(run, "tightness" + of_model, options.tightness, identity, [&] {
              return run_tightness(character, {twist, worst.get()}, options.tightness);
            }));
   if (options.wants("speed")) {
-    append(report.speed, resumed_or(run, "speed" + of_model, options.speed, identity,
+    append(results.speed, resumed_or(run, "speed" + of_model, options.speed, identity,
                                     [&] { return run_speed(character, twist, options.speed); }));
-    append(report.batches, resumed_or(run, "batch speed" + of_model, options.speed, identity,
+    append(results.batches, resumed_or(run, "batch speed" + of_model, options.speed, identity,
                                       [&] { return run_batch_speed(character, twist, options.speed); }));
   }
   if (options.wants("volumes")) {
-    const VolumeResults results = resumed_or(run, "volumes" + of_model, options.volumes, identity, [&] {
+    const VolumeResults volumes = resumed_or(run, "volumes" + of_model, options.volumes, identity, [&] {
       VolumeResults of_this;
       run_volumes(character, twist, options.volumes, of_this);
       return of_this;
     });
-    append(report.volumes.tightness, results.tightness);
-    append(report.volumes.costs, results.costs);
+    append(results.volumes.tightness, volumes.tightness);
+    append(results.volumes.costs, volumes.costs);
   }
   if (options.wants("rounding"))
-    append(report.rounding, resumed_or(run, "rounding" + of_model, options.rounding, identity,
+    append(results.rounding, resumed_or(run, "rounding" + of_model, options.rounding, identity,
                                        [&] { return run_rounding(character, twist, options.rounding); }));
-  if (options.wants("collisions") && !(options.collisions.first_model_only && !report.collisions.empty()))
-    append(report.collisions, resumed_or(run, "collisions" + of_model, options.collisions, identity,
+  if (options.wants("collisions") && !(options.collisions.first_model_only && !results.collisions.empty()))
+    append(results.collisions, resumed_or(run, "collisions" + of_model, options.collisions, identity,
                                          [&] { return run_collisions(character, options.collisions); }));
 }
 
 // Each file once all of its rows are there: until then the one of the last whole run stays.
-void write_results_by_model(const Options& options, const Report& report, RunFile& result) {
-  if (options.wants("tightness")) write_tightness(report.tightness, result("tightness.csv"));
+void write_results_by_model(const Options& options, const ModelResults& results, RunFile& result) {
+  if (options.wants("tightness")) write_tightness(results.tightness, result("tightness.csv"));
   if (options.wants("speed")) {
-    write_speed(report.speed, result("speed.csv"));
-    write_batch_speed(report.batches, result("batch_speed.csv"));
+    write_speed(results.speed, result("speed.csv"));
+    write_batch_speed(results.batches, result("batch_speed.csv"));
   }
-  if (options.wants("volumes")) write_volumes(report.volumes, result("volumes.csv"));
-  if (options.wants("rounding")) write_rounding(report.rounding, options.rounding, result("rounding.csv"));
-  if (options.wants("collisions")) write_collisions(report.collisions, result("collision.csv"));
+  if (options.wants("volumes")) write_volumes(results.volumes, result("volumes.csv"));
+  if (options.wants("rounding")) write_rounding(results.rounding, options.rounding, result("rounding.csv"));
+  if (options.wants("collisions")) write_collisions(results.collisions, result("collision.csv"));
 }
 
 // What has nothing to do with a model.
-void run_without_model(const Options& options, const RunFolder& run, Report& report, RunFile& result) {
+void run_without_model(const Options& options, Units& run, RunFile& result) {
   if (options.wants("growth")) {
     const SpeedSettings speed{options.speed.seconds_per_run / 5, options.speed.repetitions};
-    report.joint_growth =
-        resumed_or(run, "growth with the joints", speed, "", [&] { return run_joint_growth(speed); });
-    write_joint_growth(report.joint_growth, result("joint_growth.csv"));
-    report.character_growth =
-        resumed_or(run, "growth with the characters", speed, "", [&] { return run_character_growth(speed); });
-    write_character_growth(report.character_growth, result("character_growth.csv"));
-    report.triangle_growth = resumed_or(run, "growth with the triangles", options.triangles, "",
-                                        [&] { return run_triangle_growth(options.triangles); });
-    write_triangle_growth(report.triangle_growth, result("triangle_growth.csv"));
+    write_joint_growth(resumed_or(run, "growth with the joints", speed, "", [&] { return run_joint_growth(speed); }),
+                       result("joint_growth.csv"));
+    write_character_growth(resumed_or(run, "growth with the characters", speed, "", [&] { return run_character_growth(speed); }),
+                           result("character_growth.csv"));
+    write_triangle_growth(resumed_or(run, "growth with the triangles", options.triangles, "",
+                                     [&] { return run_triangle_growth(options.triangles); }),
+                          result("triangle_growth.csv"));
   }
   if (options.wants("speed"))
     write_ball_speed(resumed_or(run, "ball speed", options.speed, "", [&] { return run_ball_speed(options.speed); }),
                      result("ball_speed.csv"));
-  if (options.wants("queries")) {
-    report.queries = resumed_or(run, "queries", options.queries, "", [&] { return run_queries(options.queries); });
-    write_queries(report.queries, options.queries, options.out + "/results");
-  }
+  if (options.wants("queries"))
+    write_queries(resumed_or(run, "queries", options.queries, "", [&] { return run_queries(options.queries); }), options.queries,
+                  result("queries.csv"));
+}
+
+// On one's own models what has nothing to do with a model runs only if it is asked for.
+bool runs_without_model(const Options& options) { return options.files.empty() || !options.only.empty(); }
+
+// How often resumed_or will be called; of collisions with the first model only, once.
+std::size_t unit_count(const Options& options, std::size_t models) {
+  const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
+  const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
+  std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) + count("rounding", models) +
+                      count("collisions", with_collisions);
+  if (runs_without_model(options)) units += count("growth", 3) + count("speed", 1) + count("queries", 1);
+  return units;
+}
+
+// What the report needs to know of the run as a whole.
+void write_catalogue(const Options& options, const DefaultModels& models, RunFile& result) {
+  const auto packed = options.packs_models ? pack_models(models.models, options.out + "/results/models") : std::vector<std::string>{};
+  write_models(models, packed, result("models.csv"));
+  write_variants(result("variants.csv"));
+  write_detectors(result("detectors.csv"));
+  write_constants(result("constants.csv"));
 }
 
 }  // namespace
@@ -130,25 +158,20 @@ int main(int argc, char** argv) try {
     for (const auto& file : options.files) models.models.push_back(load_named(file));
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
-  const RunFolder run(options.out + "/units", options.anew);
+  const RunFolder folder(options.out + "/units", options.anew);
+  Units run(folder, unit_count(options, models.models.size()));
   RunFile result(options);
-  Report report;
-  report.absent_models = models.absent;
-  report.verdicts = options.out + "/results/verdicts.csv";
-  PackedModels packed;
-  if (!options.explorer.empty())
-    for (const Model& model : models.models) packed.add(model);
+  write_catalogue(options, models, result);
+  PictureTable pictures(options.out + "/report/pictures");
+  ModelResults results;
   for (std::size_t i = 0; i < models.models.size(); ++i)
-    run_on(std::move(models.models[i]), i, models.models.size(), options, run, report);
-  if (report.figures.empty()) report.figures.push_back(cap_figure(options.out + "/report/pictures"));
-  if (!models.models.empty()) write_results_by_model(options, report, result);
-  // On one's own models these run only if they are asked for.
-  if (options.files.empty() || !options.only.empty()) run_without_model(options, run, report, result);
+    run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
+  if (pictures.empty()) draw_caps(pictures);
+  pictures.write(std::ref(result));
+  if (!models.models.empty()) write_results_by_model(options, results, result);
+  if (runs_without_model(options)) run_without_model(options, run, result);
   result.write();
-  if (!options.explorer.empty()) report.explorer = packed.html() + read_whole(options.explorer);
-  if (std::filesystem::exists(options.out + "/report/reference/index.html")) report.reference = "reference";
-  write_report(report, options.out + "/report/index.html");
-  std::cout << "results: " << options.out << "/results, report: " << options.out << "/report/index.html\n";
+  std::cout << "results: " << options.out << "/results\n";
 } catch (const std::exception& e) {
   std::cerr << "experiments: " << e.what() << '\n';
   return 1;

@@ -29,7 +29,7 @@ bool parse(int argc, char** argv, Options& o) {
       "time", po::value(&o.certificate.seconds), "of the certificate: seconds into the clip")(
       "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given")(
       "check-options", "say whether these options can be run, and do nothing else")(
-      "explorer", po::value(&o.explorer), "HTML to put into the report (of experiments/explorer/build)");
+      "pack-models", "the models for the report's explorer too, in results/models");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, description), map);
   po::notify(map);
@@ -38,6 +38,7 @@ bool parse(int argc, char** argv, Options& o) {
   for (const auto& file : o.files)
     if (!std::filesystem::is_regular_file(file)) throw po::error("--model " + file + ": there is no such file");
   o.anew = map.count("anew");
+  o.packs_models = map.count("pack-models");
   for (const char* name : {"node", "clip", "time", "variant"})
     if (map.count(name) && !map.count("certificate")) throw po::error(std::string("--") + name + " is for --certificate");
   if (map.count("certificate") && o.certificate.file.empty()) throw po::error("--certificate takes a file to write");

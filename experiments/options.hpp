@@ -19,7 +19,7 @@ namespace refitlab {
 struct Options {
   std::string effort = "default";
   std::vector<std::string> only, files;
-  std::string models = "out/models", out = "out", explorer;
+  std::string models = "out/models", out = "out";
   TightnessSettings tightness;
   SpeedSettings speed;
   VolumeSettings volumes;
@@ -27,7 +27,7 @@ struct Options {
   CollisionSettings collisions{.frames = 6, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
   TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
   QuerySettings queries;
-  bool anew = false, check_only = false;
+  bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const {
     return only.empty() || std::find(only.begin(), only.end(), name) != only.end();

@@ -1,12 +1,12 @@
-"""What the paper takes from the result files: numbers by name, tables, and the data of plots."""
-import csv
-import pathlib
-
+"""What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
+import report_package  # noqa: F401
 from formats import digits, escaped, power_of_ten, table, whole_number
-from results import ResultError
+from report import growth, original
+from report.statistics import mean, span
+from report.tables import ALL, ResultError
+from report.verdicts import of_lemma, summed_up
 
 MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
-ENGINES = ["embree", "fcl_aabb", "fcl_kdop16", "fcl_obbrss", "bullet_dbvt", "bullet_gimpact"]
 SCENES = ["far", "near", "light", "heavy", "worst"]
 GROWN_SCENES = ["near", "light", "heavy"]
 SPHERICAL = {  # as the tables call the variants of spherical blending
@@ -25,100 +25,68 @@ PRINTED = {
 }
 
 
-def is_clip(posture):
-    """A clip of a model, and not a posture made to twist one joint."""
-    return " twisted by " not in posture and not posture.startswith(("full twist", "worst twist"))
-
-
-def is_figure_twist(posture):
-    return " twisted by " in posture or posture == "full twist"
-
-
-def values(rows):
-    return [float(row["value"]) for row in rows]
-
-
 # --- Single quantities ---
 
-def worst_ratio(results, variant, posture=is_clip):
-    """The largest average ratio to the optimal radius, over models, postures and levels."""
-    return max(values(results.select("tightness", variant=variant, quantity="ratio_to_optimal", posture=posture)))
+def worst_ratio(results, variant, kind="clip", **where):
+    """The largest average ratio to the optimal radius, over models, postures of this kind and levels."""
+    return max(results.values("tightness", variant=variant, quantity="ratio_to_optimal", posture_kind=kind, **where))
 
 
 def total(results, file, **where):
-    return sum(values(results.select(file, **where)))
+    return sum(results.values(file, **where))
 
 
 def cost_ratios(results, variant):
-    return values(results.select("speed", variant=variant, quantity="ratio_to_repaired", level="all"))
+    return results.values("speed", variant=variant, quantity="ratio_to_repaired", level=ALL)
 
 
-def time_of(results, scene, detector, query="full"):
-    return results.number("collision", model="man", posture=f"{scene}, {query}", variant=detector, level="all",
-                          quantity="us_per_frame")
+def time_of(results, scene, detector, query="full", quantity="us_per_frame"):
+    return results.number("collision", model="man", scene=scene, query=query, variant=detector, level=ALL, quantity=quantity)
 
 
 def grown_time(results, triangles, scene, detector):
-    return results.number("triangle_growth", model=f"man of {triangles} triangles", posture=scene, variant=detector,
-                          quantity="us_per_frame")
+    return results.number("triangle_growth", triangles=triangles, posture=scene, variant=detector, quantity="us_per_frame")
 
 
 def largest_growth(results):
-    return max(int(v) for v in values(results.select("triangle_growth", quantity="triangles")))
+    return max(results.distinct("triangle_growth", "triangles"))
 
 
 def fastest_engine(results, scene):
-    found = results.select("collision", model="man", posture=f"{scene}, full", level="all", quantity="us_per_frame",
-                           variant=lambda v: v in ENGINES)
-    return min(values(found))
+    return min(results.values("collision", model="man", scene=scene, query="full", level=ALL, quantity="us_per_frame", origin="engine"))
 
 
 def pairs_of(results, scene):
-    return results.number("collision", model="man", posture=f"{scene}, full", variant="clusters", level="all",
-                          quantity="pairs")
+    return time_of(results, scene, "clusters", quantity="pairs")
 
 
 def fewer_spheres(results):
     """Spheres refitted by Algorithm 1 repaired over those by the default, where anything is near."""
-    def refitted(scene, variant):
-        return results.number("collision", model="man", posture=f"{scene}, full", variant=variant, level="all",
-                              quantity="nodes_refitted")
-    return [refitted(s, "spherical_repaired") / refitted(s, "control_mixed") for s in SCENES if s != "far"]
+    return [time_of(results, s, "spherical_repaired", quantity="nodes_refitted") / time_of(results, s, "control_mixed", quantity="nodes_refitted")
+            for s in SCENES if s != "far"]
 
 
 def batch_gains(results):
-    return [1 / v for v in values(results.select("batch_speed", variant="refit_spherical_avx512",
-                                                 quantity="ratio_to_scalar"))]
-
-
-def original_table(folder):
-    """The original's Table 1, which is no result of ours: (level, reference, linear, spherical, optimal), averages."""
-    with open(pathlib.Path(folder) / "original_table1.csv", newline="") as file:
-        return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
+    return [1 / v for v in results.values("batch_speed", operation="refit_spherical", method="avx512", quantity="ratio_to_scalar")]
 
 
 # --- The paper's numbers ---
 
-def numbers(results, folder):
+def numbers(results):
     out = {}
-    for row in original_table(folder)[:2]:
+    for row in original.table1()[:2]:
         out[f"original.level{row['level']:.0f}"] = f"{row['spherical'] / row['optimal']:.2f}"
     for variant in ["spherical_repaired", "spherical_exact", "control_mixed", "control_clusters"]:
         out[f"worst.{variant}"] = digits(worst_ratio(results, variant))
-    out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", is_figure_twist))
-    for variant in ["control_mixed", "control_clusters"]:
-        ratios = cost_ratios(results, variant)
-        out[f"cost.{variant}.least"], out[f"cost.{variant}.most"] = digits(min(ratios), 2), digits(max(ratios), 2)
-    ratios = cost_ratios(results, "linear")
-    out["cost.linear.least"], out["cost.linear.most"] = digits(min(ratios), 2), digits(max(ratios), 2)
+    out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", "twist"))
+    for variant in ["control_mixed", "control_clusters", "linear"]:
+        out[f"cost.{variant}.least"], out[f"cost.{variant}.most"] = (digits(v, 2) for v in span(cost_ratios(results, variant)))
     sound = [*SPHERICAL, "linear", "linear_mixed", "dual_quaternion_mixed"]
     out["sound.misses"] = whole_number(total(results, "tightness", quantity="misses", variant=lambda v: v in sound))
     out["sound.balls"] = whole_number(total(results, "tightness", quantity="nodes", variant=lambda v: v in sound))
     out["volumes.misses"] = whole_number(total(results, "volumes", quantity="misses"))
-    fewer = fewer_spheres(results)
-    out["spheres.least"], out["spheres.most"] = digits(min(fewer), 2), digits(max(fewer), 2)
-    gains = batch_gains(results)
-    out["batch.least"], out["batch.most"] = digits(min(gains), 2), digits(max(gains), 2)
+    out["spheres.least"], out["spheres.most"] = (digits(v, 2) for v in span(fewer_spheres(results)))
+    out["batch.least"], out["batch.most"] = (digits(v, 2) for v in span(batch_gains(results)))
     for scene in SCENES:
         out[f"engine.{scene}"] = digits(fastest_engine(results, scene) / time_of(results, scene, "clusters"), 2)
         out[f"skinall.{scene}"] = digits(time_of(results, scene, "skin_all_simd") / time_of(results, scene, "clusters"), 2)
@@ -130,29 +98,21 @@ def numbers(results, folder):
             grown_time(results, most, scene, "embree") / grown_time(results, most, scene, "clusters"), 2)
     for detector in ["clusters", "skin_all_simd", "embree"]:
         for scene in GROWN_SCENES:
-            exponent = results.number(
-                "triangle_growth", model="man", posture=scene, variant=detector, quantity="triangle_exponent")
-            out[f"exponent.{detector}.{scene}"] = f"${digits(exponent, 2)}$"
-    snakes = results.select("joint_growth", variant="own", quantity="joint_sets")
-    largest = max(snakes, key=lambda row: float(row["value"]))["model"]
-    ns = {v: results.number("joint_growth", model=largest, variant=v, quantity=q) for v, q in
-          [("own", "ns_of_root"), ("from_below", "ns_of_root_from_known")]}
-    out["joints.sets"] = whole_number(max(values(snakes)))
-    out["joints.own"], out["joints.below"] = digits(ns["own"] / 1000, 2), digits(ns["from_below"] / 1000, 2)
-    out["joints.ratio"] = digits(results.number("joint_growth", model=largest, variant="from_below",
-                                                quantity="root_ratio_to_optimal"))
-    crowd = max(results.select("character_growth", variant="clusters", quantity="us_per_frame"),
-                key=lambda row: int(row["model"].split()[0]))
-    out["crowd.men"] = whole_number(int(crowd["model"].split()[0]))
-    out["crowd.ms"] = digits(float(crowd["value"]) / 1000, 2)
-    out["crowd.contacts"] = whole_number(results.number("character_growth", model=crowd["model"], variant="clusters",
-                                                        quantity="contacts"))
+            out[f"exponent.{detector}.{scene}"] = f"${digits(growth.triangle_exponent(results, scene, detector), 2)}$"
+    joints, sets = max(results.distinct("joint_growth", "joints")), results.values("joint_growth", variant="own", quantity="joint_sets")
+    out["joints.sets"] = whole_number(max(sets))
+    for name, variant, quantity in [("own", "own", "ns_of_root"), ("below", "from_below", "ns_of_root_from_known")]:
+        out[f"joints.{name}"] = digits(results.number("joint_growth", joints=joints, variant=variant, quantity=quantity) / 1000, 2)
+    out["joints.ratio"] = digits(results.number("joint_growth", joints=joints, variant="from_below", quantity="root_ratio_to_optimal"))
+    men = max(results.distinct("character_growth", "characters"))
+    us, contacts = (results.number("character_growth", characters=men, variant="clusters", quantity=q) for q in ("us_per_frame", "contacts"))
+    out["crowd.men"], out["crowd.ms"], out["crowd.contacts"] = whole_number(men), digits(us / 1000, 2), whole_number(contacts)
     out["rounding.checks"] = whole_number(total(results, "rounding", quantity="exact_checks"))
     out["rounding.misses"] = whole_number(total(results, "rounding", quantity="misses") +
                                           total(results, "rounding", quantity="float_misses"))
-    verdicts = results.rows("verdicts")
-    out["verdicts.refuted"] = whole_number(len({r["lemma"] for r in verdicts if r["verdict"] == "refuted"}))
-    out["verdicts.held"] = whole_number(sum(float(r["cases"]) for r in verdicts if r["verdict"] == "holds"))
+    verdicts = summed_up(results.rows("verdicts"))
+    out["verdicts.refuted"] = whole_number(sum(v.refuted_after > 0 for v in verdicts))
+    out["verdicts.held"] = whole_number(sum(v.printed_cases + v.cases for v in verdicts))
     return out
 
 
@@ -162,7 +122,7 @@ def tightness_table(results, model, posture):
     variants = [*SPHERICAL, "bottom_up"]
     names = {**SPHERICAL, "bottom_up": "skinned, bottom-up"}
     levels = [1, 2, 3, 4, 6, 8, 10, 12]
-    rows = [[names[v], *(f"{results.number('tightness', model=model, posture=posture, variant=v, level=str(l), quantity='ratio_to_optimal'):.2f}"
+    rows = [[names[v], *(f"{results.number('tightness', model=model, posture=posture, variant=v, level=l, quantity='ratio_to_optimal'):.2f}"
                          for l in levels)] for v in variants]
     return table("l" + "r" * len(levels), ["", *map(str, levels)], rows)
 
@@ -170,9 +130,7 @@ def tightness_table(results, model, posture):
 def worst_table(results):
     rows = []
     for variant, name in SPHERICAL.items():
-        each = [max(values(results.select("tightness", model=m, variant=variant, quantity="ratio_to_optimal", posture=is_clip)))
-                for m in MODELS]
-        rows.append([name, *(f"{v:.2f}" for v in each)])
+        rows.append([name, *(f"{worst_ratio(results, variant, model=m):.2f}" for m in MODELS)])
     return table("l" + "r" * len(MODELS), ["", *map(short_model, MODELS)], rows)
 
 
@@ -185,8 +143,8 @@ def misses_table(results):
     rows = []
     for variant, name in PRINTED.items():
         cells = [name]
-        for kind in (is_clip, is_figure_twist):
-            balls, misses, undefined = (total(results, "tightness", variant=variant, quantity=q, posture=kind)
+        for kind in ("clip", "twist"):
+            balls, misses, undefined = (total(results, "tightness", variant=variant, quantity=q, posture_kind=kind)
                                         for q in ("nodes", "misses", "undefined"))
             cells += [f"{100 * misses / balls:.2g}\\,\\%", f"{100 * undefined / balls:.2g}\\,\\%"]
         rows.append(cells)
@@ -197,36 +155,31 @@ def cost_table(results):
     variants = {"linear": "linear \\cite{KavanZara2005a}", **SPHERICAL}
     rows = []
     for variant, name in variants.items():
-        ratios = [results.number("speed", model=m, variant=variant, level="all", quantity="ratio_to_repaired") for m in MODELS]
-        rows.append([name, *(f"{r:.2f}" for r in ratios)])
+        rows.append([name, *(f"{results.number('speed', model=m, variant=variant, level=ALL, quantity='ratio_to_repaired'):.2f}" for m in MODELS)])
     rows += [None, ["repaired, ns a sphere", *(whole_number(results.number(
-        "speed", model=m, variant="spherical_repaired", level="all", quantity="ns_per_sphere")) for m in MODELS)]]
+        "speed", model=m, variant="spherical_repaired", level=ALL, quantity="ns_per_sphere")) for m in MODELS)]]
     return table("l" + "r" * len(MODELS), ["", *map(short_model, MODELS)], rows)
 
 
 def batch_table(results):
     rows = []
-    for what, name, unit in [("refit_linear", "refit, linear", "ns_per_sphere"),
-                             ("refit_spherical", "refit, Algorithm 1 repaired", "ns_per_sphere"),
-                             ("skin_linear", "skinning, linear", "ns_per_vertex"),
-                             ("skin_spherical", "skinning, spherical", "ns_per_vertex"),
-                             ("skin_dual_quaternion", "skinning, dual quaternion", "ns_per_vertex")]:
-        rows.append([name, *(digits(results.number("batch_speed", model="man", variant=f"{what}_{target}", quantity=unit), 2)
-                             for target in ["scalar", "baseline", "avx2", "avx512"])])
+    for operation, name in [("refit_linear", "refit, linear"), ("refit_spherical", "refit, Algorithm 1 repaired"),
+                            ("skin_linear", "skinning, linear"), ("skin_spherical", "skinning, spherical"),
+                            ("skin_dual_quaternion", "skinning, dual quaternion")]:
+        rows.append([name, *(digits(results.number("batch_speed", model="man", operation=operation, method=method, unit="ns"), 2)
+                             for method in ["scalar", "baseline", "avx2", "avx512"])])
     return table("lrrrr", ["ns a sphere or vertex", "scalar", "SSE2", "AVX2", "AVX-512"], rows)
 
 
 def volumes_table(results):
-    def mean(variant, quantity):
-        found = values(results.select("volumes", variant=variant, quantity=quantity, posture=is_clip,
-                                      level=lambda l: l in ("3", "4", "5", "6")))
-        return sum(found) / len(found)
+    def average(variant, quantity):
+        return mean(results.values("volumes", variant=variant, quantity=quantity, posture_kind="clip", level=lambda l: l in (3, 4, 5, 6)))
     names = {"aabb": "axis-aligned box", "obb": "oriented box", "dop14": "14-DOP", "dop18": "18-DOP", "dop26": "26-DOP"}
     rows = []
     for variant, name in names.items():
-        cost = values(results.select("volumes", variant=variant, quantity="ratio_to_ball", level="all"))
-        rows.append([name, f"{mean(variant, 'ratio_to_optimal'):.2f}", f"{mean(variant, 'volume_to_ball'):.2f}",
-                     f"{min(cost):.1f}--{max(cost):.1f}"])
+        cost = span(results.values("volumes", variant=variant, quantity="ratio_to_ball", level=ALL))
+        rows.append([name, f"{average(variant, 'ratio_to_optimal'):.2f}", f"{average(variant, 'volume_to_ball'):.2f}",
+                     f"{cost.least:.1f}--{cost.most:.1f}"])
     return table("lrrr", ["", "size / smallest", "volume / ball", "cost / ball"], rows)
 
 
@@ -236,7 +189,7 @@ def rounding_table(results):
     rows = []
     for variant, name in names.items():
         def of(quantity):
-            return values(results.select("rounding", variant=variant, quantity=quantity))
+            return results.values("rounding", variant=variant, quantity=quantity)
         rows.append([name, f"{100 * sum(of('misses_as_computed')) / sum(of('exact_checks')):.2g}\\,\\%",
                      whole_number(sum(of("misses") + of("float_misses"))), power_of_ten(max(of("inflation_median"))),
                      power_of_ten(max(of("float_inflation_median"))), f"{min(of('cost_ratio')):.2f}--{max(of('cost_ratio')):.2f}"])
@@ -266,23 +219,14 @@ def provenance_table(results):
 
 def verdict_table(results, lemmas):
     """lemmas: the stems that must be there."""
-    def cell(rows, verdict):
-        chosen = [r for r in rows if r["verdict"] == verdict]
-        cases = sum(float(r["cases"]) for r in chosen)
-        if not chosen:
-            return "", ""
-        share = sum(float(r["cases"]) * float(r["degenerate_share"]) for r in chosen) / cases
-        return whole_number(cases), f"{100 * share:.0f}\\,\\%"
     out = []
     for stem in lemmas:
-        rows = results.select("verdicts", lemma=stem)
-        if any(r["verdict"] not in ("holds", "refuted") for r in rows):
+        v = of_lemma(stem, results.select("verdicts", lemma=stem))
+        if v.failed:
             raise ResultError(f"verdicts.csv: a test of {stem} failed")
-        printed = [r for r in rows if r["form"] == "printed"]
-        refuted = [int(r["cases"]) for r in printed if r["verdict"] == "refuted"]
-        as_printed = f"refuted after {min(refuted)}" if refuted else f"holds ({cell(printed, 'holds')[0]})" if printed else ""
-        held, degenerate = cell([r for r in rows if r["form"] != "printed"], "holds")
-        out.append([f"\\texttt{{{escaped(stem)}}}", as_printed, held, degenerate])
+        as_printed = f"refuted after {v.refuted_after}" if v.refuted_after else f"holds ({whole_number(v.printed_cases)})" if v.printed_cases else ""
+        held = [whole_number(v.cases), f"{100 * v.degenerate:.0f}\\,\\%"] if v.cases else ["", ""]
+        out.append([f"\\texttt{{{escaped(stem)}}}", as_printed, *held])
     return table("llrr", ["statement", "as printed", "repaired or new: cases", "degenerate"], out)
 
 
@@ -298,17 +242,17 @@ def tables(results, lemmas):
 
 def tightness_plot(results, model, posture):
     variants = [*SPHERICAL, "bottom_up"]
-    levels = sorted({int(r["level"]) for r in results.select("tightness", model=model, posture=posture, variant="control_mixed")})
+    levels = sorted(results.distinct("tightness", "level", model=model, posture=posture, variant="control_mixed"))
     lines = ["level " + " ".join(variants)]
     for level in levels:
         lines.append(f"{level} " + " ".join(str(results.number(
-            "tightness", model=model, posture=posture, variant=v, level=str(level), quantity="ratio_to_optimal")) for v in variants))
+            "tightness", model=model, posture=posture, variant=v, level=level, quantity="ratio_to_optimal")) for v in variants))
     return "\n".join(lines) + "\n"
 
 
 def growth_plot(results, scene):
     detectors = ["clusters", "spherical_repaired", "control_mixed_from_below", "skin_all_simd", "embree"]
-    sizes = sorted({int(float(r["value"])) for r in results.select("triangle_growth", posture=scene, quantity="triangles")})
+    sizes = sorted(results.distinct("triangle_growth", "triangles"))
     lines = ["triangles " + " ".join(detectors)]
     lines += [f"{n} " + " ".join(str(grown_time(results, n, scene, d)) for d in detectors) for n in sizes]
     return "\n".join(lines) + "\n"
@@ -318,10 +262,9 @@ def pareto_plot(results, model):
     """Cost of each variant in the model's twist and its tightness in the walk, mean over the levels."""
     lines = ["cost ratio label"]
     for variant in SPHERICAL:
-        ratio = values(results.select("tightness", model=model, posture="walk", variant=variant,
-                                      quantity="ratio_to_optimal"))
-        cost = results.number("speed", model=model, variant=variant, level="all", quantity="ratio_to_repaired")
-        lines.append(f"{cost} {sum(ratio) / len(ratio)} {variant.replace('_', '-')}")
+        ratio = mean(results.values("tightness", model=model, posture="walk", variant=variant, quantity="ratio_to_optimal"))
+        cost = results.number("speed", model=model, variant=variant, level=ALL, quantity="ratio_to_repaired")
+        lines.append(f"{cost} {ratio} {variant.replace('_', '-')}")
     return "\n".join(lines) + "\n"
 
 

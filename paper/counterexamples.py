@@ -5,7 +5,8 @@ What the tests decide with the library is worked out here once more, from the st
 import json
 from fractions import Fraction
 
-from results import ResultError
+import report_package  # noqa: F401
+from report.tables import ResultError
 
 
 class Cases:

@@ -3,15 +3,15 @@ import re
 
 import content
 from formats import digits, whole_number
-from results import ResultError
+from report.statistics import span
+from report.tables import ResultError
 
 BLOCK = re.compile(r"(<!-- measured: (\w+) -->\n)(.*?)(<!-- /measured -->\n)", re.DOTALL)
 COMMIT = re.compile(r"commit\s[0-9a-f]{7,40}\b")
 
 
-def span(found):
-    """From the least to the largest."""
-    return f"{digits(min(found), 2)} to {digits(max(found), 2)}"
+def from_to(found):
+    return " to ".join(digits(v, 2) for v in span(found))
 
 
 def commit_of(results, *files):
@@ -23,15 +23,15 @@ def commit_of(results, *files):
 def variants_block(results):
     commit = commit_of(results, "tightness", "speed", "collision", "batch_speed")
     worst = {v: digits(content.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_clusters")}
-    twist = digits(content.worst_ratio(results, "control_mixed", content.is_figure_twist))
+    twist = digits(content.worst_ratio(results, "control_mixed", "twist"))
     missed = content.total(results, "tightness", quantity="misses", variant=lambda v: v in content.SPHERICAL)
     gains = content.batch_gains(results)
     return f"""\
 Measured on six characters with `experiments/run` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. Average radius
 over that of the smallest ball of the deformed vertices, on the worst level of the worst clip: `spherical_repaired` {worst['spherical_repaired']},
 `control_mixed` {worst['control_mixed']}, `control_clusters` {worst['control_clusters']}; in a joint twisted by 170 degrees or more `control_mixed` has at most {twist} on a
-level. Cost of a sphere against `spherical_repaired` in the same run: `control_mixed` {span(content.cost_ratios(results, 'control_mixed'))},
-`control_clusters` {span(content.cost_ratios(results, 'control_clusters'))}. Where anything is near, queries refit {span(content.fewer_spheres(results))} times fewer spheres
+level. Cost of a sphere against `spherical_repaired` in the same run: `control_mixed` {from_to(content.cost_ratios(results, 'control_mixed'))},
+`control_clusters` {from_to(content.cost_ratios(results, 'control_clusters'))}. Where anything is near, queries refit {from_to(content.fewer_spheres(results))} times fewer spheres
 with `control_mixed`. In batches of SIMD packs (`algorithms/batch`), all spheres of a tree by Algorithm 1 repaired cost 1/{min(gains):.0f} to
 1/{max(gains):.0f} of the same one by one.
 """

@@ -1,4 +1,4 @@
-// proptests: runs every property (or those of --only STEM) and ends with the verdict table.
+// proptests: runs every property (or those of --only STEM) and writes their verdicts.
 #include <boost/program_options.hpp>
 #include <charconv>
 #include <chrono>
@@ -32,15 +32,13 @@ int main(int argc, char** argv) try {
   constexpr std::uint64_t fixed_seed = 2006;
   std::string seed_text = std::to_string(fixed_seed);
   int cases = 0;
-  std::string out, readme;
+  std::string out;
   po::options_description options("proptests: the property tests of refitlab");
   options.add_options()("help", "this text")("list", "the stems, a line each")(
       "only", po::value(&only)->multitoken(), "run the suites whose stem contains one of these")(
       "seed", po::value(&seed_text), "seed of the random cases, or 'random' for a fresh one (fixed unless given)")(
       "cases", po::value(&cases), "cases of every property, for a campaign as long as wanted")(
-      "out", po::value(&out), "folder for verdicts.csv and verdicts.md")(
-      "readme", po::value(&readme), "a file whose verdict table must be the one of a full run with the fixed seed")(
-      "update-readme", "put the table into that file instead")(
+      "out", po::value(&out), "folder for verdicts.csv")(
       "print-cases", "print proptests/cases/cases.json as Markdown, and nothing else");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, options), map);
@@ -79,18 +77,8 @@ int main(int argc, char** argv) try {
       return proptests::Checked(unseen.empty(), static_cast<long>(list.size()), unseen);
     });
   if (run.empty()) throw po::error("no suite's stem contains what --only names; --list lists them");
-  const std::string table = proptests::verdict_table(session.outcomes());
-  const bool is_the_fixed_run = only.empty() && seed == fixed_seed && cases == 0;
-  if (!readme.empty() && is_the_fixed_run) {
-    if (map.count("update-readme"))
-      proptests::put_table_in(readme, table);
-    else
-      proptests::Suite("readme").example("its verdict table is what this run found; proptests/run --update-readme renews it", {},
-                                         [&] { return proptests::table_in(readme) == table; });
-  }
   long passed = 0, failed = 0;
   for (const auto& o : session.outcomes()) ++(o.passed ? passed : failed);
-  std::cout << '\n' << table << '\n';
   if (!out.empty()) proptests::write_verdicts(session.outcomes(), out);
   for (const auto& o : session.outcomes())
     if (!o.passed) std::cout << "FAILED " << o.stem << ": " << o.sentence << "\n       " << o.detail << '\n';

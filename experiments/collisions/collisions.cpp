@@ -182,11 +182,12 @@ std::vector<CollisionResult> run_collisions(const Character& c, const CollisionS
 }
 
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "scene", "query", "origin"});
   for (const CollisionResult& r : results) {
     const std::string scene = r.scene + ", " + name_of(r.query);
     const auto add = [&](const std::string& level, const char* quantity, double value, const char* unit) {
-      file.add({"collisions", r.model, scene, r.detector, level, quantity, format_number(value), unit});
+      file.add({"collisions", r.model, scene, r.detector, level, quantity, format_number(value), unit, r.scene,
+                name_of(r.query), name_of(r.origin)});
     };
     add("all", "us_per_frame", r.us_per_frame, "us");
     add("all", "pairs", r.pairs, "1");

@@ -8,6 +8,16 @@
 
 namespace refitlab {
 
+const char* name_of(Origin origin) {
+  switch (origin) {
+    case Origin::own: return "own";
+    case Origin::rival: return "rival";
+    case Origin::engine: return "engine";
+    case Origin::oracle: break;
+  }
+  return "oracle";
+}
+
 const std::vector<DetectorKind>& detector_kinds() {
   static const std::vector<DetectorKind> all = [] {
     std::vector<DetectorKind> kinds = on_demand_kinds();

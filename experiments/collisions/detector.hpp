@@ -69,6 +69,8 @@ enum class Origin {
   oracle   // tries all pairs; no detector, but a row of results
 };
 
+const char* name_of(Origin origin);
+
 struct DetectorKind {
   std::string name, description;
   Origin origin;

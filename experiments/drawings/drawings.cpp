@@ -1,6 +1,6 @@
 #include "experiments/drawings/drawings.hpp"
 
-#include <stdexcept>
+#include "algorithms/results/result_file.hpp"
 
 namespace refitlab::drawings {
 
@@ -12,10 +12,19 @@ std::vector<Drawing> all_drawings() {
   return all;
 }
 
-Drawing drawing_of(const std::string &stem) {
-  for (const Drawing &drawing : all_drawings())
-    if (drawing.stem == stem) return drawing;
-  throw std::invalid_argument("no drawing of '" + stem + "'");
+void write_drawings(const std::string &path) {
+  ResultFile file({"drawing", "shape", "kind", "points", "radius", "closed", "label"});
+  for (const Drawing &drawing : all_drawings()) {
+    file.add({drawing.stem, "caption", "", "", "0", "no", drawing.caption});
+    Plane plane;
+    drawing.draw(plane);
+    for (const Shape &s : plane.shapes()) {
+      std::string points;
+      for (const Point &p : s.points) points += (points.empty() ? "" : " ") + format_number(p[0]) + " " + format_number(p[1]);
+      file.add({drawing.stem, s.shape, s.kind, points, format_number(s.radius), s.closed ? "yes" : "no", s.label});
+    }
+  }
+  file.write(path);
 }
 
 }  // namespace refitlab::drawings

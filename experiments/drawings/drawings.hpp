@@ -1,5 +1,4 @@
-// Drawings: a picture in the plane for each lemma, of what the lemma's own code
-// computes in double.
+// Drawings: a picture in the plane for each lemma, of what the lemma's own code computes in double, as a table of shapes.
 #pragma once
 
 #include "experiments/drawings/plane.hpp"
@@ -10,12 +9,6 @@ struct Drawing {
   std::string stem;  // of the lemma's file
   void (*draw)(Plane &);
   std::string caption;
-
-  std::string svg() const {
-    Plane plane;
-    draw(plane);
-    return plane.svg(caption);
-  }
 };
 
 const std::vector<Drawing> &drawings_of_lemmas();
@@ -26,7 +19,8 @@ const std::vector<Drawing> &drawings_of_control_hulls();
 // All of them.
 std::vector<Drawing> all_drawings();
 
-// Throws std::invalid_argument for a stem that has none.
-Drawing drawing_of(const std::string &stem);
+// drawings.csv: a row a shape, in the order in which they are drawn, and a row with the caption of each drawing. Points
+// are "x y x y ...".
+void write_drawings(const std::string &path);
 
 }  // namespace refitlab::drawings

@@ -1,8 +1,7 @@
-// Plane: a picture in the plane as SVG. Its classes are those of drawings/style.hpp; y is up.
+// Plane: a picture in the plane as a list of shapes, for the report to draw (experiments/report/drawings.py). y is up.
 #pragma once
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,31 +12,29 @@ namespace refitlab::drawings {
 
 using Point = Vec<double, 2>;
 
+// kind: the class that the report's style sheet (drawings.css) gives a line, a filling or a mark.
+struct Shape {
+  std::string shape;  // "circle", "path", "dot" or "text"
+  std::string kind;
+  std::vector<Point> points;  // of a path; else one
+  double radius = 0;          // of a circle
+  bool closed = false;        // a path
+  std::string label = "";     // beside a dot, or a text
+};
+
 class Plane {
  public:
-  void circle(const char* kind, const Point& center, double radius) {
-    out_ << "<circle class=\"" << kind << "\" cx=\"" << x(center) << "\" cy=\"" << y(center) << "\" r=\""
-         << scale * radius << "\"/>\n";
-    grow(center, radius);
-  }
-  void ball(const char* kind, const SquaredBall<double, 2>& b) {
+  void circle(const std::string& kind, const Point& center, double radius) { shapes_.push_back({"circle", kind, {center}, radius}); }
+  void ball(const std::string& kind, const SquaredBall<double, 2>& b) {
     circle(kind, b.center, std::sqrt(std::max(0., b.squared_radius)));
   }
-  void path(const char* kind, const std::vector<Point>& points, bool closed = false) {
-    out_ << "<path class=\"" << kind << "\" d=\"";
-    for (std::size_t i = 0; i < points.size(); ++i)
-      out_ << (i ? "L" : "M") << x(points[i]) << ' ' << y(points[i]), grow(points[i], 0);
-    out_ << (closed ? "Z" : "") << "\"" << (closed ? "" : " fill=\"none\"") << "/>\n";
+  void path(const std::string& kind, const std::vector<Point>& points, bool closed = false) {
+    shapes_.push_back({"path", kind, points, 0, closed});
   }
-  void dot(const char* kind, const Point& at, const std::string& label = "") {
-    out_ << "<circle class=\"" << kind << "\" cx=\"" << x(at) << "\" cy=\"" << y(at) << "\" r=\"4\"/>\n";
-    if (!label.empty()) labels_ << "<text x=\"" << x(at) + 7 << "\" y=\"" << y(at) - 7 << "\">" << label << "</text>\n";
-    grow(at, 0.12);
+  void dot(const std::string& kind, const Point& at, const std::string& label = "") {
+    shapes_.push_back({"dot", kind, {at}, 0, false, label});
   }
-  void text(const Point& at, const std::string& words) {
-    labels_ << "<text x=\"" << x(at) << "\" y=\"" << y(at) << "\">" << words << "</text>\n";
-    grow(at, 0.1);
-  }
+  void text(const Point& at, const std::string& words) { shapes_.push_back({"text", "", {at}, 0, false, words}); }
   // The points of the cap's circle that the cap holds.
   void cap(const Cap<double, 2>& c) {
     std::vector<Point> arc;
@@ -58,27 +55,10 @@ class Plane {
     return {c * v[0] - s * v[1], s * v[0] + c * v[1]};
   }
 
-  // The title is the picture's caption, for who does not see it.
-  std::string svg(const std::string& title) const {
-    std::ostringstream out;
-    const double margin = 20, width = high_[0] - low_[0], height = high_[1] - low_[1];
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" role=\"img\" aria-label=\"" << title
-        << "\" viewBox=\"" << scale * low_[0] - margin << ' ' << -scale * high_[1] - margin << ' '
-        << scale * width + 3 * margin << ' ' << scale * height + 2 * margin << "\">\n"
-        << out_.str() << labels_.str() << "</svg>\n";
-    return out.str();
-  }
+  const std::vector<Shape>& shapes() const { return shapes_; }
 
  private:
-  static constexpr double scale = 120;
-  static double x(const Point& p) { return scale * p[0]; }
-  static double y(const Point& p) { return -scale * p[1]; }
-  void grow(const Point& p, double r) {
-    low_ = low_.cwiseMin(Point(p[0] - r, p[1] - r)), high_ = high_.cwiseMax(Point(p[0] + r, p[1] + r));
-  }
-
-  std::ostringstream out_, labels_;
-  Point low_{1e9, 1e9}, high_{-1e9, -1e9};
+  std::vector<Shape> shapes_;
 };
 
 }  // namespace refitlab::drawings

@@ -12,7 +12,6 @@
 #include "algorithms/collide/crowd.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "experiments/growth/exponent.hpp"
 
 namespace refitlab {
 namespace {
@@ -128,24 +127,15 @@ std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings)
         r.pairs_of_boxes, r.contacts, r.triangle_pairs, 100 * r.clusters_skinned, r.full, r.full_on_two_threads,
         r.yes_no, r.skin_all);
   }
-  std::printf("  exponent of the cost of a frame in the characters: %.2f full, %.2f yes/no\n",
-              exponent(rows, &CharacterGrowth::full), exponent(rows, &CharacterGrowth::yes_no));
   return rows;
 }
 
-double exponent(const std::vector<CharacterGrowth>& rows, double CharacterGrowth::*cost) {
-  constexpr int last = 3;
-  std::vector<std::pair<double, double>> points;
-  for (std::size_t i = rows.size() - last; i < rows.size(); ++i) points.emplace_back(rows[i].characters, rows[i].*cost);
-  return fitted_exponent(points);
-}
-
 void write_character_growth(const std::vector<CharacterGrowth>& rows, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "characters"});
   for (const CharacterGrowth& r : rows) {
     const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
       file.add({"character_growth", std::to_string(r.characters) + " men", "walk", variant, "all", quantity,
-                format_number(value), unit},
+                format_number(value), unit, std::to_string(r.characters)},
                seed);
     };
     add("clusters", "pairs_of_boxes", r.pairs_of_boxes, "1");

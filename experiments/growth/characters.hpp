@@ -24,9 +24,6 @@ struct CharacterGrowth {
 // 10 to 1000 characters, each with two square metres.
 std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings);
 
-// The exponent of the growth of cost with the characters, over the three largest numbers of them, by least squares.
-double exponent(const std::vector<CharacterGrowth>& rows, double CharacterGrowth::*cost);
-
 void write_character_growth(const std::vector<CharacterGrowth>& rows, const std::string& path);
 
 }  // namespace refitlab

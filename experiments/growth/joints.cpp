@@ -67,22 +67,15 @@ std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings) {
                 "knows its front; %.3f and %.3f times optimal\n", r.joint_sets, r.many, r.own / 1000, r.from_below / 1000, r.own_root / 1000,
                 r.root_from_below / 1000, r.root_from_known / 1000, r.root_ratio, r.root_ratio_from_below);
   }
-  std::printf("  exponents of the root's cost from 100 to 1000 joints: %.2f by itself, %.2f from its front\n",
-              exponent(rows, &JointGrowth::own_root), exponent(rows, &JointGrowth::root_from_known));
   return rows;
 }
 
-double exponent(const std::vector<JointGrowth>& rows, double JointGrowth::*cost) {
-  const auto of = [&](int joints) { return *std::find_if(rows.begin(), rows.end(), [&](const JointGrowth& r) { return r.joints == joints; }); };
-  const JointGrowth a = of(100), b = of(1000);
-  return std::log(b.*cost / (a.*cost)) / std::log(static_cast<double>(b.joints) / a.joints);
-}
-
 void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "joints"});
   for (const JointGrowth& r : rows) {
     const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
-      file.add({"joint_growth", "snake of " + std::to_string(r.joints) + " joints", "wave", variant, "all", quantity, format_number(value), unit});
+      file.add({"joint_growth", "snake of " + std::to_string(r.joints) + " joints", "wave", variant, "all", quantity, format_number(value), unit,
+                std::to_string(r.joints)});
     };
     add("own", "joint_sets", r.joint_sets, "1");
     add("own", "nodes_of_many_joint_sets", r.many, "1");

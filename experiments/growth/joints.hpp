@@ -23,9 +23,6 @@ struct JointGrowth {
 // For 10 to 1000 joints.
 std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings);
 
-// The exponent of the growth of cost from 100 to 1000 joints.
-double exponent(const std::vector<JointGrowth>& rows, double JointGrowth::*cost);
-
 void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string& path);
 
 }  // namespace refitlab

@@ -1,14 +1,12 @@
 #include "experiments/growth/triangles.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <iostream>
 
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/model/subdivide.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "experiments/growth/exponent.hpp"
 
 namespace refitlab {
 namespace {
@@ -68,21 +66,13 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
   return rows;
 }
 
-double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene,
-                         const std::string& detector) {
-  std::vector<std::pair<double, double>> points;
-  for (const TriangleGrowth& r : rows)
-    if (r.result.scene == scene && r.result.detector == detector && r.triangles >= 4000)
-      points.emplace_back(r.triangles, r.result.us_per_frame);
-  return fitted_exponent(points);
-}
-
 void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "triangles"});
   for (const TriangleGrowth& r : rows) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
       file.add(
-          {"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit});
+          {"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit,
+           std::to_string(r.triangles)});
     };
     add("triangles", r.triangles, "1");
     add("us_per_frame", r.result.us_per_frame, "us");
@@ -90,10 +80,6 @@ void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::s
     add("nodes_refitted", r.result.nodes_refitted, "1");
     add("vertices_skinned", r.result.vertices_skinned, "1");
   }
-  for (const char* scene : scene_names)
-    for (const char* detector : detectors)
-      file.add({"growth", "man", scene, detector, "all", "triangle_exponent",
-                format_number(triangle_exponent(rows, scene, detector)), "1"});
   file.write(path);
 }
 

@@ -23,11 +23,6 @@ struct TriangleGrowth {
 // and Embree.
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings);
 
-// The exponent e of the least-squares fit of triangles^e to a detector's time in a scene, over all numbers but those
-// below 4000.
-double triangle_exponent(const std::vector<TriangleGrowth>& rows, const std::string& scene,
-                         const std::string& detector);
-
 void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path);
 
 }  // namespace refitlab

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -131,7 +132,7 @@ std::vector<QueryResult> run_queries(const QuerySettings& settings) {
   return results;
 }
 
-void write_queries(const std::vector<QueryResult>& results, const QuerySettings& settings, const std::string& folder) {
+void write_queries(const std::vector<QueryResult>& results, const QuerySettings& settings, const std::string& path) {
   ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
   for (const QueryResult& r : results) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
@@ -151,8 +152,8 @@ void write_queries(const std::vector<QueryResult>& results, const QuerySettings&
     }
     if (r.ns_per_refit > 0) add("ns_per_refit", r.ns_per_refit, "ns");
   }
-  file.write(folder + "/queries.csv");
-  write_whole(folder + "/queries_sample.json",
+  file.write(path);
+  write_whole((std::filesystem::path(path).parent_path() / "queries_sample.json").string(),
               queries_as_case_file(settings.seed, std::min(settings.count, sample_count)));
 }
 

@@ -27,7 +27,7 @@ struct QuerySettings {
 // Geometry on all processors, then the cost of some of the queries on one thread. Progress and a table on stdout.
 std::vector<QueryResult> run_queries(const QuerySettings& settings);
 
-// out/results/queries.csv, and the first queries as a file of cases for other programs to read.
-void write_queries(const std::vector<QueryResult>& results, const QuerySettings& settings, const std::string& folder);
+// out/results/queries.csv at path, and beside it the first queries as a file of cases for other programs to read.
+void write_queries(const std::vector<QueryResult>& results, const QuerySettings& settings, const std::string& path);
 
 }  // namespace refitlab

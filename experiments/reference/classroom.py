@@ -67,6 +67,13 @@ contradict, a mutated witness is rejected, and an example for each hypothesis th
 <li>Two or three mutants in <code>proptests/mutants/list.toml</code>, and <code>proptests/mutants/run --only STEM</code>.</li>
 <li>Its place in the class in <code>experiments/reference/classroom.py</code>, and a picture in <code>experiments/drawings</code>. Its page is then made by itself; the
 reference is not, until both are there.</li></ol></section>
+<section id="report"><h2>Show a new quantity in the report</h2><ol>
+<li>The experiment writes it, a row a value, into its table in <code>out/results</code>: the columns say what the row is of, and what else a reader needs to know of
+it gets a column of its own. A new table gets a schema in <code>experiments/report/tables.py</code>: its columns, and what each may hold.</li>
+<li>A module in <code>experiments/report</code> makes of the rows what is shown, with the arithmetic in <code>experiments/report/statistics.py</code>; the template of the same name in
+<code>experiments/report/templates</code> shows it; <code>experiments/report/page.py</code> lists the sections in their order.</li>
+<li><code>experiments/report/build out/results out/report</code> draws the page anew from the tables that are there, in seconds; <code>experiments/report/check</code> looks at it.</li>
+<li><code>experiments/report/test</code> has what is worked out by hand, and what must be refused.</li></ol></section>
 """
 
 ROUNDING = """

@@ -5,8 +5,17 @@
 
 #include <tuple>
 
-#include "experiments/report/report.hpp"
+#include "experiments/collisions/collisions.hpp"
+#include "experiments/growth/characters.hpp"
+#include "experiments/growth/joints.hpp"
+#include "experiments/growth/triangles.hpp"
+#include "experiments/queries/queries.hpp"
+#include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/balls.hpp"
+#include "experiments/speed/batch.hpp"
+#include "experiments/speed/speed.hpp"
+#include "experiments/tightness/tightness.hpp"
+#include "experiments/tightness/volumes.hpp"
 
 namespace refitlab {
 
@@ -44,8 +53,8 @@ inline auto fields(LevelTightness& v) {
   return std::tie(nodes, undefined, least, greatest, sum, optimal, misses, worst);
 }
 inline auto fields(TightnessResult& v) {
-  auto& [model, posture, postures, tightness] = v;
-  return std::tie(model, posture, postures, tightness);
+  auto& [model, posture, kind, postures, tightness] = v;
+  return std::tie(model, posture, kind, postures, tightness);
 }
 inline auto fields(SpeedResult& v) {
   auto& [model, posture, variant, level, ns, ratio] = v;
@@ -64,12 +73,12 @@ inline auto fields(LevelVolumes& v) {
   return std::tie(nodes, misses, size, optimal, ball, solid, ratio);
 }
 inline auto fields(VolumeResult& v) {
-  auto& [model, posture, postures, volumes] = v;
-  return std::tie(model, posture, postures, volumes);
+  auto& [model, posture, kind, postures, volumes] = v;
+  return std::tie(model, posture, kind, postures, volumes);
 }
 inline auto fields(VolumeCost& v) {
-  auto& [model, posture, variant, ns, ratio] = v;
-  return std::tie(model, posture, variant, ns, ratio);
+  auto& [model, posture, kind, variant, ns, ratio] = v;
+  return std::tie(model, posture, kind, variant, ns, ratio);
 }
 inline auto fields(VolumeResults& v) {
   auto& [tightness, costs] = v;

@@ -2,6 +2,8 @@
 // again.
 #pragma once
 
+#include <chrono>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -28,21 +30,36 @@ void from_json(const nlohmann::json& json, T& value) {
   std::apply([&](auto&... field) { (json.at(i++).get_to(field), ...); }, fields(value));
 }
 
+// The units of a run, of which it says how many are left as each begins.
+class Units {
+ public:
+  Units(const RunFolder& folder, std::size_t total) : folder(folder), total_(total) {}
+  void begin(const std::string& unit) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    std::cout << "== " << unit << " (" << ++begun_ << " of " << total_ << " parts; " << std::lround(passed.count()) << " s so far)" << std::endl;
+  }
+  const RunFolder& folder;
+
+ private:
+  std::size_t total_, begun_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 // The result of make(), or of the run that made it before. options: settings of the experiment; model: what identify()
 // says of it, or nothing.
 template <class Make, class Options>
-auto resumed_or(const RunFolder& run, const std::string& unit, const Options& options, const std::string& model,
-                const Make& make) {
+auto resumed_or(Units& run, const std::string& unit, const Options& options, const std::string& model, const Make& make) {
   using Result = decltype(make());
+  run.begin(unit);
   const std::string inputs = nlohmann::json(options).dump() + (model.empty() ? "" : ", model " + model);
-  if (const auto kept = run.find(unit, inputs)) {
+  if (const auto kept = run.folder.find(unit, inputs)) {
     std::cout << "resumed: " << unit << " was finished before" << std::endl;
     return nlohmann::json::from_cbor(*kept).get<Result>();
   }
   Result result = make();
   std::string bytes;
   nlohmann::json::to_cbor(nlohmann::json(result), bytes);  // unlike text it has numbers that are not finite
-  run.keep(unit, inputs, bytes);
+  run.folder.keep(unit, inputs, bytes);
   return result;
 }
 

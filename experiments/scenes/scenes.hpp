@@ -14,6 +14,7 @@ namespace refitlab {
 struct PostureSet {
   std::string name;
   std::vector<Posture> postures;
+  std::string kind = "clip";  // or that of a NamedPosture
 };
 
 // The two procedural models and the real ones found in folder, by file name; absent: the real ones that are not there.
@@ -28,11 +29,12 @@ DefaultModels default_models(const std::string& folder);
 // Every clip at this many times, evenly spread from start to end.
 std::vector<PostureSet> posture_sets(const Model& model, int times_per_clip);
 
-// The posture of the paper's Figure 5: the end of the clip "twist" if the model has one, else a neck turned by 170 degrees.
 struct NamedPosture {
   std::string name;
   Posture posture;
+  std::string kind = "twist";  // "twist": figure_twist; "worst_twist"
 };
+// The posture of the paper's Figure 5: the end of the clip "twist" if the model has one, else a neck turned by 170 degrees.
 NamedPosture figure_twist(const Model& model);
 
 }  // namespace refitlab

@@ -145,13 +145,14 @@ std::vector<BatchSpeed> run_batch_speed(const Character& c, const NamedPosture& 
 }
 
 void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "operation", "method"});
   for (const BatchSpeed& r : results) {
-    const std::string variant = r.what + "_" + r.how;
-    file.add({"batch_speed", r.model, r.posture, variant, "all", "ns_per_" + r.item, format_number(r.ns), "ns"});
-    file.add({"batch_speed", r.model, r.posture, variant, "all", "ratio_to_scalar", format_number(r.ratio), "1"});
-    if (r.to_linear > 0)
-      file.add({"batch_speed", r.model, r.posture, variant, "all", "ratio_to_linear", format_number(r.to_linear), "1"});
+    const auto add = [&](const std::string& quantity, double value, const char* unit) {
+      file.add({"batch_speed", r.model, r.posture, r.what + "_" + r.how, "all", quantity, format_number(value), unit, r.what, r.how});
+    };
+    add("ns_per_" + r.item, r.ns, "ns");
+    add("ratio_to_scalar", r.ratio, "1");
+    if (r.to_linear > 0) add("ratio_to_linear", r.to_linear, "1");
   }
   file.write(path);
 }

@@ -16,8 +16,7 @@ void print_table(const TightnessResult& r) {
               r.postures, r.postures == 1 ? "" : "s");
   std::printf("%5s %7s", "level", "nodes");
   for (const char* head : heads) std::printf(" | %-29s", head);
-  std::printf(" | paper avg / Optimal\n");
-  const auto paper = paper_ratios_to_optimal();
+  std::printf("\n");
   const std::size_t levels = r.tightness.at("optimal").size();
   for (std::size_t l = 0; l < levels; ++l) {
     std::printf("%5zu %7ld", l + 1, r.tightness.at("optimal")[l].nodes / r.postures);
@@ -25,7 +24,6 @@ void print_table(const TightnessResult& r) {
       const LevelTightness& t = r.tightness.at(column)[l];
       std::printf(" | %7.4g %7.4g %7.4g %5.2f", t.radius_min, t.radius_avg(), t.radius_max, t.ratio_to_optimal());
     }
-    if (l < paper.size()) std::printf(" | %.2f", paper[l]);
     std::printf("\n");
   }
   std::printf("  avg / Optimal of every variant, level by level:\n");
@@ -45,44 +43,36 @@ void print_table(const TightnessResult& r) {
 
 }  // namespace
 
-std::vector<double> paper_ratios_to_optimal() {
-  // Average radii of Table 1: {Spherical Blending, Optimal} by level.
-  const double table[][2] = {{79.55, 34.41}, {33.95, 22.05}, {8.89, 7.39}, {4.12, 3.69}, {1.83, 1.70},
-                             {0.98, 0.92},   {0.66, 0.61},   {0.43, 0.42}, {0.30, 0.30}};
-  std::vector<double> ratios;
-  for (const auto& [spherical, optimal] : table) ratios.push_back(spherical / optimal);
-  return ratios;
-}
-
 std::vector<TightnessResult> run_tightness(const Character& c, const std::vector<NamedPosture>& postures,
                                            const TightnessSettings& settings) {
   std::vector<TightnessResult> results;
   auto sets = posture_sets(c.model, settings.times_per_clip);
-  for (const auto& [name, posture] : postures) sets.push_back({name, {posture}});
+  for (const NamedPosture& p : postures) sets.push_back({p.name, {p.posture}, p.kind});
   for (std::size_t i = 0; i < sets.size(); ++i) {
     std::cout << "[tightness] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
               << sets[i].postures.size() << " postures" << std::endl;
-    results.push_back({c.model.name, sets[i].name, static_cast<int>(sets[i].postures.size()), measure_tightness(c, sets[i])});
+    results.push_back({c.model.name, sets[i].name, sets[i].kind, static_cast<int>(sets[i].postures.size()), measure_tightness(c, sets[i])});
     print_table(results.back());
   }
   return results;
 }
 
 void write_tightness(const std::vector<TightnessResult>& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "posture_kind", "postures"});
   for (const auto& r : results)
     for (const auto& column : r.tightness)
       for (std::size_t l = 0; l < column.second.size(); ++l) {
         const std::string& variant = column.first;
         const LevelTightness& t = column.second[l];
         const auto add = [&](const char* quantity, double value, const char* unit) {
-          file.add({"tightness", r.model, r.posture, variant, std::to_string(l + 1), quantity, format_number(value), unit});
+          file.add({"tightness", r.model, r.posture, variant, std::to_string(l + 1), quantity, format_number(value), unit,
+                    r.posture_kind, std::to_string(r.postures)});
         };
         if (t.nodes > t.undefined) {
           add("radius_min", t.radius_min, "model unit");
           add("radius_avg", t.radius_avg(), "model unit");
           add("radius_max", t.radius_max, "model unit");
-          add("ratio_to_optimal", t.ratio_to_optimal(), "1");
+          if (t.optimal_sum > 0) add("ratio_to_optimal", t.ratio_to_optimal(), "1");
         }
         add("nodes", static_cast<double>(t.nodes), "1");
         add("undefined", static_cast<double>(t.undefined), "1");

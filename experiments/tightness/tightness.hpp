@@ -9,8 +9,8 @@
 namespace refitlab {
 
 struct TightnessResult {
-  std::string model, posture;
-  int postures;  // how many were sampled
+  std::string model, posture, posture_kind;  // posture_kind: "clip", "twist" or "worst_twist"
+  int postures;                              // how many were sampled
   Tightness tightness;
 };
 
@@ -24,8 +24,5 @@ std::vector<TightnessResult> run_tightness(const Character& character, const std
 
 // All results as out/results/tightness.csv.
 void write_tightness(const std::vector<TightnessResult>& results, const std::string& path);
-
-// The paper's Table 1, as average Spherical / Optimal by level.
-std::vector<double> paper_ratios_to_optimal();
 
 }  // namespace refitlab

@@ -125,7 +125,7 @@ std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& po
   std::vector<VolumeCost> out;
   for (const Timed& refit : timed) {
     const auto& own = times.at(refit.name);
-    out.push_back({c.model.name, posture.name, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
+    out.push_back({c.model.name, posture.name, posture.kind, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
     std::printf("  %-26s %8.1f ns per node, %6.2f times %s\n", refit.name.c_str(), out.back().ns_per_node,
                 out.back().ratio_to_ball, ball_variant);
   }
@@ -147,13 +147,13 @@ void LevelVolumes::merge(const LevelVolumes& o) {
 void run_volumes(const Character& c, const NamedPosture& posture, const VolumeSettings& settings,
                  VolumeResults& results) {
   auto sets = posture_sets(c.model, settings.times_per_clip);
-  sets.push_back({posture.name, {posture.posture}});
+  sets.push_back({posture.name, {posture.posture}, posture.kind});
   const std::vector<int> nodes = some_nodes(c.tree, settings.nodes_per_level);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const int postures = static_cast<int>(sets[i].postures.size());
     std::cout << "[volumes] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
               << postures << " postures" << std::endl;
-    results.tightness.push_back({c.model.name, sets[i].name, postures, measure(c, nodes, sets[i])});
+    results.tightness.push_back({c.model.name, sets[i].name, sets[i].kind, postures, measure(c, nodes, sets[i])});
     print_table(results.tightness.back());
   }
   const auto costs = measure_costs(c, posture, settings.speed);
@@ -161,25 +161,27 @@ void run_volumes(const Character& c, const NamedPosture& posture, const VolumeSe
 }
 
 void write_volumes(const VolumeResults& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "posture_kind", "postures"});
   for (const VolumeResult& r : results.tightness)
     for (const auto& column : r.volumes)
       for (std::size_t l = 0; l < column.second.size(); ++l) {
         const LevelVolumes& level = column.second[l];
         const auto add = [&](const char* quantity, double value, const char* unit) {
           file.add({"volumes", r.model, r.posture, column.first, std::to_string(l + 1), quantity, format_number(value),
-                    unit});
+                    unit, r.posture_kind, std::to_string(r.postures)});
         };
         add("size_avg", level.size_avg(), "model unit");
-        add("ratio_to_optimal", level.ratio_to_optimal(), "1");
-        add("size_to_ball", level.size_to_ball(), "1");
-        add("volume_to_ball", level.volume_to_ball(), "1");
+        // What is a single point has no ratio.
+        if (level.optimal_sum > 0) add("ratio_to_optimal", level.ratio_to_optimal(), "1");
+        if (level.ball_sum > 0) add("size_to_ball", level.size_to_ball(), "1");
+        if (level.solid_nodes > 0) add("volume_to_ball", level.volume_to_ball(), "1");
         add("nodes", static_cast<double>(level.nodes), "1");
         add("misses", static_cast<double>(level.misses), "1");
       }
   for (const VolumeCost& cost : results.costs) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"volumes", cost.model, cost.posture, cost.variant, "all", quantity, format_number(value), unit});
+      file.add({"volumes", cost.model, cost.posture, cost.variant, "all", quantity, format_number(value), unit,
+                cost.posture_kind, "1"});
     };
     add("ns_per_node", cost.ns_per_node, "ns");
     add("ratio_to_ball", cost.ratio_to_ball, "1");

@@ -31,14 +31,14 @@ struct LevelVolumes {
 };
 
 struct VolumeResult {
-  std::string model, posture;
+  std::string model, posture, posture_kind;
   int postures;                                              // how many were sampled
   std::map<std::string, std::vector<LevelVolumes>> volumes;  // by variant, by level - 1
 };
 
 // What refitting a node to a variant's volume costs, on average over all nodes of the tree.
 struct VolumeCost {
-  std::string model, posture, variant;
+  std::string model, posture, posture_kind, variant;
   double ns_per_node;    // median over the repetitions
   double ratio_to_ball;  // the same of the ratio to control_mixed, which is in the list too
 };

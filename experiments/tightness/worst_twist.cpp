@@ -37,7 +37,7 @@ NamedPosture worst_twist(const Character& c) {
       worst = {misses, joint, degrees};
   });
   return {"worst twist: " + c.model.joints[worst.joint].name + " by " + std::to_string(worst.degrees) + " degrees",
-          twist_posture(c.model, worst.joint, worst.degrees * std::numbers::pi / 180)};
+          twist_posture(c.model, worst.joint, worst.degrees * std::numbers::pi / 180), "worst_twist"};
 }
 
 }  // namespace refitlab

@@ -1,0 +1,53 @@
+// PictureTable: the pictures of a run, drawn as PNG files, and the tables that say what each of them shows.
+//
+// Which pictures are a figure, their captions and legends are the report's matter (experiments/report/pictures.py).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algorithms/results/result_file.hpp"
+#include "experiments/render/draw.hpp"
+
+namespace refitlab {
+
+// What a picture is of. level: of the tree; 0 for a picture that is of none.
+struct PictureSubject {
+  std::string figure, model, posture, variant;
+  int level = 0;
+};
+
+// What was counted or measured when the picture was made.
+struct PictureNumber {
+  std::string quantity;
+  double value;
+  std::string unit = "1";
+};
+
+// A word beside a point of the scene.
+struct PictureLabel {
+  Point3 at;
+  std::string text;
+};
+
+class PictureTable {
+ public:
+  // folder: of the PNG files.
+  explicit PictureTable(std::string folder) : folder_(std::move(folder)) {}
+  // Draws on white, which the page's style turns into its own ground, to a file of the folder, and adds the picture's rows.
+  void draw(const render::Scene& scene, const render::Camera& camera, const render::Options& options, const PictureSubject& subject,
+            const std::string& file, const std::vector<PictureNumber>& numbers = {}, const std::vector<PictureLabel>& labels = {});
+  bool empty() const { return empty_; }
+  // pictures.csv, picture_labels.csv (where words stand, in pixels from the upper left) and picture_colors.csv.
+  // result: the path of a table of this run, by name.
+  void write(const std::function<std::string(const std::string&)>& result) const;
+
+ private:
+  std::string folder_;
+  bool empty_ = true;
+  ResultFile pictures_{{"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "figure", "file"}};
+  ResultFile labels_{{"file", "label", "x", "y"}};
+};
+
+}  // namespace refitlab

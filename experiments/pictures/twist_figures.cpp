@@ -1,0 +1,71 @@
+#include "experiments/pictures/twist_figures.hpp"
+
+#include "algorithms/refit/variants.hpp"
+#include "algorithms/skinning/skin.hpp"
+#include "experiments/pictures/character_scene.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr int width = 480, height = 600;
+
+// A skin and the balls of the whole tree around it.
+struct Dressed {
+  std::string name;  // of the variant, or "reference"
+  std::vector<Point3> vertices;
+  std::vector<Ball3<double>> balls;
+};
+
+std::vector<Dressed> dress(const Character& c, const NamedPosture& posture) {
+  std::vector<Dressed> out{{"reference", c.model.vertices, {}}};
+  for (const TreeNode& n : c.tree.nodes) out[0].balls.push_back(n.reference);
+  for (const char* name : {"linear", "spherical_printed", "spherical_repaired", "control_clusters"}) {
+    const RefitVariant& variant = refit_variant(name);
+    const auto pose = make_skinning_pose(c.model, c.sets, posture.posture, variant.skinning);
+    out.push_back({variant.name, skin(c.model, c.sets, pose, variant.skinning), c.refit_all(variant, pose)});
+  }
+  return out;
+}
+
+render::Camera frame_all(const std::vector<Dressed>& all) {
+  std::vector<Point3> points;
+  for (const Dressed& d : all) points.insert(points.end(), d.vertices.begin(), d.vertices.end());
+  return render::Camera::frame(points, {0.55, 0.25, 1}, double(width) / height, 0.08);
+}
+
+}  // namespace
+
+void draw_twist(const Character& c, const NamedPosture& posture, PictureTable& pictures) {
+  const auto all = dress(c, posture);
+  const render::Camera camera = frame_all(all);
+  const auto draw = [&](const Dressed& d, const render::Scene& scene, const std::string& figure, int level,
+                        const std::vector<PictureNumber>& numbers) {
+    const std::string what = level ? "level" + std::to_string(level) : "bare";
+    pictures.draw(scene, camera, {.width = width, .height = height}, {figure, c.model.name, posture.name, d.name, level},
+                  c.model.name + "_" + d.name + "_" + what + ".png", numbers);
+  };
+
+  for (const int index : {0, 1, 3}) {  // no skin twice: the reference, linear and spherical blending
+    render::Scene scene;
+    scene.meshes.push_back(skin_shape(c.model, all[index].vertices));
+    draw(all[index], scene, "twist_bare", 0, {});
+  }
+  for (const int level : levels_there(c.tree, {4, 6}))
+    for (const Dressed& d : all) {
+      const auto nodes = nodes_of_level(c.tree, level);
+      std::vector<Ball3<double>> of_level;
+      for (const int n : nodes) of_level.push_back(d.balls[n]);
+      const Misses misses = find_misses(c, nodes, of_level, d.vertices);
+      render::Scene scene;
+      scene.meshes.push_back(skin_shape(c.model, d.vertices));
+      for (std::size_t b = 0; b < of_level.size(); ++b)
+        if (is_defined(of_level[b]))
+          scene.balls.push_back({of_level[b], misses.balls[b] ? figure_colors::missing : figure_colors::holding, 0.1});
+      const double size = c.tree.nodes[0].reference.radius;
+      mark_vertices(scene, d.vertices, misses.outside, figure_colors::missing, size);
+      mark_vertices(scene, d.vertices, misses.without, figure_colors::without, size);
+      draw(d, scene, "twist_balls", level, counts_of(nodes.size(), misses));
+    }
+}
+
+}  // namespace refitlab

@@ -1,0 +1,13 @@
+// The paper's Figures 1 and 5: a twisted character, and its balls by the refit variants.
+#pragma once
+
+#include "experiments/pictures/picture_table.hpp"
+#include "experiments/scenes/scenes.hpp"
+
+namespace refitlab {
+
+// The bare skin in the reference posture and in the given one, under linear and under spherical blending; then the
+// balls of levels 4 and 6, by each variant. Files: MODEL_VARIANT_bare.png and MODEL_VARIANT_level4.png.
+void draw_twist(const Character& character, const NamedPosture& posture, PictureTable& pictures);
+
+}  // namespace refitlab

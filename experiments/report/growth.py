@@ -1,0 +1,86 @@
+"""Growth with triangles, joints and characters."""
+from .plots import Line, Plot
+from .statistics import fitted_exponent
+
+FITTED_FROM = 4000     # triangles: below, what does not grow dominates
+FITTED_JOINTS = (100, 1000)
+FITTED_CROWDS = 3      # the largest numbers of characters
+
+
+def triangle_times(results, scene, detector):
+    """(triangles, us a frame), in ascending order."""
+    return sorted((r.triangles, r.value) for r in results.select("triangle_growth", posture=scene, variant=detector, quantity="us_per_frame"))
+
+
+def triangle_exponent(results, scene, detector):
+    return fitted_exponent([point for point in triangle_times(results, scene, detector) if point[0] >= FITTED_FROM])
+
+
+def triangles_section(results, page):
+    detectors = results.distinct("triangle_growth", "variant")
+    scenes = []
+    for scene in results.distinct("triangle_growth", "posture"):
+        lines = [Line(d, triangle_times(results, scene, d)) for d in detectors]
+        scenes.append({"name": scene, "plot": Plot(scene, "triangles", "us a frame", lines, log_x=True, log_y=True).svg(),
+                       "rows": [(line.label, [us for _, us in line.points], triangle_exponent(results, scene, line.label)) for line in lines],
+                       "pairs": [r.value for r in sorted(results.select("triangle_growth", posture=scene, variant=detectors[0], quantity="pairs"),
+                                                         key=lambda r: r.triangles)]})
+    return {"scenes": scenes, "numbers": sorted(results.distinct("triangle_growth", "triangles"))}
+
+
+# --- Joints ---
+
+JOINT_LINES = [("by itself", "own", "ns_of_root"), ("from below, asked first", "from_below", "ns_of_root"),
+               ("from a known front", "from_below", "ns_of_root_from_known")]
+
+
+def joint_times(results, variant, quantity):
+    """(joints, ns), in ascending order; 0 joints of some quantities have no row."""
+    return sorted((r.joints, r.value) for r in results.select("joint_growth", variant=variant, quantity=quantity))
+
+
+def joint_exponent(results):
+    """Of the root's cost from a known front."""
+    return fitted_exponent([p for p in joint_times(results, "from_below", "ns_of_root_from_known") if p[0] in FITTED_JOINTS])
+
+
+def joints_section(results, page):
+    lines = [Line(label, [(n, ns / 1000) for n, ns in joint_times(results, variant, quantity)]) for label, variant, quantity in JOINT_LINES]
+    rows = []
+    for joints in results.distinct("joint_growth", "joints"):
+        def of(variant, quantity):
+            return results.number_or_none("joint_growth", joints=joints, variant=variant, quantity=quantity)
+        ns = [("own", "ns_of_nodes_of_many"), ("from_below", "ns_of_nodes_of_many"), ("own", "ns_of_root"), ("from_below", "ns_of_root"),
+              ("from_below", "ns_of_root_from_known")]
+        rows.append({"joints": joints, "sets": round(of("own", "joint_sets")), "many": round(of("own", "nodes_of_many_joint_sets")),
+                     "us": [(of(*which) or 0) / 1000 for which in ns],
+                     "ratios": [of(variant, "root_ratio_to_optimal") for variant in ("own", "from_below")]})
+    return {"exponent": joint_exponent(results), "rows": rows,
+            "plot": Plot("the root's ball", "joints", "us", lines, log_x=True, log_y=True).svg()}
+
+
+# --- Characters ---
+
+CROWD_LINES = [("all pairs", "clusters"), ("all pairs, two threads", "clusters_on_two_threads"), ("yes/no", "clusters_yes_no"),
+               ("skinning alone", "skinning_alone")]
+
+
+def crowd_times(results, variant):
+    """(characters, us a frame), in ascending order; none where there were no threads."""
+    return sorted((r.characters, r.value) for r in results.find("character_growth", variant=variant, quantity="us_per_frame"))
+
+
+def crowd_exponent(results, variant):
+    return fitted_exponent(crowd_times(results, variant)[-FITTED_CROWDS:])
+
+
+def characters_section(results, page):
+    lines = [Line(label, crowd_times(results, variant)) for label, variant in CROWD_LINES]
+    rows = []
+    for characters in results.distinct("character_growth", "characters"):
+        def of(quantity, variant="clusters"):
+            return results.number_or_none("character_growth", characters=characters, variant=variant, quantity=quantity)
+        rows.append({"characters": characters, **{q: of(q) for q in ("pairs_of_boxes", "contacts", "triangle_pairs", "share_of_clusters_skinned")},
+                     "us": [of("us_per_frame", variant) for _, variant in CROWD_LINES]})
+    return {"exponent": crowd_exponent(results, "clusters"), "yes_no_exponent": crowd_exponent(results, "clusters_yes_no"), "rows": rows,
+            "plot": Plot("time of a frame", "characters", "us", lines, log_x=True, log_y=True).svg()}

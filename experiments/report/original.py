@@ -1,0 +1,25 @@
+"""What the original paper printed: its Tables 1 and 2. No results of ours."""
+import csv
+import pathlib
+
+FOLDER = pathlib.Path(__file__).resolve().parents[2] / "paper"
+
+
+def table(name):
+    with open(FOLDER / name, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def table1():
+    """Average radii by level: level, reference, linear, spherical, optimal."""
+    return [{column: float(value) for column, value in row.items()} for row in table("original_table1.csv")]
+
+
+def ratios_to_optimal():
+    """Of spherical blending, by level."""
+    return [row["spherical"] / row["optimal"] for row in table1()]
+
+
+def table2():
+    """Milliseconds a query: scenario, the model, scene and query of ours that it is compared with, lbs, sbs, bottom_up."""
+    return [{**row, **{column: float(row[column]) for column in ("lbs", "sbs", "bottom_up")}} for row in table("original_table2.csv")]

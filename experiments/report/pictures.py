@@ -1,0 +1,151 @@
+"""The figures: pictures that the experiments' renderer drew, with captions from what was counted when they were drawn."""
+import base64
+from dataclasses import dataclass, field
+
+from .drawings import drawings
+from .tables import ALL, ResultError
+
+PLANE = ["lemma1_cap_definitions", "lemma4_quaternion_hull", "lemma5_cap_enclosing_sphere"]
+IN_SPACE = {
+    "figure2": "Figure 2 in space: the half-space (its border green) cuts the cap (orange) with center c and apex a.",
+    "figure3": "Figure 3 in space: unit vectors q, their mean ball E (blue), the cap E ∩ S (orange) and its half-space H (border green).",
+    "figure4": "Figure 4 in space: a cap (orange) and its smallest ball F (blue).",
+    "figure4_printed": "Where Lemma 5 fails: the angle is beyond 90°, and the printed ball (vermillion) leaves out the apex.",
+    "figure4_repaired": "Repaired: the ball of such a cap is that of the whole sphere.",
+}
+BARE = {"reference": "reference posture", "linear": "linear blending: candy-wrappers", "spherical_repaired": "spherical blending"}
+DRESSED = {"reference": "reference posture, smallest balls", "linear": "linear blending, [Kavan and Zara 2005a]",
+           "spherical_printed": "spherical blending, Algorithm 1 as printed", "spherical_repaired": "spherical blending, Algorithm 1 repaired",
+           "control_clusters": "spherical blending, the tightest (control_clusters)"}
+NEAR = {"spherical_printed": "as printed", "spherical_repaired": "repaired", "control_clusters": "the tightest, control_clusters"}
+
+
+@dataclass
+class Picture:
+    """A PNG file of the table: its rows say what of, its numbers what was counted, its labels where words stand (pixels)."""
+    file: str
+    model: str
+    posture: str
+    variant: str
+    level: object
+    numbers: dict
+    labels: list
+    data: str = ""  # base64
+    caption: str = ""
+
+    def count(self, quantity):
+        return round(self.numbers[quantity])
+
+
+@dataclass
+class Figure:
+    """Pictures that belong together, under a heading. legend: (what a colour means in picture_colors.csv, the words)."""
+    title: str
+    text: str
+    pictures: list
+    columns: int = 3
+    phone_columns: int = 2
+    legend: list = field(default_factory=list)
+    drawings: list = field(default_factory=list)
+
+
+def number_of(count, one, many):
+    return f"{count} {one if count == 1 else many}"
+
+
+def said_of_balls(picture):
+    missing, undefined = picture.count("balls_that_miss"), picture.count("balls_undefined")
+    if missing == 0:
+        return "none misses a vertex"
+    return number_of(missing, "misses a vertex", "miss a vertex") + (f" ({number_of(undefined, 'is', 'are')} no ball at all)" if undefined else "")
+
+
+def captioned(pictures, caption):
+    for picture in pictures:
+        picture.caption = caption(picture)
+    return pictures
+
+
+# --- The figures, each from the pictures that the table says are its own ---
+
+def twist_bare(pictures, default):
+    return Figure(f"{pictures[0].model}: two ways to blend (the paper's Figure 1)",
+                  f"The posture is “{pictures[0].posture}”. Linear blending averages matrices: where joints turn far apart the skin collapses, "
+                  "the candy-wrapper. Spherical blending averages rotations.", captioned(pictures, lambda p: BARE[p.variant]))
+
+
+def twist_balls(pictures, default):
+    return Figure(f"{pictures[0].model}: bounding spheres of two levels of the tree (the paper's Figure 5)",
+                  "Refitted from the joints and precomputed weight bounds, without looking at a vertex.",
+                  captioned(pictures, lambda p: f"level {p.level}: {DRESSED[p.variant]}; of {number_of(p.count('balls'), 'ball', 'balls')} {said_of_balls(p)}"),
+                  columns=5, legend=[("holding", "a ball that holds all its vertices"), ("missing", "a ball that misses one, and the vertices outside"),
+                                     ("without", "vertices whose “ball” has a negative radius or is no number")])
+
+
+def failing(pictures, default):
+    def caption(p):
+        if p.level == ALL:
+            return (f"of {p.count('balls')} balls in the tree, {p.count('balls_that_miss')} miss a vertex, {p.count('balls_undefined')} of them being no ball at all")
+        end = f"; a vertex is outside by {p.numbers['worst_miss']:.2g}" if p.count("balls_that_miss") else "; it holds all its vertices"
+        return f"{NEAR[p.variant]}: a ball of level {p.level}, radius {p.numbers['radius']:.3g}{end}"
+    ends = ": its balls leave vertices outside." if pictures[0].count("balls_that_miss") else ": no ball misses a vertex in it."
+    return Figure(f"{pictures[0].model}: where the printed algorithm fails",
+                  f"The {pictures[0].posture} (of 4 angles of each joint the worst for Algorithm 1 as printed)" + ends, captioned(pictures, caption), columns=4,
+                  legend=[("missing", "the printed ball, and vertices outside their ball"),
+                          ("without", "vertices whose “ball” has a negative radius or is no number"), ("holding", "balls that hold all their vertices")])
+
+
+def caps(pictures, default):
+    return Figure("Caps, half-spaces and balls (the paper's Figures 2, 3 and 4)",
+                  "In the plane and in space (the paper’s S₃ is one dimension further), drawn from what the code of Lemmas 1, 3, 4 and 5 computes.",
+                  captioned(pictures, lambda p: IN_SPACE[p.file.removesuffix(".png")]), phone_columns=1)
+
+
+def encounter(title, text):
+    def make(pictures, default):
+        def caption(p):
+            if p.level == ALL:
+                return f"{p.count('touching_pairs')} pairs of triangles touch"
+            return (f"level {p.level}: Algorithm 1 repaired refitted {100 * p.numbers['share_refitted']:.0f} % of the spheres; "
+                    f"{default} would have refitted {100 * p.numbers['share_refitted_by_default']:.0f} %")
+        return Figure(f"{pictures[0].model}: {title}", text(pictures[0]), captioned(pictures, caption),
+                      legend=[("touching", "triangles that touch"), ("holding", "spheres that the query refitted"),
+                              ("idle", "spheres that it never asked for (here refitted afterwards)")])
+    return make
+
+
+FIGURES = {
+    "twist_bare": twist_bare, "twist_balls": twist_balls, "failing": failing, "caps": caps,
+    "walking": encounter("two pass each other (the paper's Figure 6)", lambda p:
+                         "A query refits a sphere only when it gets there; the deeper, the fewer of a level. (In the paper’s frame it refitted 19 % of "
+                         f"level 5 and 9 % of level 6, of a tree of nine levels; this one has {p.count('tree_levels')}.)"),
+    "walk_through": encounter("two in one place (the paper's Figure 7)", lambda p:
+                              "The worst case, as when they walk through each other: far more triangles touch than in practice."),
+}
+
+
+def pictures_of(results, folder):
+    """[(figure's name, its pictures)], in the order of the table. Raises ResultError for a file that is not there."""
+    labels, found = {}, {}
+    for row in results.rows("picture_labels"):
+        labels.setdefault(row.file, []).append(row)
+    for row in results.rows("pictures"):
+        of_figure = found.setdefault(row.figure, {})
+        picture = of_figure.setdefault(row.file, Picture(row.file, row.model, row.posture, row.variant, row.level, {}, labels.get(row.file, [])))
+        picture.numbers[row.quantity] = row.value
+    for picture in (p for of_figure in found.values() for p in of_figure.values()):
+        try:
+            picture.data = base64.b64encode((folder / picture.file).read_bytes()).decode()
+        except OSError as error:
+            raise ResultError(f"{folder / picture.file}: cannot be read ({error}), but {results.path('pictures')} names it") from None
+    return [(name, list(of_figure.values())) for name, of_figure in found.items()]
+
+
+def section(results, page):
+    plane = drawings(results.rows("drawings"))
+    figures = []
+    for name, pictures in pictures_of(results, page.folder / "pictures"):
+        figures.append(FIGURES[name](pictures, results.default_variant()))
+        if name == "caps":
+            figures[-1].drawings = [plane[stem] for stem in PLANE]
+    return {"figures": figures, "colors": {row.meaning: row.color for row in results.rows("picture_colors")}}

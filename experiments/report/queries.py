@@ -1,0 +1,13 @@
+"""Generated refit cases in exact rationals: what each variant misses, how loose it is, what it costs."""
+
+QUANTITIES = ["queries", "undefined", "misses", "misses_beyond_tolerance", "worst_miss"]
+NOT_ALWAYS = ["looseness_mean", "looseness_median", "looseness_max", "ns_per_refit"]
+
+
+def section(results, page):
+    rows = []
+    for variant in results.distinct("queries", "variant", posture="all"):
+        row = {q: results.number("queries", variant=variant, posture="all", quantity=q) for q in QUANTITIES}
+        row |= {q: results.number_or_none("queries", variant=variant, posture="all", quantity=q) for q in NOT_ALWAYS}
+        rows.append({"variant": variant, **row})
+    return {"rows": rows, "count": round(rows[0]["queries"]), "tolerance": results.constant("query_tolerance")}

@@ -1,0 +1,13 @@
+"""Rounding: whether a vertex skinned exactly is ever outside, and what the slack adds and costs."""
+
+
+def section(results, page):
+    rows = []
+    for checks in results.select("rounding", quantity="exact_checks"):
+        def of(quantity):
+            return results.number("rounding", model=checks.model, variant=checks.variant, quantity=quantity)
+        rows.append({"model": checks.model, "variant": checks.variant, "checks": round(checks.value),
+                     "misses": round(of("misses")), "float_misses": round(of("float_misses")),
+                     "percent_without_slack": 100 * of("misses_as_computed") / checks.value,
+                     "inflation": of("inflation_median"), "float_inflation": of("float_inflation_median"), "cost": of("cost_ratio")})
+    return {"rows": rows}

@@ -1,0 +1,85 @@
+"""Speed of the refits, tightness against it, and batches in SIMD packs."""
+from dataclasses import dataclass
+
+from .plots import Line, Plot
+from .statistics import is_on_front, mean, span
+from .tables import ALL
+
+BY_LEVEL = ["spherical_repaired", "control_exact", "control_sets_exact", "control_mixed", "control_clusters"]
+TIGHTEST = "control_clusters"
+
+
+@dataclass
+class Price:
+    """One variant on one model."""
+    variant: str
+    skinning: str
+    ns_per_sphere: float      # over the whole tree
+    ratio_to_repaired: float
+    mean_ratio: float         # of average radius / optimal, over all levels and posture sets
+    worst_ratio: float        # of these the largest
+    misses: int               # balls with a vertex outside
+    on_front: bool = False    # no other variant of this skinning is as cheap and has a smaller worst_ratio
+
+
+def prices(results, model):
+    """The variants of a model that were timed and measured, cheapest first."""
+    skinning = {row.variant: row.skinning for row in results.rows("variants")}
+    out = []
+    for row in results.find("speed", model=model, quantity="ns_per_sphere", level=ALL):
+        ratios = [r.value for r in results.find("tightness", model=model, variant=row.variant, quantity="ratio_to_optimal")]
+        if ratios:
+            out.append(Price(row.variant, skinning[row.variant], row.value,
+                             results.number("speed", model=model, variant=row.variant, quantity="ratio_to_repaired", level=ALL),
+                             mean(ratios), max(ratios),
+                             round(sum(r.value for r in results.find("tightness", model=model, variant=row.variant, quantity="misses")))))
+    out.sort(key=lambda price: price.ns_per_sphere)
+    for price in out:
+        price.on_front = is_on_front((price.ns_per_sphere, price.worst_ratio),
+                                     [(p.ns_per_sphere, p.worst_ratio) for p in out if p.skinning == price.skinning])
+    return out
+
+
+def price_plot(model, all_prices):
+    spherical = [p for p in all_prices if p.skinning == "spherical"]
+    return Plot(f"{model}, spherical blending", "ns per sphere", "average radius / Optimal: worst level",
+                [Line(p.variant, [(p.ns_per_sphere, p.worst_ratio)]) for p in spherical], log_x=True,
+                front=[(p.ns_per_sphere, p.worst_ratio) for p in spherical if p.on_front]).svg()
+
+
+def level_plot(results, model):
+    lines = [Line(variant, sorted((r.level, r.value) for r in results.find(
+        "speed", model=model, variant=variant, quantity="ns_per_sphere", level=lambda l: l != ALL))) for variant in BY_LEVEL]
+    return Plot(f"{model}: cost by level", "level of the tree", "ns per sphere", lines, log_y=True).svg()
+
+
+def summary(variant, of_models):
+    """What the run says of one variant over all models; of_models: their prices."""
+    mine = [p for of_model in of_models.values() for p in of_model if p.variant == variant]
+    return {"variant": variant, "costs": span(p.ratio_to_repaired for p in mine) if mine else None,
+            "worst": max((p.worst_ratio for p in mine), default=None)}
+
+
+def section(results, page):
+    return {"rows": [{"model": r.model, "posture": r.posture, "variant": r.variant, "ns": r.value,
+                      "ratio": results.number("speed", model=r.model, posture=r.posture, variant=r.variant, level=ALL,
+                                              quantity="ratio_to_repaired")}
+                     for r in results.select("speed", quantity="ns_per_sphere", level=ALL)]}
+
+
+def pareto_section(results, page):
+    of_models = {model: prices(results, model) for model in results.distinct("speed", "model")}
+    default = results.default_variant()
+    return {"prices": of_models, "price_plot": price_plot, "level_plot": lambda model: level_plot(results, model),
+            "default": summary(default, of_models), "from_below": summary(f"{default}_from_below", of_models),
+            "tightest": summary(TIGHTEST, of_models)}
+
+
+def batch_section(results, page):
+    rows = []
+    for r in results.select("batch_speed", unit="ns"):
+        where = {"model": r.model, "posture": r.posture, "variant": r.variant}
+        rows.append({**where, "operation": r.operation, "method": r.method, "ns": r.value,
+                     "ratio": results.number("batch_speed", quantity="ratio_to_scalar", **where),
+                     "to_linear": results.number_or_none("batch_speed", quantity="ratio_to_linear", **where)})
+    return {"rows": rows}

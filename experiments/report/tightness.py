@@ -1,0 +1,65 @@
+"""Tightness: radii of the refitted balls beside the smallest possible, and which balls miss a vertex."""
+from collections import defaultdict
+from dataclasses import dataclass
+
+from . import original
+from .plots import Line, Plot
+from .statistics import span
+
+PLOTTED = ["spherical_printed_signed", "spherical_repaired", "control_exact", "control_sets_exact", "control_mixed",
+           "control_clusters", "bottom_up"]
+
+
+@dataclass
+class PostureSet:
+    """What was measured of a model in one posture, or in the sampled times of a clip."""
+    model: str
+    posture: str
+    postures: int  # how many were sampled
+    levels: dict   # by variant, then level, then quantity
+
+    def ratios(self, variant):
+        """(level, average radius / optimal) of the levels that have a ball of the variant."""
+        return [(level, cell["ratio_to_optimal"]) for level, cell in sorted(self.levels[variant].items()) if "ratio_to_optimal" in cell]
+
+    def merged(self, variant):
+        """Counts of all levels added up, and the worst miss of any."""
+        cells = self.levels[variant].values()
+        out = {quantity: round(sum(cell.get(quantity, 0) for cell in cells)) for quantity in ("nodes", "undefined", "misses")}
+        return {**out, "worst_miss": max(cell.get("worst_miss", 0) for cell in cells)}
+
+
+def posture_sets(results):
+    """In the order of the file."""
+    sets = {}
+    for row in results.rows("tightness"):
+        key = row.model, row.posture
+        if key not in sets:
+            sets[key] = PostureSet(row.model, row.posture, row.postures, defaultdict(lambda: defaultdict(dict)))
+        sets[key].levels[row.variant][row.level][row.quantity] = row.value
+    return list(sets.values())
+
+
+def conclusion(sets, variant):
+    """What one would take from a model's plots and tables: the variant's least and largest ratio, and its misses."""
+    all_levels = [s.merged(variant) for s in sets]
+    return {"variant": variant, "ratios": span([ratio for s in sets for _, ratio in s.ratios(variant)]),
+            "misses": sum(m["misses"] for m in all_levels), "nodes": sum(m["nodes"] for m in all_levels)}
+
+
+def plot(posture_set):
+    lines = [Line(variant, posture_set.ratios(variant)) for variant in PLOTTED]
+    lines.append(Line("the paper, on its creature", list(enumerate(original.ratios_to_optimal(), 1)), dashed=True, color="ink"))
+    return Plot(f"{posture_set.model}, {posture_set.posture}", "level of the tree", "average radius / Optimal", lines).svg()
+
+
+def section(results, page):
+    sets, variants = posture_sets(results), results.rows("variants")
+    optimal = {level: ratio for level, ratio in enumerate(original.ratios_to_optimal(), 1)}
+    models = {}
+    for s in sets:
+        models.setdefault(s.model, []).append(s)
+    return {"variants": variants, "sets": sets, "columns": [v.variant for v in variants],
+            "missing_columns": [v.variant for v in variants if v.role in ("refit", "comparison")],
+            "models": models, "original": optimal, "plot": plot, "tolerance": results.constant("miss_tolerance"),
+            "conclusions": {model: conclusion(some, results.default_variant()) for model, some in models.items()}}

@@ -1,0 +1,79 @@
+"""The verdicts on the lemmas: what the property tests say of each statement, summed up here for the page, the paper and README."""
+from dataclasses import dataclass
+
+from .statistics import weighted_mean
+from .tables import ResultError
+
+OPENING, CLOSING = "<!-- verdicts -->\n", "<!-- /verdicts -->"  # around the table in README
+
+
+@dataclass
+class Verdict:
+    """Of one statement, over its properties. lemma: the stem of its file."""
+    lemma: str
+    failed: bool         # a test failed: then nothing is said
+    refuted_after: int   # cases until the first counterexample to what is printed; 0: none was found
+    printed_cases: int   # in which what is printed held
+    cases: int           # in which what is repaired or goes beyond the paper held
+    degenerate: float    # the share of these that were degenerate
+    number_types: list
+    hypotheses: list     # without which a counterexample is found
+
+
+def of_lemma(lemma, rows):
+    """The verdict over these rows of verdicts.csv, which are all of this lemma."""
+    statements = [r for r in rows if r.role == "statement"]
+    printed = [r for r in statements if r.form == "printed"]
+    repaired = [r for r in statements if r.form != "printed" and r.verdict == "holds"]
+    cases = sum(r.cases for r in repaired)
+    return Verdict(lemma, any(r.verdict == "TEST FAILED" for r in rows),
+                   min((r.cases for r in printed if r.verdict == "refuted"), default=0),
+                   sum(r.cases for r in printed if r.verdict == "holds"), cases,
+                   weighted_mean([r.degenerate_share for r in repaired], [r.cases for r in repaired]) if cases else 0,
+                   sorted({r.number_type for r in rows} - {""}), sorted({r.hypothesis for r in rows} - {""}))
+
+
+def summed_up(rows):
+    """Of each lemma that has a statement, in the order of the alphabet."""
+    by_lemma = {}
+    for row in rows:
+        by_lemma.setdefault(row.lemma, []).append(row)
+    return [of_lemma(lemma, some) for lemma, some in sorted(by_lemma.items()) if any(r.role == "statement" for r in some)]
+
+
+def said_of_printed(verdict):
+    if verdict.failed:
+        return "TEST FAILED"
+    return f"**refuted** after {verdict.refuted_after}" if verdict.refuted_after else f"holds ({verdict.printed_cases})" if verdict.printed_cases else ""
+
+
+def said_of_repaired(verdict):
+    if verdict.failed:
+        return "TEST FAILED"
+    return f"holds ({verdict.cases}, {100 * verdict.degenerate:.0f} % degenerate)" if verdict.cases else ""
+
+
+def markdown(verdicts):
+    """The table as it stands in README."""
+    rows = [["statement", "as printed", "repaired, or beyond", "numbers", "hypotheses shown necessary"], ["---"] * 5]
+    rows += [[v.lemma, said_of_printed(v), said_of_repaired(v), ", ".join(v.number_types), "; ".join(v.hypotheses).replace("|", "\\|")] for v in verdicts]
+    return f"| {' | '.join(rows[0])} |\n|{'|'.join(rows[1])}|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows[2:])
+
+
+def place(text, path):
+    """Where the table begins and ends in the text of a file. Raises ResultError if it has none."""
+    start, end = text.find(OPENING), text.find(CLOSING)
+    if start < 0 or end < start:
+        raise ResultError(f"{path}: the lines {OPENING.strip()} and {CLOSING} are missing")
+    return start + len(OPENING), end
+
+
+def section(results, page):
+    """Lemmas with a page in the reference beside the report are linked to it."""
+    if not results.path("verdicts").exists():
+        return {"verdicts": None}
+    rows = results.rows("verdicts")
+    commits = sorted({row.commit for row in rows})
+    verdicts = summed_up(rows)
+    return {"verdicts": verdicts, "other_commits": [] if commits == [page.commit] else commits,
+            "pages": {v.lemma: f"reference/{v.lemma}.html" for v in verdicts if (page.folder / "reference" / f"{v.lemma}.html").exists()}}

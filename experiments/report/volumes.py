@@ -1,0 +1,20 @@
+"""Boxes, k-DOPs and oriented boxes around the same control points."""
+from .statistics import mean
+from .tables import ALL
+
+
+def section(results, page):
+    rows = []
+    for cost in results.select("volumes", quantity="ns_per_node", level=ALL):
+        def of(quantity):
+            return [r.value for r in results.find("volumes", model=cost.model, variant=cost.variant, quantity=quantity,
+                                                  level=lambda l: l != ALL)]
+        ratios = of("ratio_to_optimal")
+        if not ratios:  # the ball that the volumes are compared with
+            continue
+        rows.append({"model": cost.model, "variant": cost.variant, "mean": mean(ratios), "worst": max(ratios),
+                     "size_to_ball": mean(of("size_to_ball")), "volume_to_ball": mean(of("volume_to_ball")),
+                     "misses": round(sum(of("misses"))), "ns": cost.value,
+                     "ratio_to_ball": results.number("volumes", model=cost.model, variant=cost.variant, level=ALL,
+                                                     quantity="ratio_to_ball")})
+    return {"rows": rows}
