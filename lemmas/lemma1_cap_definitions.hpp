@@ -177,4 +177,4 @@ Verdict half_space_is_cap_printed(const SquaredBall<S, D>& surface, const HalfSp
 
 // Sources: the paper; Cauchy's inequality.
 // Used by: lemma3_sphere_surface_intersection; experiments/explorer/pages/lemma1.hpp,
-// experiments/report/cap_figure.cpp.
+// experiments/pictures/cap_figure.cpp.

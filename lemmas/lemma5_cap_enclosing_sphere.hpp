@@ -162,4 +162,4 @@ Verdict cap_ball_encloses_printed(const Cap<S, D>& cap, const Vec<S, D>& x) {
 // Sources: the paper; a ball is the smallest around the two ends of its diameter (folklore).
 // Used by: b4_cap_fallback, rotation_bound; algorithms/batch/node_refit.cpp, algorithms/refit/algorithm1_printed.hpp,
 // experiments/drawings/lemmas.cpp, experiments/explorer/pages/lemma5.hpp, experiments/explorer/pages/whole_sphere.hpp,
-// experiments/report/cap_figure.cpp.
+// experiments/pictures/cap_figure.cpp.

@@ -6,7 +6,7 @@
 
 #include "algorithms/balls/mean_ball.hpp"
 #include "algorithms/packs/float_above.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 

@@ -11,7 +11,7 @@
 #include "algorithms/balls/near_smallest_ball.hpp"
 #include "algorithms/balls/round_up.hpp"
 #include "algorithms/volumes/box_orientation.hpp"
-#include "lemmas/vocabulary/exact.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"

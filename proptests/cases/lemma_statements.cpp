@@ -133,7 +133,7 @@ std::vector<Statement> lemma_statements() {
                          // b / ||b|| is in the cap; where the cap is less than a half, b is not 0.
                          const Verdict is_direction = less(S(0), squared_norm(made.blend));
                          return {are_units_enclosed(ball, units) & is_convex<S>(w) & ball_keeps_hulls(ball),
-                                 implies(less(S(0), hull_offset(ball)), is_direction) &
+                                 implies(less(S(0), scaled_distance(ball.center, ball.squared_radius)), is_direction) &
                                      implies(is_direction, made.verdict)};
                        }),
       in_any_dimension("lemma4_quaternion_hull", "repaired", "rotations_stay_in_cap",

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "algorithms/refit/refit_node.hpp"
+#include "algorithms/tree/refit_node.hpp"
 
 namespace proptests::gen {
 

@@ -102,6 +102,18 @@ void assert_each_field_checked(const Blend& blend, const Weights& u) {
 }
 
 PROPTEST(b1_rational_bezier_simplex) {
+  t.holds("W_kl, P_kl and Im(d q*) as they are computed are those of the products of quaternions that define them",
+          {.number_type = "rational", .cases = 300}, [] {
+            const auto a = *gen::rational_vector<4>(), b = *gen::rational_vector<4>();
+            const auto x = *gen::rational_vector<3>();
+            const RationalQuaternion pure(0, x[0], x[1], x[2]);
+            const RationalQuaternion both =
+                oracle::hamilton(oracle::hamilton(a, pure), conjugate(b)) + oracle::hamilton(oracle::hamilton(b, pure), conjugate(a));
+            const MixedCorners<Rational> mixed = mix_rotations<Rational>(a, b, x);
+            RC_ASSERT(mixed.weight == dot(a, b));
+            RC_ASSERT(mixed.numerator * Rational(2) == imaginary(both));
+            RC_ASSERT(scaled_translation<Rational>(a, b) == imaginary(oracle::hamilton<Rational>(a, conjugate(b))));
+          });
   const Options exact{.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2};
   t.holds("spherical blending is a rational Bezier simplex of degree 3 in the weights", exact, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);

@@ -114,7 +114,7 @@ PROPTEST(b4_cap_fallback) {
             {.form = "beyond"}, [] {
               const auto inside = [](const std::vector<b4::Rotation>& q) {
                 const b4::Fallback cap{q, b4::at_origin, b4::identity, squared_cap_cosine<b4::Q>(q, b4::identity)};
-                const b4::Point control = mixed_rotation(q[0], q[1], b4::x) / dot(q[0], q[1]);
+                const b4::Point control = mix_rotations<b4::Q>(q[0], q[1], b4::x).numerator / dot(q[0], q[1]);
                 return encloses(fallback_ball(cap, b4::x), control);
               };
               return inside(b4::below_a_right_angle) == Verdict::holds &&

@@ -87,6 +87,25 @@ struct ReachCase {
 };
 
 PROPTEST(b7_reach) {
+  t.holds("the share that kernels compute is no less than either bound, exact where joints turn as much as 106 degrees or not at all",
+          {.number_type = "rational", .cases = 400, .degenerate_at_least = 0.05}, [] {
+            const Rational c = *rc::gen::oneOf(gen::unit_interval_rational(), rc::gen::element(Rational(0), Rational(3, 5), Rational(1)));
+            const Rational share = squared_stray_share(c), sharp = (Rational(1) - c) / (Rational(4) * (Rational(1) + c));
+            const bool is_close = c >= Rational(3, 5);
+            RC_CLASSIFY(c == Rational(3, 5) || c == Rational(1) || c == Rational(0), "degenerate");
+            RC_ASSERT(share >= (is_close ? sharp : Rational(Rational(9, 16) * (Rational(1) - c))));
+            RC_ASSERT(share <= (is_close ? Rational(sharp * Rational(33, 32)) : Rational(Rational(9, 16) * (Rational(1) - c))));
+            if (c == Rational(3, 5)) RC_ASSERT(share == sharp);
+            RC_ASSERT(strays_little(Rational(sharp), c, Rational(1)) == verdict_of(is_close || sharp * 16 <= (Rational(1) - c) * 9));
+          });
+  t.holds("the spread of images is that of their sums, as seen from any point", {.number_type = "rational", .cases = 300}, [] {
+    const auto images = *rc::gen::nonEmpty(rc::gen::container<std::vector<RationalVec<3>>>(gen::rational_vector<3>()));
+    const RationalVec<3> from = *gen::rational_vector<3>();
+    RationalVec<3> sum(0, 0, 0);
+    Rational squares(0);
+    for (const auto& y : images) sum += y - from, squares += squared_distance(y, from);
+    RC_ASSERT(squared_spread_of_sums(Rational(static_cast<int>(images.size())), squares, sum) == squared_spread(images));
+  });
   t.holds("dual quaternions stray from the linear blend by no more than the bound, and turn what is not at the point",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const ReachCase c(4);

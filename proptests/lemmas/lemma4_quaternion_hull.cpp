@@ -19,7 +19,7 @@ bool is_degenerate(const gen::EnclosedHull<D>& hull) {
   bool corner = false;
   for (const Rational& w : hull.weights) corner = corner || w == Rational(1);
   return corner || squared_norm(combine<Rational, D>(hull.weights, hull.units)) == Rational(0) ||
-         hull_offset(hull.ball) == Rational(0) || hull.ball.squared_radius == Rational(0) ||
+         scaled_distance(hull.ball.center, hull.ball.squared_radius) == Rational(0) || hull.ball.squared_radius == Rational(0) ||
          squared_norm(hull.ball.center) == Rational(0);
 }
 
@@ -200,7 +200,7 @@ void checks_need_each_part(Suite& t) {
       const Vector opposite = -u;
       const bool ahead = squared_distance(u, ball.center) <= ball.squared_radius;
       const bool behind = squared_distance(opposite, ball.center) <= ball.squared_radius;
-      RC_CLASSIFY(hull_offset(ball) < Rational(0), "more than half of the surface");
+      RC_CLASSIFY(scaled_distance(ball.center, ball.squared_radius) < Rational(0), "more than half of the surface");
       RC_CLASSIFY(ahead != behind, "one of both");
       RC_ASSERT(direction_is_enclosed(ball, b) == verdict_of(ahead));
       RC_ASSERT(rotation_is_enclosed(ball, b) == verdict_of(ahead || behind));
@@ -237,7 +237,7 @@ PROPTEST(lemma4_quaternion_hull) {
 
   t.example("a mean ball of radius 6/5 bounds its hull: a radius below 1 is not needed", {.form = "printed"}, [] {
     const Disc& disc = mean_of_three_and_one;
-    const Q o = hull_offset(disc), d_H_squared = o * o / (Q(4) * squared_norm(disc.center));
+    const Q o = scaled_distance(disc.center, disc.squared_radius), d_H_squared = o * o / (Q(4) * squared_norm(disc.center));
     return are_units_enclosed(disc, three_and_one) == Verdict::holds && d_H_squared == Q(1, 325) &&
            radius_below_one_is_needed_printed(disc) == Verdict::fails && ball_keeps_hulls(disc) == Verdict::holds &&
            hull_stays_in_cap_repaired(disc, three_and_one, quarters) == Verdict::holds;
@@ -269,7 +269,7 @@ PROPTEST(lemma4_quaternion_hull) {
               RC_ASSERT(are_units_enclosed(hull.ball, hull.units) == Verdict::holds);
               RC_ASSERT(hull_stays_in_cap_repaired(hull.ball, hull.units, hull.weights) == Verdict::holds);
               // c != 0 need not be asked for.
-              if (hull_offset(hull.ball) > Rational(0)) RC_ASSERT(hull.ball.center != gen::RationalVec<d>::Zero());
+              if (scaled_distance(hull.ball.center, hull.ball.squared_radius) > Rational(0)) RC_ASSERT(hull.ball.center != gen::RationalVec<d>::Zero());
               if (ball_keeps_hulls(hull.ball) != Verdict::holds) return;
               RC_CLASSIFY(hull.ball.squared_radius >= Rational(1), "radius of 1 or more");
               const auto made = hull_element(hull.ball, hull.units, hull.weights);
@@ -300,7 +300,7 @@ PROPTEST(lemma4_quaternion_hull) {
             gen::for_some_dimension<1, 4>([](auto d) {
               const auto hull = *gen::enclosed_hull<d>().as("case");
               RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
-              RC_CLASSIFY(hull_offset(hull.ball) < Rational(0), "more than half of the surface");
+              RC_CLASSIFY(scaled_distance(hull.ball.center, hull.ball.squared_radius) < Rational(0), "more than half of the surface");
               RC_ASSERT(rotations_stay_in_cap_repaired(hull.ball, hull.units, hull.weights) == Verdict::holds);
             });
           });
@@ -362,13 +362,13 @@ PROPTEST(lemma4_quaternion_hull) {
   t.example("the mean ball of 1, 1, 1 and a wide turn has a negative d_H: it bounds rotations, but not directions",
             {.form = "repaired", .hypothesis = "r^2 <= 1 + c^2"}, [] {
               const Disc& disc = mean_of_three_and_wide;
-              return are_units_enclosed(disc, three_and_wide) == Verdict::holds && hull_offset(disc) == Q(-7, 10) &&
+              return are_units_enclosed(disc, three_and_wide) == Verdict::holds && scaled_distance(disc.center, disc.squared_radius) == Q(-7, 10) &&
                      ball_keeps_hulls(disc) == Verdict::fails &&
                      rotations_stay_in_cap_repaired(disc, three_and_wide, quarters) == Verdict::holds;
             });
   t.example("at r^2 = 1 + c^2 a blend may be 0", {.form = "repaired", .hypothesis = "r^2 < 1 + c^2"}, [] {
     return are_units_enclosed(around_up_and_down, up_and_down) == Verdict::holds &&
-           hull_offset(around_up_and_down) == Q(0) && squared_norm(combine<Q, 2>(halves, up_and_down)) == Q(0) &&
+           scaled_distance(around_up_and_down.center, around_up_and_down.squared_radius) == Q(0) && squared_norm(combine<Q, 2>(halves, up_and_down)) == Q(0) &&
            hull_stays_in_cap_repaired(around_up_and_down, up_and_down, halves) == Verdict::holds;
   });
   t.example("a vector that is not of unit length is in the ball, its direction is not",

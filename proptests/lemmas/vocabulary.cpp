@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lemmas/vocabulary/ladder.hpp"
+#include "lemmas/exact/ladder.hpp"
 #include "lemmas/vocabulary/root_comparison.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/sphere_point.hpp"

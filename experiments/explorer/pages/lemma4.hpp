@@ -65,7 +65,7 @@ void lemma4_scene(const Values& k, Scene<S>& scene) {
   scene.direction(in_cap == Verdict::holds ? "inside" : "outside", "b / ‖b‖", element.blend);
 
   scene.number("r squared", ball.squared_radius);
-  scene.number("1 + ‖c‖² − r²", hull_offset(ball));
+  scene.number("1 + ‖c‖² − r²", scaled_distance(ball.center, ball.squared_radius));
   scene.verdict("", "r < 1, as printed", less(ball.squared_radius, S(1)));
   scene.verdict("", "r² ≤ 1 + ‖c‖², or E holds the sphere", ball_keeps_hulls(ball));
   scene.verdict("", "b / ‖b‖ is in the cap", in_cap);
