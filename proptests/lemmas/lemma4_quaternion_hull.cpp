@@ -292,6 +292,7 @@ PROPTEST(lemma4_quaternion_hull) {
               RC_ASSERT(ball_keeps_hulls(ball) == Verdict::fails);
               RC_ASSERT(hull_element(ball, units, halves).verdict == Verdict::fails);
               RC_ASSERT(is_hull_element(ball, units, halves, hull_element(ball, units, halves)) == Verdict::fails);
+              RC_ASSERT(hull_stays_in_cap_repaired(ball, units, halves) == Verdict::holds);  // says nothing of it
               RC_ASSERT(rotations_stay_in_cap_repaired(ball, units, halves) == Verdict::holds);
             });
           });
