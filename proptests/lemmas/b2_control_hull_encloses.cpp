@@ -202,6 +202,10 @@ PROPTEST(b2_control_hull_encloses) {
         RC_ASSERT(control_balls_enclose(c.blend, u, ball, radius, offset) ==
                   verdict_of(!(around && short_enough && radius >= 0) || inside));
       });
+  t.example("a single corner that is 0 is refused, though it has no other to be at a right angle to", {}, [] {
+    const std::vector<RationalQuaternion> zero{RationalQuaternion(0, 0, 0, 0)};
+    return pairs_are_positive(zero) == Verdict::fails;
+  });
   t.example("where a weight is negative, a ball around the control balls need not hold the vertex", {}, [] {
     // From far below: the image is above all control points.
     const auto points = control_points(b2::far_apart);

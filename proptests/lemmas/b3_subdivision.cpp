@@ -316,7 +316,7 @@ PROPTEST(b3_subdivision) {
       t, "each size of each corner and each edge is looked at, and each sign", 0.02,
       [] {
         auto c = *gen::blend_case(gen::Spread::any, 3);
-        // All corners alike but one, and sizes that fit the others and the rest.
+        // All corners alike but one, or one pair about the third, and sizes that fit the others and the rest.
         auto& q = c.blend.rotations;
         auto& r = c.blend.center_images;
         q.assign(3, *gen::nonzero_quaternion()), r.assign(3, r[0]);
@@ -327,11 +327,15 @@ PROPTEST(b3_subdivision) {
         q[k] += step;
         if (kind != 0) r[k] += move;
         if (kind == 1) c.blend.x.setZero();  // so that nothing but the centers makes a gap
+        const std::size_t l = (k + 1) % 3;
+        const std::string pair = gen::place(std::min(k, l), 3) + " and " + gen::place(std::max(k, l), 3);
+        if (kind == 0) q[l] -= step;
+        if (kind == 1) r[l] -= move;
         auto sizes = sizes_of(c.blend);
         const Rational less = Rational(999, 1000);
         std::string part;
-        if (kind == 0) sizes.rotation_spread *= less, part = "an edge from " + gen::place(k, 3) + " of the rotations";
-        if (kind == 1) sizes.center_spread *= less, part = "an edge from " + gen::place(k, 3) + " of the centers";
+        if (kind == 0) sizes.rotation_spread = upper_root(squared_norm(step)), part = pair + " of the rotations";
+        if (kind == 1) sizes.center_spread = upper_root(squared_norm(move)), part = pair + " of the centers";
         if (kind == 2) {
           RationalQuaternion longest = q[0];
           for (const auto& p : q) longest = squared_norm(p) > squared_norm(longest) ? p : longest;
