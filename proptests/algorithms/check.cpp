@@ -365,7 +365,7 @@ Checked check_work() {
   weights[0] = "1/1" + std::string(390, '0');
   wide["pieces"][0]["corners"] = repeated(weights, 40);
   list.push_back({"many joints", wide, work});
-  json dense = with_corners("spherical", 30, control);
+  json dense = with_corners("spherical", 60, control);
   dense["ball"]["radius"] = "1/1" + std::string(390, '0');
   dense["pieces"][0]["reference"]["radius"] = digits(400, 1) + "/7" + std::string(390, '0');
   list.push_back({"long numbers", dense, work});
@@ -421,7 +421,7 @@ Checked check_names() {
       return Checked(false, long(run.lines.size()), run.lines.empty() ? "nothing said" : run.lines[0]);
   }
   CheckedFolder abouts;
-  for (const std::string about : {"x\naccepted: \"y\": 1 linear pieces", "\x1b[2J", "\r", "\x7f", "\u00e4\u2028", "\"", std::string(100000, 'x').c_str()}) {
+  for (const std::string& about : Texts{"x\naccepted: \"y\": 1 linear pieces", "\x1b[2J", "\r", "\x7f", "\u00e4\u2028", "\"", std::string(100000, 'x')}) {
     json named = good;
     named["about"] = about;
     abouts.add(sealed(named));
