@@ -96,6 +96,11 @@ std::string what_is_missed(const gen::WideModel& wide) {
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::hejl}) {
     const auto pose = make_skinning_pose(model, sets, wide.posture, skinning);
     const auto deformed = skin(model, sets, pose, skinning);
+    double largest = wide.largest_length;  // rotation centers of nearly parallel joints are far away
+    for (int s = 0; s < sets.count(); ++s) {
+      largest = std::max(largest, pose[s].rotation_center.stableNorm());
+      for (const Point3& image : pose[s].center_images) largest = std::max(largest, image.stableNorm());
+    }
     ExactSkin exact(model, sets, pose, skinning);
     const auto complaint = [&](const std::string& how, auto&& ball_of) -> std::string {
       for (int n = 0; n < static_cast<int>(tree.nodes.size()); ++n) {
@@ -103,7 +108,7 @@ std::string what_is_missed(const gen::WideModel& wide) {
         const Ball3<double> ball{of_floats.center.cast<double>(), of_floats.radius};
         const std::string which = "node " + std::to_string(n) + " of skinning " + std::to_string(int(skinning)) + " by " + how;
         if (!ball.center.allFinite() || !(ball.radius >= 0)) return which + " is not a ball";
-        if (wide.largest_length < 0x1p40 && !std::isfinite(ball.radius)) return which + " is all of space";
+        if (largest < 0x1p40 && !std::isfinite(ball.radius)) return which + " is all of space";
         for (const int v : vertices[n])
           if (!exact.is_in(ball, v) || !exact_encloses(ball, deformed[v])) return which + " misses vertex " + std::to_string(v);
       }
@@ -120,7 +125,7 @@ std::string what_is_missed(const gen::WideModel& wide) {
       one.begin(pose);
       if (const auto wrong = complaint("NodeRefit", [&](int n) { return one(n); }); !wrong.empty()) return wrong;
     } catch (const std::range_error& e) {  // only for what is too large
-      if (wide.largest_length < 0x1p54) return e.what();
+      if (largest < 0x1p54) return e.what();
     }
   }
   return "";
