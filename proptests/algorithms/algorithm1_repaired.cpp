@@ -143,19 +143,19 @@ PROPTEST(algorithm1_repaired) {
   static oracle::RungTally mean, first;
   static Misses mean_misses, smallest_misses;
   t.holds("the ball encloses every vertex of S with admissible weights",
-          {.form = "repaired", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2},
+          {.form = "repaired", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
           [] { check_theorem<MeanBalls>(oracle::Gather::at_mean, mean); });
   t.example("of its points, intervals of doubles decide most, and squared forms most of those on the surface", {}, [] {
     return Checked(mean.share("interval") > 0.6 && mean.share(oracle::RungTally::none) < 0.1, mean.total(),
                    mean.text());
   });
   t.holds("whatever centers the balls are given, the ball encloses every vertex of S with admissible weights",
-          {.form = "repaired", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2},
+          {.form = "repaired", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
           [] { check_theorem<FirstPoints>(oracle::Gather::at_first, first); });
   t.example("with these centers every point is decided exactly", {},
             [] { return Checked(first.share(oracle::RungTally::none) == 0, first.total(), first.text()); });
   t.holds("intervals hold the ball of the squared form, or miss no point of it where they fall back on all rotations",
-          {.number_type = "interval", .cases = 1000, .degenerate_at_least = 0.2}, [] {
+          {.number_type = "interval", .cases = 1000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::any);
             classify(c);
             const auto exact = oracle::repaired_ball(c, oracle::Gather::at_first);
