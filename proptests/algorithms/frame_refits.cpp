@@ -224,6 +224,19 @@ PROPTEST(frame_refits) {
     }
     return Checked(true, frames);
   });
+  t.holds("the balls made since begin are counted by their levels, those for fronts too",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const Drawn d = draw();
+            FrameRefits frame(d.character, d.variant, {.most_joint_sets = *rc::gen::element(0, 1, 3), .most_front = 6});
+            for (int round = 0; round < 3; ++round) {
+              frame.begin(d.pose);
+              for (int i = 0; i < 5 * (2 - round); ++i) frame[*rc::gen::inRange(0, d.count())];
+              std::vector<long> expected(d.character.tree.level_count());
+              for (int n = 0; n < d.count(); ++n)
+                if (frame.is_refitted(n)) ++expected[d.character.tree.nodes[n].level - 1];
+              RC_ASSERT(frame.refitted_by_level() == expected);
+            }
+          });
   t.example("a pose whose arrays were filled by hand is refused until it is measured", {}, [] {
     const Character snake(make_snake(5));
     FrameRefits frame(snake, default_variant(Skinning::spherical));

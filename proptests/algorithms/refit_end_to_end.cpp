@@ -149,7 +149,7 @@ PROPTEST(refit_end_to_end) {
     }
   });
   t.holds("no sound variant misses a vertex of up to 90 joints, of any size, and turned by quaternions of any length that is accepted",
-          {.number_type = "double against rational", .cases = 150, .degenerate_at_least = 0.1, .degenerate_at_most = 0.5,
+          {.number_type = "double against rational", .cases = 600, .degenerate_at_least = 0.1, .degenerate_at_most = 0.5,
            .tags_at_least = {{"at the tolerance", 0.2}, {"float", 0.2}, {"more than 16 influences", 0.05}, {"huge or tiny", 0.2}}},
           check_wide);
   t.example(sentence + std::string("the procedural man"), options, [] { return check_model(make_man()); });

@@ -14,8 +14,8 @@ rc::Gen<WidePlan> wide_plan(int least_exponent, int greatest_exponent) {
   return rc::gen::exec([=] {
     const auto full = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); };
     WidePlan plan{};
-    plan.joints = *rc::gen::element(2, 3, 4, 5, 8, 17, 90, 1);
-    plan.influences = *rc::gen::element(plan.joints, std::min(plan.joints, full(2, 4)), std::min(plan.joints, 5), 1);
+    plan.joints = *rc::gen::element(2, 3, 4, 5, 8, 17, 90, 90, 1);
+    plan.influences = *rc::gen::element(plan.joints, plan.joints, std::min(plan.joints, full(2, 4)), std::min(plan.joints, 5), 1);
     plan.vertices = full(3, 16);
     plan.exponent = *rc::gen::element(0, full(least_exponent, greatest_exponent), least_exponent, greatest_exponent);
     plan.lengths = full(0, 2);
