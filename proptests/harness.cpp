@@ -44,6 +44,23 @@ std::string describe(const rc::detail::FailureResult& failure) {
   return out.str();
 }
 
+// Which kind of case there was too little or too much of; empty if none.
+std::string complaint_about_shares(const Outcome& outcome) {
+  const Options& options = outcome.options;
+  const auto complaint = [](const std::string& what, double share, double wanted) {
+    return "too few " + what + " cases: a share of " + std::to_string(share) + ", wanted " + std::to_string(wanted);
+  };
+  const double degenerate = outcome.degenerate_share;
+  if (degenerate < options.degenerate_at_least) return complaint("degenerate", degenerate, options.degenerate_at_least);
+  if (degenerate > options.degenerate_at_most) return complaint("generic", 1 - degenerate, 1 - options.degenerate_at_most);
+  for (const auto& [tag, wanted] : options.tags_at_least) {
+    const auto found = outcome.tags.find(tag);
+    const double share = found == outcome.tags.end() ? 0 : static_cast<double>(found->second) / static_cast<double>(outcome.cases);
+    if (share < wanted) return complaint("'" + tag + "'", share, wanted);
+  }
+  return "";
+}
+
 }  // namespace
 
 void Suite::run(const std::string& sentence, const std::string& kind, const Options& options,
@@ -71,11 +88,8 @@ void Suite::run(const std::string& sentence, const std::string& kind, const Opti
     outcome.cases = result.get<rc::detail::SuccessResult>().numSuccess;
     outcome.passed = kind == "holds" && outcome.cases >= params.maxSuccess;
     if (kind == "refuted") outcome.detail = "no counterexample found";
-    if (outcome.passed && outcome.degenerate_share < options.degenerate_at_least) {
-      outcome.passed = false;
-      outcome.detail = "too few degenerate cases: a share of " + std::to_string(outcome.degenerate_share) + ", wanted " +
-                       std::to_string(options.degenerate_at_least);
-    }
+    if (outcome.passed) outcome.detail = complaint_about_shares(outcome);
+    outcome.passed = outcome.passed && outcome.detail.empty();
   } else if (result.is<rc::detail::FailureResult>()) {
     const auto& failure = result.get<rc::detail::FailureResult>();
     outcome.cases = failure.numSuccess + 1;
@@ -100,6 +114,7 @@ void Suite::example(const std::string& sentence, const Options& options, const s
   try {
     const Checked checked = check();
     outcome.passed = checked.passed;
+    outcome.skipped = checked.skipped;
     outcome.cases = checked.cases;
     outcome.detail = checked.detail;
   } catch (const std::exception& e) {

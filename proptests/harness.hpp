@@ -27,7 +27,9 @@ struct Options {
   int cases = 1000;               // random cases, unless --cases says otherwise
   int max_size = 100;             // RapidCheck's size: how wild a generated value may be
   double degenerate_at_least = 0; // the share of degenerate cases below which the test fails
+  double degenerate_at_most = 1;  // the share above which it fails: too few generic cases then test the statement
   std::string hypothesis = "";    // the hypothesis whose necessity this shows, for a counterexample without it
+  std::map<std::string, double> tags_at_least = {};  // by label of RC_TAG: the share of cases below which the test fails
 };
 
 struct Outcome {
@@ -36,6 +38,7 @@ struct Outcome {
   std::string kind;      // "holds", "refuted", "example"
   Options options;
   bool passed = false;
+  bool skipped = false;         // what it looks at is not there: not failed, but counted apart from what passed
   long cases = 0;               // tried; for "refuted" the number of cases until the first failure
   double degenerate_share = 0;  // of the cases tried
   std::uint64_t seed = 0;
@@ -48,7 +51,13 @@ struct Outcome {
 struct Checked {
   Checked(bool ok) : passed(ok) {}  // NOLINT: an example may simply return a bool
   Checked(bool ok, long n, std::string text = "") : passed(ok), cases(n), detail(std::move(text)) {}
-  bool passed;
+  // Of data that are not there. A run prints how many checks it skipped.
+  static Checked skip(std::string reason) {
+    Checked out(false, 0, std::move(reason));
+    out.skipped = true;
+    return out;
+  }
+  bool passed, skipped = false;
   long cases = 1;
   std::string detail;
 };
@@ -57,7 +66,7 @@ class Suite {
  public:
   explicit Suite(std::string stem) : stem_(std::move(stem)) {}
 
-  // Passes if no case fails, all cases were run, and the degenerate share is reached.
+  // Passes if no case fails, all cases were run, and the shares of degenerate cases and of labels are as wanted.
   template <class Testable>
   void holds(const std::string& sentence, const Options& options, Testable&& property) {
     run(sentence, "holds", options, rc::detail::toProperty(std::forward<Testable>(property)));

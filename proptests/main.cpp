@@ -77,13 +77,15 @@ int main(int argc, char** argv) try {
       return proptests::Checked(unseen.empty(), static_cast<long>(list.size()), unseen);
     });
   if (run.empty()) throw po::error("no suite's stem contains what --only names; --list lists them");
-  long passed = 0, failed = 0;
-  for (const auto& o : session.outcomes()) ++(o.passed ? passed : failed);
+  long passed = 0, failed = 0, skipped = 0;
+  for (const auto& o : session.outcomes()) ++(o.skipped ? skipped : o.passed ? passed : failed);
   if (!out.empty()) proptests::write_verdicts(session.outcomes(), out);
   for (const auto& o : session.outcomes())
-    if (!o.passed) std::cout << "FAILED " << o.stem << ": " << o.sentence << "\n       " << o.detail << '\n';
+    if (!o.passed) std::cout << (o.skipped ? "SKIPPED " : "FAILED ") << o.stem << ": " << o.sentence << "\n       " << o.detail << '\n';
   std::printf("%.0f s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  std::printf("%ld passed, %ld failed\n", passed, failed);
+  std::printf("%ld passed, %ld failed", passed, failed);
+  if (skipped > 0) std::printf(", %ld skipped", skipped);
+  std::printf("\n");
   return failed == 0 ? 0 : 1;
 } catch (const std::exception& e) {
   std::cerr << "proptests: " << e.what() << '\n';

@@ -24,7 +24,7 @@ void Session::add(Outcome o) {
   char summary[96];
   std::snprintf(summary, sizeof summary, "%ld case%s, %.0f %% degenerate, %.2f s", o.cases, o.cases == 1 ? "" : "s",
                 100 * o.degenerate_share, o.seconds);
-  const char* const verdict = o.passed ? "[  ok  ]" : "[ FAIL ]";
+  const char* const verdict = o.skipped ? "[ SKIP ]" : o.passed ? "[  ok  ]" : "[ FAIL ]";
   if (is_watched_) std::cout << "\r  " << verdict << ' ' << o.stem << ": " << o.sentence;
   else std::cout << "  " << verdict;
   std::cout << "  (" << o.kind;
@@ -32,7 +32,7 @@ void Session::add(Outcome o) {
   if (!o.options.number_type.empty()) std::cout << ", " << o.options.number_type;
   std::cout << "; " << summary << ")\n";
   if (!o.detail.empty() && (!o.passed || o.kind != "holds")) std::cout << "           " << o.detail.substr(0, 600) << '\n';
-  if (!o.passed)
+  if (!o.passed && !o.skipped)
     std::cout << "           again: proptests/run --only " << o.stem << " --seed " << seed_
               << (cases_ ? " --cases " + std::to_string(cases_) : "") << '\n';
   std::cout << std::flush;

@@ -1,6 +1,7 @@
 #include "algorithms/refit/frame_refits.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "algorithms/balls/few_balls_ball.hpp"
@@ -43,6 +44,13 @@ std::vector<std::vector<int>> fronts(const SphereTree& tree, const FrameOptions&
   return front;
 }
 
+// Encloses the balls, which are all of space if one of them is.
+Ball3<double> ball_around(std::span<const Ball3<double>> balls) {
+  for (const Ball3<double>& ball : balls)
+    if (ball.radius == std::numeric_limits<double>::infinity()) return ball;
+  return rounded_up(few_balls_enclosing(balls));
+}
+
 }  // namespace
 
 FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant, const FrameOptions& options)
@@ -80,8 +88,8 @@ void FrameRefits::refit(int n) {
   else
     balls_[n] = from_below(n);
   if (options_.children_first && are_children_refitted(node)) {
-    const Ball3<double> merged = rounded_up(
-        few_balls_enclosing({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)}));
+    const Ball3<double> merged =
+        ball_around({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
     if (merged.radius < balls_[n].radius) balls_[n] = merged;
   }
   made_.mark(n);
@@ -98,7 +106,7 @@ Ball3<double> FrameRefits::from_below(int node) {
   for (const int below : front_[node]) (*this)[below];  // may come here again, and uses the list
   front_balls_.clear();
   for (const int below : front_[node]) front_balls_.push_back(balls_[below]);
-  return rounded_up(few_balls_enclosing(front_balls_));
+  return ball_around(front_balls_);
 }
 
 }  // namespace refitlab

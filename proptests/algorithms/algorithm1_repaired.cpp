@@ -44,21 +44,22 @@ void classify(const RefitCase& c) {
 }
 
 template <class Policy>
-void check_theorem(oracle::Gather gather, oracle::RungTally& tally) {
+void check_theorem(oracle::Gather gather) {
   const RefitCase c = *gen::refit_case(gen::Turns::any);
   classify(c);
   oracle::RefitLadder ladder(c, Repaired<Policy>{}, oracle::repaired_ball(c, gather));
   const Point3 center = Repaired<Policy>{}(gen::NodeOf<double>(c).node()).center;
-  int seen = 0;
+  oracle::RungTally tally;
   for (const Sample& sample : gen::samples(c, Blending::spherical, center)) {
     const auto v = gen::skinned(c, sample, Blending::spherical);
     if (!v) continue;
-    ++seen;
     const Decision d = ladder.encloses(*v);
     tally.add(d);
     RC_ASSERT(d.verdict != Verdict::fails);
   }
-  RC_PRE(seen > 0);
+  RC_PRE(tally.total() > 0);
+  RC_CLASSIFY(tally.share("interval") > 0.6, "mostly by intervals of doubles");
+  RC_CLASSIFY(tally.share(oracle::RungTally::none) == 0, "decided exactly");
 }
 
 // How far the ball of double misses the exactly skinned vertices of the same doubles, relative to the coordinates.
@@ -140,22 +141,17 @@ Checked report(const Misses& m) {
 }  // namespace
 
 PROPTEST(algorithm1_repaired) {
-  static oracle::RungTally mean, first;
   static Misses mean_misses, smallest_misses;
   t.holds("the ball encloses every vertex of S with admissible weights",
-          {.form = "repaired", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2},
-          [] { check_theorem<MeanBalls>(oracle::Gather::at_mean, mean); });
-  t.example("of its points, intervals of doubles decide most, and squared forms most of those on the surface", {}, [] {
-    return Checked(mean.share("interval") > 0.6 && mean.share(oracle::RungTally::none) < 0.1, mean.total(),
-                   mean.text());
-  });
+          {.form = "repaired", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+           .tags_at_least = {{"mostly by intervals of doubles", 0.5}, {"decided exactly", 0.5}}},
+          [] { check_theorem<MeanBalls>(oracle::Gather::at_mean); });
   t.holds("whatever centers the balls are given, the ball encloses every vertex of S with admissible weights",
-          {.form = "repaired", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2},
-          [] { check_theorem<FirstPoints>(oracle::Gather::at_first, first); });
-  t.example("with these centers every point is decided exactly", {},
-            [] { return Checked(first.share(oracle::RungTally::none) == 0, first.total(), first.text()); });
+          {.form = "repaired", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+           .tags_at_least = {{"decided exactly", 1}}},
+          [] { check_theorem<FirstPoints>(oracle::Gather::at_first); });
   t.holds("intervals hold the ball of the squared form, or miss no point of it where they fall back on all rotations",
-          {.number_type = "interval", .cases = 1000, .degenerate_at_least = 0.2}, [] {
+          {.number_type = "interval", .cases = 1000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::any);
             classify(c);
             const auto exact = oracle::repaired_ball(c, oracle::Gather::at_first);

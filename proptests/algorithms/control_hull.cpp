@@ -44,25 +44,20 @@ void assert_holds(const RefitCase& c, const std::vector<Ball3<S>>& balls, Verdic
 
 std::size_t control_point_count(std::size_t m) { return m * (m + 1) * (m + 2) / 6; }
 
-// What the cases went through.
-struct Paths {
-  long exact = 0, halved = 0, fallback = 0;
-};
-
-void check_hull(Paths& paths) {
+void check_hull() {
   const RefitCase c = *gen::refit_case(gen::Turns::any);
   for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   try {
     const auto balls = balls_of<Rational>(c);
-    ++paths.exact;
+    RC_TAG("exact");
     std::size_t unhalved = 0;
     for (const auto& set : c.sets)
       unhalved += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
-    paths.halved += balls.size() > unhalved;
+    RC_CLASSIFY(balls.size() > unhalved, "halved");
     assert_holds(c, balls, Verdict::holds);
   } catch (const NoRationalRoot&) {
-    ++paths.fallback;
+    RC_TAG("fallback");
     assert_holds(c, balls_of<MultiprecisionInterval>(c), Verdict::undecided);  // on the boundary of a cap's ball
   }
 }
@@ -185,19 +180,12 @@ Checked measure_tightness() {
 }  // namespace
 
 PROPTEST(control_hull) {
-  static Paths paths;
-  t.holds("the hull of the control balls holds every vertex of S with admissible weights",
-          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.3},
-          [] { check_hull(paths); });
-  t.example("of the cases many are exact, some are halved, some need the fallback", {}, [] {
-    char text[100];
-    std::snprintf(text, sizeof text, "%ld exact, of these %ld halved; %ld on the fallback", paths.exact, paths.halved,
-                  paths.fallback);
-    const long all = paths.exact + paths.fallback;
-    return Checked(paths.exact * 2 > all && paths.halved * 20 > all && paths.fallback * 50 > all, all, text);
-  });
+  t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
+          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+           .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
+          check_hull);
   t.holds("up to a right angle between joints no root is taken and nothing is halved",
-          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2}, [] {
+          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::moderate);
             RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
             const auto balls = balls_of<Rational>(c);
@@ -209,7 +197,7 @@ PROPTEST(control_hull) {
             assert_holds(c, balls, Verdict::holds);
           });
   t.holds("halving ends: at most 16 m (m + 1) (m + 2) / 6 balls for m corners, all of them finite",
-          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.3}, [] {
+          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::any);
             RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
             const auto balls = balls_of<double>(c);
@@ -264,7 +252,7 @@ PROPTEST(control_hull) {
               RC_ASSERT(reaches<S>(lists.cap.balls, lift<S>(v), lift<S>(d)) != Verdict::fails);
             }
           });
-  const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2};
+  const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<MeanBalls>(); });
   t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size",

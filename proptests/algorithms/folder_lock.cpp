@@ -1,7 +1,10 @@
 // One run at a time in a folder, however the last one ended.
 #include "algorithms/results/folder_lock.hpp"
 
+#include <atomic>
+#include <barrier>
 #include <chrono>
+#include <cstdio>
 #include <optional>
 #include <thread>
 
@@ -56,6 +59,46 @@ PROPTEST(folder_lock) {
         return Checked(false, i, held);
     }
     return Checked(true, 20);
+  });
+  t.example("threads that want one folder have it one at a time, and are refused for no other reason", {}, [] {
+    const gen::TemporaryFolder folder;
+    constexpr int threads = 8, attempts = 200;
+    std::atomic<int> inside = 0, together = 0, held = 0, strange = 0;
+    std::barrier start(threads);
+    {
+      std::vector<std::jthread> all;
+      for (int i = 0; i < threads; ++i)
+        all.emplace_back([&] {
+          start.arrive_and_wait();
+          for (int k = 0; k < attempts; ++k) try {
+              const FolderLock lock(folder.path());
+              together += ++inside > 1;
+              std::this_thread::yield();
+              ++held, --inside;
+            } catch (const std::runtime_error& e) {
+              strange += !std::string(e.what()).starts_with(folder.path() + ": in use by another run");
+            }
+        });
+    }
+    return Checked(together == 0 && strange == 0 && held >= threads, threads * attempts,
+                   std::to_string(held.load()) + " times held");
+  });
+  t.example("what an earlier run wrote into the lock, longer than a process's number, is not part of the next refusal", {}, [] {
+    const gen::TemporaryFolder folder;
+    write_whole(folder.file("lock"), "99999999999999 and more");
+    const FolderLock lock(folder.path());
+    const std::string message = refusal(folder.path());
+    return Checked(message == folder.path() + ": in use by another run, process " + std::to_string(getpid()), 1, message);
+  });
+  t.example("a program that is started meanwhile and goes on does not hold the folder", {}, [] {
+    const gen::TemporaryFolder folder;
+    std::optional<FolderLock> lock(folder.path());
+    std::FILE* const program = popen("cat > /dev/null", "w");  // until it is closed
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    lock.reset();
+    const std::string message = refusal(folder.path());
+    pclose(program);
+    return Checked(message.empty(), 1, message);
   });
   t.example("refused, with the path and the reason: a folder that cannot be made", {}, [] {
     const gen::TemporaryFolder folder;

@@ -9,6 +9,7 @@
 #include "algorithms/batch/pose_packs.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -29,8 +30,13 @@ Posture random_posture(const Model& model, unsigned seed) {
   return posture;
 }
 
-// A drawn character in a random posture.
+// A drawn character in a random posture, or any other.
 struct Drawn {
+  Drawn(Model m, const Posture& posture, const RefitVariant& of)
+      : variant(of),
+        character(std::move(m)),
+        pose(make_skinning_pose(character.model, character.sets, posture, variant.skinning)),
+        deformed(skin(character.model, character.sets, pose, variant.skinning)) {}
   Drawn(Model m, unsigned seed)
       : character(std::move(m)),
         pose(make_skinning_pose(character.model, character.sets, random_posture(character.model, seed),
@@ -50,6 +56,52 @@ struct Drawn {
   SkinningPose<double> pose;
   std::vector<Point3> deformed;
 };
+
+// Two strips of triangles. Where the vertices of the first are half-way between two joints, in front of which a third has
+// hardly any weight, dual quaternions may blend to 0, so that their bound is all of space. The second strip is rigid.
+Model two_strips() {
+  Model m;
+  m.name = "strips";
+  for (int j = 0; j < 4; ++j) m.joints.push_back({"joint", j - 1, {0, 0, 0}});
+  const auto add = [&](const Point3& p, const std::vector<std::pair<int, double>>& weights) {
+    m.vertices.push_back(p);
+    m.influences.emplace_back();
+    for (const auto& [joint, weight] : quantize_weights(weights)) m.influences.back().push_back({joint, weight});
+  };
+  for (int i = 0; i < 6; ++i) add({1. * i, i % 2 * 1., 0}, {{0, 0x1p-22}, {1, 1. + i}, {2, 6. - i}});
+  for (int i = 0; i < 6; ++i) add({1. * i, i % 2 * 1., 5}, {{3, 1}});
+  for (const int t : {0, 1, 2, 3, 6, 7, 8, 9}) m.triangles.push_back({t, t + 1, t + 2});
+  validate(m);
+  return m;
+}
+
+Posture with_opposite_turns() {
+  Posture posture(4);
+  posture[1] = {{0, 1, 0, 0}, {1, 2, 3}};
+  posture[2] = {{0, -1, 0, 0}, {0, 0, 0}};
+  return posture;
+}
+
+// Each ball encloses its vertices and is defined; all of space are those that have to be, and the balls above them.
+std::string fault_of_infinite(const Drawn& d, const FrameOptions& options) {
+  FrameRefits frame(d.character, d.variant, options);
+  frame.begin(d.pose);
+  frame.refit_all();
+  long infinite = 0;
+  for (int n = 0; n < d.count(); ++n) {
+    const Ball3<double>& ball = frame[n];
+    if (!ball.center.allFinite() || !(ball.radius >= 0) || !d.encloses(ball, n)) return "a ball that is undefined";
+    bool is_expected = std::isinf(d.own(n).radius), finite_children = d.character.tree.nodes[n].child_count > 0;
+    if (!frame.front(n).empty()) is_expected = false;
+    for (const int below : frame.front(n)) is_expected = is_expected || std::isinf(frame[below].radius);
+    for (int c = 0; c < d.character.tree.nodes[n].child_count; ++c)
+      finite_children = finite_children && std::isfinite(frame[d.character.tree.nodes[n].first_child + c].radius);
+    if (options.children_first && finite_children) is_expected = false;
+    if (std::isinf(ball.radius) != is_expected) return "a ball that is all of space, or is not, for no reason";
+    infinite += std::isinf(ball.radius);
+  }
+  return infinite == 0 || infinite == d.count() ? "of infinite and finite balls there is one kind only" : "";
+}
 
 Drawn draw() {
   const auto plan = *gen::mesh_plan();
@@ -156,6 +208,33 @@ PROPTEST(frame_refits) {
               RC_ASSERT(std::abs(ball.radius - radius) <= 1e-9 * radius);
               for (int m = 0; m < d.count(); ++m) RC_ASSERT(frame.is_refitted(m) == (expected.count(m) == 1));
               RC_TAG(expected.size() > 1 ? "from below" : "by itself");
+            }
+          });
+  t.example("around a ball that is all of space is all of space, from below and of children, and only there", {}, [] {
+    long frames = 0;
+    for (const char* name : {"dual_quaternion_control_mean", "dual_quaternion_control_near", "dual_quaternion_control_exact"}) {
+      const Drawn d(two_strips(), with_opposite_turns(), refit_variant(name));
+      for (const int most_joint_sets : {0, 1, 2})
+        for (const int most_front : {1, 2, 64})
+          for (const bool children_first : {false, true}) {
+            const std::string fault = fault_of_infinite(d, {most_joint_sets, most_front, children_first});
+            if (!fault.empty()) return Checked(false, frames, name + (": " + fault));
+            ++frames;
+          }
+    }
+    return Checked(true, frames);
+  });
+  t.holds("the balls made since begin are counted by their levels, those for fronts too",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const Drawn d = draw();
+            FrameRefits frame(d.character, d.variant, {.most_joint_sets = *rc::gen::element(0, 1, 3), .most_front = 6});
+            for (int round = 0; round < 3; ++round) {
+              frame.begin(d.pose);
+              for (int i = 0; i < 5 * (2 - round); ++i) frame[*rc::gen::inRange(0, d.count())];
+              std::vector<long> expected(d.character.tree.level_count());
+              for (int n = 0; n < d.count(); ++n)
+                if (frame.is_refitted(n)) ++expected[d.character.tree.nodes[n].level - 1];
+              RC_ASSERT(frame.refitted_by_level() == expected);
             }
           });
   t.example("a pose whose arrays were filled by hand is refused until it is measured", {}, [] {

@@ -129,7 +129,7 @@ Checked over_real_models(const Check& check) {
     passed = passed && complaint.empty();
     detail += complaint.empty() ? "" : "; " + std::string(m.name) + ": " + complaint;
   }
-  if (used == 0) detail = "; SKIPPED: no models in out/models";
+  if (used == 0) return Checked::skip("no models in out/models");
   return {passed, used, std::to_string(used) + " of 5 real models" + detail};
 }
 
@@ -251,6 +251,49 @@ PROPTEST(load) {
       refused = true;
     }
     return Checked(std::abs(defect - std::sqrt(3) * 1e-3) < 1e-5 && refused, 2, std::to_string(defect));
+  });
+  t.example("the rigidity defect is the largest of all clips and times, wherever that is", {}, [] {
+    const auto with_waver_in = [](int clip, int key) {
+      RiggedGltf scene = gen::bending_tube(3);
+      scene.clips.resize(3, scene.clips[0]);
+      for (int c = 0; c < 3; ++c) scene.clips[c].name = "clip " + std::to_string(c);
+      gen::GltfTrack track{2, "scale", {0, 0.25f, 0.5f, 1}, std::vector<float>(12, 1)};
+      for (int i = 0; i < 3; ++i) track.values[3 * key + i] = 1 + 5e-4f;
+      scene.clips[clip].tracks.push_back(track);
+      return load(scene).rigidity_defect;
+    };
+    bool good = true;
+    for (int clip = 0; clip < 3; ++clip)
+      for (int key = 1; key < 4; ++key) good = good && std::abs(with_waver_in(clip, key) - std::sqrt(3) * 1e-3) < 1e-5;
+    return Checked(good, 9);
+  });
+  t.example("accepted at the edge: the last joint and vertex, weights that sum to nearly 1, keys that coincide, a matrix too many", {}, [] {
+    const auto complaint = [](const std::function<void(RiggedGltf&)>& change) -> std::string {
+      RiggedGltf scene = gen::bending_tube(3);
+      change(scene);
+      try {
+        load(scene);
+      } catch (const ModelError& e) {
+        return std::string(e.what()) + "; ";
+      }
+      return "";
+    };
+    const auto weights = [](float a, float b) {
+      return [=](RiggedGltf& s) { s.meshes[0].joints[0][7] = {0, 2, 0, 0}, s.meshes[0].weights[0][7] = {a, b, 0, 0}; };
+    };
+    std::string wrong = complaint(weights(0, 1)) + complaint(weights(0.5f, 0.4001f)) + complaint(weights(0.5f, 0.5999f)) +
+                        complaint([](RiggedGltf& s) { s.meshes[0].joints[0][7] = {0, 99, 0, 0}, s.meshes[0].weights[0][7] = {1, 0, 0, 0}; }) +
+                        complaint([](RiggedGltf& s) { s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size()) - 1; }) +
+                        complaint([](RiggedGltf& s) { s.clips[0].tracks[1].times = {1, 1}; }) +
+                        complaint([](RiggedGltf& s) { s.clips[0].tracks[1].times = {0, 0}; }) +
+                        complaint([](RiggedGltf& s) { s.clips.clear(); }) +
+                        complaint([](RiggedGltf& s) { s.skins[0].inverse_bind.push_back(s.skins[0].inverse_bind[0]); });
+    for (const auto& [a, b] : {std::pair{0.5f, 0.3999f}, {0.5f, 0.6001f}})
+      if (complaint(weights(a, b)).empty()) wrong += "weights of " + std::to_string(a + b) + " load; ";
+    if (complaint([](RiggedGltf& s) { s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size()); })
+            .find("index 5 names a vertex out of range") == std::string::npos)
+      wrong += "an index equal to the count loads; ";
+    return Checked(wrong.empty(), 12, wrong);
   });
   t.example("a posture between the times that loading checks is refused when it is sampled", {}, [] {
     RiggedGltf scene = gen::bending_tube(3);

@@ -29,7 +29,9 @@ struct Broken {
   std::string message;
 };
 
-// With ten joints and two influences of vertex 2.
+constexpr double unit = 0x1p-24, beyond = 1e40 * (1 + 0x1p-52);
+
+// Of three joints and twelve vertices. Most are as near to what is accepted (accepted_models) as numbers can be.
 std::vector<Broken> broken_models() {
   const auto weights = [](std::vector<Influence> list) { return [=](Model& m) { m.influences[2] = list; }; };
   return {
@@ -37,14 +39,25 @@ std::vector<Broken> broken_models() {
       {[](Model& m) { m.vertices.clear(); }, "mesh: no triangles"},
       {[](Model& m) { m.triangles.clear(); }, "mesh: no triangles"},
       {[](Model& m) { m.influences.pop_back(); }, "mesh: not one list of influences a vertex"},
+      {[](Model& m) { m.influences.push_back(m.influences[0]); }, "mesh: not one list of influences a vertex"},
+      {[](Model& m) { m.joints[0].parent = 0; }, "joint 0 (joint 0): its parent does not come before it"},
+      {[](Model& m) { m.joints[1].parent = 2; }, "joint 1 (joint 1): its parent does not come before it"},
       {[](Model& m) { m.joints[1].parent = 1; }, "joint 1 (joint 1): its parent does not come before it"},
       {[](Model& m) { m.joints[1].parent = -2; }, "joint 1 (joint 1): its parent does not come before it"},
       {[](Model& m) { m.joints[2].origin[1] = NAN; }, "joint 2 (joint 2): its origin is not finite"},
-      {[](Model& m) { m.joints[2].origin[1] = 2e40; }, "joint 2 (joint 2): its origin is out of range, beyond 1e40"},
+      {[](Model& m) { m.joints[2].origin[0] = -INFINITY; }, "joint 2 (joint 2): its origin is not finite"},
+      {[](Model& m) { m.joints[2].origin[0] = beyond; }, "joint 2 (joint 2): its origin is out of range, beyond 1e40"},
+      {[](Model& m) { m.joints[0].origin[1] = -beyond; }, "joint 0 (joint 0): its origin is out of range, beyond 1e40"},
+      {[](Model& m) { m.joints[1].origin[2] = beyond; }, "joint 1 (joint 1): its origin is out of range, beyond 1e40"},
       {[](Model& m) { m.vertices[4][2] = INFINITY; }, "vertex 4: its position is not finite"},
-      {[](Model& m) { m.vertices[4][2] = -2e40; }, "vertex 4: its position is out of range, beyond 1e40"},
+      {[](Model& m) { m.vertices[11][0] = NAN; }, "vertex 11: its position is not finite"},
+      {[](Model& m) { m.vertices[4][2] = -beyond; }, "vertex 4: its position is out of range, beyond 1e40"},
+      {[](Model& m) { m.vertices[0][0] = beyond; }, "vertex 0: its position is out of range, beyond 1e40"},
+      {[](Model& m) { m.vertices[11][1] = beyond; }, "vertex 11: its position is out of range, beyond 1e40"},
       {[](Model& m) { m.triangles[3][1] = -1; }, "triangle 3: vertex index -1 is out of range"},
       {[](Model& m) { m.triangles[3][1] = 12; }, "triangle 3: vertex index 12 is out of range"},
+      {[](Model& m) { m.triangles[0][0] = 12; }, "triangle 0: vertex index 12 is out of range"},
+      {[](Model& m) { m.triangles.back()[2] = 12; }, "triangle 15: vertex index 12 is out of range"},
       {weights({{3, 1.0}}), "vertex 2: joint index 3 is out of range 0..2"},
       {weights({{-1, 1.0}}), "vertex 2: joint index -1 is out of range 0..2"},
       {weights({{1, 0.5}, {0, 0.5}}), "vertex 2: influences are not in increasing order of distinct joints"},
@@ -53,14 +66,112 @@ std::vector<Broken> broken_models() {
       {weights({{0, 1.5}, {1, -0.5}}), "vertex 2: a weight is not in (0, 1]"},
       {weights({{0, NAN}}), "vertex 2: a weight is not in (0, 1]"},
       {weights({{0, 0.1}, {1, 0.9}}), "vertex 2: a weight is not a multiple of 2^-24"},
+      {weights({{0, 1 + unit}}), "vertex 2: a weight is not in (0, 1]"},
+      {weights({{0, unit / 2}, {1, 1 - unit / 2}}), "vertex 2: a weight is not a multiple of 2^-24"},
+      {weights({{0, 0.5 + unit / 2}, {1, 0.5 - unit / 2}}), "vertex 2: a weight is not a multiple of 2^-24"},
       {weights({{0, 0.5}, {1, 0.25}}), "vertex 2: the weights do not sum to 1"},
+      {weights({{0, 0.5}, {1, 0.5 - unit}}), "vertex 2: the weights do not sum to 1"},
+      {weights({{0, 0.5}, {1, 0.5 + unit}}), "vertex 2: the weights do not sum to 1"},
+      {weights({{0, 1.0}, {1, unit}}), "vertex 2: the weights do not sum to 1"},
       {weights({}), "vertex 2: the weights do not sum to 1"},
   };
+}
+
+// What is at the edge of the above, and accepted.
+std::vector<std::function<void(Model&)>> accepted_models() {
+  const auto weights = [](std::vector<Influence> list) { return [=](Model& m) { m.influences[2] = list; }; };
+  std::vector<std::function<void(Model&)>> out{
+      [](Model& m) { m.name.clear(), m.joints[0].name.clear(); },
+      [](Model& m) { m.joints[1].parent = m.joints[2].parent = -1; },
+      [](Model& m) { m.joints[2].parent = 1; },
+      [](Model& m) { m.triangles.resize(1); },
+      [](Model& m) { m.triangles[3] = {11, 11, 11}; },
+      [](Model& m) { m.triangles[3] = {0, 0, 11}; },
+      [](Model& m) { m.vertices.resize(1), m.influences.resize(1), m.triangles = {{0, 0, 0}}; },
+      [](Model& m) { m.joints.resize(1), m.influences.assign(m.vertices.size(), {{0, 1.0}}); },
+      weights({{2, 1.0}}),
+      weights({{0, unit}, {2, 1 - unit}}),
+      weights({{0, unit}, {1, unit}, {2, 1 - 2 * unit}}),
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double end : {1e40, -1e40, 5e-324, -0.0}) {
+      out.push_back([=](Model& m) { m.vertices[11][axis] = end; });
+      out.push_back([=](Model& m) { m.joints[2].origin[axis] = end; });
+    }
+  return out;
+}
+
+// The scale of the quaternion 1 that is farthest from 1, in this direction, among those whose square is within 1e-6 of 1.
+double last_accepted_scale(double direction) {
+  double s = std::sqrt(1 + (direction > 1 ? 1e-6 : -1e-6));
+  const auto is_within = [](double x) { return std::abs(x * x - 1) <= 1e-6; };
+  while (is_within(s)) s = std::nextafter(s, direction);
+  while (!is_within(s)) s = std::nextafter(s, 1.0);
+  return s;
+}
+
+std::string refusal_of_rotation(const Quaternion<double>& q) {
+  const Model m = tube();
+  Posture posture = reference_posture(m);
+  posture[2].rotation = q;
+  return refusal([&] { check_posture(m, posture); });
 }
 
 }  // namespace
 
 PROPTEST(model) {
+  t.example("a model at the edge of what is refused is accepted", {}, [] {
+    std::string wrong;
+    const auto list = accepted_models();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Model m = tube();
+      list[i](m);
+      const std::string message = refusal([&] { validate(m); });
+      if (!message.empty()) wrong += std::to_string(i) + ": " + message + "; ";
+    }
+    return Checked(wrong.empty(), static_cast<long>(list.size()), wrong);
+  });
+  t.example("a rotation is refused from where its squared length differs from 1 by more than 1e-6, on both sides", {}, [] {
+    const std::string reason = "tube: posture, joint 2 (joint 2): its rotation is not a quaternion of unit length";
+    bool good = true;
+    for (const double direction : {0.0, 2.0}) {
+      const double last = last_accepted_scale(direction), next = std::nextafter(last, direction);
+      for (int i = 0; i < 4; ++i)
+        for (const double sign : {-1.0, 1.0}) {
+          const Quaternion<double> axis = sign * Quaternion<double>::Unit(i);
+          good = good && refusal_of_rotation(axis * last).empty() && refusal_of_rotation(axis * next) == reason;
+        }
+    }
+    return good && refusal_of_rotation({0, 0, 0, 0}) == reason;
+  });
+  t.holds("a quaternion of unit length that was rounded to float is accepted", {.number_type = "float", .cases = 3000}, [] {
+    const auto coordinate = rc::gen::map(rc::gen::arbitrary<int>(), [](int x) { return double(x); });
+    Quaternion<double> q(*coordinate, *coordinate, *coordinate, *coordinate);
+    RC_PRE(q.norm() > 0);
+    RC_ASSERT(refusal_of_rotation(q.normalized().cast<float>().cast<double>()).empty());
+  });
+  t.example("a posture is refused for a joint too few and one too many, and for any number that is not finite", {}, [] {
+    const Model m = tube();
+    const auto refused = [&](const std::function<void(Posture&)>& change) {
+      Posture posture = reference_posture(m);
+      change(posture);
+      return refusal([&] { check_posture(m, posture); });
+    };
+    bool good = refused([](Posture&) {}).empty() && refused([](Posture& p) { p.clear(); }) == "tube: posture: has 0 transforms for 3 joints" &&
+                refused([](Posture& p) { p.pop_back(); }) == "tube: posture: has 2 transforms for 3 joints" &&
+                refused([](Posture& p) { p.emplace_back(); }) == "tube: posture: has 4 transforms for 3 joints";
+    const std::string infinite = "tube: posture, joint 2 (joint 2): its transform is not finite",
+                      far = "tube: posture, joint 2 (joint 2): its translation is out of range, beyond 1e40";
+    for (const double x : {double(NAN), double(INFINITY), -double(INFINITY)}) {
+      for (int i = 0; i < 4; ++i) good = good && refused([&](Posture& p) { p[2].rotation[i] = x; }) == infinite;
+      for (int i = 0; i < 3; ++i) good = good && refused([&](Posture& p) { p[2].translation[i] = x; }) == infinite;
+    }
+    for (int i = 0; i < 3; ++i)
+      for (const double sign : {-1.0, 1.0})
+        good = good && refused([&](Posture& p) { p[2].translation[i] = sign * 1e40; }).empty() &&
+               refused([&](Posture& p) { p[2].translation[i] = sign * beyond; }) == far;
+    return good;
+  });
   t.example("a model with one thing wrong is refused with its name, the thing and the reason", {}, [] {
     std::string wrong = refusal([] { validate(tube()); });
     for (const Broken& broken : broken_models()) {

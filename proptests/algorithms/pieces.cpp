@@ -17,8 +17,8 @@ namespace {
 using namespace refitlab;
 
 struct Rig {
-  explicit Rig(Model m)
-      : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets)), vertices(tree, model) {
+  explicit Rig(Model m, const TreeOptions& options = {})
+      : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets, options)), vertices(tree, model) {
     for (int s = 0; s < sets.count(); ++s) {
       pose.append(sets.joints(s).size());
       pose.complete(Point3::Zero());
@@ -136,6 +136,61 @@ void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mi
     out.wrong = "there are further pieces";
 }
 
+// Of vertices alone: each becomes a triangle of one point, and the tree is one leaf.
+struct Vertex {
+  Point3 at;
+  std::vector<Influence> influences;
+};
+Rig rig_of(const std::vector<Vertex>& vertices, int joints) {
+  Model m;
+  m.name = "vertices";
+  for (int j = 0; j < joints; ++j) m.joints.push_back({"joint", -1, {0, 0, 0}});
+  for (const Vertex& v : vertices) {
+    const int i = static_cast<int>(m.vertices.size());
+    m.triangles.push_back({i, i, i});
+    m.vertices.push_back(v.at);
+    m.influences.push_back(v.influences);
+  }
+  validate(m);
+  return Rig(std::move(m), {.triangles_per_leaf = 1 << 20});
+}
+
+// Of a piece at the root: its joint-set, its radius, how far its corners' first weights are apart.
+struct RootPiece {
+  std::vector<int> joints;
+  double radius, weight_range;
+};
+std::vector<RootPiece> root_pieces(const Rig& rig, const PieceOptions& options) {
+  const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
+  const auto node = table.refit_node(rig.tree, 0, rig.pose);
+  std::vector<RootPiece> out;
+  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+    double low = 1, high = 0;
+    for (int k = 0; k < node.joint_sets[i].corner_count; ++k) {
+      low = std::min(low, node.corner(node.joint_sets[i], k)[0]);
+      high = std::max(high, node.corner(node.joint_sets[i], k)[0]);
+    }
+    const auto joints = rig.sets.joints(node.joint_sets[i].joint_set);
+    out.push_back({{joints.begin(), joints.end()}, node.piece_reference(i).radius, high - low});
+  }
+  return out;
+}
+
+const std::vector<Influence> rigid{{2, 1.0}};
+std::vector<Influence> blended(int part, int of) {  // from 1 to of - 1
+  const double w = std::floor(0x1p24 * part / of) * 0x1p-24;
+  return {{0, w}, {1, 1 - w}};
+}
+
+// A ring of rigid vertices of this radius, and 32 vertices along the x axis whose weights, in an order that has nothing to
+// do with their places, run from `least` of 64 parts in steps of one.
+std::vector<Vertex> ring_and_row(double ring, double row_length, int least) {
+  std::vector<Vertex> out;
+  for (int k = 0; k < 16; ++k) out.push_back({{ring * std::cos(k * 0.392699), ring * std::sin(k * 0.392699), 0}, rigid});
+  for (int k = 0; k < 32; ++k) out.push_back({{row_length * (k / 31. - 0.5), 0, 0}, blended(least + 13 * k % 32, 64)});
+  return out;
+}
+
 Checked check_man(const PieceOptions& options) {
   static const Rig rig(make_man());
   const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
@@ -208,6 +263,45 @@ PROPTEST(pieces) {
     for (std::size_t i = 0; i < root.joint_sets.size(); ++i) largest = std::max(largest, root.piece_reference(i).radius);
     return Checked(root.joint_sets.size() == 8 && largest < 0.45 * root.reference.radius, 8,
                    "the largest has " + std::to_string(largest / root.reference.radius) + " of the node's radius");
+  });
+  t.example("a full change of weight counts as the node's radius: weights are split where they vary more than places do", {}, [] {
+    // The rigid ring's spread is its radius, 10; the row's 4 and half of 10: less. With a row of 14 or a ring of 2 it is more.
+    const auto sizes = [](const std::vector<Vertex>& vertices, int most) {
+      std::array<int, 2> count{0, 0};  // of the ring, of the row
+      for (const RootPiece& p : root_pieces(rig_of(vertices, 3), {most})) ++count[p.joints.size() == 1 ? 0 : 1];
+      return count;
+    };
+    const bool ring_first = sizes(ring_and_row(10, 8, 16), 3) == std::array{2, 1};
+    const bool row_first = sizes(ring_and_row(10, 14, 16), 3) == std::array{1, 2};
+    bool by_weight = true;  // 10 half ways apart is more than a row of 1
+    for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, 1, 16), 3), {12}))
+      if (p.joints.size() == 2) by_weight = by_weight && p.weight_range < 0.3;
+    bool by_place = true;  // but less than a row of 14
+    for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, 14, 16), 3), {3}))
+      if (p.joints.size() == 2) by_place = by_place && p.weight_range > 0.4 && p.radius < 4;
+    return Checked(ring_first && row_first && by_weight && by_place, 4,
+                   std::to_string(ring_first) + std::to_string(row_first) + std::to_string(by_weight) + std::to_string(by_place));
+  });
+  t.example("a piece is split in halves of as many vertices each", {}, [] {
+    std::vector<Vertex> row;
+    for (int k = 0; k < 64; ++k) row.push_back({{1. * k, 0, 0}, rigid});
+    const Rig rig = rig_of(row, 3);
+    bool good = true;
+    for (const int pieces : {2, 4, 8, 16}) {
+      const auto found = root_pieces(rig, {pieces});
+      good = good && static_cast<int>(found.size()) == pieces;
+      for (const RootPiece& p : found) good = good && std::abs(p.radius - (32. / pieces - 0.5)) < 1e-9;
+    }
+    return Checked(good, 4);
+  });
+  t.example("what is better listed by its vertices is not split, but counts as a piece", {}, [] {
+    // Three blended vertices, far apart, against the four control points of their two corners, twice; and a rigid ring.
+    std::vector<Vertex> vertices = ring_and_row(1, 0, 0);
+    vertices.resize(16);
+    for (int k = 0; k < 3; ++k) vertices.push_back({{-50. + 50 * k, 0, 0}, blended(1 + k, 4)});
+    int listed = 0, balls = 0;
+    for (const RootPiece& p : root_pieces(rig_of(vertices, 3), {3, 1, 2})) ++(p.radius == 0 ? listed : balls);
+    return Checked(listed == 3 && balls == 2, 5, std::to_string(listed) + " listed, " + std::to_string(balls) + " balls");
   });
   t.holds("pieces of few vertices are these vertices, one by one, and all others stay as they are",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {

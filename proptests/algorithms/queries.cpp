@@ -50,18 +50,42 @@ std::string complaint(const RefitQuery& query) {
   return "";
 }
 
-// Scoring without any of score.cpp: matrices in rationals, and no interval.
-bool misses_by_matrices(const RefitQuery& query, Skinning skinning, const Ball3<double>& ball) {
+// Scoring without any of score.cpp: matrices in rationals, and no interval. By how much the farthest image reaches beyond
+// the ball; not above 0 if it holds all of them, which is decided exactly.
+struct ByMatrices {
+  bool misses = false;
+  double worst = 0;
+};
+ByMatrices by_matrices(const RefitQuery& query, Skinning skinning, const Ball3<double>& ball) {
   const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
+  ByMatrices out;
+  const auto see = [&](const Vec<Rational, 3>& center, const Rational& radius) {
+    out.misses = out.misses || encloses(exact, Ball3<Rational>{center, radius}) != Verdict::holds;
+    const double distance = std::sqrt(CGAL::to_double(squared_distance<Rational, 3>(center, exact.center)));
+    out.worst = std::max(out.worst, distance + CGAL::to_double(radius) - ball.radius);
+  };
   for (const QuerySet& set : query.sets)
     for (const auto& w : sampled_weights(set)) {
       const auto& c = set.pose.transforms;
-      const auto center = skinning == Skinning::dual_quaternion
-                              ? oracle::dual_quaternion(c, w, set.reference.center)
-                              : oracle::spherical(c, w, set.pose.rotation_center, set.reference.center);
-      if (encloses(exact, Ball3<Rational>{center, set.reference.radius}) != Verdict::holds) return true;
+      const auto& [p, r] = set.reference;
+      if (skinning == Skinning::linear)  // the middle stands for S where it is a point, else the ends of its axes
+        for (int i = 0; i < 3; ++i)
+          for (const int side : {-1, 1}) see(oracle::linear(c, w, Vec<Rational, 3>(p + Vec<Rational, 3>::Unit(i) * Rational(r * side))), 0);
+      else if (skinning == Skinning::dual_quaternion)
+        see(oracle::dual_quaternion(c, w, p), r);
+      else
+        see(oracle::spherical(c, w, set.pose.rotation_center, p), r);
     }
-  return false;
+  return out;
+}
+
+double size_of(const RefitQuery& query, const Ball3<double>& ball) {
+  double size = 0;
+  for (const QuerySet& set : query.sets) {
+    size = std::max(size, norm(lift<double>(set.pose.rotation_center)));
+    for (const auto& image : set.pose.center_images) size = std::max(size, norm(lift<double>(image)));
+  }
+  return size + norm(ball.center) + ball.radius;
 }
 
 Ball3<double> scaled(Ball3<double> ball, double factor) {
@@ -102,17 +126,37 @@ PROPTEST(queries) {
             const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
             const QueryNodes nodes(query);
             const RefitVariant& variant = refit_variant(*rc::gen::element<std::string>(
-                "spherical_printed_signed", "spherical_repaired", "control_mean", "dual_quaternion_control_mean"));
+                "spherical_printed_signed", "spherical_repaired", "control_mean", "dual_quaternion_control_mean", "linear"));
             SkinnedQuery skinned(query, variant.skinning);
             const Ball3<double> ball =
-                scaled(variant.refit(nodes.node(variant.pieces)), *rc::gen::element(1.0, 1.0, 0.9, 1.0000001));
+                scaled(variant.refit(nodes.node(variant.pieces)), *rc::gen::element(1.0, 0.97, 0.9, 1.0000001));
             const QueryScore score = skinned.score(ball);
             RC_CLASSIFY(score.misses, "missed");
             RC_CLASSIFY(score.undefined, "undefined");
             RC_CLASSIFY(score.unbounded, "unbounded");
             RC_PRE(!score.unbounded);
-            RC_ASSERT(score.misses == (score.undefined || misses_by_matrices(query, variant.skinning, ball)));
+            if (score.undefined) {
+              RC_ASSERT(score.misses && score.worst_miss == 1);
+              return;
+            }
+            const ByMatrices expected = by_matrices(query, variant.skinning, ball);
+            RC_ASSERT(score.misses == expected.misses);
+            RC_ASSERT(std::abs(score.worst_miss - expected.worst / size_of(query, ball)) <= 1e-13);
           });
+  t.holds("a query's node has the joint-sets' own balls as its pieces', and its own ball about them", {.cases = 100}, [] {
+    const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
+    const QueryNodes nodes(query);
+    for (const Pieces pieces : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::clusters}) {
+      const auto node = nodes.node(pieces);
+      RC_ASSERT(node.reference.radius == lift<double>(query.reference).radius);
+      RC_ASSERT(node.joint_sets.size() >= query.sets.size());
+      for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+        const auto& set = query.sets[node.joint_sets[i].joint_set];
+        const Ball3<double> expected = lift<double>(pieces == Pieces::node ? query.reference : set.reference);
+        RC_ASSERT(node.piece_reference(i).center == expected.center && node.piece_reference(i).radius == expected.radius);
+      }
+    }
+  });
   t.holds("a ball that is too small by a share is scored as missing by that share, and the smallest ball as 1",
           {.number_type = "double", .cases = 300}, [] {
             const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));

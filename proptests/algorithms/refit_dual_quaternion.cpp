@@ -69,27 +69,22 @@ std::optional<bool> may_vanish(const gen::SetCase& set) {
   return squared_norm(combine<Rational, 4>(nearest_point_coefficients<4>(corners), corners)) == 0;
 }
 
-// What the cases went through.
-struct Paths {
-  long exact = 0, halved = 0, fallback = 0, unbounded = 0;
-};
-
-void check_hull(Paths& paths) {
+void check_hull() {
   const RefitCase c = *gen::refit_case(gen::Turns::any);
   for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   try {
     const auto balls = balls_of<Rational>(c);
-    ++paths.exact;
-    paths.halved += balls.size() > without_halving(c);
+    RC_TAG("exact");
+    RC_CLASSIFY(balls.size() > without_halving(c), "halved");
     assert_holds(c, balls, Verdict::holds);
   } catch (const Unbounded&) {
-    ++paths.unbounded;
+    RC_TAG("unbounded");
     bool some_vanishes = false;
     for (const auto& set : c.sets) some_vanishes = some_vanishes || may_vanish(set).value_or(true);
     RC_ASSERT(some_vanishes);
   } catch (const NoRationalRoot&) {
-    ++paths.fallback;
+    RC_TAG("fallback");
     assert_holds(c, balls_of<MultiprecisionInterval>(c), Verdict::undecided);  // on the boundary of a ball
   }
 }
@@ -199,19 +194,10 @@ Checked measure_tightness() {
 }  // namespace
 
 PROPTEST(refit_dual_quaternion) {
-  static Paths paths;
-  t.holds("the hull of the control balls holds every vertex of S with admissible weights",
-          {.form = "dual quaternion blending", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.3},
-          [] { check_hull(paths); });
-  t.example("of the cases many are exact, some are halved, some need the fallback", {}, [] {
-    char text[120];
-    std::snprintf(text, sizeof text, "%ld exact, of these %ld halved; %ld on the fallback; %ld without a bound",
-                  paths.exact, paths.halved, paths.fallback, paths.unbounded);
-    const long all = paths.exact + paths.fallback + paths.unbounded;
-    return Checked(paths.exact * 2 > all && paths.halved * 20 > all && paths.fallback * 50 > all &&
-                       paths.unbounded * 20 < all,
-                   all, text);
-  });
+  t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
+          {.form = "dual quaternion blending", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5, .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
+          check_hull);
   t.refuted("it does without the terms T_kl", {.number_type = "rational"}, [] {
     const RefitCase c = *gen::refit_case(gen::Turns::moderate);
     RefitCase still = c;
@@ -230,7 +216,7 @@ PROPTEST(refit_dual_quaternion) {
     }
   });
   t.holds("up to a right angle between joints no root is taken and nothing is halved",
-          {.form = "dual quaternion blending", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2},
+          {.form = "dual quaternion blending", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
           [] {
             const RefitCase c = *gen::refit_case(gen::Turns::moderate);
             RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
@@ -240,7 +226,7 @@ PROPTEST(refit_dual_quaternion) {
             assert_holds(c, balls, Verdict::holds);
           });
   t.holds("halving ends: at most 16 m (m + 1) / 2 balls for m corners, all of them finite, or one ball of all of space",
-          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.3}, [] {
+          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::any);
             RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
             const auto balls = balls_of<double>(c);
@@ -303,7 +289,7 @@ PROPTEST(refit_dual_quaternion) {
               RC_ASSERT(oracle::reaches<S>(lists.cap.balls, lift<S>(v), lift<S>(d)) != Verdict::fails);
             }
           });
-  const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2};
+  const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<MeanBalls>(); });
   t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size",

@@ -6,6 +6,7 @@
 #include <random>
 #include <thread>
 
+#include "algorithms/results/result_file.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/gen/child_process.hpp"
 #include "proptests/gen/temporary_folder.hpp"
@@ -115,6 +116,35 @@ PROPTEST(run_folder) {
                              "\ninputs: some inputs\n", "\nresult: 10 bytes, "})
       if (text.find(word) == std::string::npos) return Checked(false, 1, word);
     return Checked(text.ends_with("\nthe result"));
+  });
+  t.example("units whose names differ by one character, whichever and wherever, are kept side by side", {}, [] {
+    const TemporaryFolder folder;
+    const RunFolder run(folder.path());
+    const std::string longest(300, 'u');
+    const std::vector<std::string> names{"unit 1", "unit_1", "unit-1", "unit.1", "Unit 1", "unit 1 ", "unit  1", "", "_", longest, longest + "u",
+                                         longest + "v", std::string(299, 'u') + "w", "v" + std::string(299, 'u')};
+    for (const auto& name : names) run.keep(name, "inputs", "of " + name);
+    std::string wrong;
+    for (const auto& name : names)
+      if (run.find(name, "inputs") != "of " + name) wrong += "'" + name.substr(0, 20) + "'; ";
+    return Checked(wrong.empty(), static_cast<long>(names.size()), wrong);
+  });
+  t.example("a unit's head has the commit with its state, and the program by 16 hexadecimal digits", {}, [] {
+    const TemporaryFolder folder;
+    RunFolder(folder.path()).keep("a unit", "some inputs", "the result");
+    const std::string text = read_whole(only_unit(folder));
+    const Provenance& p = Provenance::of_this_build();
+    const std::size_t program = text.find("\nprogram: ") + 10;
+    return text.find("\ncommit: " + p.commit + " " + p.dirty + "\ncompiler: " + p.compiler + "\nflags: " + p.flags + "\ncpu: " + p.cpu +
+                     "\nprogram: ") != std::string::npos &&
+           text.find_first_not_of("0123456789abcdef", program) == program + 16;
+  });
+  t.example("a run that starts anew leaves what are no units", {}, [] {
+    const TemporaryFolder folder;
+    write_whole(folder.file("notes.txt"), "mine");
+    RunFolder(folder.path()).keep("unit", "inputs", "result");
+    const RunFolder anew(folder.path(), true);
+    return only_unit(folder).empty() && read_whole(folder.file("notes.txt")) == "mine" && std::filesystem::exists(folder.file("lock"));
   });
   t.example("a run that starts anew forgets all units, and one that does not forgets none", {}, [] {
     const TemporaryFolder folder;

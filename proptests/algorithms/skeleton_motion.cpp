@@ -52,6 +52,78 @@ PROPTEST(skeleton_motion) {
                        some == std::vector<double>{0, 2.5, 6.5, 10},
                    2);
   });
+  t.example("of several joints the largest defect is reported, whichever joint has it, and the tolerance is for all", {}, [] {
+    bool good = true;
+    for (int stretched = 0; stretched < 3; ++stretched) {
+      BoundSkeleton skeleton{"test", {}, {}};
+      for (int j = 0; j < 3; ++j) {
+        skeleton.nodes.push_back({"node", -1, Eigen::Matrix4d::Identity()});
+        skeleton.joints.push_back({"joint", j, -1, Eigen::Matrix4d::Identity()});
+      }
+      const auto stretch = [&](double by) { skeleton.nodes[stretched].local.topLeftCorner<3, 3>() = (1 + by) * Eigen::Matrix3d::Identity(); };
+      const auto refused = [&] {
+        try {
+          pose(skeleton, Motion{}, 0);
+        } catch (const ModelError&) {
+          return true;
+        }
+        return false;
+      };
+      // The defect of a stretch by 1 + b is sqrt(3) (2 b + b^2).
+      const double end = std::sqrt(1 + rigidity_tolerance / std::sqrt(3)) - 1;
+      stretch(1e-4);
+      good = good && std::abs(pose(skeleton, Motion{}, 0).rigidity_defect - std::sqrt(3) * (2e-4 + 1e-8)) < 1e-14;
+      stretch(end * (1 - 1e-9));
+      good = good && !refused();
+      stretch(end * (1 + 1e-9));
+      good = good && refused();
+    }
+    return Checked(good, 9);
+  });
+  t.example("the common scale is the middle one of the joints', a mirror its sign, and one within 1e-5 of 1 is 1", {}, [] {
+    const auto factor = [](const std::vector<double>& scales) {
+      BoundSkeleton skeleton{"test", {}, {}};
+      for (std::size_t j = 0; j < scales.size(); ++j) {
+        Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
+        local.topLeftCorner<3, 3>() = Eigen::Vector3d(scales[j], std::abs(scales[j]), std::abs(scales[j])).asDiagonal();
+        skeleton.nodes.push_back({"node", -1, local});
+        skeleton.joints.push_back({"joint", static_cast<int>(j), -1, Eigen::Matrix4d::Identity()});
+      }
+      return Eigen::Vector3d(common_factor(skeleton, Motion{}, 0).diagonal().head<3>());
+    };
+    const auto is = [](const Eigen::Vector3d& found, double x, double scale) { return (found - Eigen::Vector3d(x, scale, scale)).norm() < 1e-12; };
+    return is(factor({3, 0.5, 2}), 2, 2) && is(factor({5, 1, 1, 0.2, 7}), 1, 1) && is(factor({-2}), -2, 2) && is(factor({1 + 9e-6}), 1, 1) &&
+           is(factor({1 + 1.2e-5}), 1 + 1.2e-5, 1 + 1.2e-5) && is(factor({1 - 1.2e-5}), 1 - 1.2e-5, 1 - 1.2e-5) && is(factor({NAN}), 1, 1);
+  });
+  t.example("at a time that two keys share the later one holds, and before it the way leads to the earlier one", {}, [] {
+    const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
+    const Motion motion{
+        "clip", 4, {{0, {{0, zeros}, {2, 2 * ones}, {2, 8 * ones}, {4, 4 * ones}}, {{0, Eigen::Quaterniond::Identity()}}, {{0, ones}}}}};
+    const std::vector<SceneNode> nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
+    bool good = true;
+    for (const auto& [time, x] : {std::pair{1.0, 1.0}, {2.0, 8.0}, {3.0, 6.0}, {4.0, 4.0}})
+      good = good && global_transforms(nodes, motion, time)[0](1, 3) == x;
+    return Checked(good && key_times(motion, 9) == std::vector<double>{0, 2, 4}, 5);
+  });
+  t.example("key times are those of positions, rotations and scales of all tracks; a limit of all of them thins nothing", {}, [] {
+    const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
+    const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
+    const Motion motion{"clip", 9, {{0, {{1, ones}}, {{2, still}}, {{3, ones}}}, {1, {{4, ones}}, {{5, still}, {9.5, still}}, {{6, ones}}}}};
+    const std::vector<double> all{0, 1, 2, 3, 4, 5, 6, 9};
+    return key_times(motion, 8) == all && key_times(motion, 9) == all && key_times(motion, 7).size() == 7u && key_times(motion, 2) == std::vector<double>{0, 9};
+  });
+  t.example("a joint's quaternion is on the side of its parent's, not of another joint's", {}, [] {
+    BoundSkeleton skeleton{"test", {}, {}};
+    for (int j = 0; j < 3; ++j) {
+      Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
+      local.topLeftCorner<3, 3>() = Eigen::AngleAxisd(1.7 * j, Eigen::Vector3d::UnitX()).toRotationMatrix();
+      skeleton.nodes.push_back({"node", -1, local});
+      skeleton.joints.push_back({"joint", j, j - 1, Eigen::Matrix4d::Identity()});
+    }
+    const Posture posture = pose(skeleton, Motion{}, 0).posture;
+    return posture[0].rotation[0] > 0 && dot(posture[1].rotation, posture[0].rotation) > 0 && dot(posture[2].rotation, posture[1].rotation) > 0 &&
+           dot(posture[2].rotation, posture[0].rotation) < 0;
+  });
   t.example("before its first key and after its last a node stays", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
     const Motion motion{

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "algorithms/skinning/blend.hpp"
 #include "algorithms/skinning/skin.hpp"
@@ -241,6 +242,43 @@ PROPTEST(skinning_pose) {
             }
             RC_PRE(seen > 0);
           });
+  t.holds("a rotation center is nearest to the mean of its joints' origins; Hejl's is that of the last joint whose parent is in the "
+          "joint-set, or of the first joint",
+          {.number_type = "double", .cases = 500, .tags_at_least = {{"several shared", 0.1}, {"none shared", 0.1}, {"one joint", 0.1}}}, [] {
+            const PosedModel posed = *gen::posed_model();
+            const JointSets sets(posed.model);
+            std::set<std::string> seen;
+            for (int s = 0; s < sets.count(); ++s) {
+              const auto joints = sets.joints(s);
+              Point3 sum = Point3::Zero();
+              int shared = -1, count = 0;
+              for (const int j : joints) {
+                sum += posed.model.joints[j].origin;
+                if (std::ranges::find(joints, posed.model.joints[j].parent) != joints.end()) shared = j, ++count;
+              }
+              const Point3 mean = sum / static_cast<double>(joints.size());
+              for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
+                RC_ASSERT((center_prior(posed.model, joints, skinning) - mean).norm() <= 1e-13 * size_of(posed));
+              RC_ASSERT(center_prior(posed.model, joints, Skinning::hejl) == posed.model.joints[shared < 0 ? joints[0] : shared].origin);
+              seen.insert(joints.size() == 1 ? "one joint" : count == 0 ? "none shared" : count == 1 ? "one shared" : "several shared");
+            }
+            for (const std::string& tag : seen) RC_TAG(tag);
+          });
+  t.example("a posture that is refused leaves the pose as it was", {}, [] {
+    const PosedModel p = two_joints();
+    const JointSets sets(p.model);
+    Posture other = p.posture;
+    other[1].translation = {1, 2, 3};
+    SkinningPose<double> pose = make_skinning_pose(p.model, sets, other, Skinning::spherical);
+    const SkinningPose<double> before = pose;
+    other[1].rotation[0] = NAN;
+    try {
+      make_skinning_pose(p.model, sets, other, Skinning::spherical, pose);
+    } catch (const ModelError&) {
+      return same(pose, before) && pose.size() == static_cast<std::size_t>(sets.count()) && pose.is_measured();
+    }
+    return false;
+  });
   t.example("a posture with a transform too few is refused with the counts", {}, [] {
     PosedModel p = two_joints();
     p.posture.pop_back();

@@ -132,6 +132,21 @@ PROPTEST(weight_hull) {
             std::rotate(w.rows.begin(), w.rows.begin() + 1, w.rows.end());
             RC_ASSERT(extreme_rows(w.spans()) == found);
           });
+  t.holds("the corners are the extreme rows unless the box has fewer: of as many, the extreme rows, which are tighter",
+          {.number_type = "double", .cases = 500, .degenerate_at_least = 0.5, .tags_at_least = {{"as many", 0.1}, {"box", 0.02}}}, [] {
+            const Weights w = draw(6);
+            RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
+            const Rows extreme = extreme_rows(w.spans()), box = box_corners(w.rows);
+            RC_CLASSIFY(extreme.size() == box.size(), "as many");
+            RC_CLASSIFY(box.size() < extreme.size(), "box");
+            RC_ASSERT(weight_corners(w.spans()) == (extreme.size() <= box.size() ? extreme : box));
+          });
+  t.example("of as many corners as the box has, the rows are kept: a triangle across a box of three corners", {}, [] {
+    const Rows rows{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.375, 0.25, 0.375}};
+    const std::vector<std::span<const double>> spans(rows.begin(), rows.end());
+    const Rows corners = weight_corners(spans), box = box_corners(rows);
+    return corners.size() == 3 && box.size() >= 3 && std::set(corners.begin(), corners.end()) == std::set(rows.begin(), rows.end());
+  });
   t.example("a triangle inside its box keeps its three corners; a full box of rows keeps the fewer ones", {}, [] {
     const Rows triangle{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}, {0.375, 0.375, 0.25}};
     const Rows segment{{0.25, 0.75}, {0.5, 0.5}, {0.75, 0.25}};

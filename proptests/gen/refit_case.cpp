@@ -60,6 +60,51 @@ Transforms moderate_transforms() {
       });
 }
 
+// Of the whole range, at any size of RapidCheck's.
+rc::Gen<int> any_of(int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); }
+
+// Several joints, no two of them turned alike or by 180 degrees against each other.
+Transforms generic_transforms(Turns turns) {
+  const RationalQuaternion first = *unit_quaternion();
+  const auto rotation = turns == Turns::any ? unit_quaternion() : rc::gen::map(small_turn(), [first](const auto& turn) {
+    return RationalQuaternion(multiply(first, turn));
+  });
+  const auto transform = rc::gen::apply(
+      [](const RationalQuaternion& q, const RationalVec<3>& t) { return RationalTransform{q, t}; }, rotation, rational_vector<3>());
+  return *rc::gen::suchThat(rc::gen::container<Transforms>(*any_of(2, 4), transform), [turns](const Transforms& c) {
+    for (std::size_t i = 0; i < c.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const Rational d = dot(c[i].rotation, c[k].rotation);
+        if (d == 0 || d * d == 1 || (turns == Turns::moderate && (d < 0 || d * d < Rational(1, 2)))) return false;
+      }
+    return true;
+  });
+}
+
+bool may_be_zero(const SetCase& set) {
+  for (const auto& corner : set.weights.corners)
+    if (squared_norm(blend_quaternion<Rational>(set.pose, corner)) == 0) return true;
+  return false;
+}
+
+SetCase generic_set(Turns turns, const RationalVec<3>& p) {
+  SetCase set;
+  set.pose.transforms = generic_transforms(turns);
+  auto& c = set.pose.transforms;
+  if (turns == Turns::any && *any_of(0, 2) > 0) make_signs_consistent<Rational>(c);
+  const RationalVec<3> center = *rc::gen::suchThat(rational_vector<3>(), [&](const RationalVec<3>& r) { return r != p; });
+  if (*any_of(0, 1) == 1)  // a common joint
+    for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
+  place_rotation_center<Rational>(set.pose, center);
+  place_duals(set.pose);
+  set.weights = *rc::gen::suchThat(bounds_of_vertices(static_cast<int>(c.size())), [&](const BoundsWithCorners& w) {
+    SetCase weighted = set;
+    weighted.weights = w;
+    return w.corners.size() > 1 && !may_be_zero(weighted);
+  });
+  return set;
+}
+
 SetCase set_case(Turns turns, const RationalVec<3>& p) {
   SetCase set;
   set.pose.transforms = turns == Turns::any ? any_transforms() : moderate_transforms();
@@ -89,6 +134,12 @@ rc::Gen<RefitCase> refit_case(Turns turns) {
   return rc::gen::exec([turns] {
     RefitCase c;
     c.reference.center = *rational_vector<3>();
+    if (*any_of(0, 99) >= 35) {
+      c.reference.radius = *positive_rational();
+      const int sets = *any_of(1, 2);
+      for (int s = 0; s < sets; ++s) c.sets.push_back(generic_set(turns, c.reference.center));
+      return c;
+    }
     c.reference.radius = *rc::gen::weightedOneOf<Rational>(
         {{1, rc::gen::just(Rational(0))},
          {2, positive_rational()},
@@ -110,6 +161,7 @@ std::vector<std::string> degeneracies(const RefitCase& c) {
     note(joints.size() == 1, "one joint");
     note(set.weights.corners.size() == 1, "one corner");
     note(set.pose.rotation_center == c.reference.center, "center at p");
+    note(may_be_zero(set), "zero blend");
     for (std::size_t i = 0; i < joints.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
         const Rational d = dot(joints[i].rotation, joints[k].rotation);
@@ -117,8 +169,6 @@ std::vector<std::string> degeneracies(const RefitCase& c) {
         note(d == -1, "antipodal quaternions");
         note(d == 0, "half-turn");
       }
-    for (const auto& corner : set.weights.corners)
-      note(squared_norm(blend_quaternion<Rational>(set.pose, corner)) == 0, "zero blend");
   }
   return out;
 }

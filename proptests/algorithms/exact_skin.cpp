@@ -1,0 +1,87 @@
+// ExactSkin, by which balls are judged, against matrices in rationals and against balls that end at the vertex itself.
+#include "algorithms/queries/exact_skin.hpp"
+
+#include <cmath>
+
+#include "proptests/gen/posed_model.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/skinning.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using RationalPoint = Vec<Rational, 3>;
+
+struct Skinned {
+  Skinned(gen::PosedModel drawn, Skinning of)
+      : posed(std::move(drawn)),
+        sets(posed.model),
+        skinning(of),
+        pose(make_skinning_pose(posed.model, sets, posed.posture, skinning)),
+        exact(posed.model, sets, pose, skinning) {}
+  gen::PosedModel posed;
+  JointSets sets;
+  Skinning skinning;
+  SkinningPose<double> pose;
+  ExactSkin exact;
+};
+
+// By matrices, which are exact rotations; so for spherical blending only, where all but the blended quaternion is given.
+RationalPoint by_matrix(const Skinned& s, int v) {
+  const auto set = s.pose[s.sets.of_vertex(v)];
+  Quaternion<Rational> q = Quaternion<Rational>::Zero();
+  RationalPoint image = RationalPoint::Zero();
+  const auto w = s.sets.weights(v);
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    q += convert<Rational>(set.transforms[i].rotation) * Rational(w[i]);
+    image += convert<Rational>(set.center_images[i]) * Rational(w[i]);
+  }
+  const RationalPoint arm = convert<Rational>(s.posed.model.vertices[v]) - convert<Rational>(set.rotation_center);
+  return oracle::times<Rational>(oracle::affine_of<Rational>(q, image), arm);
+}
+
+// Balls about a random place whose radius ends at the vertex, or a little before or beyond it.
+void check_verdicts(Skinned& s, int v) {
+  const Vec<Rational, 3> at = s.exact.exact(v);
+  const auto coordinate = [] { return *rc::gen::inRange(-4000, 4001) / 1000.0; };
+  Ball3<double> ball{{coordinate(), coordinate(), coordinate()}, 0};
+  if (*rc::gen::inRange(0, 4) == 0) ball.center = lift<double>(at);  // within rounding of the vertex
+  const double about = std::sqrt(CGAL::to_double(squared_distance<Rational, 3>(at, convert<Rational>(ball.center))));
+  bool in = false, out = false;
+  for (const double factor : {0.0, 0.5, 1 - 1e-9, 1 - 0x1p-52, 1.0, 1 + 0x1p-52, 1 + 1e-9, 1.5}) {
+    ball.radius = about * factor;
+    const bool expected = encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, at) == Verdict::holds;
+    RC_ASSERT(s.exact.is_in(ball, v) == expected);
+    (expected ? in : out) = true;
+  }
+  RC_CLASSIFY(in && out, "in and out");
+  ball.radius = -1;
+  RC_ASSERT(!s.exact.is_in(ball, v));
+  ball.radius = NAN;
+  RC_ASSERT(!s.exact.is_in(ball, v));
+  ball.radius = INFINITY;
+  RC_ASSERT(s.exact.is_in(ball, v));
+  ball = {{0, NAN, 0}, 1e300};
+  RC_ASSERT(!s.exact.is_in(ball, v));
+}
+
+}  // namespace
+
+PROPTEST(exact_skin) {
+  t.holds("a vertex under spherical blending is where matrices in rationals have it",
+          {.number_type = "rational", .cases = 100}, [] {
+            Skinned s(*gen::posed_model(), *rc::gen::element(Skinning::spherical, Skinning::hejl));
+            for (int v = 0; v < static_cast<int>(s.posed.model.vertices.size()); ++v)
+              RC_ASSERT(s.exact.exact(v) == by_matrix(s, v));
+          });
+  t.holds("a ball has a vertex exactly if rationals say so, to the last bit of its radius",
+          {.number_type = "rational", .cases = 200, .tags_at_least = {{"in and out", 0.7}}}, [] {
+            const Skinning skinning =
+                *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+            Skinned s(*gen::posed_model(), skinning);
+            check_verdicts(s, *rc::gen::inRange(0, static_cast<int>(s.posed.model.vertices.size())));
+          });
+}
+
+}  // namespace proptests
