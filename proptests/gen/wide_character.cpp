@@ -4,7 +4,7 @@
 #include <ostream>
 #include <random>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/quantize.hpp"
 
 namespace proptests::gen {
 
