@@ -78,7 +78,7 @@ SCHEMAS = {
     "constants": {"constant": text, "value": number, "unit": one_of(*UNITS)},
     "run": {"file": text, "effort": one_of("quick", "default", "full"), "models": one_of("default", "own")},
     "verdicts": {"lemma": text, "role": one_of("statement", "hypothesis", "other"), "form": text,
-                 "verdict": one_of("holds", "refuted", "TEST FAILED"), "cases": count, "degenerate_share": number, "number_type": text,
+                 "verdict": one_of("holds", "refuted", "skipped", "TEST FAILED"), "cases": count, "degenerate_share": number, "number_type": text,
                  "hypothesis": text, "statement": text},
 }
 
