@@ -106,12 +106,12 @@ Checked check_model(Model model) {
 
 // Every node and vertex of a small character, by all sound variants: what is accepted is bounded.
 void check_wide() {
-  const auto plan = *gen::wide_plan(-110, 128);
+  const auto plan = *gen::wide_plan(-60, 128);
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
   const char* const lengths[] = {"double", "float", "at the tolerance"};
   RC_TAG(lengths[plan.lengths]);
   RC_CLASSIFY(plan.influences > 16, "more than 16 influences");
-  RC_CLASSIFY(std::abs(plan.exponent) > 60, "huge or tiny");
+  RC_CLASSIFY(std::abs(plan.exponent) >= 60, "huge or tiny");
   Model model = gen::wide_model(plan);
   const Posture posture = gen::wide_posture(plan, model);
   const Character c(std::move(model), {.triangles_per_leaf = *rc::gen::element(1, 2, 5, 1 << 30)});
@@ -127,8 +127,9 @@ void check_wide() {
     frame.refit_all();
     for (int n = 0; n < static_cast<int>(balls.size()); ++n)
       for (const int v : c.vertices[n]) {
+        RC_ASSERT(balls[n].center.allFinite() && frame[n].center.allFinite());
         RC_ASSERT(exact.is_in(balls[n], v) && exact.is_in(frame[n], v));
-        RC_ASSERT(balls[n].radius == HUGE_VAL || has(balls[n], skinned[v]));
+        if (balls[n].radius != HUGE_VAL) RC_ASSERT(has(balls[n], skinned[v]));
       }
   }
 }
