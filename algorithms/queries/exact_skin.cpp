@@ -43,7 +43,8 @@ const ExactSkin::Enclosure& ExactSkin::enclosure(int vertex) {
 
 bool ExactSkin::is_in(const Ball3<double>& ball, int vertex) {
   const DefaultFloatEnvironment environment;
-  if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return ball.radius == HUGE_VAL;
+  if (!ball.center.allFinite()) return false;
+  if (!std::isfinite(ball.radius)) return ball.radius == HUGE_VAL;
   const Enclosure& quick = enclosure(vertex);
   const double distance = norm<double, 3>(quick.about - ball.center);
   const double unsure = 2 * quick.error + 1e-14 * (distance + ball.radius) + 1e-150;  // far more than is rounded here
