@@ -49,7 +49,7 @@ PROPTEST(triangles_filter) {
             RC_ASSERT(filter_triangles(a, b) != Filtered::unknown);
           });
   t.holds("nor is it wrong where rounding decides: a corner of one nearly in the other's plane, edge or corner",
-          {.number_type = "rational", .cases = 400, .degenerate_at_least = 1}, [] {
+          {.number_type = "rational", .cases = 400, .degenerate_at_least = 0.3}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const TrianglePoints a = random_triangle(random, 1);
             TrianglePoints b = random_triangle(random, 1);
@@ -63,7 +63,7 @@ PROPTEST(triangles_filter) {
                 *rc::gen::element(1.0, 1.0, 0x1p-348, 0x1p-352);  // or so small that determinants lose digits
             TrianglePoints a_unit = a;
             for (int i = 0; i < 3; ++i) a_unit[i] *= unit, b[i] *= unit;
-            RC_CLASSIFY(true, "degenerate");
+            RC_CLASSIFY(filter_triangles(a_unit, b) == Filtered::unknown, "degenerate");
             RC_TAG(filter_triangles(a_unit, b) == Filtered::unknown ? "unknown" : "decided");
             RC_ASSERT(never_wrong_in_any_order(a_unit, b));
           });

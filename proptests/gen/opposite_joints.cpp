@@ -4,6 +4,7 @@
 #include <random>
 
 #include "algorithms/model/quantize.hpp"
+#include "algorithms/skinning/skinning_pose.hpp"
 
 namespace proptests::gen {
 
@@ -33,6 +34,15 @@ OppositeJoints opposite_joints(unsigned seed) {
     out.posture[j].rotation.normalize();
   }
   return out;
+}
+
+const char* label_of(const OppositeJoints& soup) {
+  auto transforms = soup.posture;
+  make_signs_consistent<double>(transforms);
+  for (const auto& a : transforms)
+    for (const auto& b : transforms)
+      if (dot(a.rotation, b.rotation) < 0) return "beyond a right angle";
+  return "within a right angle";
 }
 
 }  // namespace proptests::gen

@@ -11,4 +11,7 @@ struct OppositeJoints {
 };
 OppositeJoints opposite_joints(unsigned seed);
 
+// "beyond a right angle" if two of its quaternions, with the skinning's signs, are so far apart, else "within a right angle".
+const char* label_of(const OppositeJoints& soup);
+
 }  // namespace proptests::gen
