@@ -12,7 +12,7 @@
 #include "algorithms/collide/box_kernel.hpp"
 #include "algorithms/collide/reach_packs.hpp"
 #include "algorithms/packs/lanes.hpp"
-#include "algorithms/weights/joint_sets.hpp"
+#include "algorithms/model/joint_sets.hpp"
 
 namespace refitlab {
 

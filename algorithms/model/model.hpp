@@ -28,7 +28,7 @@ struct Joint {
   Point3 origin;  // of its local frame in the reference posture
 };
 
-// weight is a multiple of 2^-24, and the weights of a vertex sum to 1 exactly (see algorithms/model/quantize.hpp).
+// weight is a multiple of 2^-24, and the weights of a vertex sum to 1 exactly (see algorithms/weights/quantize.hpp).
 struct Influence {
   int joint;
   double weight;

@@ -8,7 +8,7 @@
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/mesh_binding.hpp"
 #include "algorithms/packs/float_environment.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
 namespace {

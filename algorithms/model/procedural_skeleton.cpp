@@ -3,7 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/packs/float_environment.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "algorithms/packs/float_environment.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
 namespace {

@@ -9,7 +9,7 @@
 #include "algorithms/queries/portable_random.hpp"
 #include "algorithms/skinning/blend.hpp"
 #include "algorithms/weights/corners.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 namespace refitlab {
 namespace {

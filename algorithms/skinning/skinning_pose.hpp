@@ -7,7 +7,7 @@
 #include "algorithms/model/model.hpp"
 #include "algorithms/packs/float_environment.hpp"
 #include "algorithms/skinning/pose_rounding.hpp"
-#include "algorithms/weights/joint_sets.hpp"
+#include "algorithms/model/joint_sets.hpp"
 
 namespace refitlab {
 

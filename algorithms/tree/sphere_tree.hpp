@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algorithms/tree/refit_node.hpp"
-#include "algorithms/weights/joint_sets.hpp"
+#include "algorithms/model/joint_sets.hpp"
 
 namespace refitlab {
 

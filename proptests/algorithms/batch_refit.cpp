@@ -10,7 +10,7 @@
 #include "algorithms/refit/algorithm1_repaired.hpp"
 #include "algorithms/refit/linear.hpp"
 #include "algorithms/skinning/skin.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"

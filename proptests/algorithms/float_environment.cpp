@@ -23,7 +23,7 @@
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/skinning/skin.hpp"
 #include "algorithms/volumes/box_orientation.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "algorithms/weights/weight_hull.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
@@ -306,7 +306,7 @@ const std::vector<std::string> without_environment{
     "model/procedural_body.cpp", "model/procedural_mesh.cpp", "model/procedural_polygonise.cpp",
     "model/procedural_skeleton.cpp",  // by make_man and its like
     "refit/character.cpp",            // calls entries that have it
-    "certificate/sha256.cpp", "model/crash_guard.cpp", "packs/targets.cpp", "weights/joint_sets.cpp",
+    "certificate/sha256.cpp", "model/crash_guard.cpp", "packs/targets.cpp", "model/joint_sets.cpp",
     "results/folder_lock.cpp", "results/run_folder.cpp", "results/write_whole.cpp",  // no floating-point arithmetic
 };
 

@@ -9,7 +9,7 @@
 #include "algorithms/batch/pose_packs.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 

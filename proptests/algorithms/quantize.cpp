@@ -1,4 +1,4 @@
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 #include <cmath>
 #include <limits>

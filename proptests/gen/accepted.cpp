@@ -1,6 +1,6 @@
 #include "proptests/gen/accepted.hpp"
 
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "proptests/gen/random_posture.hpp"
 
 namespace proptests::gen {

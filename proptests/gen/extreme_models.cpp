@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 

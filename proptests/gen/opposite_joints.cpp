@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "algorithms/skinning/skinning_pose.hpp"
 
 namespace proptests::gen {

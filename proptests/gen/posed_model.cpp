@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "lemmas/exact/lift.hpp"
 
 namespace proptests::gen {

@@ -5,7 +5,7 @@
 
 #include "algorithms/skinning/blend.hpp"
 #include "algorithms/weights/corners.hpp"
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 #include "proptests/gen/list.hpp"
 
 namespace proptests::gen {

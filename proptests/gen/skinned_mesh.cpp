@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 namespace proptests::gen {
 

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <random>
 
-#include "algorithms/model/quantize.hpp"
+#include "algorithms/weights/quantize.hpp"
 
 namespace proptests::gen {
 

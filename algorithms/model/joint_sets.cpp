@@ -1,4 +1,4 @@
-#include "algorithms/weights/joint_sets.hpp"
+#include "algorithms/model/joint_sets.hpp"
 
 #include <map>
 
