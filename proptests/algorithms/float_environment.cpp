@@ -230,7 +230,7 @@ std::vector<Entry> query_entries() {
                        Body a(w.character, default_variant(Skinning::spherical));
                        a.begin(w.posture);
                        QueryCounts counts;
-                       out.add_all(collide({&a, {}}, {&a, w.near}, Query::full, counts));
+                       out.add_all(collide({a, {}}, {a, w.near}, Query::full, counts));
                      }});
   for (const int threads : {1, has_threads() ? 2 : 1})
     entries.push_back({"collide_all, threads " + std::to_string(threads), [threads](const World& w, Bytes& out) {
