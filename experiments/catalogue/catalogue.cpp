@@ -1,5 +1,7 @@
 #include "experiments/catalogue/catalogue.hpp"
 
+#include <algorithm>
+
 #include "algorithms/queries/score.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/detector.hpp"

@@ -69,7 +69,7 @@ enum class Origin {
   oracle   // tries all pairs; no detector, but a row of results
 };
 
-const char* name_of(Origin origin);
+const char* name_of(Origin origin);  // as in result files
 
 struct DetectorKind {
   std::string name, description;

@@ -82,12 +82,14 @@ SCHEMAS = {
                  "hypothesis": text, "statement": text},
 }
 
+MAY_BE_EMPTY = ["models"]  # of a run that needs none
 
-def read(path, schema):
+
+def read(path, schema, may_be_empty=False):
     """The rows of a file as named tuples of the schema's columns and the provenance. schema: {column: parser}.
 
-    Raises ResultError that names the file, the row (1 is the head) and the reason: a file that cannot be read or has no
-    rows, a column that is missing or there twice, a row that is cut off, a field that its parser refuses.
+    Raises ResultError that names the file, the row (1 is the head) and the reason: a file that cannot be read, or has no rows
+    and may not be empty; a column that is missing or there twice, a row that is cut off, a field that its parser refuses.
     """
     try:
         with open(path, newline="", encoding="utf-8") as file:
@@ -99,7 +101,7 @@ def read(path, schema):
     for column in parsers:
         if head.count(column) != 1:
             raise ResultError(f"{path}: has {'two columns' if column in head else 'no column'} {column}")
-    if not table[1:]:
+    if not table[1:] and not may_be_empty:
         raise ResultError(f"{path}: has no rows")
     Row = namedtuple("Row", parsers)
     places = [(column, head.index(column), parse) for column, parse in parsers.items()]
@@ -134,7 +136,7 @@ class Results:
 
     def rows(self, name):
         if name not in self._rows:
-            self._rows[name] = read(self.path(name), SCHEMAS[name])
+            self._rows[name] = read(self.path(name), SCHEMAS[name], may_be_empty=name in MAY_BE_EMPTY)
             self._index(name)
         return self._rows[name]
 
