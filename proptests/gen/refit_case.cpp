@@ -87,17 +87,18 @@ bool may_be_zero(const SetCase& set) {
   return false;
 }
 
+// What a generator is given lives as long as RapidCheck may shrink, so it is captured by value.
 SetCase generic_set(Turns turns, const RationalVec<3>& p) {
   SetCase set;
   set.pose.transforms = generic_transforms(turns);
   auto& c = set.pose.transforms;
   if (turns == Turns::any && *any_of(0, 2) > 0) make_signs_consistent<Rational>(c);
-  const RationalVec<3> center = *rc::gen::suchThat(rational_vector<3>(), [&](const RationalVec<3>& r) { return r != p; });
+  const RationalVec<3> center = *rc::gen::suchThat(rational_vector<3>(), [p](const RationalVec<3>& r) { return r != p; });
   if (*any_of(0, 1) == 1)  // a common joint
     for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
   place_rotation_center<Rational>(set.pose, center);
   place_duals(set.pose);
-  set.weights = *rc::gen::suchThat(bounds_of_vertices(static_cast<int>(c.size())), [&](const BoundsWithCorners& w) {
+  set.weights = *rc::gen::suchThat(bounds_of_vertices(static_cast<int>(c.size())), [set](const BoundsWithCorners& w) {
     SetCase weighted = set;
     weighted.weights = w;
     return w.corners.size() > 1 && !may_be_zero(weighted);
