@@ -24,7 +24,7 @@ using namespace refitlab;
 using gen::WidePlan;
 
 // Of two: the least denormal, and what keeps coordinates below 1e40.
-constexpr int least_exponent = -1074, greatest_exponent = 131;
+constexpr int least_exponent = -1074, greatest_exponent = 130;
 
 const std::map<std::string, double> ranges{
     {"1 joint", 0.03},           {"2 to 4 joints", 0.2},      {"5 to 17 joints", 0.2},   {"90 joints", 0.05},

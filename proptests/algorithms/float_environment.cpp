@@ -339,9 +339,9 @@ PROPTEST(float_environment) {
       double quotient, negative, sum, product;
       {
         const oracle::ScopedFloatMode scoped(mode);
-        quotient = 1 / third, negative = minus / third, sum = tiny + 1.0, product = tiny * two;
+        quotient = two / third, negative = minus / third, sum = tiny + 1.0, product = tiny * two;
       }
-      const bool differs = quotient != 1.0 / 3 || negative != -1.0 / 3 || sum != 1.0 || product != 0x1p-1049;
+      const bool differs = quotient != 2.0 / 3 || negative != -1.0 / 3 || sum != 1.0 || product != 0x1p-1049;
       ok = ok && (differs || mode.name == "exceptions trap"), ++tried;
     }
     return Checked(ok, tried);

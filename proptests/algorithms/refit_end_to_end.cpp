@@ -106,7 +106,7 @@ Checked check_model(Model model) {
 
 // Every node and vertex of a small character, by all sound variants: what is accepted is bounded.
 void check_wide() {
-  const auto plan = *gen::wide_plan(-1074, 131);
+  const auto plan = *gen::wide_plan(-1074, 130);
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
   const char* const lengths[] = {"double", "float", "at the tolerance"};
   RC_TAG(lengths[plan.lengths]);
