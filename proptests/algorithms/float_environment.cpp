@@ -67,6 +67,7 @@ class Bytes {
 // A snake some of whose coordinates are denormal, as are differences of others, so that every mode has something to change.
 Model snake_with_denormals() {
   Model model = make_snake(4);
+  model.triangles.resize(96);  // those of its tail, so that all modes are tried in seconds
   for (std::size_t v = 0; v < model.vertices.size(); v += 3) model.vertices[v][0] = 3e-310 * static_cast<double>(v);
   for (std::size_t v = 1; v < model.vertices.size(); v += 7) model.vertices[v] = Point3(0x1p-1060, 0x1p-1070, 0x1p-1074);
   return model;
@@ -112,11 +113,6 @@ std::vector<Entry> building_entries() {
       {"make_snake, its clip", [](const World&, Bytes& out) {
          const Model m = make_snake(3);
          out.add_all(m.vertices), out.add_all(m.clips[0].sample(0.37));
-       }},
-      {"make_man, its clips", [](const World&, Bytes& out) {
-         const Model m = make_man(400);
-         out.add_all(m.vertices);
-         for (const Clip& clip : m.clips) out.add_all(clip.sample(0.37));
        }},
       {"subdivide", [](const World& w, Bytes& out) { out.add_all(subdivide(w.character.model).vertices); }},
       {"Character, its pieces", [](const World& w, Bytes& out) {
@@ -276,9 +272,8 @@ std::string answer(const Entry& entry, const World& world) {
 }
 
 // Each of these entries in each mode: the answers of the default mode, and the caller's mode again after it.
-Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
+Checked are_the_same(const std::vector<Entry>& entries, const std::vector<oracle::FloatMode>& modes) {
   const World world;
-  const auto modes = oracle::other_float_modes();
   std::string wrong;
   long asked = 0;
   for (const Entry& entry : entries) {
@@ -297,6 +292,10 @@ Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
     }
   }
   return {wrong.empty(), asked, wrong};
+}
+
+Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
+  return are_the_same(entries, oracle::other_float_modes());
 }
 
 // Source files of the library, by how their paths end, that need no DefaultFloatEnvironment of their own.
@@ -332,16 +331,16 @@ Checked all_sources_have_it_or_are_listed() {
 
 PROPTEST(float_environment) {
   t.example("every mode that is tried changes what plain arithmetic finds", {}, [] {
-    volatile double third = 3, tiny = 0x1p-1050, two = 2, minus = -1;
+    volatile double one = 1, ten = 10, third = 3, tiny = 0x1p-1050, two = 2, minus = -1;
     bool ok = true;
     long tried = 0;
     for (const auto& mode : oracle::other_float_modes()) {
       double quotient, negative, sum, product;
       {
         const oracle::ScopedFloatMode scoped(mode);
-        quotient = two / third, negative = minus / third, sum = tiny + 1.0, product = tiny * two;
+        quotient = one / ten, negative = minus / third, sum = tiny + 1.0, product = tiny * two;
       }
-      const bool differs = quotient != 2.0 / 3 || negative != -1.0 / 3 || sum != 1.0 || product != 0x1p-1049;
+      const bool differs = quotient != 1.0 / 10 || negative != -1.0 / 3 || sum != 1.0 || product != 0x1p-1049;
       ok = ok && (differs || mode.name == "exceptions trap"), ++tried;
     }
     return Checked(ok, tried);
@@ -367,6 +366,16 @@ PROPTEST(float_environment) {
             [] { return all_sources_have_it_or_are_listed(); });
   t.example("what is built once is the same, bit by bit, in every mode of the caller", {},
             [] { return are_the_same_in_all_modes(building_entries()); });
+  t.example("the procedural man, which takes long to make, is the same in the mode that differs most", {}, [] {
+    const Entry man{"make_man, its clips", [](const World&, Bytes& out) {
+                      const Model m = make_man(400);
+                      out.add_all(m.vertices);
+                      for (const Clip& clip : m.clips) out.add_all(clip.sample(0.37));
+                    }};
+    const auto modes = oracle::other_float_modes();
+    const auto most = std::find_if(modes.begin(), modes.end(), [](const auto& m) { return m.name.starts_with("upward, FTZ, DAZ"); });
+    return are_the_same({man}, {most == modes.end() ? modes[0] : *most});
+  });
   t.example("poses, skins and refits are the same, bit by bit, in every mode of the caller", {},
             [] { return are_the_same_in_all_modes(refitting_entries()); });
   t.example("queries and certificates are the same, bit by bit, in every mode of the caller", {},
