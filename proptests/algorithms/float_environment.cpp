@@ -335,7 +335,7 @@ PROPTEST(float_environment) {
     bool ok = true;
     long tried = 0;
     for (const auto& mode : oracle::other_float_modes()) {
-      double quotient, negative, sum, product;
+      volatile double quotient, negative, sum, product;  // so that nothing is computed later, in another mode
       {
         const oracle::ScopedFloatMode scoped(mode);
         quotient = one / ten, negative = minus / third, sum = tiny + 1.0, product = tiny * two;
