@@ -364,6 +364,21 @@ PROPTEST(float_environment) {
   });
   t.example("every source file of the library has the default environment, or is listed as one that needs none", {},
             [] { return all_sources_have_it_or_are_listed(); });
+  t.example("balls at one place and a denormal apart are supported by balls that there are, where a header runs in the caller's mode", {}, [] {
+    bool ok = true;
+    long tried = 0;
+    for (const auto& mode : oracle::other_float_modes())
+      for (int count = 1; count <= 33; ++count)
+        for (const double apart : {0.0, 0x1p-1060}) {
+          std::vector<Ball3<double>> balls;
+          for (int i = 0; i < count; ++i) balls.push_back({{0.5 + apart * i, 1, 1.5}, apart * i});
+          const oracle::ScopedFloatMode scoped(mode);
+          const SmallestBallOfBalls found = few_balls_ball(balls);
+          for (int k = 0; k < found.support_size; ++k) ok = ok && found.support[k] >= 0 && found.support[k] < count;
+          ++tried;
+        }
+    return Checked(ok, tried);
+  });
   t.example("what is built once is the same, bit by bit, in every mode of the caller", {},
             [] { return are_the_same_in_all_modes(building_entries()); });
   t.example("the procedural man, which takes long to make, is the same in the mode that differs most", {}, [] {
