@@ -23,6 +23,7 @@ Fixpoint indices3 {X Y} (f : X -> X -> X -> Y) (xs : list X) : list Y :=
 
 (* P_kl = Im(q_k x q_l* + q_l x q_k* ) / 2 *)
 Definition mixed (a b : quat R) (x : vec R) : vec R := (1 / 2 *: (turned a x b + turned b x a))%V.
+Arguments mixed (a b x)%V.
 (* Degree 2: dual quaternions q_k + eps d_k. W_kl = (q_k, q_l), N_kl = P_kl + Im(d_k q_l* + d_l q_k* ). *)
 Definition dual_point (p : vec R) (a b : quat R * quat R) : vec R * R :=
   let '(qa, da) := a in let '(qb, db) := b in
