@@ -1,7 +1,7 @@
 (* Beyond the paper: halving a simplex of weights at an edge tightens its control points as far as wanted. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
-Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.t3_smallest_ball_smallest_cap.
+Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses.
 Import ListNotations.
 
 (* --- Statements --- *)

@@ -243,6 +243,16 @@ Proof.
   - now apply ball_around_balls.
 Qed.
 
-(* The hypotheses can be met: algorithm1_instance has such a joint-set, and (1, 0) is an edge of all that have one. *)
-Example edges_instance : edges_are_valid (fun _ : list (quat R * vec R) => (1%nat, 0%nat)).
-Proof. intros corners L. lia. Qed.
+(* The hypotheses can be met: by the node of algorithm1_instance, with any edge of the corners, and mean balls. *)
+Example control_hull_instance :
+  let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat 0 0 0 1) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
+  let edge := fun _ : list (quat R * vec R) => (1%nat, 0%nat) in let S := Ball (Vec 2 0 0) 1 in let w := [1 / 2; 1 / 2] in
+  edges_are_valid edge /\
+  (exists balls, node_balls mean edge 4 S [z] = Some balls /\ holds_all (in_ball (mean_ball balls)) balls /\
+    convex_set (in_ball (mean_ball balls))) /\
+  is_corner_combination (corners z) w /\ in_ball S (Vec 2 1 0) /\ comb w (rotations z) <> lzero.
+Proof.
+  cbv zeta. split; [intros cs L; lia|]. split; [|split; [|split]]; try apply algorithm1_instance.
+  edestruct control_hull_is_bounded_holds as (balls & B). exists balls. split; [exact B|]. split; [|apply ball_convex].
+  apply ball_around_balls, mean_balls_enclose_holds.
+Qed.

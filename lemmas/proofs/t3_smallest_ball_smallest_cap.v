@@ -31,35 +31,6 @@ Definition smallest_cap : Prop :=
 
 (* --- Proofs --- *)
 
-Lemma hull_point {E} `{Euclid E} (ns : list E) n : In n ns -> in_hull ns n.
-Proof.
-  intros I. destruct (in_split _ _ I) as (l1 & l2 & ->). exists (repeat 0 (length l1) ++ 1 :: repeat 0 (length l2)).
-  assert (Z : forall n, Forall (Rle 0) (repeat 0 n)) by (intro k; apply Forall_forall; intros x X; apply repeat_spec in X; lra).
-  assert (S : forall n, sum (repeat 0 n) = 0) by (induction n0; cbn; [reflexivity|]; unfold sum in *; lra).
-  assert (C : forall xs : list E, comb (repeat 0 (length xs)) xs = lzero).
-  { induction xs as [|x xs IH]; cbn; [reflexivity|]. rewrite IH. vec_ring. }
-  split; [split; [|split]|].
-  - rewrite !app_length. cbn. now rewrite !repeat_length.
-  - apply Forall_app. split; [apply Z|]. constructor; [lra|apply Z].
-  - rewrite sum_app, sum_cons, !S. ring.
-  - rewrite comb_app by apply repeat_length. cbn [comb]. rewrite !C. vec_ring.
-Qed.
-Lemma hull_convex {E} `{Euclid E} (ns : list E) : convex_set (in_hull ns).
-Proof.
-  intros t x y T (u & (Lu & Pu & Su) & ->) (v & (Lv & Pv & Sv) & ->).
-  exists (map (fun p => t * fst p + (1 - t) * snd p) (combine u v)).
-  assert (G : forall ns u v, length u = length ns -> length v = length ns -> Forall (Rle 0) u -> Forall (Rle 0) v ->
-    let w := map (fun p => t * fst p + (1 - t) * snd p) (combine u v) in
-    length w = length ns /\ Forall (Rle 0) w /\ sum w = t * sum u + (1 - t) * sum v /\
-    comb w ns = (t *: comb u ns + (1 - t) *: comb v ns)%V).
-  { clear - H T. induction ns as [|n ns IH]; intros [|a u] [|b v] Lu Lv Pu Pv; try discriminate.
-    - cbn. repeat split; auto; [ring|vec_ring].
-    - apply Forall_cons_iff in Pu as [A Pu], Pv as [B Pv].
-      destruct (IH u v) as (L & P & S & C); auto. cbn [combine map comb length fst snd]. rewrite !sum_cons.
-      split; [now rewrite L|]. split; [constructor; auto; nra|]. split; [rewrite S; ring|]. rewrite C. vec_ring. }
-  destruct (G ns u v Lu Lv Pu Pv) as (L & P & S & C). rewrite C. repeat split; auto. rewrite S, Su, Sv. ring.
-Qed.
-
 (* If (n, c) < ||c||^2, a step from c towards n comes nearer to 0. *)
 Lemma nearer_step {E} `{Euclid E} (c n : E) : dot n c < norm2 c ->
   exists t, 0 <= t <= 1 /\ norm2 (t *: n + (1 - t) *: c) < norm2 c.
