@@ -72,4 +72,4 @@ Ball3<S> rotated_ball(const RotationBound<S>& bound, const Vec<S, 3>& x) {
 
 // Sources: none.
 // Used by: algorithms/batch/rotation_bound_packs.hpp, algorithms/refit/algorithm1_repaired.hpp,
-// algorithms/refit/control_hull.hpp.
+// algorithms/refit/control_hull.hpp, experiments/drawings/one_cap.cpp.

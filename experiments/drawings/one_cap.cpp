@@ -1,6 +1,7 @@
 // The drawings of caps without normalisation and without a ball.
 #include "algorithms/balls/smallest_ball.hpp"
 #include "experiments/drawings/common.hpp"
+#include "lemmas/rotation_bound.hpp"
 #include "lemmas/t3_one_cap.hpp"
 #include "lemmas/t3_smallest_ball_smallest_cap.hpp"
 
@@ -41,6 +42,21 @@ void t3_smallest(Plane &p) {
   p.dot("dot_in", ball.center, "smallest");
 }
 
+void rotation(Plane &p) {
+  const std::vector<Quat> units{turn(-20), turn(15), turn(70)};
+  const Vec<double, 3> x(1, 0, 0);
+  const auto bound = bound_rotations<double>(units, Quat(units[0] + units[1] + units[2]));
+  const Point at_apex = flat(rotate(bound.apex, x));
+  p.circle("surface", {0, 0}, 1);
+  p.ball("ball", flat(rotated_ball(bound, x)));
+  p.cap({{0, 0}, at_apex, 1 - rotated_cap_versine(squared_half_chord<double>(units, bound.apex))});
+  for (const Quat &q : units) {
+    const Point image = flat(rotate(q, x));
+    p.path("line", {at_apex, image}), p.dot("dot", image);
+  }
+  p.dot("dot_in", at_apex, "apex");
+}
+
 }  // namespace
 
 const std::vector<Drawing> &drawings_of_one_cap() {
@@ -54,7 +70,10 @@ const std::vector<Drawing> &drawings_of_one_cap() {
                                         {"t3_smallest_ball_smallest_cap", t3_smallest,
                                          "The smallest ball of the units makes the smallest cap (yellow). Three "
                                          "that are close drag the mean ball "
-                                         "(dashed) along."}};
+                                         "(dashed) along."},
+                                        {"rotation_bound", rotation,
+                                         "Where three rotations carry a vector: the longest chord from the "
+                                         "apex makes the cap (yellow), and the cap its ball."}};
   return all;
 }
 

@@ -19,7 +19,7 @@ CLASS = [
 
 FURTHER = [
     ("All joint-sets of a node", ["s44_sum_of_bounds", "s44_joint_sets"]),
-    ("Simplifications that are theorems", ["t3_min_dot_distance", "t3_one_cap", "t3_smallest_ball_smallest_cap"]),
+    ("Simplifications that are theorems", ["t3_min_dot_distance", "t3_one_cap", "t3_smallest_ball_smallest_cap", "rotation_bound"]),
     ("Beyond the paper, on", ["b3_subdivision", "b4_cap_fallback", "b5_rotation_axis", "b6_dual_quaternion_ball", "b7_reach"]),
 ]
 

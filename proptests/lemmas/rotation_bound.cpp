@@ -6,6 +6,7 @@
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/t3_one_cap.hpp"
 #include "lemmas/exact/lift.hpp"
+#include "proptests/counterexamples/rotation_bound.hpp"
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
@@ -84,6 +85,17 @@ float sine_by_dot(std::span<const Quaternion<float>> unit, const Quaternion<floa
 }  // namespace
 
 PROPTEST(rotation_bound) {
+  t.example("beyond half of S_3 the formula of a smaller cap misses a rotated vector, which all rotations hold",
+            {.form = "repaired", .hypothesis = "s^2 < 1/2"}, [] {
+              using namespace rotation_cap;
+              const Q s2 = squared_half_chord<Q>(wide, apex);
+              const CapBallRatios<Q> ratios = cap_ball_ratios(rotated_cap_versine(s2));
+              const Vec<Q, 3> image = rotate_by<Q>(combine<Q, 4>(weights, wide), x);
+              const SquaredBall<Q, 3> ball{x * ratios.center, ratios.squared_radius};
+              const RotationBound<Q> all = all_rotations<Q>();
+              return s2 == Q(9, 10) && ratios.center == Q(7, 25) && ratios.squared_radius == Q(24 * 24, 25 * 25) &&
+                     encloses(ball, image) == Verdict::fails && squared_norm(image) <= sq(all.radius_ratio);
+            });
   t.holds("every non-zero element of the hull maps x into the ball that the lemmas give",
           {.form = "repaired", .number_type = "rational", .cases = 2000, .degenerate_at_least = 0.2}, [] {
             const Hull h = draw(5);
