@@ -58,6 +58,11 @@ int triangles_below(const ClusterTree& tree, const FanChild& child) {
   return count;
 }
 
+int first_triangle(const ClusterTree& tree, FanChild child) {
+  while (child.fan >= 0) child = tree.child(child.fan, 0);
+  return tree.group(child.cluster, 0).triangles[0];
+}
+
 // Triangles beside each other, each of three vertices of its own, in the plane z = 0. joints_of: two of them by vertex, or
 // the same one twice.
 template <class JointsOf>
@@ -248,9 +253,13 @@ PROPTEST(cluster_collide) {
             std::sort(seen.begin(), seen.end());
             RC_ASSERT(seen.size() == c.model.triangles.size());
             for (std::size_t t = 0; t < seen.size(); ++t) RC_ASSERT(seen[t] == static_cast<int>(t));
+            std::vector<int> place(seen.size());  // by triangle, in the order of the sphere tree
+            for (std::size_t i = 0; i < place.size(); ++i) place[c.tree.triangle_order[i]] = static_cast<int>(i);
             for (int f = 0; f < static_cast<int>(tree.fans().size()); ++f) {
               const int children = tree.fans()[f].child_count;
               RC_ASSERT(children <= options.most_children);
+              for (int i = 1; i < children; ++i)  // so that neighbours are near each other
+                RC_ASSERT(place[first_triangle(tree, tree.child(f, i - 1))] < place[first_triangle(tree, tree.child(f, i))]);
               int least = 1 << 30, most = 0;
               bool has_fans = false;
               for (int i = 0; i < children; ++i) {
