@@ -191,33 +191,6 @@ PROPTEST(box_packs) {
     }
     return Checked(beyond > tried / 5, tried, std::to_string(beyond) + " a little more than a float away");
   });
-  t.example("up to a cosine of 1/2, of 1/sqrt(2) for dual quaternions, the box of a swept vertex is no larger than the triangle of its arc's tangents", {}, [] {
-    Model model;
-    model.name = "swept";
-    model.vertices.assign(3, {1, 0, 0});
-    model.triangles = {{0, 1, 2}};
-    model.joints = {{"first", -1, {0, 0, 0}}, {"second", 0, {0, 0, 0}}};
-    model.influences = {{{0, 1}}, {{0, 0.5}, {1, 0.5}}, {{1, 1}}};
-    for (auto& influences : model.influences)  // all of one joint-set
-      if (influences.size() == 1) influences = {{influences[0].joint, 1 - 0x1p-12}, {1 - influences[0].joint, 0x1p-12}};
-    const Character c(std::move(model));
-    long tried = 0;
-    for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion})
-      for (const double cosine : {0.9, 0.72, 0.6, 0.52}) {
-        if (skinning == Skinning::dual_quaternion && cosine < std::sqrt(0.5)) continue;
-        const double half = std::acos(cosine) / 2, sine = std::sin(half);
-        const Posture posture{{{std::cos(half), 0, 0, sine}, {0, 0, 0}}, {{std::cos(half), 0, 0, -sine}, {0, 0, 0}}};
-        const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-        for (const Target target : available_targets()) {
-          const FlippedBox box = bound(c, std::vector<int>{0}, skinning, pose, identity_quaternion<double>(), target)[0];
-          // From the joints' images to where the tangents there meet.
-          if (!(box.of[0] > cosine - 3e-3 && -box.of[4] < 1 / cosine + 3e-3))
-            return Checked(false, tried, std::to_string(cosine) + ": " + std::to_string(box.of[0]) + " to " + std::to_string(-box.of[4]));
-          ++tried;
-        }
-      }
-    return Checked(true, tried);
-  });
   t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
     const Character c(make_man());
     const auto posture = c.model.clips[0].sample(0.3 * c.model.clips[0].duration);
