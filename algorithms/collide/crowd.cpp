@@ -9,6 +9,9 @@
 #ifdef REFITLAB_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
 #endif
 
 #include "algorithms/packs/float_environment.hpp"
@@ -34,7 +37,16 @@ std::vector<std::pair<int, int>> meeting(const std::vector<Box6>& boxes) {
 void for_each(std::size_t count, [[maybe_unused]] int threads, const auto& body) {
 #ifdef REFITLAB_TBB
   if (threads > 1) {
+#ifdef __SANITIZE_THREAD__
+    // ThreadSanitizer does not see how a TBB that it did not instrument begins its tasks and waits for them.
+    static char begun, done;
+    const auto task = [&](std::size_t i) { __tsan_acquire(&begun), body(i), __tsan_release(&done); };
+    __tsan_release(&begun);
+    tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t(0), count, task); });
+    __tsan_acquire(&done);
+#else
     tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t(0), count, body); });
+#endif
     return;
   }
 #endif

@@ -21,14 +21,14 @@ namespace {
 
 using namespace refitlab;
 
-// defect: of the squared lengths of all quaternions.
+// defect: of the squared lengths of some quaternions, the others having none.
 Posture random_posture(const Model& model, unsigned seed, double calm, double defect) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   Posture posture = reference_posture(model);
   for (auto& t : posture) {
     t.rotation = {calm + normal(random), normal(random), normal(random), normal(random)};
-    t.rotation = gen::of_defect(t.rotation.normalized(), defect);
+    t.rotation = gen::of_defect(t.rotation.normalized(), random() % 2 ? defect : 0);
     t.translation = {normal(random), normal(random), normal(random)};
   }
   return posture;
@@ -159,6 +159,8 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0.98, 1.02);
   const int joints = 1 + static_cast<int>(random() % 3), axis = static_cast<int>(random() % 3);
   const double r = uniform(random), way = std::ldexp(uniform(random), -static_cast<int>(random() % 12) - 1);
+  const bool are_shared = joints > 1 && random() % 2;  // then it is a joint-set whose joints may be of unlike lengths
+  constexpr double little = 0x1p-12;
   gen::WideModel out;
   out.model.name = "octahedron";
   for (int j = 0; j < joints; ++j) out.model.joints.push_back({"joint " + std::to_string(j), j - 1, Point3::Zero()});
@@ -166,7 +168,9 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
     for (const int side : {1, -1}) {
       out.model.vertices.push_back(Point3::Unit(i) * (side * r));
       // The turned vertex goes on outwards.
-      out.model.influences.push_back({{i == axis && side == 1 ? joints - 1 : 0, 1}});
+      const bool is_last = i == axis && side == 1;
+      if (are_shared) out.model.influences.push_back({{0, is_last ? little : 1 - little}, {joints - 1, is_last ? 1 - little : little}});
+      else out.model.influences.push_back({{is_last ? joints - 1 : 0, 1}});
     }
   out.model.triangles = {{0, 2, 4}, {1, 3, 5}};
   out.triangles_per_leaf = 1 + static_cast<int>(random() % 2);

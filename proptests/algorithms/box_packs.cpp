@@ -6,6 +6,7 @@
 #include "algorithms/collide/cluster_tree.hpp"
 #include "algorithms/model/procedural.hpp"
 #include "algorithms/skinning/skin.hpp"
+#include "lemmas/exact/lift.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/random_posture.hpp"
@@ -166,6 +167,30 @@ PROPTEST(box_packs) {
                    : what == joint    ? "a joint that moves far"
                                       : "a far rotation center");
           });
+  t.example("the ball of a node's piece, of float numbers, holds its vertices by the last bit, and is no more than a float's rounding larger", {}, [] {
+    std::mt19937 random(2006);
+    std::uniform_real_distribution<double> turn(0, 7);
+    long beyond = 0;
+    constexpr int tried = 500;
+    for (int i = 0; i < tried; ++i) {
+      const double angle = turn(random), unit = std::exp2(static_cast<int>(random() % 40) - 20);
+      const Point3 v = Point3(std::cos(angle), std::sin(angle), 0) * unit;  // 1 or so units long, by half a bit more or less
+      Model model;
+      model.name = "across";
+      model.vertices = {v, -v, v};
+      model.triangles = {{0, 1, 2}};
+      model.joints = {{"root", -1, {0, 0, 0}}};
+      model.influences.assign(3, {{0, 1}});
+      const Character c(std::move(model));
+      const Ball3<double> ball = pieces_of_nodes(c, std::vector<int>{0})[0].reference;
+      for (const Point3& p : c.model.vertices)
+        if (encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) != Verdict::holds)
+          return Checked(false, i, "a vertex outside");
+      if (ball.radius > unit * (1 + 0x1p-22) || ball.radius != static_cast<float>(ball.radius)) return Checked(false, i, "no float, or too large");
+      beyond += squared_norm(convert<Rational>(v)) > Rational(unit) * Rational(unit);
+    }
+    return Checked(beyond > tried / 5, tried, std::to_string(beyond) + " a little more than a float away");
+  });
   t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
     const Character c(make_man());
     const auto posture = c.model.clips[0].sample(0.3 * c.model.clips[0].duration);

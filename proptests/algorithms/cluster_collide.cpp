@@ -58,6 +58,11 @@ int triangles_below(const ClusterTree& tree, const FanChild& child) {
   return count;
 }
 
+int first_triangle(const ClusterTree& tree, FanChild child) {
+  while (child.fan >= 0) child = tree.child(child.fan, 0);
+  return tree.group(child.cluster, 0).triangles[0];
+}
+
 // Triangles beside each other, each of three vertices of its own, in the plane z = 0. joints_of: two of them by vertex, or
 // the same one twice.
 template <class JointsOf>
@@ -248,9 +253,13 @@ PROPTEST(cluster_collide) {
             std::sort(seen.begin(), seen.end());
             RC_ASSERT(seen.size() == c.model.triangles.size());
             for (std::size_t t = 0; t < seen.size(); ++t) RC_ASSERT(seen[t] == static_cast<int>(t));
+            std::vector<int> place(seen.size());  // by triangle, in the order of the sphere tree
+            for (std::size_t i = 0; i < place.size(); ++i) place[c.tree.triangle_order[i]] = static_cast<int>(i);
             for (int f = 0; f < static_cast<int>(tree.fans().size()); ++f) {
               const int children = tree.fans()[f].child_count;
               RC_ASSERT(children <= options.most_children);
+              for (int i = 1; i < children; ++i)  // so that neighbours are near each other
+                RC_ASSERT(place[first_triangle(tree, tree.child(f, i - 1))] < place[first_triangle(tree, tree.child(f, i))]);
               int least = 1 << 30, most = 0;
               bool has_fans = false;
               for (int i = 0; i < children; ++i) {
@@ -288,6 +297,26 @@ PROPTEST(cluster_collide) {
               ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
               return Checked(ok, 5);
             });
+  t.example("a body counts the nodes that it bounds, and the clusters and corners that it skins, each once a frame", {}, [] {
+    const Character man(make_man());
+    const ClusterTree tree(man);
+    ClusterBody body(tree, Skinning::spherical);
+    long nodes = 0, corners = 0;
+    for (const Fan& fan : tree.fans()) nodes += fan.child_count;
+    for (const Cluster& cluster : tree.clusters()) corners += cluster.corner_count;
+    const auto clusters = static_cast<long>(tree.clusters().size()), fans = static_cast<long>(tree.fans().size());
+    bool ok = nodes > fans && corners > clusters;
+    for (int frame = 0; frame < 2; ++frame) {
+      body.begin(man.model.clips[0].sample(0.1 * frame), {});
+      ok = ok && body.nodes_bounded() == 0 && body.clusters_skinned() == 0 && body.corners_skinned() == 0;
+      for (int time = 0; time < 2; ++time) {
+        for (int f = 0; f < static_cast<int>(fans); ++f) body.fan_boxes(f), body.fan_box(f);
+        for (int c = 0; c < static_cast<int>(clusters); ++c) body.group_boxes(c), body.cluster_box(c), body.triangle_boxes(c, 0);
+        ok = ok && body.nodes_bounded() == nodes && body.clusters_skinned() == clusters && body.corners_skinned() == corners;
+      }
+    }
+    return Checked(ok, nodes + corners);
+  });
   t.example("no more is looked at than is near: boxes, pairs of triangles and corners of two men, at three distances", {},
             [] {
               const Character man(make_man());

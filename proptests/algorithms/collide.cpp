@@ -158,6 +158,25 @@ PROPTEST(collide) {
                    4, std::to_string(near.balls) + " balls refitted near by, " + std::to_string(deep.balls) + " for " +
                           std::to_string(deep.pairs) + " pairs, " + std::to_string(first.balls) + " for the first one");
   });
+  t.example("balls that are apart by 1e-12 of their size are found apart by one test, at every scale at which balls are larger than what underflows", {}, [] {
+    long tried = 0;
+    for (int exponent = -430; exponent <= 120; exponent += 10) {
+      const double unit = std::ldexp(1.0, exponent);
+      Model model = lone_triangle();
+      for (Point3& v : model.vertices) v *= unit;
+      const Character c(std::move(model));
+      Body body(c, refit_variant("control_mixed"));
+      body.begin(reference_posture(c.model));
+      for (const double way : {2 * (1 + 1e-12), 2.1}) {
+        QueryCounts counts;
+        if (!collide({body}, {body, {identity_quaternion<double>(), {way * unit, 0, 0}}}, Query::full, counts).empty() ||
+            counts.ball_tests != 1 || counts.triangle_tests != 0)
+          return Checked(false, tried, "2^" + std::to_string(exponent));
+        ++tried;
+      }
+    }
+    return Checked(true, tried);
+  });
   t.example("a placement that is not rigid, or not finite, and a posture with a NaN are refused by name", {}, [] {
     const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     Body body(c, refit_variant("spherical_repaired"));

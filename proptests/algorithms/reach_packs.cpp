@@ -200,19 +200,21 @@ PROPTEST(reach_packs) {
     bool ok = true;
     double farthest = 0;
     for (const double angle : {4e-5, 1e-4, 1e-3})
-      for (const double off : {0.0, -4.9e-7, 4.9e-7}) {  // what held of a frame does not hold of the next
-        RigidTransform<double> swing{{std::cos(angle / 2), 0, 0, std::sin(angle / 2)}, {0, 0, 0}};
-        swing.translation = pivot - rotate(swing.rotation, pivot);
-        const RigidTransform<double> about{{0, 0, 1, 0}, {0, 0, 0}};
-        Posture posture{about, compose(about, swing)};
-        for (auto& joint : posture) joint.rotation *= 1 + off;
-        const auto points = placed_vertices(c, posture, {}, Skinning::spherical);
-        farthest = std::max(farthest, std::abs(points[0][0]));
-        reach.box(posture, {});
-        ok = ok && reach.boxes(nodes.packs, posture, {}, nodes.scratch, nodes.boxes) &&
-             holds(nodes.boxes[0], points, c.vertices[0]) && (off != 0 || widths(nodes.boxes[0]) < 1000 * angle * 1.1);
-      }
-    return Checked(ok && farthest > 1e-3, 9, "by up to " + std::to_string(farthest));
+      for (const int who : {0, 1, 2})  // all joints, the first, the last
+        for (const double off : {0.0, -4.9e-7, 4.9e-7}) {  // what held of a frame does not hold of the next
+          RigidTransform<double> swing{{std::cos(angle / 2), 0, 0, std::sin(angle / 2)}, {0, 0, 0}};
+          swing.translation = pivot - rotate(swing.rotation, pivot);
+          const RigidTransform<double> about{{0, 0, 1, 0}, {0, 0, 0}};
+          Posture posture{about, compose(about, swing)};
+          if (who != 2) posture[0].rotation *= 1 + off;
+          if (who != 1) posture[1].rotation *= 1 + off;
+          const auto points = placed_vertices(c, posture, {}, Skinning::spherical);
+          farthest = std::max(farthest, std::abs(points[0][0]));
+          reach.box(posture, {});
+          ok = ok && reach.boxes(nodes.packs, posture, {}, nodes.scratch, nodes.boxes) &&
+               holds(nodes.boxes[0], points, c.vertices[0]) && (off != 0 || widths(nodes.boxes[0]) < 1000 * angle * 1.1);
+        }
+    return Checked(ok && farthest > 1e-3, 27, "by up to " + std::to_string(farthest));
   });
   t.example("a single joint turns about its origin, however far, by a rotation that is not quite of unit length", {},
             [] {
