@@ -1,5 +1,8 @@
 // The independent checker, proptests/certificate/check: each of its conditions at its edge, what it says of hostile files,
 // and that it refuses what would take long before it begins.
+#include <sys/stat.h>
+
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -397,6 +400,106 @@ Checked check_work() {
                  long(lines.size()), lines[at].text + lines[at + 1].text + lines[at + 2].text);
 }
 
+// --- The edge of what is too much work ---
+
+// The document with a ball far too small, which is seen without work, and denominators whose least common multiple has
+// exactly so many bits.
+json with_denominators(json document, int bits) {
+  struct Power {
+    int base, exponent;
+    const char* place;
+  };
+  static const Power powers[] = {{3, 830, "/ball/center/0"}, {5, 570, "/ball/center/1"}, {7, 470, "/ball/center/2"},
+                                 {11, 380, "/pieces/0/reference/center/0"}, {13, 355, "/pieces/0/reference/center/1"},
+                                 {17, 320, "/pieces/0/reference/center/2"}};
+  const auto put = [&](int base, int exponent, const char* place) {
+    Rational number(1);
+    for (int i = 0; i < exponent; ++i) number /= base;
+    document[json::json_pointer(place)] = as_text(number);
+  };
+  double odd = 0;
+  for (const Power& p : std::span(powers, bits > 7000 ? 6 : 4)) {
+    put(p.base, p.exponent, p.place);
+    odd += p.exponent * std::log2(p.base);
+  }
+  put(2, bits - static_cast<int>(std::floor(odd)) - 1, "/ball/radius");
+  return document;
+}
+
+struct Sized {
+  json bound;
+  std::size_t corners;
+};
+
+json of_sizes(const char* skinning, std::size_t joints, const std::vector<Sized>& sizes) {
+  const json data = skinning == std::string("dual_quaternion") ? zero_dual : origin;
+  json weights = repeated("0", joints), pieces = json::array();
+  weights[0] = "1";
+  for (const Sized& s : sizes) pieces.push_back(piece(repeated(weights, s.corners), ball(origin, "1"), s.bound));
+  return document(skinning, repeated(unturned, joints), repeated(data, joints), pieces, ball(origin, "1"));
+}
+
+// With 6144 to 6399 bits a unit of work counts as 25^2, so that 800 of them are all that is allowed.
+Checked check_work_edges() {
+  const json turned = cap(unturned), reached = reach(unturned, origin);
+  const struct {
+    const char* skinning;
+    std::size_t joints;
+    std::vector<Sized> sizes;  // 800 in all: m n, (m + d - 1 choose d) for each bound
+    json least;                // of two units for one joint and corner
+  } sized[] = {
+      {"linear", 1, {{control, 400}}, control},
+      {"linear", 9, {{control, 80}}, control},
+      {"linear", 1, {{control, 100}, {control, 250}, {control, 50}}, control},
+      {"spherical", 1, {{control, 14}, {all_rotations, 113}}, all_rotations},
+      {"spherical", 1, {{all_rotations, 400}}, all_rotations},
+      {"spherical", 3, {{turned, 200}}, turned},
+      {"spherical", 1, {{halves(0, 1, control, control), 12}, {turned, 24}}, turned},
+      {"spherical", 1, {{halves(0, 1, turned, halves(0, 1, control, control)), 8}, {turned, 264}}, all_rotations},
+      {"dual_quaternion", 1, {{control, 37}, {reached, 30}}, control},
+      {"dual_quaternion", 1, {{reached, 400}}, reached},
+      {"dual_quaternion", 1, {{halves(0, 1, control, control), 26}, {reached, 23}}, reached},
+  };
+  CheckedFolder folder;
+  Texts expected;
+  const auto add = [&](const json& document, const char* reason) { folder.add(sealed(document)), expected.push_back(reason); };
+  const char *too_much = "too much work", *little = "the ball";  // of a bound is outside, or is smaller
+  for (const auto& s : sized) {
+    const json whole = of_sizes(s.skinning, s.joints, s.sizes);
+    auto more = s.sizes;
+    more.push_back({s.least, 1});
+    const json beyond = of_sizes(s.skinning, s.joints, more);
+    add(with_denominators(whole, 6144), little), add(with_denominators(whole, 6399), little);
+    add(with_denominators(beyond, 6144), too_much), add(with_denominators(beyond, 6143), little);
+    add(with_denominators(whole, 6400), too_much);
+    for (const char* longer : {"2", "-2"}) {
+      json changed = with_denominators(whole, 6399);
+      changed["pieces"][0]["reference"]["center"][2] = longer;
+      add(changed, too_much);
+    }
+  }
+  const json one = with_corners("linear", 1, control);
+  add(with_denominators(one, 8192), little), add(with_denominators(one, 8193), "the common denominator has more than 8192 bits");
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!lines[i].is_rejected_for(expected[i])) return Checked(false, long(i), std::to_string(i) + ": " + lines[i].text);
+  return Checked(true, long(lines.size()));
+}
+
+// As many denominators as a file has room for: their least common multiple alone would take minutes.
+Checked check_many_denominators() {
+  json many = with_corners("spherical", 1, control);
+  for (int i = 0; i < 12000; ++i) {
+    json q = {"1"};
+    for (int k = 0; k < 3; ++k) q.push_back("1/1" + std::string(380, '0') + std::to_string(100001 + 6 * i + 2 * k));
+    many["joint_sets"][0]["rotations"].push_back(q);
+  }
+  CheckedFolder folder;
+  folder.add(sealed(many));
+  const auto line = folder.check()[0];
+  return Checked(line.is_rejected_for("the common denominator has more than 8192 bits"), 36000, line.text);
+}
+
 // --- Names and texts from outside ---
 
 // Each line begins with a verdict, is printable ASCII, and there are as many as files.
@@ -459,6 +562,11 @@ Checked check_statuses() {
   std::filesystem::create_directories(odd + "/folder.json");
   std::filesystem::create_symlink(absent, odd + "/link.json");
   std::ofstream(odd + "/z.json") << sealed(good);
+  const std::string pipes = folder.file("pipes");
+  std::filesystem::create_directories(pipes);
+  if (::mkfifo((pipes + "/a.json").c_str(), 0600) != 0) return Checked(false, 0, "no pipe could be made");
+  std::filesystem::create_symlink("/dev/zero", pipes + "/b.json");
+  std::ofstream(pipes + "/c.json") << sealed(good);
   struct Case {
     std::string arguments;
     int status;
@@ -473,7 +581,9 @@ Checked check_statuses() {
                         {absent + " " + rejected + " " + accepted, 2, {"unreadable", "rejected", "accepted"}},
                         {rejected + " " + absent, 2, {"rejected", "unreadable"}},
                         {accepted + " " + empty.path(), 2, {"accepted", "unreadable"}},
-                        {odd, 2, {"unreadable", "unreadable", "accepted"}}};
+                        {odd, 2, {"unreadable", "unreadable", "accepted"}},
+                        {pipes, 2, {"unreadable", "unreadable", "accepted"}},
+                        {accepted + " " + pipes + "/a.json", 2, {"accepted", "unreadable"}}};
   for (const Case& c : cases) {
     const auto run = oracle::run_checker(c.arguments);
     bool is_said = run.status == c.status && run.lines.size() == c.verdicts.size();
@@ -492,6 +602,8 @@ PROPTEST(check) {
   t.example("each condition broken alone is rejected for its reason", {}, check_broken);
   t.example("another digest is rejected", {}, check_digests);
   t.example("what would take long is rejected before it begins", {}, check_work);
+  t.example("the work that is allowed, and one unit more", {}, check_work_edges);
+  t.example("a file full of denominators is rejected before they are multiplied", {}, check_many_denominators);
   t.example("no name and no text of a file forges a verdict", {}, check_names);
   t.example("exit status and verdicts of files that are accepted, rejected and unreadable", {}, check_statuses);
 }
