@@ -206,6 +206,21 @@ PROPTEST(load) {
     const Model text = load_model(folder.file("rig.gltf")), binary = load(gen::bending_tube(3));
     return Checked(text.vertices == binary.vertices && text.triangles == binary.triangles);
   });
+  t.example("accessors that share one view, each from its own offset, load as those that have a view each", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.gltf");
+    write_gltf(gen::bending_tube(3), path);
+    auto shared = nlohmann::json::parse(read_all(path));
+    for (auto& accessor : shared["accessors"]) {
+      const std::size_t view = accessor["bufferView"];
+      accessor["byteOffset"] = shared["bufferViews"][view]["byteOffset"];
+      accessor["bufferView"] = 0;
+    }
+    shared["bufferViews"][0]["byteLength"] = shared["buffers"][0]["byteLength"];
+    write_all(path, shared.dump());
+    const Model one = load_model(path), each = load(gen::bending_tube(3));
+    return Checked(one.vertices == each.vertices && one.triangles == each.triangles && one.joints.size() == each.joints.size());
+  });
   t.example("vertices of one position are one exactly where their weights agree", {}, [] {
     RiggedGltf seams = gen::bending_tube(3);
     gen::GltfMesh& mesh = seams.meshes[0];
@@ -417,7 +432,15 @@ PROPTEST(load) {
     const std::size_t joints = changed["meshes"][0]["primitives"][0]["attributes"]["JOINTS_1"];
     changed["accessors"][joints]["componentType"] = 5121;
     write_all(path, changed.dump());
-    return Checked(good && refuses(path, {"mesh 0", "set 1 do not fit the vertices"}).passed, 3);
+    good = good && refuses(path, {"mesh 0", "set 1 do not fit the vertices"}).passed;
+    for (const char* list : {"JOINTS_0", "WEIGHTS_0"}) {  // three a vertex
+      changed = whole;
+      const std::size_t accessor = changed["meshes"][0]["primitives"][0]["attributes"][list];
+      changed["accessors"][accessor]["type"] = "VEC3";
+      write_all(path, changed.dump());
+      good = good && refuses(path, {"mesh 0", "set 0 do not fit the vertices"}).passed;
+    }
+    return Checked(good, 5);
   });
   t.example("refused: a binary glTF file whose length, or whose chunk's, is more than there is, by however little", {}, [] {
     const Folder folder;
