@@ -220,6 +220,37 @@ struct Broken {
   const char* reason;
 };
 
+// Lists of a fixed length with an item less and one more, objects with a member less and one more, and neither.
+void add_other_shapes(const json& good, const Texts& lists, const Texts& objects, std::vector<Broken>& out) {
+  const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
+    json changed = good;
+    changed[json::json_pointer(pointer)] = value;
+    out.push_back({pointer + " = " + value.dump(), changed, reason});
+  };
+  for (const std::string& place : lists) {
+    const json list = good.at(json::json_pointer(place));
+    json less = list, more = list;
+    less.erase(list.size() - 1), more.push_back(list.back());
+    with(place, less, " items, not "), with(place, more, " items, not ");
+    for (const json& none : {json::array(), json::object(), json("012"), json(nullptr), json{{"0", "1"}, {"1", "1"}, {"2", "1"}}})
+      with(place, none, "is no list of something");
+  }
+  for (const std::string& place : objects) {
+    const json object = good.at(json::json_pointer(place));
+    for (const auto& [name, member] : object.items()) {
+      json less = object;
+      less.erase(name);
+      if (name != "skinning") with(place, less, name == "by" ? "no bound of this skinning" : "has not the members");
+    }
+    json more = object;
+    more["more"] = "1";
+    with(place, more, "has not the members");
+    if (place.empty()) continue;
+    for (const json& none : {json::array({"1"}), json("1"), json(nullptr)})
+      with(place, none, place.find("/bound") != std::string::npos ? "is no dict" : "has not the members");
+  }
+}
+
 std::vector<Broken> broken_documents() {
   std::vector<Broken> out;
   const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
@@ -256,11 +287,26 @@ std::vector<Broken> broken_documents() {
     with(at + "joint_set", "0", "joint_set is no int");
     with(at + "joint_set", 0.0, "no integer");
     with(at + "joint_set", 1234567890, "no integer");
+    with(at + "joint_set", 123456789, "joint_set is none of them");
     with(at + "corners", json::array(), "is no list of something");
     with(at + "bound/axis", unturned, "has not the members");
     with(at + "bound/by", "all_rotations", "no bound of this skinning");
     with(at + "bound/by", "halves", "no bound of this skinning");
   }
+  add_other_shapes(good, {"/ball/center", "/pieces/2/reference/center", "/joint_sets/0/rotations/2", "/joint_sets/0/translations/1"},
+                   {"", "/ball", "/joint_sets/0", "/pieces/0", "/pieces/2", "/pieces/1/reference", "/pieces/1/bound"}, out);
+  const auto alone_with = [&](const char* skinning, const json& bound) {
+    return document(skinning, repeated(unturned, 3), repeated(skinning == std::string("spherical") ? origin : zero_dual, 3),
+                    piece(units, small, bound), ball(origin, "1000"));
+  };
+  const Texts in_halves{"/pieces/0/bound/edge", "/pieces/0/bound/halves"};
+  add_other_shapes(alone_with("spherical", cap(unturned)),
+                   {"/joint_sets/0/center_images/2", "/joint_sets/0/rotation_center", "/pieces/0/bound/axis"},
+                   {"/joint_sets/0", "/pieces/0/bound"}, out);
+  add_other_shapes(alone_with("spherical", halves(0, 1, control, control)), in_halves, {"/pieces/0/bound", "/pieces/0/bound/halves/1"}, out);
+  add_other_shapes(alone_with("dual_quaternion", reach(unturned, origin)),
+                   {"/joint_sets/0/duals/2", "/pieces/0/bound/axis", "/pieces/0/bound/center"}, {"/joint_sets/0", "/pieces/0/bound"}, out);
+  add_other_shapes(alone_with("dual_quaternion", halves(0, 1, control, control)), in_halves, {"/pieces/0/bound"}, out);
   for (const char* number : {"1.0", "1e0", "+1", " 1", "1 ", "1\n", "1_0", "0x1", "1/", "/1", "1/0", "1/-1", "1/+1", "--1", "", "-", "inf", "NaN",
                              "1/01", "\u00b2", "1/1/1"})
     for (const char* place : {"/ball/radius", "/ball/center/0", "/ball/center/2", "/joint_sets/0/rotations/1/3", "/joint_sets/0/translations/2/0"})
@@ -334,6 +380,24 @@ Checked check_digests() {
   for (std::size_t i = 1; i < lines.size(); ++i)
     if (!lines[i].is_rejected_for("digest")) return Checked(false, long(i), lines[i].text);
   return Checked(lines[0].is_accepted(), long(lines.size()), lines[0].text);
+}
+
+// The same document in other layouts, each with the digest of that layout where it has a place for it.
+Checked check_layouts() {
+  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const std::string text = sealed(good);
+  std::string late = text;  // the keys in another order
+  const std::string about = " \"about\": \"\",\n", last = " \"skinning\": \"linear\"\n";
+  late.erase(late.find(about), about.size());
+  late.replace(late.find(last), last.size(), " \"skinning\": \"linear\",\n \"about\": \"\"\n");
+  CheckedFolder folder;
+  for (const std::string& other : Texts{text.substr(0, text.size() - 1), text + "\n", text + " ", " " + text, text + "\r\n", late,
+                                        json::parse(text).dump() + "\n", json::parse(text).dump(2) + "\n", "[]\n", "[\n 1\n]\n", "\"x\"\n"})
+    folder.add(other);
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!lines[i].is_rejected_for("canonical form")) return Checked(false, long(i), lines[i].text);
+  return Checked(true, long(lines.size()));
 }
 
 // --- Work ---
@@ -601,6 +665,7 @@ PROPTEST(check) {
             check_tight);
   t.example("each condition broken alone is rejected for its reason", {}, check_broken);
   t.example("another digest is rejected", {}, check_digests);
+  t.example("another layout of the same document is rejected", {}, check_layouts);
   t.example("what would take long is rejected before it begins", {}, check_work);
   t.example("the work that is allowed, and one unit more", {}, check_work_edges);
   t.example("a file full of denominators is rejected before they are multiplied", {}, check_many_denominators);
