@@ -321,6 +321,11 @@ std::vector<Broken> broken_documents() {
     const bool is_dual = skinning != std::string("spherical");
     out.push_back({what, document(skinning, rotations, repeated(is_dual ? zero_dual : origin, 3), {piece(units, small, bound)}, ball(origin, "1000")), reason});
   };
+  // That of all three is at the distance 5 / sqrt 3, all others at sqrt 5 at most.
+  out.push_back({"the control point of three different corners",
+                 document("spherical", {{"1", "1", "0", "0"}, {"1", "0", "1", "0"}, {"1", "0", "0", "1"}}, repeated(origin, 3),
+                          {piece(units, ball(point("1", "1", "1"), "0"), control)}, ball(origin, "57/20")),
+                 "a control point is outside"});
   const json across = {"0", "1", "0", "0"};
   for (int k = 0; k < 3; ++k) {
     json turned = repeated(unturned, 3);
