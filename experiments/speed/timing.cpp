@@ -2,8 +2,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-
 namespace refitlab {
 namespace {
 
@@ -55,18 +53,6 @@ Times ns_per_item(const std::vector<Timed>& calls, const SpeedSettings& settings
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::ClearRegisteredBenchmarks();
   return collector.times;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double median_ratio(const std::vector<double>& times, const std::vector<double>& base) {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < times.size(); ++i) ratios.push_back(times[i] / base[i]);
-  return median(ratios);
 }
 
 }  // namespace refitlab

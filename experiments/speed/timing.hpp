@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/speed/statistics.hpp"  // of what ns_per_item returns
+
 namespace refitlab {
 
 struct SpeedSettings {
@@ -27,11 +29,5 @@ enum class Clock {
 // By name, one entry a repetition; the calls are made by this thread.
 std::map<std::string, std::vector<double>> ns_per_item(const std::vector<Timed>& calls, const SpeedSettings& settings,
                                                        Clock clock = Clock::processor);
-
-// values is not empty.
-double median(std::vector<double> values);
-
-// The median over the repetitions of the ratio in the same repetition.
-double median_ratio(const std::vector<double>& times, const std::vector<double>& base);
 
 }  // namespace refitlab

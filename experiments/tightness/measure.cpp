@@ -93,17 +93,6 @@ class PostureMeasurement {
 
 }  // namespace
 
-void LevelTightness::merge(const LevelTightness& o) {
-  nodes += o.nodes;
-  undefined += o.undefined;
-  radius_min = std::min(radius_min, o.radius_min);
-  radius_max = std::max(radius_max, o.radius_max);
-  radius_sum += o.radius_sum;
-  optimal_sum += o.optimal_sum;
-  misses += o.misses;
-  worst_miss = std::max(worst_miss, o.worst_miss);
-}
-
 std::vector<std::string> tightness_columns() {
   std::vector<std::string> columns{"reference"};
   for (const Contender& c : contenders()) {

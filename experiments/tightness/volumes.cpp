@@ -134,16 +134,6 @@ std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& po
 
 }  // namespace
 
-void LevelVolumes::merge(const LevelVolumes& o) {
-  nodes += o.nodes;
-  misses += o.misses;
-  size_sum += o.size_sum;
-  optimal_sum += o.optimal_sum;
-  ball_sum += o.ball_sum;
-  solid_nodes += o.solid_nodes;
-  volume_ratio_sum += o.volume_ratio_sum;
-}
-
 void run_volumes(const Character& c, const NamedPosture& posture, const VolumeSettings& settings,
                  VolumeResults& results) {
   auto sets = posture_sets(c.model, settings.times_per_clip);

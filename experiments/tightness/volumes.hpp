@@ -11,24 +11,9 @@
 
 #include "experiments/scenes/scenes.hpp"
 #include "experiments/speed/timing.hpp"
+#include "experiments/tightness/levels.hpp"
 
 namespace refitlab {
-
-// Of one variant's volumes on one level, over the postures of a set.
-struct LevelVolumes {
-  long nodes = 0;   // volumes seen
-  long misses = 0;  // of them with a deformed vertex outside, by more than rounding
-  double size_sum = 0;
-  double optimal_sum = 0;       // of the sizes of the same kind of volume around the deformed vertices themselves
-  double ball_sum = 0;          // of the radii of the same nodes' balls of control_mixed
-  long solid_nodes = 0;         // those with a ball that has a volume
-  double volume_ratio_sum = 0;  // of these nodes, volume / volume of that ball
-  double size_avg() const { return size_sum / static_cast<double>(nodes); }
-  double ratio_to_optimal() const { return size_sum / optimal_sum; }
-  double size_to_ball() const { return size_sum / ball_sum; }
-  double volume_to_ball() const { return volume_ratio_sum / static_cast<double>(solid_nodes); }
-  void merge(const LevelVolumes& other);
-};
 
 struct VolumeResult {
   std::string model, posture, posture_kind;

@@ -155,6 +155,24 @@ PROPTEST(bound) {
   t.holds("spherical blending: caps are tried first, about both axes", {.cases = 150}, [] { check_first_tried(Skinning::spherical); });
   t.holds("dual quaternions: the reach is tried first, about the mean image", {.cases = 150},
           [] { check_first_tried(Skinning::dual_quaternion); });
+  t.example("corners at a right angle have no control points before they are halved", {}, [] {
+    for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
+      const SkinnedPiece piece(skinning, pose_of({{1, 0, 0, 0}, {0, 1, 0, 0}}), {{1, 0}, {0, 1}}, {{0, 0, 1}, 0});
+      const auto bound = found(piece, {{10, 0, 0}, 10.5});
+      if (!bound || bound->by != By::halves) return false;
+    }
+    return true;
+  });
+  t.example("a corner behind the axis, or at a right angle to it, has no cap and no reach", {}, [] {
+    for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion})
+      for (const Quaternion<double>& last : {Quaternion<double>{-1, 0, 0, 0}, {-2, 0, 0, 0}, {-2, 1, 0, 0}}) {
+        const std::vector<std::vector<double>> all{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const SkinnedPiece piece(skinning, pose_of({{1, 0, 0, 0}, {1, 0, 0, 0}, last}), all, {{0, 0, 3}, 1});
+        if (found(piece, {{0, 0, 3}, 1.5})) return false;
+      }
+    const SkinnedPiece zero(Skinning::spherical, pose_of({{1, 0, 0, 0}, {0, 0, 0, 0}}), {{1, 0}, {0, 1}}, {{3, 0, 0}, 1});
+    return !found(zero, {{3, 0, 0}, 1.5}) && found(zero, {{0, 0, 0}, 4})->by == By::all_rotations;
+  });
   t.example("corners so long that their mean overflows have no axis, and no error", {}, [] {
     const SkinnedPiece piece(Skinning::dual_quaternion, pose_of({{1.5e308, 0, 0, 0}, {1.5e308, 1e300, 0, 0}}), {{1, 0}, {0, 1}},
                              {{0, 0, 0}, 1});

@@ -1,5 +1,8 @@
 // The independent checker, proptests/certificate/check: each of its conditions at its edge, what it says of hostile files,
 // and that it refuses what would take long before it begins.
+#include <sys/stat.h>
+
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -217,6 +220,37 @@ struct Broken {
   const char* reason;
 };
 
+// Lists of a fixed length with an item less and one more, objects with a member less and one more, and neither.
+void add_other_shapes(const json& good, const Texts& lists, const Texts& objects, std::vector<Broken>& out) {
+  const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
+    json changed = good;
+    changed[json::json_pointer(pointer)] = value;
+    out.push_back({pointer + " = " + value.dump(), changed, reason});
+  };
+  for (const std::string& place : lists) {
+    const json list = good.at(json::json_pointer(place));
+    json less = list, more = list;
+    less.erase(list.size() - 1), more.push_back(list.back());
+    with(place, less, " items, not "), with(place, more, " items, not ");
+    for (const json& none : {json::array(), json::object(), json("012"), json(nullptr), json{{"0", "1"}, {"1", "1"}, {"2", "1"}}})
+      with(place, none, "is no list of something");
+  }
+  for (const std::string& place : objects) {
+    const json object = good.at(json::json_pointer(place));
+    for (const auto& [name, member] : object.items()) {
+      json less = object;
+      less.erase(name);
+      if (name != "skinning") with(place, less, name == "by" ? "no bound of this skinning" : "has not the members");
+    }
+    json more = object;
+    more["more"] = "1";
+    with(place, more, "has not the members");
+    if (place.empty()) continue;
+    for (const json& none : {json::array({"1"}), json("1"), json(nullptr)})
+      with(place, none, place.find("/bound") != std::string::npos ? "is no dict" : "has not the members");
+  }
+}
+
 std::vector<Broken> broken_documents() {
   std::vector<Broken> out;
   const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
@@ -253,11 +287,26 @@ std::vector<Broken> broken_documents() {
     with(at + "joint_set", "0", "joint_set is no int");
     with(at + "joint_set", 0.0, "no integer");
     with(at + "joint_set", 1234567890, "no integer");
+    with(at + "joint_set", 123456789, "joint_set is none of them");
     with(at + "corners", json::array(), "is no list of something");
     with(at + "bound/axis", unturned, "has not the members");
     with(at + "bound/by", "all_rotations", "no bound of this skinning");
     with(at + "bound/by", "halves", "no bound of this skinning");
   }
+  add_other_shapes(good, {"/ball/center", "/pieces/2/reference/center", "/joint_sets/0/rotations/2", "/joint_sets/0/translations/1"},
+                   {"", "/ball", "/joint_sets/0", "/pieces/0", "/pieces/2", "/pieces/1/reference", "/pieces/1/bound"}, out);
+  const auto alone_with = [&](const char* skinning, const json& bound) {
+    return document(skinning, repeated(unturned, 3), repeated(skinning == std::string("spherical") ? origin : zero_dual, 3),
+                    piece(units, small, bound), ball(origin, "1000"));
+  };
+  const Texts in_halves{"/pieces/0/bound/edge", "/pieces/0/bound/halves"};
+  add_other_shapes(alone_with("spherical", cap(unturned)),
+                   {"/joint_sets/0/center_images/2", "/joint_sets/0/rotation_center", "/pieces/0/bound/axis"},
+                   {"/joint_sets/0", "/pieces/0/bound"}, out);
+  add_other_shapes(alone_with("spherical", halves(0, 1, control, control)), in_halves, {"/pieces/0/bound", "/pieces/0/bound/halves/1"}, out);
+  add_other_shapes(alone_with("dual_quaternion", reach(unturned, origin)),
+                   {"/joint_sets/0/duals/2", "/pieces/0/bound/axis", "/pieces/0/bound/center"}, {"/joint_sets/0", "/pieces/0/bound"}, out);
+  add_other_shapes(alone_with("dual_quaternion", halves(0, 1, control, control)), in_halves, {"/pieces/0/bound"}, out);
   for (const char* number : {"1.0", "1e0", "+1", " 1", "1 ", "1\n", "1_0", "0x1", "1/", "/1", "1/0", "1/-1", "1/+1", "--1", "", "-", "inf", "NaN",
                              "1/01", "\u00b2", "1/1/1"})
     for (const char* place : {"/ball/radius", "/ball/center/0", "/ball/center/2", "/joint_sets/0/rotations/1/3", "/joint_sets/0/translations/2/0"})
@@ -272,6 +321,11 @@ std::vector<Broken> broken_documents() {
     const bool is_dual = skinning != std::string("spherical");
     out.push_back({what, document(skinning, rotations, repeated(is_dual ? zero_dual : origin, 3), {piece(units, small, bound)}, ball(origin, "1000")), reason});
   };
+  // That of all three is at the distance 5 / sqrt 3, all others at sqrt 5 at most.
+  out.push_back({"the control point of three different corners",
+                 document("spherical", {{"1", "1", "0", "0"}, {"1", "0", "1", "0"}, {"1", "0", "0", "1"}}, repeated(origin, 3),
+                          {piece(units, ball(point("1", "1", "1"), "0"), control)}, ball(origin, "57/20")),
+                 "a control point is outside"});
   const json across = {"0", "1", "0", "0"};
   for (int k = 0; k < 3; ++k) {
     json turned = repeated(unturned, 3);
@@ -331,6 +385,24 @@ Checked check_digests() {
   for (std::size_t i = 1; i < lines.size(); ++i)
     if (!lines[i].is_rejected_for("digest")) return Checked(false, long(i), lines[i].text);
   return Checked(lines[0].is_accepted(), long(lines.size()), lines[0].text);
+}
+
+// The same document in other layouts, each with the digest of that layout where it has a place for it.
+Checked check_layouts() {
+  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const std::string text = sealed(good);
+  std::string late = text;  // the keys in another order
+  const std::string about = " \"about\": \"\",\n", last = " \"skinning\": \"linear\"\n";
+  late.erase(late.find(about), about.size());
+  late.replace(late.find(last), last.size(), " \"skinning\": \"linear\",\n \"about\": \"\"\n");
+  CheckedFolder folder;
+  for (const std::string& other : Texts{text.substr(0, text.size() - 1), text + "\n", text + " ", " " + text, text + "\r\n", late,
+                                        json::parse(text).dump() + "\n", json::parse(text).dump(2) + "\n", "[]\n", "[\n 1\n]\n", "\"x\"\n"})
+    folder.add(other);
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!lines[i].is_rejected_for("canonical form")) return Checked(false, long(i), lines[i].text);
+  return Checked(true, long(lines.size()));
 }
 
 // --- Work ---
@@ -397,6 +469,106 @@ Checked check_work() {
                  long(lines.size()), lines[at].text + lines[at + 1].text + lines[at + 2].text);
 }
 
+// --- The edge of what is too much work ---
+
+// The document with a ball far too small, which is seen without work, and denominators whose least common multiple has
+// exactly so many bits.
+json with_denominators(json document, int bits) {
+  struct Power {
+    int base, exponent;
+    const char* place;
+  };
+  static const Power powers[] = {{3, 830, "/ball/center/0"}, {5, 570, "/ball/center/1"}, {7, 470, "/ball/center/2"},
+                                 {11, 380, "/pieces/0/reference/center/0"}, {13, 355, "/pieces/0/reference/center/1"},
+                                 {17, 320, "/pieces/0/reference/center/2"}};
+  const auto put = [&](int base, int exponent, const char* place) {
+    Rational number(1);
+    for (int i = 0; i < exponent; ++i) number /= base;
+    document[json::json_pointer(place)] = as_text(number);
+  };
+  double odd = 0;
+  for (const Power& p : std::span(powers, bits > 7000 ? 6 : 4)) {
+    put(p.base, p.exponent, p.place);
+    odd += p.exponent * std::log2(p.base);
+  }
+  put(2, bits - static_cast<int>(std::floor(odd)) - 1, "/ball/radius");
+  return document;
+}
+
+struct Sized {
+  json bound;
+  std::size_t corners;
+};
+
+json of_sizes(const char* skinning, std::size_t joints, const std::vector<Sized>& sizes) {
+  const json data = skinning == std::string("dual_quaternion") ? zero_dual : origin;
+  json weights = repeated("0", joints), pieces = json::array();
+  weights[0] = "1";
+  for (const Sized& s : sizes) pieces.push_back(piece(repeated(weights, s.corners), ball(origin, "1"), s.bound));
+  return document(skinning, repeated(unturned, joints), repeated(data, joints), pieces, ball(origin, "1"));
+}
+
+// With 6144 to 6399 bits a unit of work counts as 25^2, so that 800 of them are all that is allowed.
+Checked check_work_edges() {
+  const json turned = cap(unturned), reached = reach(unturned, origin);
+  const struct {
+    const char* skinning;
+    std::size_t joints;
+    std::vector<Sized> sizes;  // 800 in all: m n, (m + d - 1 choose d) for each bound
+    json least;                // of two units for one joint and corner
+  } sized[] = {
+      {"linear", 1, {{control, 400}}, control},
+      {"linear", 9, {{control, 80}}, control},
+      {"linear", 1, {{control, 100}, {control, 250}, {control, 50}}, control},
+      {"spherical", 1, {{control, 14}, {all_rotations, 113}}, all_rotations},
+      {"spherical", 1, {{all_rotations, 400}}, all_rotations},
+      {"spherical", 3, {{turned, 200}}, turned},
+      {"spherical", 1, {{halves(0, 1, control, control), 12}, {turned, 24}}, turned},
+      {"spherical", 1, {{halves(0, 1, turned, halves(0, 1, control, control)), 8}, {turned, 264}}, all_rotations},
+      {"dual_quaternion", 1, {{control, 37}, {reached, 30}}, control},
+      {"dual_quaternion", 1, {{reached, 400}}, reached},
+      {"dual_quaternion", 1, {{halves(0, 1, control, control), 26}, {reached, 23}}, reached},
+  };
+  CheckedFolder folder;
+  Texts expected;
+  const auto add = [&](const json& document, const char* reason) { folder.add(sealed(document)), expected.push_back(reason); };
+  const char *too_much = "too much work", *little = "the ball";  // of a bound is outside, or is smaller
+  for (const auto& s : sized) {
+    const json whole = of_sizes(s.skinning, s.joints, s.sizes);
+    auto more = s.sizes;
+    more.push_back({s.least, 1});
+    const json beyond = of_sizes(s.skinning, s.joints, more);
+    add(with_denominators(whole, 6144), little), add(with_denominators(whole, 6399), little);
+    add(with_denominators(beyond, 6144), too_much), add(with_denominators(beyond, 6143), little);
+    add(with_denominators(whole, 6400), too_much);
+    for (const char* longer : {"2", "-2"}) {
+      json changed = with_denominators(whole, 6399);
+      changed["pieces"][0]["reference"]["center"][2] = longer;
+      add(changed, too_much);
+    }
+  }
+  const json one = with_corners("linear", 1, control);
+  add(with_denominators(one, 8192), little), add(with_denominators(one, 8193), "the common denominator has more than 8192 bits");
+  const auto lines = folder.check();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!lines[i].is_rejected_for(expected[i])) return Checked(false, long(i), std::to_string(i) + ": " + lines[i].text);
+  return Checked(true, long(lines.size()));
+}
+
+// As many denominators as a file has room for: their least common multiple alone would take minutes.
+Checked check_many_denominators() {
+  json many = with_corners("spherical", 1, control);
+  for (int i = 0; i < 12000; ++i) {
+    json q = {"1"};
+    for (int k = 0; k < 3; ++k) q.push_back("1/1" + std::string(380, '0') + std::to_string(100001 + 6 * i + 2 * k));
+    many["joint_sets"][0]["rotations"].push_back(q);
+  }
+  CheckedFolder folder;
+  folder.add(sealed(many));
+  const auto line = folder.check()[0];
+  return Checked(line.is_rejected_for("the common denominator has more than 8192 bits"), 36000, line.text);
+}
+
 // --- Names and texts from outside ---
 
 // Each line begins with a verdict, is printable ASCII, and there are as many as files.
@@ -459,6 +631,11 @@ Checked check_statuses() {
   std::filesystem::create_directories(odd + "/folder.json");
   std::filesystem::create_symlink(absent, odd + "/link.json");
   std::ofstream(odd + "/z.json") << sealed(good);
+  const std::string pipes = folder.file("pipes");
+  std::filesystem::create_directories(pipes);
+  if (::mkfifo((pipes + "/a.json").c_str(), 0600) != 0) return Checked(false, 0, "no pipe could be made");
+  std::filesystem::create_symlink("/dev/zero", pipes + "/b.json");
+  std::ofstream(pipes + "/c.json") << sealed(good);
   struct Case {
     std::string arguments;
     int status;
@@ -473,7 +650,9 @@ Checked check_statuses() {
                         {absent + " " + rejected + " " + accepted, 2, {"unreadable", "rejected", "accepted"}},
                         {rejected + " " + absent, 2, {"rejected", "unreadable"}},
                         {accepted + " " + empty.path(), 2, {"accepted", "unreadable"}},
-                        {odd, 2, {"unreadable", "unreadable", "accepted"}}};
+                        {odd, 2, {"unreadable", "unreadable", "accepted"}},
+                        {pipes, 2, {"unreadable", "unreadable", "accepted"}},
+                        {accepted + " " + pipes + "/a.json", 2, {"accepted", "unreadable"}}};
   for (const Case& c : cases) {
     const auto run = oracle::run_checker(c.arguments);
     bool is_said = run.status == c.status && run.lines.size() == c.verdicts.size();
@@ -491,7 +670,10 @@ PROPTEST(check) {
             check_tight);
   t.example("each condition broken alone is rejected for its reason", {}, check_broken);
   t.example("another digest is rejected", {}, check_digests);
+  t.example("another layout of the same document is rejected", {}, check_layouts);
   t.example("what would take long is rejected before it begins", {}, check_work);
+  t.example("the work that is allowed, and one unit more", {}, check_work_edges);
+  t.example("a file full of denominators is rejected before they are multiplied", {}, check_many_denominators);
   t.example("no name and no text of a file forges a verdict", {}, check_names);
   t.example("exit status and verdicts of files that are accepted, rejected and unreadable", {}, check_statuses);
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "proptests/gen/broken_rigs.hpp"
 #include "proptests/gen/random_rig.hpp"
@@ -205,6 +206,21 @@ PROPTEST(load) {
     const Model text = load_model(folder.file("rig.gltf")), binary = load(gen::bending_tube(3));
     return Checked(text.vertices == binary.vertices && text.triangles == binary.triangles);
   });
+  t.example("accessors that share one view, each from its own offset, load as those that have a view each", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.gltf");
+    write_gltf(gen::bending_tube(3), path);
+    auto shared = nlohmann::json::parse(read_all(path));
+    for (auto& accessor : shared["accessors"]) {
+      const std::size_t view = accessor["bufferView"];
+      accessor["byteOffset"] = shared["bufferViews"][view]["byteOffset"];
+      accessor["bufferView"] = 0;
+    }
+    shared["bufferViews"][0]["byteLength"] = shared["buffers"][0]["byteLength"];
+    write_all(path, shared.dump());
+    const Model one = load_model(path), each = load(gen::bending_tube(3));
+    return Checked(one.vertices == each.vertices && one.triangles == each.triangles && one.joints.size() == each.joints.size());
+  });
   t.example("vertices of one position are one exactly where their weights agree", {}, [] {
     RiggedGltf seams = gen::bending_tube(3);
     gen::GltfMesh& mesh = seams.meshes[0];
@@ -287,13 +303,33 @@ PROPTEST(load) {
                         complaint([](RiggedGltf& s) { s.clips[0].tracks[1].times = {1, 1}; }) +
                         complaint([](RiggedGltf& s) { s.clips[0].tracks[1].times = {0, 0}; }) +
                         complaint([](RiggedGltf& s) { s.clips.clear(); }) +
+                        complaint([](RiggedGltf& s) {
+                          for (auto& track : s.clips[0].tracks) track.times = {0}, track.values.resize(track.values.size() / 2);
+                        }) +
                         complaint([](RiggedGltf& s) { s.skins[0].inverse_bind.push_back(s.skins[0].inverse_bind[0]); });
     for (const auto& [a, b] : {std::pair{0.5f, 0.3999f}, {0.5f, 0.6001f}})
       if (complaint(weights(a, b)).empty()) wrong += "weights of " + std::to_string(a + b) + " load; ";
     if (complaint([](RiggedGltf& s) { s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size()); })
             .find("index 5 names a vertex out of range") == std::string::npos)
       wrong += "an index equal to the count loads; ";
-    return Checked(wrong.empty(), 12, wrong);
+    return Checked(wrong.empty(), 13, wrong);
+  });
+  t.example("quaternions in keys may be of any length but nearly 0", {}, [] {
+    const auto scaled = [](float by) {
+      RiggedGltf scene = gen::bending_tube(3);
+      for (auto& track : scene.clips[0].tracks)
+        if (track.path == "rotation")
+          for (float& x : track.values) x *= by;
+      return load(scene).clips[0].sample(0.7);
+    };
+    const Posture plain = scaled(1);
+    double worst = 0;
+    for (const float by : {1e-3f, 0.3f, 1e3f}) {
+      const Posture posture = scaled(by);
+      for (std::size_t j = 0; j < plain.size(); ++j)
+        worst = std::max(worst, norm<double, 4>(posture[j].rotation - plain[j].rotation));
+    }
+    return Checked(worst < 1e-5, 3, std::to_string(worst));
   });
   t.example("a posture between the times that loading checks is refused when it is sampled", {}, [] {
     RiggedGltf scene = gen::bending_tube(3);
@@ -376,6 +412,56 @@ PROPTEST(load) {
     };
     const bool version = refuses(edited("\"2.0\"", "\"1.0\""), {"version 1.0"}).passed;
     return Checked(version && refuses(edited("5126", "5121"), {"not of floats"}).passed, 2);
+  });
+  t.example("refused: a spline of two values a time, and joints whose sets have different component types", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.gltf");
+    RiggedGltf scene = gen::bending_tube(3);
+    for (auto& track : scene.clips[0].tracks) track.values.resize(2 * track.values.size());
+    auto& mesh = scene.meshes[0];
+    mesh.joints.push_back(mesh.joints[0]), mesh.weights.push_back(mesh.weights[0]);
+    for (auto& weights : mesh.weights[1]) weights = {0, 0, 0, 0};
+    write_gltf(scene, path);
+    const auto whole = nlohmann::json::parse(read_all(path));
+    bool good = refusal(path).empty();  // values to spare, and a set of weights that are 0
+    auto changed = whole;
+    for (auto& sampler : changed["animations"][0]["samplers"]) sampler["interpolation"] = "CUBICSPLINE";
+    write_all(path, changed.dump());
+    good = good && refuses(path, {"'bend'", "2 times but 4 values"}).passed;
+    changed = whole;
+    const std::size_t joints = changed["meshes"][0]["primitives"][0]["attributes"]["JOINTS_1"];
+    changed["accessors"][joints]["componentType"] = 5121;
+    write_all(path, changed.dump());
+    good = good && refuses(path, {"mesh 0", "set 1 do not fit the vertices"}).passed;
+    for (const char* list : {"JOINTS_0", "WEIGHTS_0"}) {  // three a vertex
+      changed = whole;
+      const std::size_t accessor = changed["meshes"][0]["primitives"][0]["attributes"][list];
+      changed["accessors"][accessor]["type"] = "VEC3";
+      write_all(path, changed.dump());
+      good = good && refuses(path, {"mesh 0", "set 0 do not fit the vertices"}).passed;
+    }
+    return Checked(good, 5);
+  });
+  t.example("refused: a binary glTF file whose length, or whose chunk's, is more than there is, by however little", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.glb");
+    write_glb(gen::bending_tube(3), path);
+    const std::string whole = read_all(path);
+    const auto word = [&](std::size_t at) {
+      std::uint32_t value;
+      std::memcpy(&value, whole.data() + at, 4);
+      return value;
+    };
+    std::string wrong;
+    for (const std::size_t at : {std::size_t{8}, 20 + std::size_t{word(12)}})  // of the file, of the second chunk
+      for (const std::uint32_t more : {1u, 4u, 8u}) {
+        std::string bytes = whole;
+        const std::uint32_t value = word(at) + more;
+        std::memcpy(bytes.data() + at, &value, 4);
+        write_all(path, bytes);
+        if (!refuses(path, {"ends early"}).passed) wrong += std::to_string(more) + " more at " + std::to_string(at) + "; ";
+      }
+    return Checked(wrong.empty(), 6, wrong);
   });
   t.example("refused: a glTF file whose description refers to what is not there", {}, [] {
     const struct {

@@ -94,6 +94,8 @@ std::vector<Broken> broken_scenes() {
        "node 'plain': its transform is singular"},
       {[](aiScene& s) { s.mRootNode->mTransformation.a1 = NAN; }, "node 'root': its transform is not finite"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = -1; }, "clip 'clip': its duration is not a time"},
+      {[](aiScene& s) { s.mAnimations[0]->mDuration = INFINITY; }, "clip 'clip': its duration is not a time"},
+      {[](aiScene& s) { s.mAnimations[0]->mDuration = NAN; }, "clip 'clip': its duration is not a time"},
       {[](aiScene& s) { s.mAnimations[0]->mChannels[1]->mNodeName = "root"; },
        "clip 'clip', joint 'root': two channels move it"},
       {[](aiScene& s) {

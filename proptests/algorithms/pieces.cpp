@@ -51,8 +51,8 @@ bool in_hull(const std::vector<oracle::Row>& corners, const oracle::Row& w) {
 }
 
 bool in_ball(const Ball3<double>& ball, const Point3& v) {
-  const Ball3<Rational> wider{convert<Rational>(ball.center), Rational(ball.radius) * Rational(1 + 1e-14)};
-  return encloses<Rational, 3>(wider, convert<Rational>(v)) == Verdict::holds;
+  const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
+  return encloses<Rational, 3>(exact, convert<Rational>(v)) == Verdict::holds;
 }
 
 // What is wrong with a node's pieces; empty if nothing is. At most `most` of its vertices are looked at.
@@ -65,6 +65,9 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOpt
   for (const int v : of_node) expected.insert(rig.sets.of_vertex(v));
   for (const auto& piece : node.joint_sets) seen.insert(piece.joint_set);
   if (seen != expected) return "the pieces' joint-sets are not those of the vertices";
+  const auto by_set = [](const NodeJointSet& a, const NodeJointSet& b) { return a.joint_set < b.joint_set; };
+  if (node.joint_sets.size() > 4 && !std::is_sorted(node.joint_sets.begin() + 4, node.joint_sets.end(), by_set))
+    return "behind those that come first, the joint-sets are not in order";
   if (options.vertices_per_control_point == 0 &&
       node.joint_sets.size() > std::max<std::size_t>(expected.size(), static_cast<std::size_t>(most_pieces)))
     return "too many pieces";
@@ -281,6 +284,32 @@ PROPTEST(pieces) {
       if (p.joints.size() == 2) by_place = by_place && p.weight_range > 0.4 && p.radius < 4;
     return Checked(ring_first && row_first && by_weight && by_place, 4,
                    std::to_string(ring_first) + std::to_string(row_first) + std::to_string(by_weight) + std::to_string(by_place));
+  });
+  t.example("of several weights that vary, the one that varies most is split, wherever it is in the joint-set", {}, [] {
+    bool good = true;
+    for (int widest = 0; widest < 3; ++widest) {
+      std::vector<Vertex> vertices;
+      for (int k = 0; k < 16; ++k) vertices.push_back({{k % 2 ? -10. : 10., 0, 0}, {{3, 1.0}}});
+      for (int k = 0; k < 64; ++k) {
+        // One weight runs from 1/4 to 3/4, the next takes most of what that leaves, and the third wavers.
+        const double most = 0.25 + k / 126., least = 0.0625 + (k * 29 % 64) / 4096.;
+        std::vector<Influence> influences{{widest, std::floor(0x1p24 * most) * 0x1p-24}, {(widest + 2) % 3, least}};
+        influences.push_back({(widest + 1) % 3, 1 - influences[0].weight - influences[1].weight});
+        std::sort(influences.begin(), influences.end(), [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+        vertices.push_back({{0, 0, 0}, influences});
+      }
+      const Rig rig = rig_of(vertices, 4);
+      const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {20});
+      const auto node = table.refit_node(rig.tree, 0, rig.pose);
+      for (const NodeJointSet& piece : node.joint_sets) {
+        if (rig.sets.joints(piece.joint_set).size() == 1) continue;
+        double low = 1, high = 0;
+        for (int k = 0; k < piece.corner_count; ++k)
+          low = std::min(low, node.corner(piece, k)[widest]), high = std::max(high, node.corner(piece, k)[widest]);
+        good = good && high - low < 0.1;
+      }
+    }
+    return Checked(good, 3);
   });
   t.example("a piece is split in halves of as many vertices each", {}, [] {
     std::vector<Vertex> row;

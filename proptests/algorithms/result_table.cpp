@@ -171,14 +171,17 @@ PROPTEST(result_table) {
                        no_column == folder.file("results.csv") + ": line 1: there is no column 'b'",
                    3, no_file + "; " + no_column);
   });
-  t.example("a row of too few values is refused when it is added", {}, [] {
+  t.example("a row of too few values or too many is refused when it is added", {}, [] {
     ResultFile file({"a", "b"});
-    try {
-      file.add({"1"});
-    } catch (const std::logic_error& e) {
-      return Checked(std::string(e.what()) == "a result row must have a value per column");
+    long refused = 0;
+    for (const std::vector<std::string>& row : {std::vector<std::string>{"1"}, {"1", "2", "3"}, {}}) {
+      try {
+        file.add(row);
+      } catch (const std::logic_error& e) {
+        refused += std::string(e.what()) == "a result row must have a value per column";
+      }
     }
-    return Checked(false);
+    return Checked(refused == 3, 3);
   });
 }
 

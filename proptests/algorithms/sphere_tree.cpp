@@ -69,11 +69,11 @@ std::string structural_fault(const SphereTree& tree, const Model& model, const T
   return levels == tree.level_count() ? "" : "number of levels";
 }
 
-// The balls hold their vertices (the radius is computed in double: up to 1e-15 of it), and none is larger than needed.
+// The balls hold their vertices exactly, and none is larger than needed.
 std::string ball_fault(const SphereTree& tree, const Model& model) {
   for (const TreeNode& n : tree.nodes) {
     std::vector<Ball<Rational, 3>> points;
-    Ball<Rational, 3> ball{convert<Rational>(n.reference.center), Rational(n.reference.radius) * Rational(1 + 1e-15)};
+    Ball<Rational, 3> ball{convert<Rational>(n.reference.center), Rational(n.reference.radius)};
     for (const int v : vertices_below(tree, model, n)) {
       points.push_back({convert<Rational>(model.vertices[v]), Rational(0)});
       if (encloses(ball, points.back().center) != Verdict::holds) return "a ball misses a vertex";

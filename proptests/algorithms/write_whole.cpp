@@ -1,7 +1,10 @@
 // Files that are written whole or not at all, under kill -9 and by several writers at once.
 #include "algorithms/results/write_whole.hpp"
 
+#include <sys/resource.h>
+
 #include <chrono>
+#include <csignal>
 #include <random>
 #include <set>
 #include <thread>
@@ -100,6 +103,25 @@ Checked threads_of_one_process() {
   return {!failed, 80};
 }
 
+// A file may have 1000 bytes: what is written of a longer one is less than all of it, and then nothing.
+Checked full_disk() {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("results.csv");
+  write_whole(path, "old");
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = message_of([&] { write_whole(path, std::string(5000, 'x')); });
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  const std::filesystem::directory_iterator files(folder.path());
+  return Checked(message == path + ": cannot write: File too large" && read_whole(path) == "old" &&
+                     std::distance(begin(files), end(files)) == 1, 1, message);
+}
+
 }  // namespace
 
 PROPTEST(write_whole) {
@@ -118,6 +140,7 @@ PROPTEST(write_whole) {
             killed_at_random_moments);
   t.example("a reader finds one of two writers' files, complete, whatever they do at once", {},
             two_writers_and_a_reader);
+  t.example("where there is no room the old file stays, alone, and the reason is told", {}, full_disk);
   t.example("threads of one process do not write into each other's temporary files", {}, threads_of_one_process);
   t.example("refused, with the path and the reason: a folder in place of the file, a file in place of the folder", {},
             [] {

@@ -15,7 +15,7 @@ namespace proptests::oracle {
 std::string checker() { return PROPTESTS_CHECKER; }
 
 CheckerRun run_checker(const std::string& path) {
-  std::FILE* pipe = ::popen(("ulimit -t 120; python3 '" + checker() + "' " + path + " 2>&1").c_str(), "r");
+  std::FILE* pipe = ::popen(("ulimit -t 120; timeout 300 python3 '" + checker() + "' " + path + " 2>&1").c_str(), "r");
   if (!pipe) throw std::runtime_error("cannot run " + checker());
   std::string text;
   std::array<char, 4096> buffer;
