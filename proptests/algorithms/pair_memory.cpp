@@ -1,0 +1,53 @@
+#include "algorithms/collide/pair_memory.hpp"
+
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using Pairs = std::vector<TrianglePair>;
+
+// Pairs (first, first + 100) and so on, as many as count says, in steps.
+Pairs pairs_from(int first, int count, int step = 1) {
+  Pairs out;
+  for (int i = 0; i < count; ++i) out.push_back({first + i * step, first + i * step + 100});
+  return out;
+}
+
+}  // namespace
+
+PROPTEST(pair_memory) {
+  t.example("the latest pairs are kept, the latest first, and the oldest is forgotten", {}, [] {
+    PairMemory memory;
+    bool ok = memory.pairs().empty();
+    for (int i = 0; i < 20; ++i) {
+      memory.remember(TrianglePair{i, i + 100});
+      const int known = std::min(i + 1, static_cast<int>(PairMemory::most));
+      ok = ok && memory.pairs() == pairs_from(i, known, -1);
+    }
+    return Checked(ok, 20);
+  });
+  t.example("a pair that is known moves to the front, and no other is forgotten for it", {}, [] {
+    PairMemory memory;
+    for (const TrianglePair& pair : pairs_from(0, PairMemory::most)) memory.remember(pair);
+    memory.remember(TrianglePair{0, 100});  // the oldest
+    Pairs expected = pairs_from(PairMemory::most - 1, PairMemory::most - 1, -1);
+    expected.insert(expected.begin(), {0, 100});
+    return memory.pairs() == expected;
+  });
+  t.example("of many pairs, as many as there is room for are kept, spread over all of them", {}, [] {
+    bool ok = true;
+    for (const int count : {0, 1, 7, 8, 9, 80}) {
+      PairMemory memory;
+      memory.remember(pairs_from(0, count));
+      const int kept = std::min(count, static_cast<int>(PairMemory::most));
+      Pairs expected;
+      for (int i = kept; i-- > 0;) expected.push_back({i * count / kept, i * count / kept + 100});
+      ok = ok && memory.pairs() == expected;
+    }
+    return Checked(ok, 6);
+  });
+}
+
+}  // namespace proptests
