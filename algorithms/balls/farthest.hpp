@@ -47,17 +47,19 @@ template <class S, int most>
 class Farthest {
  public:
   void see(const Pair<S>& values) {
-    const Pair<S> key = (Pair<S>)(((Pair<Int>)values & ~index_bits) | next_);
+    const Pair<Int> key = ((Pair<Int>)values & ~index_bits) | next_;
     greatest_ = greatest_ < values ? values : greatest_;
-    greatest_key_ = greatest_key_ < key ? key : greatest_key_;
+    // Chosen as integers: a maximum of two numbers is 0 where the processor takes both for zeros, and keeps no index.
+    const Pair<Int> is_greater = (Pair<S>)greatest_key_ < (Pair<S>)key;
+    greatest_key_ = (is_greater & key) | (~is_greater & greatest_key_);
     next_ -= Int(2);
   }
   S value() const { return max_of(S(greatest_[0]), S(greatest_[1])); }
   // Its index, or that of another that differs only in its last bits; the smallest index of equal ones. Of what was seen,
   // whatever the numbers were: NaNs, or keys that the processor takes for zeros, leave the first one.
   int index() const {
-    const Pair<Int> key = (Pair<Int>)greatest_key_;
-    return most - 1 - static_cast<int>((key[0] < key[1] ? key[1] : key[0]) & Int(most - 1));
+    const Int greatest = greatest_key_[0] < greatest_key_[1] ? greatest_key_[1] : greatest_key_[0];
+    return most - 1 - static_cast<int>(greatest & Int(most - 1));
   }
 
  private:
@@ -65,8 +67,8 @@ class Farthest {
   using Int = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
   static_assert((most & (most - 1)) == 0);
   static constexpr Pair<Int> index_bits{most - 1, most - 1};
-  Pair<Int> next_{most - 1, most - 2};
-  Pair<S> greatest_{}, greatest_key_ = (Pair<S>)next_;
+  Pair<Int> next_{most - 1, most - 2}, greatest_key_ = next_;
+  Pair<S> greatest_{};
 };
 
 }  // namespace refitlab

@@ -107,9 +107,30 @@ std::vector<Broken> broken_scenes() {
   };
 }
 
+// The scene's joints if its mesh has two bones of one node, whose offsets differ by this length.
+std::size_t joints_of_two_bones(double apart) {
+  const auto s = scene();
+  aiMesh& mesh = *s->mMeshes[0];
+  aiBone* const first = mesh.mBones[0];
+  auto* const second = new aiBone;
+  second->mName = first->mName;
+  second->mOffsetMatrix.a4 = static_cast<ai_real>(apart);
+  second->mNumWeights = 3;
+  second->mWeights = new aiVertexWeight[3]{{0, 0.5}, {1, 0.5}, {2, 0.5}};
+  for (unsigned w = 0; w < 3; ++w) first->mWeights[w].mWeight = 0.5;
+  delete[] mesh.mBones;
+  mesh.mBones = new aiBone* [2] { first, second };
+  mesh.mNumBones = 2;
+  return model_of_scene(*s, "memory").joints.size();
+}
+
 }  // namespace
 
 PROPTEST(model_of_scene) {
+  t.example("two bones of one node are one joint where their offsets agree up to float rounding, and else are two", {}, [] {
+    const std::size_t one = joints_of_two_bones(0);
+    return Checked(joints_of_two_bones(1e-7) == one && joints_of_two_bones(1e-5) == one + 1 && joints_of_two_bones(1e-3) == one + 1, 4);
+  });
   t.example("a scene with one thing wrong is refused with the file, the thing and the reason", {}, [] {
     std::string wrong = refusal(*scene());
     for (const Broken& broken : broken_scenes()) {

@@ -299,6 +299,26 @@ PROPTEST(reach_packs) {
     }
     return Checked(ok, 3 * 10 * count, text);
   });
+  t.example("what turns may add to the spread of a piece's box, and what its images may lack, is what reach_kernel.hpp says, rounded up", {}, [] {
+    bool ok = true;
+    long lanes = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const Character c(gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed}));
+      std::vector<int> nodes;
+      for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
+      const auto pieces = pieces_of_nodes(c, nodes);
+      for (const ReachPiecePack& pack : make_reach_packs(c, pieces))
+        for (int lane = 0; lane < reach_lanes; ++lane, ++lanes) {
+          const double n = pack.ball.joint_count[lane];
+          double squared_half = 0;
+          for (int i = 0; i < 3; ++i) squared_half += std::pow(static_cast<double>(pack.half[i][lane]), 2);
+          const double expected = std::sqrt(2 * n * (n - 1) * squared_half), spin = pack.spin[lane];
+          ok = ok && spin >= expected * (1 - 1e-12) && spin <= expected * (1 + 1e-5);
+          ok = ok && pack.box_unsolved[lane] >= std::sqrt(squared_half) * n / 64 * (1 - 1e-6);
+        }
+    }
+    return Checked(ok && lanes > 1000, lanes);
+  });
   t.example("nothing is known of nodes between joints half a turn apart", {}, [] {
     const Character c(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
     NodeReach nodes(c, {0});
