@@ -374,6 +374,22 @@ PROPTEST(cluster_collide) {
         }
         return Checked(ok, 3, text);
       });
+  t.example("where two men's reaches begin to meet, each box of the first one's root is counted as compared", {}, [] {
+    const Character man(make_man());
+    const ClusterTree tree(man);
+    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+    const Posture posture = man.model.clips[0].sample(0);
+    for (double distance = 5; distance > 0; distance -= 0.02) {
+      const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
+      a.begin(posture, {}), b.begin(posture, at);
+      QueryCounts counts;
+      collide(a, b, Query::full, counts);
+      if (counts.ball_tests == 1) continue;  // the reaches are apart
+      return Checked(counts.ball_tests >= 1 + tree.fans()[0].child_count && tree.fans()[0].child_count > 8, 1,
+                     std::to_string(counts.ball_tests) + " boxes are compared at " + std::to_string(distance));
+    }
+    return Checked(false, 0, "the reaches never meet");
+  });
   t.example(
       "triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
         Model m;
