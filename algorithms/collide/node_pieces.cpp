@@ -12,7 +12,7 @@ namespace {
 
 // A ball around the points whose numbers are floats.
 Ball3<double> float_ball(const std::vector<Point3>& points) {
-  const Point3 center = middle_of(points).cast<float>().cast<double>();
+  const Point3 center = smallest_ball<double, 3>(points).center.cast<float>().cast<double>();
   double radius = 0;
   for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
   return {center, float_above(radius * (1 + 1e-15))};
@@ -55,11 +55,6 @@ std::vector<NodePiece> pieces_of_nodes(const Character& c, std::span<const int> 
   std::vector<std::vector<int>> lists;
   for (const int n : nodes) lists.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
   return pieces_of_vertices(c, lists);
-}
-
-Point3 middle_of(const std::vector<Point3>& points) {
-  const Point3 center = smallest_ball<double, 3>(points).center;
-  return center.allFinite() ? center : points[0];
 }
 
 }  // namespace refitlab

@@ -26,7 +26,4 @@ struct NodePiece {
 std::vector<NodePiece> pieces_of_vertices(const Character& character, std::span<const std::vector<int>> lists);
 std::vector<NodePiece> pieces_of_nodes(const Character& character, std::span<const int> nodes);
 
-// The center of the smallest ball of points, or one of them where that is undefined: squares of tiny lengths underflow.
-Point3 middle_of(const std::vector<Point3>& points);
-
 }  // namespace refitlab

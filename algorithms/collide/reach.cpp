@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "algorithms/balls/smallest_ball.hpp"
 #include "algorithms/packs/float_environment.hpp"
 #include "algorithms/packs/look_up.hpp"
 #include "algorithms/skinning/rotation_center.hpp"
@@ -44,7 +45,7 @@ std::vector<Reach::Group> Reach::make_groups() const {
   const auto ball_of = [&](const std::vector<int>& list) {
     std::vector<Point3> points;
     for (const int s : list) points.insert(points.end(), vertices[s].begin(), vertices[s].end());
-    const Point3 center = skinning_ == Skinning::hejl ? priors[list[0]] : middle_of(points);
+    const Point3 center = skinning_ == Skinning::hejl ? priors[list[0]] : smallest_ball<double, 3>(points).center;
     double radius = 0;
     for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
     return Ball3<double>{center, radius};
