@@ -1,5 +1,5 @@
 # Fails if the OBJECTS compiled for a wider TARGET define a symbol that other code could be linked with in place of its own
-# (algorithms/packs/targets.hpp): all that they may define lies in the target's namespace. (DW.ref.* are
+# (algorithms/runtime/packs/targets.hpp): all that they may define lies in the target's namespace. (DW.ref.* are
 # pointers to the handlers of exceptions, the same everywhere.)
 execute_process(COMMAND ${NM} --defined-only --extern-only --format=posix ${OBJECTS} OUTPUT_VARIABLE symbols
                 COMMAND_ERROR_IS_FATAL ANY)

@@ -3,7 +3,8 @@
 #include <future>
 #include <iostream>
 
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
@@ -34,7 +35,7 @@ struct ModelResults {
 };
 
 // The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
-void draw_pictures(const Character& character, const NamedPosture& twist, const std::shared_future<NamedPosture>& worst,
+void draw_pictures(const AnimatedCharacter& character, const NamedPosture& twist, const std::shared_future<NamedPosture>& worst,
                    std::size_t index, std::size_t models, PictureTable& pictures) {
   if (index == 0) {
     draw_twist(character, twist, pictures);
@@ -51,8 +52,8 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
   std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
             << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
   const std::string identity = identify(model), of_model = " of " + model.name;
-  const Character character(std::move(model));
-  const NamedPosture twist = figure_twist(character.model);
+  const auto character = bake(std::move(model));
+  const NamedPosture twist = figure_twist(character);
   // Seconds of work: done when first asked for, which a resumed run may never do.
   const auto worst = std::async(std::launch::deferred, worst_twist, std::cref(character)).share();
   draw_pictures(character, twist, worst, index, models, pictures);

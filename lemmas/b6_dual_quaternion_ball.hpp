@@ -120,4 +120,4 @@ Verdict reach_is_distance(const DualQuaternionBlend<S>& blend, std::size_t k, co
 }  // namespace refitlab
 
 // Sources: none; for the blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"].
-// Used by: b7_reach; algorithms/certificate/bound.cpp, algorithms/refit/dual_quaternion.hpp.
+// Used by: b7_reach; algorithms/certificate/bound.cpp, algorithms/runtime/refit/dual_quaternion.hpp.

@@ -237,4 +237,4 @@ Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Ve
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: algorithms/collide/reach_lanes.hpp, experiments/drawings/control_hulls.cpp.
+// Used by: algorithms/runtime/collide/reach_lanes.hpp, experiments/drawings/control_hulls.cpp.

@@ -170,5 +170,5 @@ Verdict intersection_distance_printed(const SquaredBall<S, D>& ball) {
 }  // namespace refitlab
 
 // Sources: the paper; the plane is the radical plane of the two spheres.
-// Used by: lemma4_quaternion_hull, s43_distance_range; algorithms/refit/algorithm1_printed.hpp,
+// Used by: lemma4_quaternion_hull, s43_distance_range; algorithms/methods/refit/algorithm1_printed.hpp,
 // experiments/explorer/pages/lemma3.hpp, experiments/pictures/cap_figure.cpp.

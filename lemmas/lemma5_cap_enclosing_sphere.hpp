@@ -160,6 +160,6 @@ Verdict cap_ball_encloses_printed(const Cap<S, D>& cap, const Vec<S, D>& x) {
 }  // namespace refitlab
 
 // Sources: the paper; a ball is the smallest around the two ends of its diameter (folklore).
-// Used by: b4_cap_fallback, rotation_bound; algorithms/batch/node_refit.cpp, algorithms/refit/algorithm1_printed.hpp,
-// experiments/drawings/lemmas.cpp, experiments/explorer/pages/lemma5.hpp, experiments/explorer/pages/whole_sphere.hpp,
-// experiments/pictures/cap_figure.cpp.
+// Used by: b4_cap_fallback, rotation_bound; algorithms/methods/refit/algorithm1_printed.hpp,
+// algorithms/runtime/batch/node_refit.cpp, experiments/drawings/lemmas.cpp, experiments/explorer/pages/lemma5.hpp,
+// experiments/explorer/pages/whole_sphere.hpp, experiments/pictures/cap_figure.cpp.

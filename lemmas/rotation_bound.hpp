@@ -71,5 +71,5 @@ Ball3<S> rotated_ball(const RotationBound<S>& bound, const Vec<S, 3>& x) {
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: algorithms/batch/rotation_bound_packs.hpp, algorithms/refit/algorithm1_repaired.hpp,
-// algorithms/refit/control_hull.hpp, experiments/drawings/one_cap.cpp.
+// Used by: algorithms/runtime/batch/rotation_bound_packs.hpp, algorithms/runtime/refit/algorithm1_repaired.hpp,
+// algorithms/runtime/refit/control_hull.hpp, experiments/drawings/one_cap.cpp.

@@ -32,7 +32,7 @@ over that of the smallest ball of the deformed vertices, on the worst level of t
 `control_mixed` {worst['control_mixed']}, `control_clusters` {worst['control_clusters']}; in a joint twisted by 170 degrees or more `control_mixed` has at most {twist} on a
 level. Cost of a sphere against `spherical_repaired` in the same run: `control_mixed` {from_to(content.cost_ratios(results, 'control_mixed'))},
 `control_clusters` {from_to(content.cost_ratios(results, 'control_clusters'))}. Where anything is near, queries refit {from_to(content.fewer_spheres(results))} times fewer spheres
-with `control_mixed`. In batches of SIMD packs (`algorithms/batch`), all spheres of a tree by Algorithm 1 repaired cost 1/{min(gains):.0f} to
+with `control_mixed`. In batches of SIMD packs (`algorithms/runtime/batch`), all spheres of a tree by Algorithm 1 repaired cost 1/{min(gains):.0f} to
 1/{max(gains):.0f} of the same one by one.
 """
 

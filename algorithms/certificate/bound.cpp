@@ -1,8 +1,8 @@
 #include "algorithms/certificate/bound.hpp"
 
-#include "algorithms/packs/float_environment.hpp"
-#include "algorithms/refit/dual_quaternion.hpp"
-#include "algorithms/skinning/convert_pose.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/skinning/convert_pose.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b4_cap_fallback.hpp"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/tree/refit_node.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 
 namespace refitlab {
 

@@ -5,8 +5,8 @@
 
 #include "algorithms/certificate/bound.hpp"
 #include "algorithms/certificate/sha256.hpp"
-#include "algorithms/packs/float_environment.hpp"
-#include "algorithms/queries/refit_query.hpp"  // as_text
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace refitlab {
 namespace {

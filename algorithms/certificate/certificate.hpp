@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "algorithms/tree/refit_node.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 
 namespace refitlab {
 

@@ -9,7 +9,7 @@
 #include "algorithms/model/crash_guard.hpp"
 #include "algorithms/model/gltf_audit.hpp"
 #include "algorithms/model/model_of_scene.hpp"
-#include "algorithms/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {

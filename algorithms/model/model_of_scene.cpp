@@ -7,8 +7,8 @@
 
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/mesh_binding.hpp"
-#include "algorithms/packs/float_environment.hpp"
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 
 namespace refitlab {
 namespace {

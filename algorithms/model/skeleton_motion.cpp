@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "algorithms/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {

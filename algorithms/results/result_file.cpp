@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "algorithms/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 #include "refitlab_build.hpp"  // generated at build time: commit, compiler, flags
 

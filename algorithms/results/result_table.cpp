@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "algorithms/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/results/write_whole.hpp"
 
 namespace refitlab {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "algorithms/queries/score.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/verification/score.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/detector.hpp"
 #include "experiments/scenes/contenders.hpp"

@@ -2,8 +2,10 @@
 
 #include <iostream>
 
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/certificate.hpp"
-#include "algorithms/refit/character.hpp"
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/results/result_file.hpp"
 
 namespace refitlab {
@@ -32,16 +34,16 @@ std::pair<Posture, std::string> posture_of(const Model& model, const Certificate
 }  // namespace
 
 void write_certificate(const CertificateRequest& request, Model model) {
-  const RefitVariant& variant = refit_variant(request.variant);
+  const RefitVariant& variant = compared_variant(request.variant);
   const auto [posture, name] = posture_of(model, request);
-  const Character character(std::move(model));
+  const auto character = bake(std::move(model));
   const auto nodes = character.tree.nodes.size();
   if (request.node < 0 || static_cast<std::size_t>(request.node) >= nodes)
-    throw std::invalid_argument(character.model.name + ": no node " + std::to_string(request.node) + "; there are 0 to " +
+    throw std::invalid_argument(character.mesh.name + ": no node " + std::to_string(request.node) + "; there are 0 to " +
                                 std::to_string(nodes - 1));
   const std::string about =
-      "node " + std::to_string(request.node) + " of " + character.model.name + ", " + name + ", by " + variant.name;
-  const auto pose = make_skinning_pose(character.model, character.sets, posture, variant.skinning);
+      "node " + std::to_string(request.node) + " of " + character.mesh.name + ", " + name + ", by " + variant.name;
+  const auto pose = make_skinning_pose(character.mesh, character.sets, posture, variant.skinning);
   const auto node = character.refit_node(request.node, pose, variant.pieces);
   write_whole(request.file, certificate(node, variant.skinning, variant.refit(node), about));
   std::cout << "certificate of " << about << ": " << request.file << "\ncheck it: proptests/certificate/check "

@@ -1,6 +1,6 @@
 #include "experiments/collisions/clusters.hpp"
 
-#include "algorithms/collide/cluster_collide.hpp"
+#include "algorithms/runtime/collide/cluster_collide.hpp"
 
 namespace refitlab {
 namespace {

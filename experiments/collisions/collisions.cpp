@@ -57,9 +57,9 @@ StageTimes time_stages(Detector& detector, const Encounter& e, Query query) {
 }
 
 // Once through, with everything counted and checked.
-CollisionResult count(const Character& c, const Encounter& e, Query query, const DetectorKind& kind,
+CollisionResult count(const AnimatedCharacter& c, const Encounter& e, Query query, const DetectorKind& kind,
                       const PairLists& expected) {
-  CollisionResult out{c.model.name, e.name, kind.name, kind.origin, query};
+  CollisionResult out{c.mesh.name, e.name, kind.name, kind.origin, query};
   const double n = static_cast<double>(e.frames.size());
   const auto detector = kind.make(c);
   std::string frames;
@@ -73,7 +73,7 @@ CollisionResult count(const Character& c, const Encounter& e, Query query, const
     out.pairs += static_cast<double>(pairs.size()) / n;
   }
   if (static_cast<double>(out.differing_pairs) > kind.tolerated_share * static_cast<double>(of))
-    throw std::logic_error("collisions: " + kind.name + ", " + c.model.name + ", " + e.name + ", " + name_of(query) +
+    throw std::logic_error("collisions: " + kind.name + ", " + c.mesh.name + ", " + e.name + ", " + name_of(query) +
                            ": " + std::to_string(out.differing_pairs) + " pairs differ from the " + std::to_string(of) +
                            " expected ones, in frames" + frames);
   const DetectorCounts counts = detector->counts();
@@ -93,15 +93,15 @@ CollisionResult count(const Character& c, const Encounter& e, Query query, const
 }
 
 // The oracle's own row, for its pairs and its time.
-CollisionResult ask_oracle(const Character& c, const Encounter& e, Skinning skinning, PairLists& pairs) {
-  CollisionResult out{c.model.name, e.name, "brute_force", Origin::oracle, Query::full};
-  const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.model.triangles.size());
+CollisionResult ask_oracle(const AnimatedCharacter& c, const Encounter& e, Skinning skinning, PairLists& pairs) {
+  CollisionResult out{c.mesh.name, e.name, "brute_force", Origin::oracle, Query::full};
+  const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.mesh.triangles.size());
   for (const EncounterFrame& frame : e.frames) {
-    out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.model, c.sets, frame, skinning)); }) / n;
+    out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.mesh, c.sets, frame, skinning)); }) / n;
     out.pairs += static_cast<double>(pairs.back().size()) / n;
   }
   out.volume_tests = triangles * triangles;
-  out.vertices_skinned = 2 * static_cast<double>(c.model.vertices.size());
+  out.vertices_skinned = 2 * static_cast<double>(c.mesh.vertices.size());
   return out;
 }
 
@@ -124,7 +124,7 @@ void print(const std::vector<CollisionResult>& results) {
 
 const char* name_of(Query query) { return query == Query::full ? "full" : "yes/no"; }
 
-std::vector<CollisionResult> measure(const Character& c, const Encounter& e, Query query,
+std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Encounter& e, Query query,
                                      const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
                                      const SpeedSettings& speed) {
   std::vector<CollisionResult> results;
@@ -154,7 +154,7 @@ std::vector<CollisionResult> measure(const Character& c, const Encounter& e, Que
   return results;
 }
 
-std::vector<CollisionResult> run_collisions(const Character& c, const CollisionSettings& settings) {
+std::vector<CollisionResult> run_collisions(const AnimatedCharacter& c, const CollisionSettings& settings) {
   std::vector<const DetectorKind*> kinds;
   for (const DetectorKind& kind : detector_kinds())
     if (settings.all_detectors || !kind.is_minor) kinds.push_back(&kind);
@@ -162,15 +162,15 @@ std::vector<CollisionResult> run_collisions(const Character& c, const CollisionS
   std::vector<CollisionResult> results;
   for (const std::string& engine : absent_engines())
     std::cout << "[collisions] absent: " << engine << ", which was not found at configure time\n";
-  std::cout << "[collisions] " << c.model.name << ": looking for the distances of the scenes" << std::endl;
+  std::cout << "[collisions] " << c.mesh.name << ": looking for the distances of the scenes" << std::endl;
   for (const Encounter& e : encounters(c, settings.frames)) {
-    std::cout << "[collisions] " << c.model.name << ", " << e.name << ": " << e.frames.size()
+    std::cout << "[collisions] " << c.mesh.name << ", " << e.name << ": " << e.frames.size()
               << " frames by brute force" << std::endl;
     PairLists expected, expected_of_linear;
     results.push_back(ask_oracle(c, e, Skinning::spherical, expected));
     if (is_in_table_2(e)) ask_oracle(c, e, Skinning::linear, expected_of_linear);
     for (const Query query : {Query::full, Query::yes_no}) {
-      std::cout << "[collisions] " << c.model.name << ", " << e.name << ", " << name_of(query) << ": " << kinds.size()
+      std::cout << "[collisions] " << c.mesh.name << ", " << e.name << ", " << name_of(query) << ": " << kinds.size()
                 << " detectors" << std::endl;
       const auto some = measure(c, e, query, kinds, expected, settings.speed);
       print(some);

@@ -38,12 +38,12 @@ using PairLists = std::vector<std::vector<TrianglePair>>;
 
 // The given detectors in an encounter. Throws std::logic_error that names the detector and the frame if it finds other
 // pairs than expected or, asked for one, none of these, beyond what its kind is let.
-std::vector<CollisionResult> measure(const Character& character, const Encounter& encounter, Query query,
+std::vector<CollisionResult> measure(const AnimatedCharacter& character, const Encounter& encounter, Query query,
                                      const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
                                      const SpeedSettings& speed);
 
 // The detectors in all encounters of the character, full and yes/no, against brute force.
-std::vector<CollisionResult> run_collisions(const Character& character, const CollisionSettings& settings);
+std::vector<CollisionResult> run_collisions(const AnimatedCharacter& character, const CollisionSettings& settings);
 
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path);
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "algorithms/collide/collide.hpp"
+#include "algorithms/runtime/collide/collide.hpp"
 
 namespace refitlab {
 

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "algorithms/balls/smallest_ball.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/balls/smallest_ball.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 
 namespace refitlab {
 namespace {
 
-Posture posture_at(const Model& model, double share) {
-  if (!model.clips.empty()) return model.clips[0].sample(share * model.clips[0].duration);
-  return twist_posture(model, twist_joint(model), share * 170 * std::numbers::pi / 180);
+Posture posture_at(const AnimatedCharacter& c, double share) {
+  if (!c.clips.empty()) return c.clips[0].sample(share * c.clips[0].duration);
+  return twist_posture(c.mesh, twist_joint(c.mesh), share * 170 * std::numbers::pi / 180);
 }
 
 // Puts a center at this place, turned about y.
@@ -22,14 +22,14 @@ RigidTransform<double> stand(const Point3& center, double turn, const Point3& at
   return out;
 }
 
-Point3 deformed_center(const Character& c, const Posture& posture) {
-  const auto pose = make_skinning_pose(c.model, c.sets, posture, Skinning::spherical);
-  return smallest_ball<double, 3>(skin(c.model, c.sets, pose, Skinning::spherical)).center;
+Point3 deformed_center(const AnimatedCharacter& c, const Posture& posture) {
+  const auto pose = make_skinning_pose(c.mesh, c.sets, posture, Skinning::spherical);
+  return smallest_ball<double, 3>(skin(c.mesh, c.sets, pose, Skinning::spherical)).center;
 }
 
 class PairCounter {
  public:
-  explicit PairCounter(const Character& c) : detector_(detector_kind("skin_all_simd").make(c)) {}
+  explicit PairCounter(const AnimatedCharacter& c) : detector_(detector_kind("skin_all_simd").make(c)) {}
 
   // By frame, in increasing order.
   std::vector<long> pairs(const std::vector<EncounterFrame>& frames) {
@@ -58,10 +58,10 @@ double largest_lateral(PairCounter& counter, const WalkPast& walk, double high, 
 
 }  // namespace
 
-WalkPast::WalkPast(const Character& c, int frames) {
+WalkPast::WalkPast(const AnimatedCharacter& c, int frames) {
   for (int i = 0; i < frames; ++i) {
     const double share = frames > 1 ? i / (frames - 1.0) : 0.5;
-    Step step{posture_at(c.model, share), posture_at(c.model, std::fmod(share + 0.5, 1.0)), {}, {}, 0};
+    Step step{posture_at(c, share), posture_at(c, std::fmod(share + 0.5, 1.0)), {}, {}, 0};
     step.first_center = deformed_center(c, step.first);
     step.second_center = deformed_center(c, step.second);
     step.forward = (1 - 2 * share) * c.tree.nodes[0].reference.radius / 10;
@@ -85,7 +85,7 @@ std::vector<EncounterFrame> WalkPast::in_place() const {
   return out;
 }
 
-std::vector<Encounter> encounters(const Character& c, int frames) {
+std::vector<Encounter> encounters(const AnimatedCharacter& c, int frames) {
   PairCounter counter(c);
   const WalkPast walk(c, frames), searched(c, searched_frames);
   const auto median = [](const std::vector<long>& sorted) { return sorted[sorted.size() / 2]; };

@@ -19,7 +19,7 @@ struct Encounter {
 // clips both twist (figure_twist) up to the full angle.
 class WalkPast {
  public:
-  WalkPast(const Character& character, int frames);
+  WalkPast(const AnimatedCharacter& character, int frames);
   std::vector<EncounterFrame> at(double lateral) const;
   // Both with their centers at the origin all the time.
   std::vector<EncounterFrame> in_place() const;
@@ -36,6 +36,6 @@ class WalkPast {
 // far: the roots are disjoint. near: they overlap in the middle, but no triangles touch. light: a median of about 50
 // touching pairs. heavy: about 850, or at lateral 0 if that has fewer. worst: in one place all the time (the paper's
 // worst- case scenario). The distances are found by bisection on 12 of the frames.
-std::vector<Encounter> encounters(const Character& character, int frames);
+std::vector<Encounter> encounters(const AnimatedCharacter& character, int frames);
 
 }  // namespace refitlab

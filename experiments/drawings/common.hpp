@@ -7,8 +7,8 @@
 
 #include <numbers>
 
-#include "algorithms/balls/few_balls_ball.hpp"
-#include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/balls/mean_ball.hpp"
 #include "experiments/drawings/drawings.hpp"
 #include "lemmas/lemma4_quaternion_hull.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"

@@ -1,5 +1,5 @@
 // The drawings of caps without normalisation and without a ball.
-#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "experiments/drawings/common.hpp"
 #include "lemmas/rotation_bound.hpp"
 #include "lemmas/t3_one_cap.hpp"

@@ -1,5 +1,5 @@
 // The drawings of what the paper's section 4 says without a number.
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/bake/corners.hpp"
 #include "experiments/drawings/common.hpp"
 #include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/s43_minkowski_sum.hpp"

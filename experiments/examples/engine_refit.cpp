@@ -1,9 +1,11 @@
 // The refit in an engine: which bounding spheres of a posed character does a ray hit? No vertex is skinned for it.
 #include <cstdio>
 
+#include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/model/load.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/refit/character.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/tree/character.hpp"
 
 using namespace refitlab;
 
@@ -24,11 +26,11 @@ int leaves_hit(const Character& character, int node, const SkinningPose<double>&
 
 int main(int argc, char** argv) try {
   // Once, when the character is loaded: the sphere tree and what the refit looks at.
-  const Character character(argc > 1 ? load_model(argv[1]) : make_man());
-  const Clip& walk = character.model.clips[0];
+  const auto character = bake(argc > 1 ? load_model(argv[1]) : make_man());
+  const Clip& walk = character.clips[0];
   // Your engine's joint transforms go here: a rotation and a translation for each joint, from the reference posture.
   const Posture posture = walk.sample(walk.duration / 4);
-  const auto pose = make_skinning_pose(character.model, character.sets, posture, variant.skinning);
+  const auto pose = make_skinning_pose(character.mesh, character.sets, posture, variant.skinning);
   const int hits = leaves_hit(character, 0, pose, {0, 1.2, 5}, {0, 0, -1});
   std::printf("a ray at the chest reaches %d leaves of %zu nodes\n", hits, character.tree.nodes.size());
 } catch (const std::exception& e) {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "algorithms/balls/smallest_ball.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/balls/smallest_ball.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/explorer/packed_model.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/misses.hpp"
@@ -36,7 +37,7 @@ struct Frame {
 
 class LevelView {
  public:
-  LevelView(const Character& character, const Posture& posture, int level)
+  LevelView(const AnimatedCharacter& character, const Posture& posture, int level)
       : c_(character), posture_(posture), nodes_(nodes_of_level(character.tree, level)) {}
 
   const std::vector<int>& nodes() const { return nodes_; }
@@ -44,8 +45,8 @@ class LevelView {
   const Frame& frame(Skinning skinning) {
     if (const auto known = frames_.find(skinning); known != frames_.end()) return known->second;
     Frame& f = frames_[skinning];
-    f.pose = make_skinning_pose(c_.model, c_.sets, posture_, skinning);
-    f.vertices = skin(c_.model, c_.sets, f.pose, skinning);
+    f.pose = make_skinning_pose(c_.mesh, c_.sets, posture_, skinning);
+    f.vertices = skin(c_.mesh, c_.sets, f.pose, skinning);
     std::vector<Point3> points;
     for (const int node : nodes_) {
       points.clear();
@@ -78,7 +79,7 @@ class LevelView {
   }
 
  private:
-  const Character& c_;
+  const AnimatedCharacter& c_;
   const Posture& posture_;
   std::vector<int> nodes_;
   std::map<Skinning, Frame> frames_;
@@ -109,7 +110,7 @@ const std::vector<std::string>& compared_variants() {
   return names;
 }
 
-const Character& Explorer::character(const std::string& model) {
+const AnimatedCharacter& Explorer::character(const std::string& model) {
   if (const auto known = characters_.find(model); known != characters_.end()) return known->second;
   for (const Maker& m : makers_)
     if (m.name == model) return characters_.emplace(model, m.make()).first->second;
@@ -117,16 +118,16 @@ const Character& Explorer::character(const std::string& model) {
 }
 
 ExplorerView Explorer::view(const ExplorerSettings& s) {
-  const Character& c = character(s.model);
-  const RefitVariant& chosen = refit_variant(s.variant);
-  const Posture posture = posture_of(c.model, s);
+  const AnimatedCharacter& c = character(s.model);
+  const RefitVariant& chosen = compared_variant(s.variant);
+  const Posture posture = posture_of(c.mesh, s);
   LevelView level(c, posture, std::clamp(s.level, 1, c.tree.level_count()));
 
   ExplorerView view;
   view.level_count = c.tree.level_count();
   view.vertices = level.frame(chosen.skinning).vertices;
-  for (std::size_t j = 0; j < posture.size(); ++j) view.joints.push_back(apply(posture[j], c.model.joints[j].origin));
-  view.axis = rotate<double>(posture[s.joint].rotation, bone_axis(c.model, s.joint));
+  for (std::size_t j = 0; j < posture.size(); ++j) view.joints.push_back(apply(posture[j], c.mesh.joints[j].origin));
+  view.axis = rotate<double>(posture[s.joint].rotation, bone_axis(c.mesh, s.joint));
   view.balls = level.balls(chosen);
   view.ball = std::clamp(s.ball, 0, static_cast<int>(view.balls.size()) - 1);
   view.ball_vertices = static_cast<int>(c.vertices[level.nodes()[view.ball]].size());
@@ -135,7 +136,7 @@ ExplorerView Explorer::view(const ExplorerSettings& s) {
   std::vector<std::string> names = compared_variants();
   if (std::find(names.begin(), names.end(), s.variant) == names.end()) names.push_back(s.variant);
   for (const std::string& name : names) {
-    const RefitVariant& variant = refit_variant(name);
+    const RefitVariant& variant = compared_variant(name);
     const auto balls = name == s.variant ? view.balls : level.balls(variant);
     view.summaries.push_back(level.summarise(variant, balls, name == s.variant ? &view : nullptr));
     view.summaries.back().ball_radius = balls[view.ball].radius;

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/refit/character.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/bake/bake.hpp"
 
 namespace refitlab {
 
@@ -60,7 +61,7 @@ class Explorer {
 
   // Made when it is first asked for, which may take seconds. Throws std::invalid_argument for a name that is not a
   // model's.
-  const Character& character(const std::string& model);
+  const AnimatedCharacter& character(const std::string& model);
 
   // Throws std::invalid_argument for an unknown name or joint.
   ExplorerView view(const ExplorerSettings& settings);
@@ -71,7 +72,7 @@ class Explorer {
     std::function<Model()> make;
   };
   std::vector<Maker> makers_;
-  std::map<std::string, Character> characters_;
+  std::map<std::string, AnimatedCharacter> characters_;
 };
 
 }  // namespace refitlab

@@ -8,9 +8,14 @@
 #include <memory>
 #include <numbers>
 #include <random>
+#ifdef REFITLAB_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
 
-#include "algorithms/collide/crowd.hpp"
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/crowd.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
 
 namespace refitlab {
@@ -22,11 +27,10 @@ constexpr unsigned seed = 7;
 // Men who walk straight ahead, each in a direction and from a time of the clip of his own.
 class Square {
  public:
-  Square(const Character& man, int count) {
+  Square(const Clip& walk, int count) {
     std::mt19937 random(seed);
     const double side = std::sqrt(2.0 * count);
     std::uniform_real_distribution<double> place(0, side), angle(0, 2 * std::numbers::pi), share(0, 1);
-    const Clip& walk = man.model.clips[0];
     for (int i = 0; i < count; ++i) {
       const double turn = angle(random), start = share(random), x = place(random), z = place(random);
       for (int f = 0; f < frames; ++f) {
@@ -45,6 +49,16 @@ class Square {
   std::vector<RigidTransform<double>> placements_[frames];
 };
 
+#ifdef REFITLAB_TBB
+Workers workers_of(tbb::task_arena& arena) {
+  return {[](void* self, std::size_t count, void (*task)(void*, std::size_t), void* data) {
+            static_cast<tbb::task_arena*>(self)->execute(
+                [&] { tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) { task(data, i); }); });
+          },
+          &arena};
+}
+#endif
+
 class Crowd {
  public:
   Crowd(const ClusterTree& tree, const Square& square, int count) : square_(square) {
@@ -53,18 +67,18 @@ class Crowd {
       list_.push_back(bodies_.back().get());
     }
   }
-  std::vector<Contact> frame(int f, Query query, CrowdCounts& counts, int threads) {
+  std::vector<Contact> frame(int f, Query query, CrowdCounts& counts, const Workers& workers) {
     for (std::size_t i = 0; i < list_.size(); ++i) list_[i]->begin(square_.postures(f)[i], square_.placements(f)[i]);
-    return collide_all(list_, query, counts, threads);
+    return collide_all(list_, query, counts, workers);
   }
-  void all_frames(Query query, int threads) {
+  void all_frames(Query query, const Workers& workers) {
     CrowdCounts unused;
-    for (int f = 0; f < frames; ++f) benchmark::DoNotOptimize(frame(f, query, unused, threads));
+    for (int f = 0; f < frames; ++f) benchmark::DoNotOptimize(frame(f, query, unused, workers));
   }
   void count(CharacterGrowth& out) {
     CrowdCounts counts;
     for (int f = 0; f < frames; ++f) {
-      for (const Contact& c : frame(f, Query::full, counts, 1)) {
+      for (const Contact& c : frame(f, Query::full, counts, one_worker())) {
         out.contacts += 1. / frames;
         out.triangle_pairs += static_cast<double>(c.pairs.size()) / frames;
       }
@@ -81,19 +95,19 @@ class Crowd {
   std::vector<ClusterBody*> list_;
 };
 
-CharacterGrowth measure(const ClusterTree& tree, int count, const SpeedSettings& speed) {
+CharacterGrowth measure(const ClusterTree& tree, const Clip& walk, int count, const SpeedSettings& speed) {
   const Character& man = tree.character();
-  const Square square(man, count);
+  const Square square(walk, count);
   Crowd crowd(tree, square, count);
   CharacterGrowth out{.characters = count};
   crowd.count(out);
 
-  const PosePacks poses(man.model, man.sets, Skinning::spherical);
-  const PackedVertices vertices(man.model, man.sets);
+  const PosePacks poses(man.mesh, man.sets, Skinning::spherical);
+  const PackedVertices vertices(man.mesh, man.sets);
   SkinningPose<double> pose;
-  std::vector<Point3> skinned(man.model.vertices.size());
-  std::vector<Timed> timed{{"full", frames, [&] { crowd.all_frames(Query::full, 1); }},
-                           {"yes_no", frames, [&] { crowd.all_frames(Query::yes_no, 1); }},
+  std::vector<Point3> skinned(man.mesh.vertices.size());
+  std::vector<Timed> timed{{"full", frames, [&] { crowd.all_frames(Query::full, one_worker()); }},
+                           {"yes_no", frames, [&] { crowd.all_frames(Query::yes_no, one_worker()); }},
                            {"skin_all", frames, [&] {
                               for (int f = 0; f < frames; ++f)
                                 for (const Posture& posture : square.postures(f)) {
@@ -102,7 +116,10 @@ CharacterGrowth measure(const ClusterTree& tree, int count, const SpeedSettings&
                                   benchmark::DoNotOptimize(skinned.data());
                                 }
                             }}};
-  if (has_threads()) timed.push_back({"full_on_two_threads", frames, [&] { crowd.all_frames(Query::full, 2); }});
+#ifdef REFITLAB_TBB
+  tbb::task_arena two(2);
+  timed.push_back({"full_on_two_threads", frames, [&] { crowd.all_frames(Query::full, workers_of(two)); }});
+#endif
   const auto times = ns_per_item(timed, speed, Clock::wall);
   const auto us = [&](const char* name) { return times.count(name) ? median(times.at(name)) / 1000 : 0.0; };
   out.full = us("full"), out.yes_no = us("yes_no"), out.full_on_two_threads = us("full_on_two_threads"),
@@ -113,12 +130,12 @@ CharacterGrowth measure(const ClusterTree& tree, int count, const SpeedSettings&
 }  // namespace
 
 std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings) {
-  const Character man(make_man());
+  const auto man = bake(make_man());
   const ClusterTree tree(man);
   std::vector<CharacterGrowth> rows;
   for (const int count : {10, 30, 100, 300, 1000}) {
     std::cout << "[growth] " << count << " walking men in a square" << std::endl;
-    rows.push_back(measure(tree, count, settings));
+    rows.push_back(measure(tree, man.clips[0], count, settings));
     const CharacterGrowth& r = rows.back();
     std::printf(
         "  %6.0f pairs of boxes, %5.0f contacts, %6.0f pairs of triangles, %4.1f %% of the clusters skinned: %8.0f us "

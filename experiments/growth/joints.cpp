@@ -7,20 +7,22 @@
 #include <cstdio>
 #include <iostream>
 
-#include "algorithms/balls/few_balls_ball.hpp"
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {
 namespace {
 
 JointGrowth measure(int joints, const SpeedSettings& speed) {
-  const Character snake(make_snake(joints));
+  const auto snake = bake(make_snake(joints));
   const Contender& below = contender(default_variant(Skinning::spherical).name + "_from_below");
   const RefitVariant& variant = *below.variant;
-  const auto pose = make_skinning_pose(snake.model, snake.sets, snake.model.clips[0].sample(0.5), variant.skinning);
+  const auto pose = make_skinning_pose(snake.mesh, snake.sets, snake.clips[0].sample(0.5), variant.skinning);
   std::vector<int> many;
   for (std::size_t n = 0; n < snake.tree.nodes.size(); ++n)
     if (snake.tree.nodes[n].joint_set_count > below.options.most_joint_sets && snake.tree.nodes[n].child_count > 0)
@@ -48,7 +50,7 @@ JointGrowth measure(int joints, const SpeedSettings& speed) {
   const auto time = [&](const char* name) { return times.count(name) ? median(times.at(name)) : 0.0; };
   JointGrowth out{joints, snake.sets.count(), static_cast<int>(many.size()), time("own"), time("from_below"), time("own_root"),
                   time("from_below_root"), time("known"), 0, 0};
-  const auto deformed = skin(snake.model, snake.sets, pose, variant.skinning);
+  const auto deformed = skin(snake.mesh, snake.sets, pose, variant.skinning);
   const double optimal = as_ball(smallest_ball<double, 3>(deformed)).radius;
   out.root_ratio = own[0].radius / optimal;
   out.root_ratio_from_below = from_below[0].radius / optimal;

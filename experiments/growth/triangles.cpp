@@ -4,8 +4,9 @@
 #include <cstdio>
 #include <iostream>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/model/subdivide.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/model/procedural/subdivide.hpp"
 #include "algorithms/results/result_file.hpp"
 
 namespace refitlab {
@@ -38,7 +39,7 @@ Model make(const Size& size) {
 
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings) {
   std::vector<Encounter> scenes;
-  for (Encounter& e : encounters(Character(make_man()), settings.frames))
+  for (Encounter& e : encounters(bake(make_man()), settings.frames))
     if (std::find(std::begin(scene_names), std::end(scene_names), e.name) != std::end(scene_names))
       scenes.push_back(std::move(e));
   std::vector<const DetectorKind*> kinds;
@@ -46,9 +47,9 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
 
   std::vector<TriangleGrowth> rows;
   for (const Size& size : sizes(settings.up_to_a_million)) {
-    const Character man(make(size));
-    const int triangles = static_cast<int>(man.model.triangles.size());
-    std::cout << "[growth] " << man.model.name << ", " << man.sets.count() << " joint-sets" << std::endl;
+    const auto man = bake(make(size));
+    const int triangles = static_cast<int>(man.mesh.triangles.size());
+    std::cout << "[growth] " << man.mesh.name << ", " << man.sets.count() << " joint-sets" << std::endl;
     for (const Encounter& scene : scenes) {
       PairLists expected;
       const auto first = detector_kind(reference).make(man);

@@ -1,6 +1,6 @@
 #include "experiments/pictures/cap_figure.hpp"
 
-#include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/runtime/balls/mean_ball.hpp"
 #include "experiments/pictures/cap_shapes.hpp"
 #include "lemmas/lemma1_cap_definitions.hpp"
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"

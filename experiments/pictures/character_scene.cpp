@@ -10,7 +10,7 @@ std::vector<int> levels_there(const SphereTree& tree, const std::vector<int>& wa
   return levels;
 }
 
-render::MeshShape skin_shape(const Model& model, std::vector<Point3> vertices) {
+render::MeshShape skin_shape(const SkinnedMesh& model, std::vector<Point3> vertices) {
   render::MeshShape mesh;
   mesh.vertices = std::move(vertices);
   mesh.triangles = model.triangles;

@@ -17,7 +17,7 @@ inline constexpr render::Color holding = render::palette::blue, missing = render
 // Those of the wanted levels that the tree has; its last one if it has none of them.
 std::vector<int> levels_there(const SphereTree& tree, const std::vector<int>& wanted);
 
-render::MeshShape skin_shape(const Model& model, std::vector<Point3> vertices);
+render::MeshShape skin_shape(const SkinnedMesh& model, std::vector<Point3> vertices);
 
 // A dot a vertex, as large as it takes to be seen in a picture of this size (in model units).
 void mark_vertices(render::Scene& scene, const std::vector<Point3>& vertices, const std::vector<bool>& marked,

@@ -2,7 +2,8 @@
 
 #include <stdexcept>
 
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/collisions/encounters.hpp"
 #include "experiments/pictures/character_scene.hpp"
 
@@ -33,7 +34,7 @@ void check(const SphereTree& tree, const std::vector<bool>& refitted, const std:
     throw std::logic_error("encounter figures: the refitted nodes are not as many as were counted");
 }
 
-Met meet(const Character& c, const RefitVariant& variant, const EncounterFrame& frame) {
+Met meet(const AnimatedCharacter& c, const RefitVariant& variant, const EncounterFrame& frame) {
   Body first(c, variant), second(c, variant);
   first.begin(frame.first), second.begin(frame.second);
   QueryCounts counts;
@@ -48,15 +49,15 @@ Met meet(const Character& c, const RefitVariant& variant, const EncounterFrame& 
       w.balls.push_back({apply(at, ball.center), ball.radius});
     }
     w.vertices =
-        skin(c.model, c.sets, make_skinning_pose(c.model, c.sets, posture, variant.skinning), variant.skinning);
+        skin(c.mesh, c.sets, make_skinning_pose(c.mesh, c.sets, posture, variant.skinning), variant.skinning);
     for (Point3& v : w.vertices) v = apply(at, v);
     w.touches.resize(w.vertices.size());
   };
   finish(out.walkers[0], first, frame.first, frame.first_at);
   finish(out.walkers[1], second, frame.second, frame.second_at);
   for (const auto& [a, b] : pairs) {
-    for (const int v : c.model.triangles[a]) out.walkers[0].touches[v] = true;
-    for (const int v : c.model.triangles[b]) out.walkers[1].touches[v] = true;
+    for (const int v : c.mesh.triangles[a]) out.walkers[0].touches[v] = true;
+    for (const int v : c.mesh.triangles[b]) out.walkers[1].touches[v] = true;
   }
   return out;
 }
@@ -69,7 +70,7 @@ double share_refitted(const SphereTree& tree, const Met& met, int level) {
   return static_cast<double>(refitted) / static_cast<double>(all);
 }
 
-void add_skins(render::Scene& scene, const Model& model, const Met& met) {
+void add_skins(render::Scene& scene, const SkinnedMesh& model, const Met& met) {
   for (const Walker& w : met.walkers) {
     render::MeshShape mesh = skin_shape(model, w.vertices);
     const render::Color color = &w == met.walkers ? first_skin : second_skin;
@@ -84,30 +85,30 @@ const Encounter& named(const std::vector<Encounter>& all, const std::string& nam
   throw std::invalid_argument("no encounter named '" + name + "'");
 }
 
-void draw(const Character& c, const std::string& scene_name, const std::string& figure, const Point3& from,
+void draw(const AnimatedCharacter& c, const std::string& scene_name, const std::string& figure, const Point3& from,
           const std::vector<int>& levels, PictureTable& pictures) {
   const auto all = encounters(c, 1);
   const EncounterFrame& frame = named(all, scene_name).frames[0];
   const char* const asked = "spherical_repaired";
-  const Met met = meet(c, refit_variant(asked), frame);
+  const Met met = meet(c, compared_variant(asked), frame);
   const Met ours = meet(c, default_variant(Skinning::spherical), frame);
 
   std::vector<Point3> points;
   for (const Walker& w : met.walkers) points.insert(points.end(), w.vertices.begin(), w.vertices.end());
   const auto camera = render::Camera::frame(points, from, double(width) / height, 0.1);
-  const std::string file = c.model.name + "_" + scene_name + "_";
+  const std::string file = c.mesh.name + "_" + scene_name + "_";
   render::Scene bare;
-  add_skins(bare, c.model, met);
-  pictures.draw(bare, camera, {.width = width, .height = height}, {figure, c.model.name, scene_name, asked}, file + "bare.png",
+  add_skins(bare, c.mesh, met);
+  pictures.draw(bare, camera, {.width = width, .height = height}, {figure, c.mesh.name, scene_name, asked}, file + "bare.png",
                 {{"touching_pairs", static_cast<double>(met.pairs)}, {"tree_levels", static_cast<double>(c.tree.level_count())}});
   for (const int level : levels_there(c.tree, levels)) {
     render::Scene scene;
-    add_skins(scene, c.model, met);
+    add_skins(scene, c.mesh, met);
     for (const Walker& w : met.walkers)
       for (const int n : nodes_of_level(c.tree, level))
         if (w.refitted[n]) scene.balls.push_back({w.balls[n], figure_colors::holding, 0.16});
         else scene.balls.push_back({w.balls[n], figure_colors::idle, 0.03});
-    pictures.draw(scene, camera, {.width = width, .height = height}, {figure, c.model.name, scene_name, asked, level},
+    pictures.draw(scene, camera, {.width = width, .height = height}, {figure, c.mesh.name, scene_name, asked, level},
                   file + "level" + std::to_string(level) + ".png",
                   {{"share_refitted", share_refitted(c.tree, met, level)},
                    {"share_refitted_by_default", share_refitted(c.tree, ours, level)}});
@@ -116,9 +117,9 @@ void draw(const Character& c, const std::string& scene_name, const std::string& 
 
 }  // namespace
 
-void draw_walking(const Character& c, PictureTable& pictures) { draw(c, "light", "walking", {0.35, 0.2, 1}, {6, 9}, pictures); }
+void draw_walking(const AnimatedCharacter& c, PictureTable& pictures) { draw(c, "light", "walking", {0.35, 0.2, 1}, {6, 9}, pictures); }
 
-void draw_walk_through(const Character& c, PictureTable& pictures) {
+void draw_walk_through(const AnimatedCharacter& c, PictureTable& pictures) {
   draw(c, "worst", "walk_through", {1, 0.3, 0.6}, {4, 6}, pictures);
 }
 

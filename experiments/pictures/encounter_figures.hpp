@@ -8,9 +8,9 @@ namespace refitlab {
 
 // The middle frame of the encounter "light": two who walk past each other and touch. Levels 6 and 9: of our deeper
 // tree, about as coarse as the paper's 4 and 5.
-void draw_walking(const Character& character, PictureTable& pictures);
+void draw_walking(const AnimatedCharacter& character, PictureTable& pictures);
 
 // Of the encounter "worst": two who walk through each other. Levels 4 and 6.
-void draw_walk_through(const Character& character, PictureTable& pictures);
+void draw_walk_through(const AnimatedCharacter& character, PictureTable& pictures);
 
 }  // namespace refitlab

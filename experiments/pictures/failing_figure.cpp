@@ -1,7 +1,7 @@
 #include "experiments/pictures/failing_figure.hpp"
 
-#include "algorithms/refit/variants.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/pictures/character_scene.hpp"
 #include "experiments/tightness/misses.hpp"
 
@@ -12,21 +12,21 @@ constexpr int width = 480, height = 600;
 
 class FailingPosture {
  public:
-  FailingPosture(const Character& c, const NamedPosture& posture, PictureTable& pictures)
+  FailingPosture(const AnimatedCharacter& c, const NamedPosture& posture, PictureTable& pictures)
       : c_(c),
         pictures_(pictures),
         posture_(posture),
-        pose_(make_skinning_pose(c.model, c.sets, posture_.posture, Skinning::spherical)),
-        vertices_(skin(c.model, c.sets, pose_, Skinning::spherical)),
+        pose_(make_skinning_pose(c.mesh, c.sets, posture_.posture, Skinning::spherical)),
+        vertices_(skin(c.mesh, c.sets, pose_, Skinning::spherical)),
         nodes_(nodes_of_level(c.tree, 0)),
-        balls_(c.refit_all(refit_variant("spherical_printed"), pose_)),
+        balls_(refit_all(c, compared_variant("spherical_printed"), pose_)),
         misses_(find_misses(c, nodes_, balls_, vertices_)),
         node_(coarsest_failure()) {}
 
   void draw() const {
     whole();
     if (node_ < 0) return;
-    for (const char* name : {"spherical_printed", "spherical_repaired", "control_clusters"}) near(refit_variant(name));
+    for (const char* name : {"spherical_printed", "spherical_repaired", "control_clusters"}) near(compared_variant(name));
   }
 
  private:
@@ -35,12 +35,12 @@ class FailingPosture {
             const std::string& what, const std::string& variant, int level, const std::vector<PictureNumber>& numbers) const {
     pictures_.draw(scene, render::Camera::frame(framed, from, double(width) / height, 0.15),
                    {.width = width, .height = height, .occlusion = from_outside},
-                   {"failing", c_.model.name, posture_.name, variant, level}, c_.model.name + "_failing_" + what + ".png", numbers);
+                   {"failing", c_.mesh.name, posture_.name, variant, level}, c_.mesh.name + "_failing_" + what + ".png", numbers);
   }
 
   void whole() const {
     render::Scene scene;
-    scene.meshes.push_back(skin_shape(c_.model, vertices_));
+    scene.meshes.push_back(skin_shape(c_.mesh, vertices_));
     const double size = c_.tree.nodes[0].reference.radius;
     mark_vertices(scene, vertices_, misses_.outside, figure_colors::missing, size);
     mark_vertices(scene, vertices_, misses_.without, figure_colors::without, size);
@@ -69,11 +69,11 @@ class FailingPosture {
     const Misses misses = find_misses(c_, std::vector{node_}, std::vector{ball}, vertices_);
     const auto framed = around_node();
     render::Scene scene;
-    render::MeshShape part = skin_shape(c_.model, vertices_), rest = part;
+    render::MeshShape part = skin_shape(c_.mesh, vertices_), rest = part;
     part.triangles.clear();
     const TreeNode& n = c_.tree.nodes[node_];
     for (int t = 0; t < n.triangle_count; ++t)
-      part.triangles.push_back(c_.model.triangles[c_.tree.triangle_order[n.first_triangle + t]]);
+      part.triangles.push_back(c_.mesh.triangles[c_.tree.triangle_order[n.first_triangle + t]]);
     part.color = render::palette::yellow;
     for (Point3& v : part.vertices) v += 1e-4 * norm<double, 3>(framed.back() - framed.front()) * view().normalized();
     scene.meshes.push_back(part), scene.meshes.push_back(rest);
@@ -96,7 +96,7 @@ class FailingPosture {
 
   // All near pictures show the same place: that of the repaired ball, which is the widest.
   std::vector<Point3> around_node() const {
-    const Ball3<double> ball = ball_by(refit_variant("spherical_repaired"));
+    const Ball3<double> ball = ball_by(compared_variant("spherical_repaired"));
     std::vector<Point3> points;
     for (const int side : {-1, 1})
       for (int axis = 0; axis < 3; ++axis)
@@ -108,14 +108,14 @@ class FailingPosture {
     Point3 normal = Point3::Zero();
     const TreeNode& n = c_.tree.nodes[node_];
     for (int t = 0; t < n.triangle_count; ++t) {
-      const Triangle& corners = c_.model.triangles[c_.tree.triangle_order[n.first_triangle + t]];
+      const Triangle& corners = c_.mesh.triangles[c_.tree.triangle_order[n.first_triangle + t]];
       normal += (vertices_[corners[1]] - vertices_[corners[0]]).cross(vertices_[corners[2]] - vertices_[corners[0]]);
     }
     const Point3 tilted = normal.normalized() + Point3(0.2, 0, 0.2);
     return tilted.cross(Point3::UnitY()).norm() > 0.1 ? tilted : Point3::UnitZ();
   }
 
-  const Character& c_;
+  const AnimatedCharacter& c_;
   PictureTable& pictures_;
   const NamedPosture& posture_;
   const SkinningPose<double> pose_;
@@ -128,7 +128,7 @@ class FailingPosture {
 
 }  // namespace
 
-void draw_failing(const Character& character, const NamedPosture& worst, PictureTable& pictures) {
+void draw_failing(const AnimatedCharacter& character, const NamedPosture& worst, PictureTable& pictures) {
   FailingPosture(character, worst, pictures).draw();
 }
 

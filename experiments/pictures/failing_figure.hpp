@@ -8,6 +8,6 @@ namespace refitlab {
 
 // The posture of worst_twist with every vertex marked that a ball of the tree misses; then a ball that misses one, of
 // the coarsest level with such a ball, as printed, repaired and tightest. Only the first picture if there is none.
-void draw_failing(const Character& character, const NamedPosture& worst, PictureTable& pictures);
+void draw_failing(const AnimatedCharacter& character, const NamedPosture& worst, PictureTable& pictures);
 
 }  // namespace refitlab

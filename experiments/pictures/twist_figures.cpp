@@ -1,7 +1,7 @@
 #include "experiments/pictures/twist_figures.hpp"
 
-#include "algorithms/refit/variants.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/pictures/character_scene.hpp"
 
 namespace refitlab {
@@ -16,13 +16,13 @@ struct Dressed {
   std::vector<Ball3<double>> balls;
 };
 
-std::vector<Dressed> dress(const Character& c, const NamedPosture& posture) {
-  std::vector<Dressed> out{{"reference", c.model.vertices, {}}};
+std::vector<Dressed> dress(const AnimatedCharacter& c, const NamedPosture& posture) {
+  std::vector<Dressed> out{{"reference", c.mesh.vertices, {}}};
   for (const TreeNode& n : c.tree.nodes) out[0].balls.push_back(n.reference);
   for (const char* name : {"linear", "spherical_printed", "spherical_repaired", "control_clusters"}) {
-    const RefitVariant& variant = refit_variant(name);
-    const auto pose = make_skinning_pose(c.model, c.sets, posture.posture, variant.skinning);
-    out.push_back({variant.name, skin(c.model, c.sets, pose, variant.skinning), c.refit_all(variant, pose)});
+    const RefitVariant& variant = compared_variant(name);
+    const auto pose = make_skinning_pose(c.mesh, c.sets, posture.posture, variant.skinning);
+    out.push_back({variant.name, skin(c.mesh, c.sets, pose, variant.skinning), refit_all(c, variant, pose)});
   }
   return out;
 }
@@ -35,19 +35,19 @@ render::Camera frame_all(const std::vector<Dressed>& all) {
 
 }  // namespace
 
-void draw_twist(const Character& c, const NamedPosture& posture, PictureTable& pictures) {
+void draw_twist(const AnimatedCharacter& c, const NamedPosture& posture, PictureTable& pictures) {
   const auto all = dress(c, posture);
   const render::Camera camera = frame_all(all);
   const auto draw = [&](const Dressed& d, const render::Scene& scene, const std::string& figure, int level,
                         const std::vector<PictureNumber>& numbers) {
     const std::string what = level ? "level" + std::to_string(level) : "bare";
-    pictures.draw(scene, camera, {.width = width, .height = height}, {figure, c.model.name, posture.name, d.name, level},
-                  c.model.name + "_" + d.name + "_" + what + ".png", numbers);
+    pictures.draw(scene, camera, {.width = width, .height = height}, {figure, c.mesh.name, posture.name, d.name, level},
+                  c.mesh.name + "_" + d.name + "_" + what + ".png", numbers);
   };
 
   for (const int index : {0, 1, 3}) {  // no skin twice: the reference, linear and spherical blending
     render::Scene scene;
-    scene.meshes.push_back(skin_shape(c.model, all[index].vertices));
+    scene.meshes.push_back(skin_shape(c.mesh, all[index].vertices));
     draw(all[index], scene, "twist_bare", 0, {});
   }
   for (const int level : levels_there(c.tree, {4, 6}))
@@ -57,7 +57,7 @@ void draw_twist(const Character& c, const NamedPosture& posture, PictureTable& p
       for (const int n : nodes) of_level.push_back(d.balls[n]);
       const Misses misses = find_misses(c, nodes, of_level, d.vertices);
       render::Scene scene;
-      scene.meshes.push_back(skin_shape(c.model, d.vertices));
+      scene.meshes.push_back(skin_shape(c.mesh, d.vertices));
       for (std::size_t b = 0; b < of_level.size(); ++b)
         if (is_defined(of_level[b]))
           scene.balls.push_back({of_level[b], misses.balls[b] ? figure_colors::missing : figure_colors::holding, 0.1});

@@ -8,7 +8,8 @@
 #include <limits>
 #include <map>
 
-#include "algorithms/queries/score.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/verification/score.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/parallel.hpp"
 
@@ -40,7 +41,7 @@ MeasuredQuery measure(const QuerySettings& settings, std::size_t number) {
     skinned.emplace(s, std::pair(std::move(images), smallest));
   }
   MeasuredQuery out{!query.degeneracy.empty(), {}};
-  for (const RefitVariant& variant : refit_variants()) {
+  for (const RefitVariant& variant : compared_variants()) {
     auto& [images, smallest] = skinned.at(variant.skinning);
     const Ball3<double> ball = variant.refit(nodes.node(variant.pieces));
     Measured m{images.score(ball)};
@@ -52,7 +53,7 @@ MeasuredQuery measure(const QuerySettings& settings, std::size_t number) {
 }
 
 QueryResult summary(const std::vector<MeasuredQuery>& queries, std::size_t variant, const std::string& share) {
-  QueryResult out{refit_variants()[variant].name, share};
+  QueryResult out{compared_variants()[variant].name, share};
   std::vector<double> looseness;
   for (const MeasuredQuery& q : queries) {
     if (share != "all" && q.is_degenerate != (share == "degenerate")) continue;
@@ -80,7 +81,7 @@ std::vector<double> nanoseconds(const QuerySettings& settings) {
   for (int number = 0; number < count; ++number) nodes.emplace_back(make_refit_query(settings.seed, number));
   std::vector<double> out;
   double sink = 0;  // so that no refit is without effect
-  for (const RefitVariant& variant : refit_variants()) {
+  for (const RefitVariant& variant : compared_variants()) {
     double best = std::numeric_limits<double>::infinity();
     for (int pass = 0; pass < passes; ++pass) {
       const auto start = Clock::now();
@@ -123,7 +124,7 @@ std::vector<QueryResult> run_queries(const QuerySettings& settings) {
   });
   const std::vector<double> ns = nanoseconds(settings);
   std::vector<QueryResult> results;
-  for (std::size_t v = 0; v < refit_variants().size(); ++v)
+  for (std::size_t v = 0; v < compared_variants().size(); ++v)
     for (const char* share : {"all", "general", "degenerate"}) {
       results.push_back(summary(queries, v, share));
       if (results.back().share == "all") results.back().ns_per_refit = ns[v];

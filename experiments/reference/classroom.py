@@ -34,17 +34,17 @@ cmake --build build/release --target engine_refit
 build/release/experiments/engine_refit</code></pre></section>
 <section id="parts"><h2>What to change</h2><ul>
 <li>The model: <code>algorithms/model/load.hpp</code> reads glTF, FBX, X and Collada; <code>algorithms/model/model.hpp</code> says what a model of one's own must hold.</li>
-<li>The skinning: <code>default_variant</code> names the refit to take for linear, spherical and dual quaternion blending (<code>algorithms/refit/variants.hpp</code>).</li>
-<li>Many nodes of one frame: <code>algorithms/refit/frame_refits.hpp</code>; all nodes at once in SIMD: <code>algorithms/batch/batch_refit.hpp</code>.</li>
-<li>Boxes, k-DOPs and oriented boxes in place of spheres: <code>algorithms/refit/volume_variants.hpp</code>.</li>
-<li>Which triangles of two characters touch: <code>algorithms/collide/collide.hpp</code>.</li></ul></section>
+<li>The skinning: <code>default_variant</code> names the refit to take for linear, spherical and dual quaternion blending (<code>algorithms/runtime/refit/variants.hpp</code>).</li>
+<li>Many nodes of one frame: <code>algorithms/runtime/refit/frame_refits.hpp</code>; all nodes at once in SIMD: <code>algorithms/runtime/batch/batch_refit.hpp</code>.</li>
+<li>Boxes, k-DOPs and oriented boxes in place of spheres: <code>algorithms/methods/refit/volume_variants.hpp</code>.</li>
+<li>Which triangles of two characters touch: <code>algorithms/runtime/collide/collide.hpp</code>.</li></ul></section>
 """
 
 RESEARCHER = """
 <section id="variant"><h2>Add a refit variant</h2><ol>
-<li>A refit is a function of a <code>RefitNode</code> (<code>algorithms/tree/refit_node.hpp</code>): a template over the number type if it is new, or a known
-one with another policy for its balls (<code>algorithms/refit/ball_policy.hpp</code>).</li>
-<li>Add a row to the table in <code>algorithms/refit/variants.cpp</code>: for a bound that is proved, its skinning and the function, which gets the slack for rounding by itself; name, description, and which pieces it needs. For example
+<li>A refit is a function of a <code>RefitNode</code> (<code>algorithms/runtime/tree/refit_node.hpp</code>): a template over the number type if it is new, or a known
+one with another policy for its balls (<code>algorithms/runtime/refit/ball_policy.hpp</code>).</li>
+<li>Add a row to the table in <code>algorithms/runtime/refit/variants.cpp</code>: for a bound that is proved, its skinning and the function, which gets the slack for rounding by itself; name, description, and which pieces it needs. For example
 <pre><code>sound&lt;spherical, control&lt;NearSmallestBalls&gt;&gt;("control_near", "control hull, near-smallest ball", P::node),</code></pre>
 A bound of spherical blending that is not proved is <code>unsound&lt;…&gt;("name", "description")</code>.</li>
 <li><code>proptests/run --only refit_end_to_end queries</code>: every variant of the table that says it is sound must enclose every vertex of random rigs and of the models
@@ -52,8 +52,8 @@ A bound of spherical blending that is not proved is <code>unsound&lt;…&gt;("na
 <li><code>experiments/run --only tightness speed rounding</code>: it appears in the tables, plots and the explorer by itself.</li>
 <li>Of a new template, say in a suite of its own that intervals and exact numbers agree; <code>proptests/algorithms/control_hull.cpp</code> is one to follow.</li></ol></section>
 <section id="volume"><h2>Add a volume</h2><ol>
-<li>A class with <code>around(balls)</code>, a convex volume that encloses the balls: <code>algorithms/volumes/k_dop.hpp</code> and <code>algorithms/volumes/obb.hpp</code> are two.</li>
-<li>Add it to the type <code>Volume</code> in <code>algorithms/refit/volume_variants.hpp</code> and a row to the table in <code>algorithms/refit/volume_variants.cpp</code>. A k-DOP of
+<li>A class with <code>around(balls)</code>, a convex volume that encloses the balls: <code>algorithms/methods/volumes/k_dop.hpp</code> and <code>algorithms/methods/volumes/obb.hpp</code> are two.</li>
+<li>Add it to the type <code>Volume</code> in <code>algorithms/methods/refit/volume_variants.hpp</code> and a row to the table in <code>algorithms/methods/refit/volume_variants.cpp</code>. A k-DOP of
 another k needs its directions alone. The number of volumes stands in <code>proptests/algorithms/volume_refit.cpp</code> too.</li>
 <li><code>proptests/run --only volume_refit</code> checks every row against skinned vertices; a new class gets a suite with its own stem, as in <code>proptests/algorithms/obb.cpp</code>.</li>
 <li><code>experiments/run --only volumes</code> measures it.</li></ol></section>
@@ -80,13 +80,13 @@ ROUNDING = """
 <section><p>The lemmas hold over the reals; the refits run in <code>double</code>. Every ball carries a slack that makes up for all rounding: of the
 refit, and of the skinning it is compared with. It is derived before any number is known, from elementary bounds and a few lengths of the posture:
 the derivation is the comment of this file, and its numbers are constants that the refits use.</p>
-[[include algorithms/skinning/pose_rounding.hpp]]</section>
+[[include algorithms/runtime/skinning/pose_rounding.hpp]]</section>
 <section><h2>What checks it</h2><p>Gappa proves each elementary bound, by component and at unit length (<code>proptests/gappa</code>); the suite
 <code>pose_rounding</code> puts the code's own constants in place of <code>BOUND</code>, and asks that three quarters of them are not proved. That they hold at
 any length, and compose as the comment says, is compared with running error bounds of the very templates: the allowance must be enough, and at least half
 of it must be used by some case, so that a lost factor of two shows. At last, vertices are skinned in exact rationals, and no ball may miss one by the last bit.</p>
 [[include proptests/gappa/rotate_scaled.g]]
-<p>Exercise: halve the slack in <code>algorithms/refit/rounding.hpp</code>; does any exact comparison notice? Which property does? The answer:
+<p>Exercise: halve the slack in <code>algorithms/runtime/refit/rounding.hpp</code>; does any exact comparison notice? Which property does? The answer:
 <code>proptests/mutants/run --only "rounding: the slack is halved"</code>.</p></section>
 """
 

@@ -25,7 +25,7 @@ struct Node {
 
 class Builder {
  public:
-  explicit Builder(const Model& model) : split_(model) { build(split_.triangles()); }
+  explicit Builder(const SkinnedMesh& model) : split_(model) { build(split_.triangles()); }
   std::vector<Node> nodes;
 
  private:
@@ -46,7 +46,7 @@ class Builder {
 class AabbTree : public SkinningDetector {
  public:
   explicit AabbTree(const Character& character)
-      : SkinningDetector(character, Placing::when_asked), nodes_(Builder(character.model).nodes) {
+      : SkinningDetector(character, Placing::when_asked), nodes_(Builder(character.mesh).nodes) {
     for (auto& boxes : boxes_) boxes.resize(nodes_.size());
   }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 
 namespace refitlab {
 namespace {
@@ -13,7 +13,7 @@ struct Boxes {
   std::vector<double> low[3], high[3];
 };
 
-Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture,
+Boxes boxes_of(const SkinnedMesh& model, const JointSets& sets, const Posture& posture,
                const RigidTransform<double>& placement, Skinning skinning) {
   const auto skinned = skin(model, sets, make_skinning_pose(model, sets, posture, skinning), skinning);
   Boxes out;
@@ -30,7 +30,7 @@ Boxes boxes_of(const Model& model, const JointSets& sets, const Posture& posture
 
 }  // namespace
 
-std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame,
+std::vector<TrianglePair> brute_force(const SkinnedMesh& model, const JointSets& sets, const EncounterFrame& frame,
                                       Skinning skinning) {
   const Boxes a = boxes_of(model, sets, frame.first, frame.first_at, skinning),
               b = boxes_of(model, sets, frame.second, frame.second_at, skinning);

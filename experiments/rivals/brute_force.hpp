@@ -6,7 +6,7 @@
 namespace refitlab {
 
 // The touching pairs of a frame, in increasing order: every pair of triangles whose boxes overlap is decided exactly.
-std::vector<TrianglePair> brute_force(const Model& model, const JointSets& sets, const EncounterFrame& frame,
+std::vector<TrianglePair> brute_force(const SkinnedMesh& model, const JointSets& sets, const EncounterFrame& frame,
                                       Skinning skinning);
 
 }  // namespace refitlab

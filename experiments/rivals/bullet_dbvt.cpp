@@ -15,7 +15,7 @@ btDbvtVolume volume_of(const FloatBox& b) {
 class BulletDbvt : public SkinningDetector {
  public:
   explicit BulletDbvt(const Character& character) : SkinningDetector(character, Placing::all) {
-    const Model& m = character.model;
+    const SkinnedMesh& m = character.mesh;
     vertices_.set(m.vertices);
     btDbvt scattered;
     for (std::size_t i = 0; i < m.triangles.size(); ++i)

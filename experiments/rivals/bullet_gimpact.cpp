@@ -12,7 +12,7 @@ namespace {
 // What GImpact asks for the triangles' boxes.
 class Boxes : public btPrimitiveManagerBase {
  public:
-  explicit Boxes(const Model& model) : model_(model) {}
+  explicit Boxes(const SkinnedMesh& model) : model_(model) {}
   void set(const std::vector<Point3>& vertices, float margin) {
     vertices_.set(vertices);
     margin_ = margin;
@@ -28,7 +28,7 @@ class Boxes : public btPrimitiveManagerBase {
   void get_primitive_triangle(int, btPrimitiveTriangle&) const override {}  // only its own triangle tests would ask
 
  private:
-  const Model& model_;
+  const SkinnedMesh& model_;
   FloatVertices vertices_;
   float margin_ = 0;
 };
@@ -36,12 +36,12 @@ class Boxes : public btPrimitiveManagerBase {
 class BulletGimpact : public SkinningDetector {
  public:
   explicit BulletGimpact(const Character& character)
-      : SkinningDetector(character, Placing::when_asked), boxes_{Boxes(character.model), Boxes(character.model)} {
+      : SkinningDetector(character, Placing::when_asked), boxes_{Boxes(character.mesh), Boxes(character.mesh)} {
     // Boxes are rounded to 2^16 steps within the bounds at the build, and cut off there. So these get a margin that no
     // posture leaves, and each box later a margin of one step.
     const float reach = static_cast<float>(2 * character.tree.nodes[0].reference.radius);
     for (int side = 0; side < 2; ++side) {
-      boxes_[side].set(character.model.vertices, reach);
+      boxes_[side].set(character.mesh.vertices, reach);
       sets_[side].setPrimitiveManager(&boxes_[side]);
       sets_[side].buildSet();
     }

@@ -17,7 +17,7 @@ class Embree : public SkinningDetector {
     for (int side = 0; side < 2; ++side) {
       bodies_[side] = {this, side};
       RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-      rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(character.model.triangles.size()));
+      rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(character.mesh.triangles.size()));
       rtcSetGeometryUserData(geometry, &bodies_[side]);
       rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
       rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);

@@ -27,10 +27,10 @@ class Fcl : public SkinningDetector {
   explicit Fcl(const Character& character)
       : SkinningDetector(character, is_oriented<Volume> ? Placing::when_asked : Placing::all) {
     std::vector<fcl::Triangle> triangles;
-    for (const Triangle& t : character.model.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+    for (const Triangle& t : character.mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
     for (auto& tree : trees_) {
       tree.beginModel();
-      tree.addSubModel(character.model.vertices, triangles);
+      tree.addSubModel(character.mesh.vertices, triangles);
       tree.endModel();
     }
   }

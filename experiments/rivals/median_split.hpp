@@ -12,7 +12,7 @@ namespace refitlab {
 
 class MedianSplit {
  public:
-  explicit MedianSplit(const Model& model) : order_(model.triangles.size()) {
+  explicit MedianSplit(const SkinnedMesh& model) : order_(model.triangles.size()) {
     for (const Triangle& t : model.triangles)
       centroids_.push_back((model.vertices[t[0]] + model.vertices[t[1]] + model.vertices[t[2]]) / 3);
     std::iota(order_.begin(), order_.end(), 0);

@@ -6,7 +6,7 @@
 #include <experimental/simd>
 #include <limits>
 
-#include "algorithms/packs/four.hpp"
+#include "algorithms/runtime/packs/four.hpp"
 #include "experiments/rivals/float_boxes.hpp"
 #include "experiments/rivals/median_split.hpp"
 #include "experiments/rivals/rivals.hpp"
@@ -74,7 +74,7 @@ struct Shape {
 
 class Builder {
  public:
-  explicit Builder(const Model& model) : split_(model) {
+  explicit Builder(const SkinnedMesh& model) : split_(model) {
     std::size_t capacity = width;
     while (capacity < split_.triangles().size()) capacity *= width;
     build(split_.triangles(), capacity);
@@ -116,7 +116,7 @@ class Builder {
 class SkinAllSimd : public SkinningDetector {
  public:
   explicit SkinAllSimd(const Character& character)
-      : SkinningDetector(character, Placing::when_asked), shapes_(Builder(character.model).shapes) {
+      : SkinningDetector(character, Placing::when_asked), shapes_(Builder(character.mesh).shapes) {
     for (Side& s : sides_) {
       s.lanes.resize(shapes_.size());
       s.boxes.resize(shapes_.size());

@@ -5,12 +5,12 @@ namespace refitlab {
 SkinningDetector::SkinningDetector(const Character& character, Placing placing)
     : character_(character),
       placing_(placing),
-      pose_packs_(character.model, character.sets, Skinning::spherical),
-      packed_(character.model, character.sets),
-      sides_{{.is_placed = FrameStamps(character.model.vertices.size())},
-             {.is_placed = FrameStamps(character.model.vertices.size())}} {
+      pose_packs_(character.mesh, character.sets, Skinning::spherical),
+      packed_(character.mesh, character.sets),
+      sides_{{.is_placed = FrameStamps(character.mesh.vertices.size())},
+             {.is_placed = FrameStamps(character.mesh.vertices.size())}} {
   for (Side& s : sides_)
-    s.skinned.resize(character.model.vertices.size()), s.placed.resize(character.model.vertices.size());
+    s.skinned.resize(character.mesh.vertices.size()), s.placed.resize(character.mesh.vertices.size());
 }
 
 void SkinningDetector::pose(const EncounterFrame& frame) {
@@ -33,7 +33,7 @@ void SkinningDetector::skin() {
 }
 
 TrianglePoints SkinningDetector::in_world(Side& s, int triangle) {
-  const Triangle& t = character_.model.triangles[triangle];
+  const Triangle& t = character_.mesh.triangles[triangle];
   if (placing_ == Placing::when_asked)
     for (const int v : t)
       if (!s.is_placed.is_made(v)) {

@@ -1,9 +1,9 @@
 // What all rivals have in common: both bodies are posed and skinned whole, in SIMD packs, before any volume is refitted.
 #pragma once
 
-#include "algorithms/batch/packed_vertices.hpp"
-#include "algorithms/batch/pose_packs.hpp"
-#include "algorithms/refit/frame_stamps.hpp"
+#include "algorithms/runtime/batch/packed_vertices.hpp"
+#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/runtime/refit/frame_stamps.hpp"
 #include "experiments/collisions/detector.hpp"
 
 namespace refitlab {
@@ -26,7 +26,7 @@ class SkinningDetector : public Detector {
   // One of the two bodies, 0 or 1.
   const std::vector<Point3>& skinned(int side) const { return sides_[side].skinned; }  // model space, by vertex
   const std::vector<Point3>& placed(int side) const { return sides_[side].placed; }    // world; Placing::all
-  const Model& model() const { return character_.model; }
+  const SkinnedMesh& model() const { return character_.mesh; }
   const Character& character() const { return character_; }
   const RigidTransform<double>& placement(int side) const { return sides_[side].placement; }
   // From the second body's model space to the first's.

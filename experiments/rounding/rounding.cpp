@@ -8,20 +8,21 @@
 #include <iostream>
 #include <random>
 
-#include "algorithms/balls/round_up.hpp"
-#include "algorithms/queries/exact_skin.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/verification/exact_skin.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 
 namespace refitlab {
 namespace {
 
-std::vector<Posture> sampled_postures(const Model& model, int count) {
+std::vector<Posture> sampled_postures(const AnimatedCharacter& c, int count) {
   std::vector<Posture> out;
-  const auto clips = static_cast<int>(model.clips.size());
-  if (clips == 0) return {reference_posture(model)};
+  const auto clips = static_cast<int>(c.clips.size());
+  if (clips == 0) return {reference_posture(c.mesh)};
   for (int i = 0; i < count; ++i) {
-    const Clip& clip = model.clips[i % clips];
+    const Clip& clip = c.clips[i % clips];
     const double share = (i / clips + 0.3718) / ((count + clips - 1) / clips);  // no key times, where postures are simple
     out.push_back(clip.sample(share * clip.duration));
   }
@@ -31,10 +32,9 @@ std::vector<Posture> sampled_postures(const Model& model, int count) {
 // One variant's checks in one posture after the other.
 class VariantChecks {
  public:
-  VariantChecks(const Character& c, const RefitVariant& variant, const RoundingSettings& settings)
+  VariantChecks(const AnimatedCharacter& c, const RefitVariant& variant, const RoundingSettings& settings)
       : c_(c), variant_(variant), vertices_(settings.vertices_per_node), random_(settings.seed) {
-    result_.model = c.model.name, result_.variant = variant.name;
-    c.prepare(variant.pieces);
+    result_.model = c.mesh.name, result_.variant = variant.name;
   }
 
   void add(const SkinningPose<double>& pose, std::span<const Point3> skinned, ExactSkin& exact) {
@@ -73,7 +73,7 @@ class VariantChecks {
     return some_;
   }
 
-  const Character& c_;
+  const AnimatedCharacter& c_;
   const RefitVariant& variant_;
   const int vertices_;
   std::mt19937_64 random_;
@@ -83,7 +83,7 @@ class VariantChecks {
 };
 
 // Of all nodes, with the slack over without.
-double cost_of(const Character& c, const RefitVariant& variant, const SkinningPose<double>& pose, const SpeedSettings& settings) {
+double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const SkinningPose<double>& pose, const SpeedSettings& settings) {
   const auto all_nodes = [&](Refit refit) {
     return [&c, &variant, &pose, refit] {
       for (std::size_t n = 0; n < c.tree.nodes.size(); ++n)
@@ -98,23 +98,23 @@ double cost_of(const Character& c, const RefitVariant& variant, const SkinningPo
 
 }  // namespace
 
-std::vector<RoundingResult> run_rounding(const Character& c, const NamedPosture& timed, const RoundingSettings& settings) {
-  const auto postures = sampled_postures(c.model, settings.postures);
+std::vector<RoundingResult> run_rounding(const AnimatedCharacter& c, const NamedPosture& timed, const RoundingSettings& settings) {
+  const auto postures = sampled_postures(c, settings.postures);
   std::vector<RoundingResult> results;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
     std::vector<VariantChecks> checks;
     std::vector<const RefitVariant*> variants;
-    for (const RefitVariant& v : refit_variants())
+    for (const RefitVariant& v : compared_variants())
       if (v.sound && v.skinning == skinning) variants.push_back(&v), checks.emplace_back(c, v, settings);
     for (std::size_t i = 0; i < postures.size(); ++i) {
-      std::cout << "\r[rounding] " << c.model.name << ", " << variants.size() << " variants, posture " << i + 1 << " of "
+      std::cout << "\r[rounding] " << c.mesh.name << ", " << variants.size() << " variants, posture " << i + 1 << " of "
                 << postures.size() << "   " << std::flush;
-      const auto pose = make_skinning_pose(c.model, c.sets, postures[i], skinning);
-      const auto skinned = skin(c.model, c.sets, pose, skinning);
-      ExactSkin exact(c.model, c.sets, pose, skinning);
+      const auto pose = make_skinning_pose(c.mesh, c.sets, postures[i], skinning);
+      const auto skinned = skin(c.mesh, c.sets, pose, skinning);
+      ExactSkin exact(c.mesh, c.sets, pose, skinning);
       for (VariantChecks& v : checks) v.add(pose, skinned, exact);
     }
-    const auto pose = make_skinning_pose(c.model, c.sets, timed.posture, skinning);
+    const auto pose = make_skinning_pose(c.mesh, c.sets, timed.posture, skinning);
     for (std::size_t v = 0; v < variants.size(); ++v) {
       results.push_back(checks[v].result());
       results.back().cost = cost_of(c, *variants[v], pose, settings.speed);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/refit/character.hpp"
+#include "algorithms/bake/bake.hpp"
 #include "experiments/scenes/scenes.hpp"
 #include "experiments/speed/timing.hpp"
 
@@ -29,7 +29,7 @@ struct RoundingResult {
 };
 
 // Every sound variant. Progress on stdout.
-std::vector<RoundingResult> run_rounding(const Character& character, const NamedPosture& timed, const RoundingSettings& settings);
+std::vector<RoundingResult> run_rounding(const AnimatedCharacter& character, const NamedPosture& timed, const RoundingSettings& settings);
 
 void write_rounding(const std::vector<RoundingResult>& results, const RoundingSettings& settings, const std::string& path);
 

@@ -1,3 +1,4 @@
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/scenes/contenders.hpp"
 
 #include <stdexcept>
@@ -9,7 +10,7 @@ constexpr int joint_sets_from_below = 16;
 
 std::vector<Contender> make_contenders() {
   std::vector<Contender> out;
-  for (const RefitVariant& v : refit_variants()) {
+  for (const RefitVariant& v : compared_variants()) {
     out.push_back({v.name, v.description, &v, {}});
     if (&v != &default_variant(v.skinning)) continue;
     out.push_back({v.name + "_from_below",
@@ -36,7 +37,7 @@ const Contender& contender(const std::string& name) {
 }
 
 std::vector<Ball3<double>> refit_all(const Character& character, const Contender& contender, const SkinningPose<double>& pose) {
-  if (contender.stands_alone()) return character.refit_all(*contender.variant, pose);
+  if (contender.stands_alone()) return refit_all(character, *contender.variant, pose);
   FrameRefits frame(character, *contender.variant, contender.options);
   frame.begin(pose);
   frame.refit_all();

@@ -1,7 +1,8 @@
 // Contenders: what the experiments compare, one name each in result files and in the report.
 #pragma once
 
-#include "algorithms/refit/frame_refits.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
 
 namespace refitlab {
 

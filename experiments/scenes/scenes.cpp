@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "algorithms/model/load.hpp"
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 
 namespace refitlab {
 namespace {
@@ -34,9 +34,9 @@ DefaultModels default_models(const std::string& folder) {
   return out;
 }
 
-std::vector<PostureSet> posture_sets(const Model& model, int times_per_clip) {
+std::vector<PostureSet> posture_sets(const AnimatedCharacter& character, int times_per_clip) {
   std::vector<PostureSet> out;
-  for (const Clip& clip : model.clips) {
+  for (const Clip& clip : character.clips) {
     PostureSet set{clip.name, {}};
     for (int i = 0; i < times_per_clip; ++i)
       set.postures.push_back(clip.sample(clip.duration * i / std::max(1, times_per_clip - 1)));
@@ -45,11 +45,11 @@ std::vector<PostureSet> posture_sets(const Model& model, int times_per_clip) {
   return out;
 }
 
-NamedPosture figure_twist(const Model& model) {
-  for (const Clip& clip : model.clips)
+NamedPosture figure_twist(const AnimatedCharacter& character) {
+  for (const Clip& clip : character.clips)
     if (clip.name == "twist") return {"full twist", clip.sample(clip.duration)};
-  const int joint = twist_joint(model);
-  return {model.joints[joint].name + " twisted by 170 degrees", twist_posture(model, joint, 170 * std::numbers::pi / 180)};
+  const int joint = twist_joint(character.mesh);
+  return {character.mesh.joints[joint].name + " twisted by 170 degrees", twist_posture(character.mesh, joint, 170 * std::numbers::pi / 180)};
 }
 
 }  // namespace refitlab

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/refit/character.hpp"
+#include "algorithms/bake/bake.hpp"
 #include "experiments/scenes/twist.hpp"
 
 namespace refitlab {
@@ -27,7 +27,7 @@ Model load_named(const std::string& path);
 DefaultModels default_models(const std::string& folder);
 
 // Every clip at this many times, evenly spread from start to end.
-std::vector<PostureSet> posture_sets(const Model& model, int times_per_clip);
+std::vector<PostureSet> posture_sets(const AnimatedCharacter& character, int times_per_clip);
 
 struct NamedPosture {
   std::string name;
@@ -35,6 +35,6 @@ struct NamedPosture {
   std::string kind = "twist";  // "twist": figure_twist; "worst_twist"
 };
 // The posture of the paper's Figure 5: the end of the clip "twist" if the model has one, else a neck turned by 170 degrees.
-NamedPosture figure_twist(const Model& model);
+NamedPosture figure_twist(const AnimatedCharacter& character);
 
 }  // namespace refitlab

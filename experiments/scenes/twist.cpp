@@ -14,7 +14,7 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-Point3 bone_axis(const Model& model, int joint) {
+Point3 bone_axis(const SkinnedMesh& model, int joint) {
   Point3 sum = Point3::Zero();
   int children = 0;
   for (const Joint& j : model.joints)
@@ -25,7 +25,7 @@ Point3 bone_axis(const Model& model, int joint) {
   return axis.norm() > 0 ? Point3(axis.normalized()) : Point3::UnitY();
 }
 
-Posture twisted(const Model& model, Posture posture, int joint, double radians) {
+Posture twisted(const SkinnedMesh& model, Posture posture, int joint, double radians) {
   const Point3 axis = bone_axis(model, joint) * std::sin(radians / 2);
   const Point3& origin = model.joints[joint].origin;
   RigidTransform<double> turn;
@@ -40,11 +40,11 @@ Posture twisted(const Model& model, Posture posture, int joint, double radians) 
   return posture;
 }
 
-Posture twist_posture(const Model& model, int joint, double radians) {
+Posture twist_posture(const SkinnedMesh& model, int joint, double radians) {
   return twisted(model, reference_posture(model), joint, radians);
 }
 
-int twist_joint(const Model& model) {
+int twist_joint(const SkinnedMesh& model) {
   for (const char* part : {"neck", "hals", "head", "kopf", "wrist", "spine"})
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       if (lower(model.joints[j].name).find(part) != std::string::npos && model.joints[j].parent >= 0)

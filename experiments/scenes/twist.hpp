@@ -1,22 +1,22 @@
 // Twists: the turn of one joint about its bone, where linear blending collapses and the printed refit misses vertices.
 #pragma once
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace refitlab {
 
 // The unit vector along the joint's bone in the reference posture: from its origin towards the mean of its children's,
 // or away from its parent's where it has none.
-Point3 bone_axis(const Model& model, int joint);
+Point3 bone_axis(const SkinnedMesh& model, int joint);
 
 // Turns one joint and all below it about the joint's bone axis as it is in the reference posture, before the posture.
-Posture twisted(const Model& model, Posture posture, int joint, double radians);
+Posture twisted(const SkinnedMesh& model, Posture posture, int joint, double radians);
 
 // The same from the reference posture.
-Posture twist_posture(const Model& model, int joint, double radians);
+Posture twist_posture(const SkinnedMesh& model, int joint, double radians);
 
 // The joint whose twist shows the paper's Figure 5: a neck, else a head, spine or wrist by name, else the one in the
 // middle of the hierarchy.
-int twist_joint(const Model& model);
+int twist_joint(const SkinnedMesh& model);
 
 }  // namespace refitlab

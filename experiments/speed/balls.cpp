@@ -9,8 +9,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "algorithms/balls/few_points_ball_packs.hpp"
-#include "algorithms/balls/near_smallest_ball.hpp"
+#include "algorithms/methods/balls/few_points_ball_packs.hpp"
+#include "algorithms/methods/balls/near_smallest_ball.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 

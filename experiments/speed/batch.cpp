@@ -6,11 +6,12 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "algorithms/batch/batch_refit.hpp"
-#include "algorithms/batch/node_refit.hpp"
-#include "algorithms/batch/packed_vertices.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/batch/batch_refit.hpp"
+#include "algorithms/runtime/batch/node_refit.hpp"
+#include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 
 namespace refitlab {
 namespace {
@@ -24,8 +25,8 @@ const Kind kinds[] = {{"linear", Skinning::linear}, {"spherical", Skinning::sphe
 
 class BatchExperiment {
  public:
-  BatchExperiment(const Character& c, const NamedPosture& posture, const SpeedSettings& settings)
-      : c_(c), posture_(posture), settings_(settings), packed_(c.model, c.sets), batch_(c.tree, c.sets) {}
+  BatchExperiment(const AnimatedCharacter& c, const NamedPosture& posture, const SpeedSettings& settings)
+      : c_(c), posture_(posture), settings_(settings), packed_(c.mesh, c.sets), batch_(c.tree, c.sets) {}
 
   std::vector<BatchSpeed> run() {
     for (const Kind& kind : kinds) skin(kind);
@@ -38,10 +39,10 @@ class BatchExperiment {
  private:
   void skin(const Kind& kind) {
     const auto pose = pose_of(kind);
-    const auto expected = refitlab::skin(c_.model, c_.sets, pose, kind.skinning);
+    const auto expected = refitlab::skin(c_.mesh, c_.sets, pose, kind.skinning);
     std::vector<Point3> out(expected.size());
     std::vector<Timed> timed{{"scalar", size_of(expected), [&] {
-                                benchmark::DoNotOptimize(refitlab::skin(c_.model, c_.sets, pose, kind.skinning));
+                                benchmark::DoNotOptimize(refitlab::skin(c_.mesh, c_.sets, pose, kind.skinning));
                               }}};
     for (const Target target : available_targets()) {
       packed_.skin_all(pose, kind.skinning, out, target);
@@ -57,7 +58,7 @@ class BatchExperiment {
   void refit(const Kind& kind) {
     const auto pose = pose_of(kind);
     const bool is_linear = kind.skinning == Skinning::linear;
-    const RefitVariant& variant = refit_variant(is_linear ? "linear" : "spherical_repaired");
+    const RefitVariant& variant = compared_variant(is_linear ? "linear" : "spherical_repaired");
     std::vector<Timed> timed{{"scalar", size_of(c_.tree.nodes), [&] {
                                 for (int n = 0; n < size_of(c_.tree.nodes); ++n)
                                   benchmark::DoNotOptimize(variant.refit(c_.tree.refit_node(n, pose)));
@@ -84,7 +85,7 @@ class BatchExperiment {
   void pose() {
     SkinningPose<double> pose;
     const auto prepare = [&] {
-      make_skinning_pose(c_.model, c_.sets, posture_.posture, Skinning::spherical, pose);
+      make_skinning_pose(c_.mesh, c_.sets, posture_.posture, Skinning::spherical, pose);
       benchmark::DoNotOptimize(pose.size());
     };
     measure("skinning_pose", "joint_set", {{"scalar", c_.sets.count(), prepare}});
@@ -92,7 +93,7 @@ class BatchExperiment {
 
   template <class Balls>
   void require_no_miss(const Kind& kind, const Balls& balls, const SkinningPose<double>& pose, const std::string& how) const {
-    const auto deformed = refitlab::skin(c_.model, c_.sets, pose, kind.skinning);
+    const auto deformed = refitlab::skin(c_.mesh, c_.sets, pose, kind.skinning);
     for (int n = 0; n < size_of(c_.tree.nodes); ++n) {
       const Ball3<float> ball = balls(n);
       for (const int v : c_.vertices[n])
@@ -104,7 +105,7 @@ class BatchExperiment {
   void measure(const std::string& what, const std::string& item, const std::vector<Timed>& timed) {
     const auto times = ns_per_item(timed, settings_);
     for (const Timed& t : timed) {
-      results_.push_back({c_.model.name, posture_.name, what, t.name, item, median(times.at(t.name)),
+      results_.push_back({c_.mesh.name, posture_.name, what, t.name, item, median(times.at(t.name)),
                           median_ratio(times.at(t.name), times.at("scalar")), 0});
       const BatchSpeed& r = results_.back();
       std::printf("  %-22s %-9s %8.2f ns per %s, 1/%.1f of scalar\n", what.c_str(), r.how.c_str(), r.ns, item.c_str(), 1 / r.ratio);
@@ -119,17 +120,17 @@ class BatchExperiment {
   }
 
   SkinningPose<double> pose_of(const Kind& kind) const {
-    return make_skinning_pose(c_.model, c_.sets, posture_.posture, kind.skinning);
+    return make_skinning_pose(c_.mesh, c_.sets, posture_.posture, kind.skinning);
   }
   template <class T>
   static int size_of(const std::vector<T>& list) {
     return static_cast<int>(list.size());
   }
   [[noreturn]] void fail(const std::string& what, const std::string& how) const {
-    throw std::logic_error("batch: " + c_.model.name + ": " + what + ", by " + how);
+    throw std::logic_error("batch: " + c_.mesh.name + ": " + what + ", by " + how);
   }
 
-  const Character& c_;
+  const AnimatedCharacter& c_;
   const NamedPosture& posture_;
   const SpeedSettings settings_;
   PackedVertices packed_;
@@ -139,8 +140,8 @@ class BatchExperiment {
 
 }  // namespace
 
-std::vector<BatchSpeed> run_batch_speed(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
-  std::cout << "[speed] in batches: " << c.model.name << ", " << posture.name << std::endl;
+std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& c, const NamedPosture& posture, const SpeedSettings& settings) {
+  std::cout << "[speed] in batches: " << c.mesh.name << ", " << posture.name << std::endl;
   return BatchExperiment(c, posture, settings).run();
 }
 

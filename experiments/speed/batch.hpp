@@ -22,7 +22,7 @@ struct BatchSpeed {
 
 // By every target that there is. Throws std::logic_error if a batch's result is wrong: skinned vertices not bit-identical,
 // a ball that misses a vertex.
-std::vector<BatchSpeed> run_batch_speed(const Character& character, const NamedPosture& posture, const SpeedSettings& settings);
+std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& character, const NamedPosture& posture, const SpeedSettings& settings);
 
 // All results as out/results/batch_speed.csv.
 void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path);

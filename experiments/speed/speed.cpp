@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/scenes/contenders.hpp"
 
@@ -15,13 +16,12 @@ namespace {
 
 // Refits these nodes of the character by each sound variant that stands alone, and all of them by the others too: they
 // make some nodes from others.
-std::vector<Timed> refits_of(const Character& c, const Posture& posture, const std::vector<int>& nodes) {
+std::vector<Timed> refits_of(const AnimatedCharacter& c, const Posture& posture, const std::vector<int>& nodes) {
   std::vector<Timed> out;
   for (const Contender& contender : contenders()) {
     const RefitVariant& variant = *contender.variant;
     if (!variant.sound) continue;
-    c.prepare(variant.pieces);
-    const auto pose = std::make_shared<SkinningPose<double>>(make_skinning_pose(c.model, c.sets, posture, variant.skinning));
+    const auto pose = std::make_shared<SkinningPose<double>>(make_skinning_pose(c.mesh, c.sets, posture, variant.skinning));
     const int count = static_cast<int>(nodes.size());
     if (contender.stands_alone()) {
       out.push_back({contender.name, count, [&c, &variant, &nodes, pose] {
@@ -42,8 +42,8 @@ std::vector<Timed> refits_of(const Character& c, const Posture& posture, const s
 
 }  // namespace
 
-std::vector<SpeedResult> run_speed(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
-  std::cout << "[speed] " << c.model.name << ", " << posture.name << ": " << settings.repetitions << " repetitions" << std::endl;
+std::vector<SpeedResult> run_speed(const AnimatedCharacter& c, const NamedPosture& posture, const SpeedSettings& settings) {
+  std::cout << "[speed] " << c.mesh.name << ", " << posture.name << ": " << settings.repetitions << " repetitions" << std::endl;
   std::vector<SpeedResult> results;
   for (int level = 0; level <= c.tree.level_count(); ++level) {
     std::vector<int> nodes;
@@ -53,7 +53,7 @@ std::vector<SpeedResult> run_speed(const Character& c, const NamedPosture& postu
     const auto times = ns_per_item(refits_of(c, posture.posture, nodes),
                                    {settings.seconds_per_run * share, settings.repetitions});
     for (const auto& [variant, entries] : times)
-      results.push_back({c.model.name, posture.name, variant, level, median(entries),
+      results.push_back({c.mesh.name, posture.name, variant, level, median(entries),
                          median_ratio(entries, times.at("spherical_repaired"))});
     if (level > 0) continue;
     for (const SpeedResult& r : results)

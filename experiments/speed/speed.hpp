@@ -18,7 +18,7 @@ struct SpeedResult {
 
 // Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the posture, and, a
 // tenth as long, those of each level; the frame's joint-set data given. Unsound balls are refused by construction: the variants are those whose enclosure is tested.
-std::vector<SpeedResult> run_speed(const Character& character, const NamedPosture& posture, const SpeedSettings& settings);
+std::vector<SpeedResult> run_speed(const AnimatedCharacter& character, const NamedPosture& posture, const SpeedSettings& settings);
 
 // All results as out/results/speed.csv.
 void write_speed(const std::vector<SpeedResult>& results, const std::string& path);

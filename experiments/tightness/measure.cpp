@@ -1,7 +1,8 @@
 #include "experiments/tightness/measure.hpp"
 
-#include "algorithms/refit/deformed.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/methods/refit/deformed.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/parallel.hpp"
 #include "experiments/scenes/contenders.hpp"
 
@@ -22,7 +23,7 @@ double excess(const Ball3<double>& ball, std::span<const int> vertices, std::spa
 // One posture: the balls of every column are measured against the vertices that they claim to bound.
 class PostureMeasurement {
  public:
-  PostureMeasurement(const Character& c, const Posture& posture)
+  PostureMeasurement(const AnimatedCharacter& c, const Posture& posture)
       : c_(c), posture_(posture), tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {}
 
   Tightness all() {
@@ -54,8 +55,8 @@ class PostureMeasurement {
   const Frame& frame(Skinning s) {
     if (const auto known = frames_.find(s); known != frames_.end()) return known->second;
     Frame& f = frames_[s];
-    f.pose = make_skinning_pose(c_.model, c_.sets, posture_, s);
-    f.deformed = skin(c_.model, c_.sets, f.pose, s);
+    f.pose = make_skinning_pose(c_.mesh, c_.sets, posture_, s);
+    f.deformed = skin(c_.mesh, c_.sets, f.pose, s);
     f.optimal = optimal_balls(c_.tree, c_.vertices, f.deformed);
     return f;
   }
@@ -84,7 +85,7 @@ class PostureMeasurement {
     }
   }
 
-  const Character& c_;
+  const AnimatedCharacter& c_;
   const Posture& posture_;
   const double tolerance_;
   std::map<Skinning, Frame> frames_;
@@ -104,7 +105,7 @@ std::vector<std::string> tightness_columns() {
   return columns;
 }
 
-Tightness measure_tightness(const Character& character, const PostureSet& set) {
+Tightness measure_tightness(const AnimatedCharacter& character, const PostureSet& set) {
   std::vector<Tightness> parts(set.postures.size());
   parallel_for(set.postures.size(), [&](std::size_t i) { parts[i] = PostureMeasurement(character, set.postures[i]).all(); });
   Tightness total = std::move(parts[0]);

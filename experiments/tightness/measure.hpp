@@ -19,6 +19,6 @@ using Tightness = std::map<std::string, std::vector<LevelTightness>>;  // by var
 std::vector<std::string> tightness_columns();
 
 // All variants in all postures of the set, on all processors.
-Tightness measure_tightness(const Character& character, const PostureSet& postures);
+Tightness measure_tightness(const AnimatedCharacter& character, const PostureSet& postures);
 
 }  // namespace refitlab

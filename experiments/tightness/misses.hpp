@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "algorithms/refit/character.hpp"
+#include "algorithms/bake/bake.hpp"
 
 namespace refitlab {
 
@@ -28,7 +28,7 @@ struct Misses {
 };
 
 // balls: one for each of the nodes. vertices: of the model, deformed.
-inline Misses find_misses(const Character& c, std::span<const int> nodes, std::span<const Ball3<double>> balls,
+inline Misses find_misses(const AnimatedCharacter& c, std::span<const int> nodes, std::span<const Ball3<double>> balls,
                           std::span<const Point3> vertices) {
   const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
   Misses out;

@@ -43,15 +43,15 @@ void print_table(const TightnessResult& r) {
 
 }  // namespace
 
-std::vector<TightnessResult> run_tightness(const Character& c, const std::vector<NamedPosture>& postures,
+std::vector<TightnessResult> run_tightness(const AnimatedCharacter& c, const std::vector<NamedPosture>& postures,
                                            const TightnessSettings& settings) {
   std::vector<TightnessResult> results;
-  auto sets = posture_sets(c.model, settings.times_per_clip);
+  auto sets = posture_sets(c, settings.times_per_clip);
   for (const NamedPosture& p : postures) sets.push_back({p.name, {p.posture}, p.kind});
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    std::cout << "[tightness] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
+    std::cout << "[tightness] " << c.mesh.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
               << sets[i].postures.size() << " postures" << std::endl;
-    results.push_back({c.model.name, sets[i].name, sets[i].kind, static_cast<int>(sets[i].postures.size()), measure_tightness(c, sets[i])});
+    results.push_back({c.mesh.name, sets[i].name, sets[i].kind, static_cast<int>(sets[i].postures.size()), measure_tightness(c, sets[i])});
     print_table(results.back());
   }
   return results;

@@ -19,7 +19,7 @@ struct TightnessSettings {
 };
 
 // Runs all clips of one model, and these postures, with progress on stdout, and prints its tables.
-std::vector<TightnessResult> run_tightness(const Character& character, const std::vector<NamedPosture>& postures,
+std::vector<TightnessResult> run_tightness(const AnimatedCharacter& character, const std::vector<NamedPosture>& postures,
                                            const TightnessSettings& settings);
 
 // All results as out/results/tightness.csv.

@@ -6,9 +6,10 @@
 #include <iostream>
 #include <numbers>
 
-#include "algorithms/refit/volume_variants.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/methods/refit/volume_variants.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/parallel.hpp"
 #include "experiments/tightness/measure.hpp"
 
@@ -49,11 +50,11 @@ std::vector<int> some_nodes(const SphereTree& tree, int per_level) {
 
 using Volumes = std::map<std::string, std::vector<LevelVolumes>>;
 
-Volumes measure(const Character& c, const std::vector<int>& nodes, const Posture& posture) {
-  const auto pose = make_skinning_pose(c.model, c.sets, posture, Skinning::spherical);
-  const auto deformed = skin(c.model, c.sets, pose, Skinning::spherical);
+Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const Posture& posture) {
+  const auto pose = make_skinning_pose(c.mesh, c.sets, posture, Skinning::spherical);
+  const auto deformed = skin(c.mesh, c.sets, pose, Skinning::spherical);
   const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
-  const RefitVariant& balls = refit_variant(ball_variant);
+  const RefitVariant& balls = compared_variant(ball_variant);
   Volumes out;
   for (const VolumeVariant& variant : volume_variants()) out[variant.name].resize(c.tree.level_count());
   std::vector<Ball3<double>> points;
@@ -77,7 +78,7 @@ Volumes measure(const Character& c, const std::vector<int>& nodes, const Posture
   return out;
 }
 
-Volumes measure(const Character& c, const std::vector<int>& nodes, const PostureSet& set) {
+Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const PostureSet& set) {
   std::vector<Volumes> parts(set.postures.size());
   parallel_for(parts.size(), [&](std::size_t i) { parts[i] = measure(c, nodes, set.postures[i]); });
   Volumes total = std::move(parts[0]);
@@ -108,24 +109,23 @@ void print_table(const VolumeResult& r) {
   std::printf("  volumes that miss a vertex: %ld of %ld\n", misses, nodes);
 }
 
-std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& posture, const SpeedSettings& settings) {
-  const auto pose = make_skinning_pose(c.model, c.sets, posture.posture, Skinning::spherical);
+std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPosture& posture, const SpeedSettings& settings) {
+  const auto pose = make_skinning_pose(c.mesh, c.sets, posture.posture, Skinning::spherical);
   const int count = static_cast<int>(c.tree.nodes.size());
   std::vector<Timed> timed;
   const auto add = [&](const auto& variant) {
-    c.prepare(variant.pieces);
     timed.push_back({variant.name, count, [&c, &pose, &variant, count] {
                        for (int n = 0; n < count; ++n)
                          benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));
                      }});
   };
-  add(refit_variant(ball_variant));
+  add(compared_variant(ball_variant));
   for (const VolumeVariant& variant : volume_variants()) add(variant);
   const auto times = ns_per_item(timed, settings);
   std::vector<VolumeCost> out;
   for (const Timed& refit : timed) {
     const auto& own = times.at(refit.name);
-    out.push_back({c.model.name, posture.name, posture.kind, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
+    out.push_back({c.mesh.name, posture.name, posture.kind, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
     std::printf("  %-26s %8.1f ns per node, %6.2f times %s\n", refit.name.c_str(), out.back().ns_per_node,
                 out.back().ratio_to_ball, ball_variant);
   }
@@ -134,16 +134,16 @@ std::vector<VolumeCost> measure_costs(const Character& c, const NamedPosture& po
 
 }  // namespace
 
-void run_volumes(const Character& c, const NamedPosture& posture, const VolumeSettings& settings,
+void run_volumes(const AnimatedCharacter& c, const NamedPosture& posture, const VolumeSettings& settings,
                  VolumeResults& results) {
-  auto sets = posture_sets(c.model, settings.times_per_clip);
+  auto sets = posture_sets(c, settings.times_per_clip);
   sets.push_back({posture.name, {posture.posture}, posture.kind});
   const std::vector<int> nodes = some_nodes(c.tree, settings.nodes_per_level);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const int postures = static_cast<int>(sets[i].postures.size());
-    std::cout << "[volumes] " << c.model.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
+    std::cout << "[volumes] " << c.mesh.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
               << postures << " postures" << std::endl;
-    results.tightness.push_back({c.model.name, sets[i].name, sets[i].kind, postures, measure(c, nodes, sets[i])});
+    results.tightness.push_back({c.mesh.name, sets[i].name, sets[i].kind, postures, measure(c, nodes, sets[i])});
     print_table(results.tightness.back());
   }
   const auto costs = measure_costs(c, posture, settings.speed);

@@ -40,7 +40,7 @@ struct VolumeResults {
 };
 
 // All clips and the posture of one model, with progress and tables on stdout, appended to results.
-void run_volumes(const Character& character, const NamedPosture& posture, const VolumeSettings& settings,
+void run_volumes(const AnimatedCharacter& character, const NamedPosture& posture, const VolumeSettings& settings,
                  VolumeResults& results);
 
 // All results as out/results/volumes.csv.

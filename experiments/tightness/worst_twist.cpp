@@ -3,7 +3,8 @@
 #include <numbers>
 #include <tuple>
 
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/parallel.hpp"
 #include "experiments/tightness/misses.hpp"
 
@@ -11,15 +12,15 @@ namespace refitlab {
 namespace {
 
 // How many balls of all nodes are defined and yet have a vertex outside.
-long count_misses(const Character& c, std::span<const int> nodes, const Posture& posture, const RefitVariant& variant) {
-  const auto pose = make_skinning_pose(c.model, c.sets, posture, variant.skinning);
-  const auto misses = find_misses(c, nodes, c.refit_all(variant, pose), skin(c.model, c.sets, pose, variant.skinning));
+long count_misses(const AnimatedCharacter& c, std::span<const int> nodes, const Posture& posture, const RefitVariant& variant) {
+  const auto pose = make_skinning_pose(c.mesh, c.sets, posture, variant.skinning);
+  const auto misses = find_misses(c, nodes, refit_all(c, variant, pose), skin(c.mesh, c.sets, pose, variant.skinning));
   return misses.ball_count() - misses.undefined;
 }
 
 }  // namespace
 
-NamedPosture worst_twist(const Character& c) {
+NamedPosture worst_twist(const AnimatedCharacter& c) {
   struct {
     long misses = -1;
     int joint = 0, degrees = 0;
@@ -27,17 +28,17 @@ NamedPosture worst_twist(const Character& c) {
   std::mutex guard;
   const auto nodes = nodes_of_level(c.tree, 0);
   const int angles[] = {90, 120, 150, 175};
-  const RefitVariant& printed = refit_variant("spherical_printed_signed");
-  parallel_for(c.model.joints.size() * std::size(angles), [&](std::size_t i) {
+  const RefitVariant& printed = compared_variant("spherical_printed_signed");
+  parallel_for(c.mesh.joints.size() * std::size(angles), [&](std::size_t i) {
     const int joint = static_cast<int>(i / std::size(angles)), degrees = angles[i % std::size(angles)];
-    const Posture posture = twist_posture(c.model, joint, degrees * std::numbers::pi / 180);
+    const Posture posture = twist_posture(c.mesh, joint, degrees * std::numbers::pi / 180);
     const long misses = count_misses(c, nodes, posture, printed);
     const std::lock_guard lock(guard);
     if (std::tuple(misses, -joint, -degrees) > std::tuple(worst.misses, -worst.joint, -worst.degrees))
       worst = {misses, joint, degrees};
   });
-  return {"worst twist: " + c.model.joints[worst.joint].name + " by " + std::to_string(worst.degrees) + " degrees",
-          twist_posture(c.model, worst.joint, worst.degrees * std::numbers::pi / 180), "worst_twist"};
+  return {"worst twist: " + c.mesh.joints[worst.joint].name + " by " + std::to_string(worst.degrees) + " degrees",
+          twist_posture(c.mesh, worst.joint, worst.degrees * std::numbers::pi / 180), "worst_twist"};
 }
 
 }  // namespace refitlab

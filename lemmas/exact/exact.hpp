@@ -7,6 +7,9 @@
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Gmpq.h>
 
+#include <sstream>
+#include <string>
+
 #include "lemmas/vocabulary/numbers.hpp"
 
 namespace refitlab {
@@ -25,5 +28,13 @@ struct NumberTraits<ExactRoot> {
   static Verdict equal(const ExactRoot& a, const ExactRoot& b) { return verdict_of(a == b); }
   static bool prefer_less(const ExactRoot& a, const ExactRoot& b) { return a < b; }
 };
+
+// "3/5", "-2".
+inline std::string as_text(const Rational& x) {
+  std::ostringstream out;
+  out << x.numerator();
+  if (x.denominator() != 1) out << '/' << x.denominator();
+  return out.str();
+}
 
 }  // namespace refitlab

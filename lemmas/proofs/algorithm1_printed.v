@@ -1,4 +1,4 @@
-(* algorithms/refit/algorithm1_printed.hpp: Algorithm 1 of the paper (section 4.5) as printed. It is not sound. *)
+(* algorithms/methods/refit/algorithm1_printed.hpp: Algorithm 1 of the paper (section 4.5) as printed. It is not sound. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.lemma4_quaternion_hull Refitlab.rotation_bound Refitlab.s43_distance_range Refitlab.algorithm1_repaired.

@@ -1,4 +1,4 @@
-(* algorithms/refit/control_hull.hpp: the control balls of a piece, with halving and the fallback, hold its vertices under
+(* algorithms/runtime/refit/control_hull.hpp: the control balls of a piece, with halving and the fallback, hold its vertices under
    spherical blending. It is composed as the program is; so is its halving for any kind of blend. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,4 +1,4 @@
-(* algorithms/refit/volume_refit.hpp: boxes, oriented boxes and k-DOPs around the control balls hold the node's vertices. *)
+(* algorithms/methods/refit/volume_refit.hpp: boxes, oriented boxes and k-DOPs around the control balls hold the node's vertices. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.control_hull.

@@ -46,7 +46,7 @@ template <class S>
 S min_of(const S& a, const S& b) {
   return NumberTraits<S>::min(a, b);
 }
-// The first or the second number, by a comparison's answer: a bool, or a mask of lanes (algorithms/packs/pack.hpp).
+// The first or the second number, by a comparison's answer: a bool, or a mask of lanes (algorithms/runtime/packs/pack.hpp).
 template <class Mask, class S>
 S choose(const Mask& first, const S& a, const S& b) {
   if constexpr (std::is_convertible_v<Mask, bool>)

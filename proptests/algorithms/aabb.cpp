@@ -1,5 +1,5 @@
 // The axis-aligned box is the k-DOP of k = 6, whose suite tests it; here is what boxes alone have.
-#include "algorithms/volumes/aabb.hpp"
+#include "algorithms/methods/volumes/aabb.hpp"
 
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"

@@ -1,9 +1,9 @@
 // Algorithm 1 as printed: where it fails, and where it is right.
-#include "algorithms/refit/algorithm1_printed.hpp"
+#include "algorithms/methods/refit/algorithm1_printed.hpp"
 
 #include <random>
 
-#include "algorithms/refit/algorithm1_repaired.hpp"
+#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"

@@ -1,5 +1,5 @@
 // The theorem: the repaired Algorithm 1 encloses every vertex of S with admissible weights.
-#include "algorithms/refit/algorithm1_repaired.hpp"
+#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"

@@ -2,11 +2,12 @@
 
 #include <bit>
 
-#include "algorithms/batch/batch_refit.hpp"
-#include "algorithms/batch/node_refit.hpp"
-#include "algorithms/batch/pose_packs.hpp"
-#include "algorithms/collide/cluster_collide.hpp"
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/batch/batch_refit.hpp"
+#include "algorithms/runtime/batch/node_refit.hpp"
+#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/runtime/collide/cluster_collide.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {
@@ -17,8 +18,8 @@ using oracle::allocations_in;
 
 constexpr int frames = 12;
 
-Posture step(const Character& c, int frame, double share) {
-  const Clip& walk = c.model.clips[0];
+Posture step(const AnimatedCharacter& c, int frame, double share) {
+  const Clip& walk = c.clips[0];
   return walk.sample(std::fmod(frame / static_cast<double>(frames) + share, 1.0) * walk.duration);
 }
 
@@ -34,7 +35,7 @@ PROPTEST(allocations) {
     return Checked(list == 1 && wide == 1 && none == 0, 3);
   });
   t.example("a query takes nothing from the heap but its answer, once it was asked in each place", {}, [] {
-    const Character man(make_man());
+    const auto man = bake(make_man());
     const ClusterTree tree(man);
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
     bool ok = true;
@@ -63,10 +64,10 @@ PROPTEST(allocations) {
       "a frame of poses and single nodes takes nothing from the heap after the first one, and a batch three times a "
       "kernel",
       {}, [] {
-        const Character man(make_man());
+        const auto man = bake(make_man());
         BatchRefit batch(man.tree, man.sets);
         NodeRefit single(man.tree, man.sets);
-        const PosePacks packs(man.model, man.sets, Skinning::spherical);
+        const PosePacks packs(man.mesh, man.sets, Skinning::spherical);
         SkinningPose<double> pose;
         long taken = 0, of_batch = 0;
         float sum = 0;

@@ -1,16 +1,17 @@
-#include "algorithms/batch/batch_refit.hpp"
-#include "algorithms/batch/node_refit.hpp"
-#include "algorithms/batch/single_precision.hpp"
+#include "algorithms/bake/build_tree.hpp"
+#include "algorithms/runtime/batch/batch_refit.hpp"
+#include "algorithms/runtime/batch/node_refit.hpp"
+#include "algorithms/runtime/batch/single_precision.hpp"
 
 #include <algorithm>
 #include <random>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/queries/exact_skin.hpp"
-#include "algorithms/refit/algorithm1_repaired.hpp"
-#include "algorithms/refit/linear.hpp"
-#include "algorithms/skinning/skin.hpp"
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/verification/exact_skin.hpp"
+#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
+#include "algorithms/runtime/refit/linear.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
@@ -22,7 +23,7 @@ namespace {
 using namespace refitlab;
 
 // defect: of the squared lengths of some quaternions, the others having none.
-Posture random_posture(const Model& model, unsigned seed, double calm, double defect) {
+Posture random_posture(const SkinnedMesh& model, unsigned seed, double calm, double defect) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   Posture posture = reference_posture(model);
@@ -89,7 +90,7 @@ double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning 
 // Nothing if the balls of a model that may be at any end of what is accepted hold all vertices, skinned exactly and in
 // double; by the last bit.
 std::string what_is_missed(const gen::WideModel& wide) {
-  const Model& model = wide.model;
+  const SkinnedMesh& model = wide.mesh;
   const JointSets sets(model);
   const SphereTree tree = build_sphere_tree(model, sets, {.triangles_per_leaf = wide.triangles_per_leaf});
   const NodeVertices vertices(tree, model);
@@ -133,9 +134,9 @@ std::string what_is_missed(const gen::WideModel& wide) {
 
 // Joints of which one turns the other way than the rest: of the corners many are one way and few the other, so that these are
 // on the far side of the sphere from the mean.
-std::pair<Model, Posture> lopsided(std::mt19937& random) {
+std::pair<SkinnedMesh, Posture> lopsided(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
-  Model model;
+  SkinnedMesh model;
   model.name = "lopsided";
   for (int j = 0; j < 4; ++j) model.joints.push_back({"joint " + std::to_string(j), j - 1, Point3(uniform(random), 0, 0)});
   for (int v = 0; v < 9; ++v) {
@@ -162,17 +163,17 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
   const bool are_shared = joints > 1 && random() % 2;  // then it is a joint-set whose joints may be of unlike lengths
   constexpr double little = 0x1p-12;
   gen::WideModel out;
-  out.model.name = "octahedron";
-  for (int j = 0; j < joints; ++j) out.model.joints.push_back({"joint " + std::to_string(j), j - 1, Point3::Zero()});
+  out.mesh.name = "octahedron";
+  for (int j = 0; j < joints; ++j) out.mesh.joints.push_back({"joint " + std::to_string(j), j - 1, Point3::Zero()});
   for (int i = 0; i < 3; ++i)
     for (const int side : {1, -1}) {
-      out.model.vertices.push_back(Point3::Unit(i) * (side * r));
+      out.mesh.vertices.push_back(Point3::Unit(i) * (side * r));
       // The turned vertex goes on outwards.
       const bool is_last = i == axis && side == 1;
-      if (are_shared) out.model.influences.push_back({{0, is_last ? little : 1 - little}, {joints - 1, is_last ? 1 - little : little}});
-      else out.model.influences.push_back({{is_last ? joints - 1 : 0, 1}});
+      if (are_shared) out.mesh.influences.push_back({{0, is_last ? little : 1 - little}, {joints - 1, is_last ? 1 - little : little}});
+      else out.mesh.influences.push_back({{is_last ? joints - 1 : 0, 1}});
     }
-  out.model.triangles = {{0, 2, 4}, {1, 3, 5}};
+  out.mesh.triangles = {{0, 2, 4}, {1, 3, 5}};
   out.triangles_per_leaf = 1 + static_cast<int>(random() % 2);
   const int about = (axis + 1) % 3;
   const double defects[] = {0, 1e-7, 1e-6, -1e-6};
@@ -191,7 +192,7 @@ bool is_bounded(const RefitNode<double>& node) {
 }
 
 // Nothing if all is well.
-std::string what_is_wrong(const Model& model, const Posture& posture, Skinning skinning) {
+std::string what_is_wrong(const SkinnedMesh& model, const Posture& posture, Skinning skinning) {
   const JointSets sets(model);
   const SphereTree tree = build_sphere_tree(model, sets);
   const NodeVertices vertices(tree, model);
@@ -246,7 +247,7 @@ PROPTEST(batch_refit) {
             {.number_type = "float pack", .cases = 60, .degenerate_at_least = 0.3}, [skinning] {
               const auto plan = *gen::mesh_plan();
               RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-              const Model model = gen::make_mesh(plan);
+              const SkinnedMesh model = gen::make_mesh(plan);
               const double defect = *rc::gen::element(0., 1e-7, 1e-6, -1e-6);
               const auto posture = random_posture(model, plan.seed, *rc::gen::element(0., 1., 5.), defect);
               RC_ASSERT(what_is_wrong(model, posture, skinning) == "");
@@ -261,7 +262,7 @@ PROPTEST(batch_refit) {
     });
   }
   t.example("of blends that nearly vanish the slack is as many times larger", {.number_type = "float pack"}, [] {
-    Model model;
+    SkinnedMesh model;
     model.name = "a triangle between two joints";
     model.joints = {{"a", -1, Point3::Zero()}, {"b", 0, Point3::UnitX()}};
     model.vertices = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
@@ -279,16 +280,16 @@ PROPTEST(batch_refit) {
           {.number_type = "float pack", .cases = 100, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
             const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
             RC_TAG(gen::label_of(soup));
-            const auto wrong = what_is_wrong(soup.model, soup.posture, Skinning::spherical);
+            const auto wrong = what_is_wrong(soup.mesh, soup.posture, Skinning::spherical);
             if (!wrong.empty()) RC_FAIL(wrong);
           });
   t.holds("nor of what the interface accepts at its ends, be it skinned exactly: tiny, huge, of many joints, of lengths off 1",
           {.number_type = "float pack", .cases = 1500, .degenerate_at_least = 0.5}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const gen::WideModel wide = gen::wide_model(random);
-            RC_CLASSIFY(wide.largest_length < 0x1p-126 || wide.largest_length > 0x1p50 || wide.model.joints.size() > 4,
+            RC_CLASSIFY(wide.largest_length < 0x1p-126 || wide.largest_length > 0x1p50 || wide.mesh.joints.size() > 4,
                         "degenerate");
-            RC_CLASSIFY(wide.model.joints.size() > 30);
+            RC_CLASSIFY(wide.mesh.joints.size() > 30);
             RC_CLASSIFY(wide.largest_length < 0x1p-126, "tiny");
             if (const auto wrong = what_is_missed(wide); !wrong.empty()) RC_FAIL(wrong + ": " + wide.what);
           });
@@ -308,7 +309,7 @@ PROPTEST(batch_refit) {
     if (const auto wrong = what_is_wrong(model, posture, Skinning::spherical); !wrong.empty()) RC_FAIL(wrong);
   });
   t.example("the slack grows with the number of joints, of which 90 turn alike", {.number_type = "float pack"}, [] {
-    Model model;
+    SkinnedMesh model;
     model.name = "a triangle of 90 joints";
     model.vertices = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
     model.triangles = {{0, 1, 2}};
@@ -331,7 +332,7 @@ PROPTEST(batch_refit) {
     for (const double share : {0.998, 1.002})
       for (const bool moved : {true, false}) {
         const double length = share * largest_single_length;
-        Model model;
+        SkinnedMesh model;
         model.name = "a far triangle";
         model.joints = {{"a", -1, Point3::Zero()}};
         const Point3 p(moved ? 0 : length, 0, 0);

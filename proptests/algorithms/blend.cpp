@@ -1,5 +1,5 @@
 // Blending one vertex, against matrices.
-#include "algorithms/skinning/blend.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "algorithms/refit/control_hull.hpp"
+#include "algorithms/runtime/refit/control_hull.hpp"
 #include "proptests/gen/skinned_piece.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/bounds.hpp"

@@ -1,4 +1,4 @@
-#include "algorithms/volumes/box_orientation.hpp"
+#include "algorithms/methods/volumes/box_orientation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,12 @@
-#include "algorithms/collide/box_packs.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/box_packs.hpp"
 
 #include <random>
 
-#include "algorithms/collide/box_kernel.hpp"
-#include "algorithms/collide/cluster_tree.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/collide/box_kernel.hpp"
+#include "algorithms/runtime/collide/cluster_tree.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/opposite_joints.hpp"
@@ -60,23 +61,23 @@ PROPTEST(box_packs) {
       {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
         const auto plan = *gen::mesh_plan();
         RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-        Model model = gen::make_mesh(plan);
+        SkinnedMesh model = gen::make_mesh(plan);
         const Point3 offset = Point3(1, -2, 3) * *rc::gen::element(0, 0, 1000);
         for (Point3& v : model.vertices) v += offset;
         for (auto& joint : model.joints) joint.origin += offset;
-        const Character c(std::move(model));
+        const auto c = bake(std::move(model));
         std::mt19937 random(plan.seed);
         const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
         const Posture posture =
-            gen::with_lengths(gen::random_posture(c.model, random, spread), gen::random_unit_length(random), random);
+            gen::with_lengths(gen::random_posture(c.mesh, random, spread), gen::random_unit_length(random), random);
         const Quaternion<double> rotation =
             gen::with_length(gen::random_rotation(random, 1), gen::random_unit_length(random), random);
         std::vector<int> nodes;
         for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
         const Skinning skinning =
             *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
-        const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-        auto turned = skin(c.model, c.sets, pose, skinning);
+        const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+        auto turned = skin(c.mesh, c.sets, pose, skinning);
         for (auto& p : turned) p = rotate(rotation, p);
         for (const Target target : available_targets()) {
           const auto boxes = bound(c, nodes, skinning, pose, rotation, target);
@@ -88,15 +89,15 @@ PROPTEST(box_packs) {
       "nor do they lose a vertex where joints are turned nearly opposite ways, so that blends of them nearly vanish",
       {.number_type = "float", .cases = 300, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
         const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
-        const Character c(soup.model);
+        const auto c = bake(soup.mesh);
         const Posture& posture = soup.posture;
         RC_TAG(gen::label_of(soup));
         std::vector<int> nodes;
         for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
         const Skinning skinning =
             *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
-        const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-        const auto skinned = skin(c.model, c.sets, pose, skinning);
+        const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+        const auto skinned = skin(c.mesh, c.sets, pose, skinning);
         for (const Target target : available_targets()) {
           const auto boxes = bound(c, nodes, skinning, pose, identity_quaternion<double>(), target);
           for (const int n : nodes) RC_ASSERT(excess(c, n, skinned, boxes[n]) <= 0);
@@ -111,12 +112,12 @@ PROPTEST(box_packs) {
                                               1e25, 1e30);
         const gen::Attained scene = gen::attained(random, {.unit = unit});
         const Skinning skinning = gen::random_skinning(random);
-        const Character c(scene.model, {.triangles_per_leaf = 8});
-        const auto pose = make_skinning_pose(c.model, c.sets, scene.posture, skinning);
-        auto turned = skin(c.model, c.sets, pose, skinning);
+        const auto c = bake(scene.mesh, {.triangles_per_leaf = 8});
+        const auto pose = make_skinning_pose(c.mesh, c.sets, scene.posture, skinning);
+        auto turned = skin(c.mesh, c.sets, pose, skinning);
         for (auto& p : turned) p = rotate(scene.placement.rotation, p);
         const std::vector<int> root{0};
-        const int joints = static_cast<int>(c.model.joints.size());
+        const int joints = static_cast<int>(c.mesh.joints.size());
         for (const Target target : available_targets()) {
           const FlippedBox box = bound(c, root, skinning, pose, scene.placement.rotation, target)[0];
           RC_LOG() << scene.what;
@@ -145,19 +146,19 @@ PROPTEST(box_packs) {
             const Point3 away = Point3(u(random), random() % 2 ? 0 : u(random), random() % 2 ? 0 : u(random)) * far;
             scene.placement.rotation = *rc::gen::element(scene.placement.rotation, identity_quaternion<double>());
             if (random() % 2) scene.posture[any_joint()].rotation = gen::random_rotation(random, 0.5);
-            if (what == vertex) scene.model.vertices[random() % scene.model.vertices.size()] = away;
+            if (what == vertex) scene.mesh.vertices[random() % scene.mesh.vertices.size()] = away;
             if (what == vertices)
-              for (Point3& v : scene.model.vertices) v += away;
+              for (Point3& v : scene.mesh.vertices) v += away;
             if (what == joint) scene.posture[any_joint()].translation = away;
             if (what == center)  // whose images are where the vertices were
               for (std::size_t j = 0; j < scene.posture.size(); ++j) {
-                scene.model.joints[j].origin = away;
+                scene.mesh.joints[j].origin = away;
                 scene.posture[j].translation = -rotate(scene.posture[j].rotation, away);
               }
-            const Character c(scene.model, {.triangles_per_leaf = 8});
+            const auto c = bake(scene.mesh, {.triangles_per_leaf = 8});
             const Skinning skinning = gen::random_skinning(random);
-            const auto pose = make_skinning_pose(c.model, c.sets, scene.posture, skinning);
-            auto turned = skin(c.model, c.sets, pose, skinning);
+            const auto pose = make_skinning_pose(c.mesh, c.sets, scene.posture, skinning);
+            auto turned = skin(c.mesh, c.sets, pose, skinning);
             for (auto& p : turned) p = rotate(scene.placement.rotation, p);
             const std::vector<int> root{0};
             for (const Target target : available_targets())
@@ -175,15 +176,15 @@ PROPTEST(box_packs) {
     for (int i = 0; i < tried; ++i) {
       const double angle = turn(random), unit = std::exp2(static_cast<int>(random() % 40) - 20);
       const Point3 v = Point3(std::cos(angle), std::sin(angle), 0) * unit;  // 1 or so units long, by half a bit more or less
-      Model model;
+      SkinnedMesh model;
       model.name = "across";
       model.vertices = {v, -v, v};
       model.triangles = {{0, 1, 2}};
       model.joints = {{"root", -1, {0, 0, 0}}};
       model.influences.assign(3, {{0, 1}});
-      const Character c(std::move(model));
+      const auto c = bake(std::move(model));
       const Ball3<double> ball = pieces_of_nodes(c, std::vector<int>{0})[0].reference;
-      for (const Point3& p : c.model.vertices)
+      for (const Point3& p : c.mesh.vertices)
         if (encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) != Verdict::holds)
           return Checked(false, i, "a vertex outside");
       if (ball.radius > unit * (1 + 0x1p-22) || ball.radius != static_cast<float>(ball.radius)) return Checked(false, i, "no float, or too large");
@@ -192,8 +193,8 @@ PROPTEST(box_packs) {
     return Checked(beyond > tried / 5, tried, std::to_string(beyond) + " a little more than a float away");
   });
   t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
-    const Character c(make_man());
-    const auto posture = c.model.clips[0].sample(0.3 * c.model.clips[0].duration);
+    const auto c = bake(make_man());
+    const auto posture = c.clips[0].sample(0.3 * c.clips[0].duration);
     const std::vector<int> nodes = [&] {
       std::vector<int> out;
       for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n)
@@ -204,8 +205,8 @@ PROPTEST(box_packs) {
     long looked_at = 0;
     bool ok = true;
     for (const Skinning skinning : all_skinnings) {
-      const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-      const auto skinned = skin(c.model, c.sets, pose, skinning);
+      const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+      const auto skinned = skin(c.mesh, c.sets, pose, skinning);
       double bounded = 0, exact = 0;
       const auto first = bound(c, nodes, skinning, pose, identity_quaternion<double>(), available_targets()[0]);
       for (const Target target : available_targets()) {

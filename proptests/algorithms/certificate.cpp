@@ -1,17 +1,18 @@
 // Certificates of refitted balls and their checker, proptests/certificate/check: what is true is accepted, whatever is
 // changed is noticed, and no bound proves what is false.
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/certificate/certificate.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "algorithms/model/load.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/queries/exact_skin.hpp"
-#include "algorithms/queries/refit_query.hpp"
-#include "algorithms/refit/algorithm1_printed.hpp"
-#include "algorithms/refit/character.hpp"
-#include "algorithms/skinning/blend.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/verification/exact_skin.hpp"
+#include "algorithms/verification/refit_query.hpp"
+#include "algorithms/methods/refit/algorithm1_printed.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -113,7 +114,7 @@ void check_random_nodes() {
     const auto c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
     RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
     const gen::NodeOf<double> node(c);
-    for (const RefitVariant& variant : refit_variants())
+    for (const RefitVariant& variant : compared_variants())
       if (variant.sound) certify(folder, variant, node.node());
   }
   for (const auto& line : folder.check()) RC_ASSERT(line.is_accepted());
@@ -125,8 +126,8 @@ Checked check_nodes(const Character& c, const Posture& posture, std::mt19937& ra
   for (int i = 0; i < nodes; ++i) {
     const int n = i == 0 ? 0 : std::uniform_int_distribution<int>(0, static_cast<int>(c.tree.nodes.size()) - 1)(random);
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-      for (const RefitVariant& variant : refit_variants())
+      const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+      for (const RefitVariant& variant : compared_variants())
         if (variant.sound && variant.skinning == skinning) certify(folder, variant, c.refit_node(n, pose, variant.pieces));
     }
   }
@@ -137,9 +138,9 @@ Checked check_nodes(const Character& c, const Posture& posture, std::mt19937& ra
   return Checked(accepted == long(lines.size()), accepted, reason);
 }
 
-Checked check_model(const Character& c) {
+Checked check_model(const AnimatedCharacter& c) {
   std::mt19937 random(2006);
-  const Clip& clip = c.model.clips.at(0);
+  const Clip& clip = c.clips.at(0);
   return check_nodes(c, clip.sample(0.3718 * clip.duration), random, 5);
 }
 
@@ -164,17 +165,17 @@ struct Tried {
 // Whatever has a certificate is accepted and holds all vertices of the node exactly.
 void check_other_balls(Tried& tried) {
   const auto plan = *gen::mesh_plan();
-  const Character c(gen::make_mesh(plan));
+  const auto c = bake(gen::make_mesh(plan));
   std::mt19937 random(plan.seed);
   const double spread = *rc::gen::element(0.0, 0.3, 1.0);
-  const Posture posture = gen::random_posture(c.model, random, spread), other = gen::random_posture(c.model, random, spread);
+  const Posture posture = gen::random_posture(c.mesh, random, spread), other = gen::random_posture(c.mesh, random, spread);
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   CheckedFolder folder;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-    const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning), later = make_skinning_pose(c.model, c.sets, other, skinning);
-    ExactSkin skin(c.model, c.sets, pose, skinning);
+    const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning), later = make_skinning_pose(c.mesh, c.sets, other, skinning);
+    ExactSkin skin(c.mesh, c.sets, pose, skinning);
     std::vector<const RefitVariant*> variants;
-    for (const RefitVariant& variant : refit_variants())
+    for (const RefitVariant& variant : compared_variants())
       if (variant.sound && variant.skinning == skinning) variants.push_back(&variant);
     const RefitVariant& variant = *variants[pick(variants.size())];
     const int n = static_cast<int>(pick(c.tree.nodes.size()));
@@ -406,7 +407,7 @@ std::vector<json> some_certificates() {
   const auto c = gen::rounded_to_double(*gen::refit_case(*rc::gen::element(gen::Turns::any, gen::Turns::moderate)));
   const gen::NodeOf<double> node(c);
   for (const char* name : {"linear", "spherical_repaired", "control_exact", "dual_quaternion_control_near"})
-    if (json document = certify(folder, refit_variant(name), node.node()); !document.is_null()) out.push_back(document);
+    if (json document = certify(folder, compared_variant(name), node.node()); !document.is_null()) out.push_back(document);
   return out;
 }
 
@@ -420,7 +421,7 @@ Checked check_malformed() {
   const auto c = gen::rounded_to_double(counterexamples::algorithm1()[0].input);
   const gen::NodeOf<double> node(c);
   CheckedFolder whole;
-  const json good = certify(whole, refit_variant("control_exact"), node.node());
+  const json good = certify(whole, compared_variant("control_exact"), node.node());
   const auto with = [](const char* pointer, const json& value) {
     return [=](const json& document) {
       json changed = document;
@@ -499,20 +500,20 @@ PROPTEST(certificate) {
           {.number_type = "double against rational", .cases = 12, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Character c(gen::make_mesh(plan));
+            const auto c = bake(gen::make_mesh(plan));
             std::mt19937 random(plan.seed);
-            const auto posture = gen::random_posture(c.model, random, *rc::gen::element(0.0, 0.3, 1.0));
+            const auto posture = gen::random_posture(c.mesh, random, *rc::gen::element(0.0, 0.3, 1.0));
             const auto checked = check_nodes(c, posture, random, 2);
             if (!checked.passed) RC_FAIL(checked.detail);
           });
   t.example("five nodes of the procedural man have certificates by every sound variant, and all are accepted", exact,
-            [] { return check_model(Character(make_man())); });
+            [] { return check_model(bake(make_man())); });
   t.example("five nodes of the procedural creature have certificates by every sound variant, and all are accepted", exact,
-            [] { return check_model(Character(make_creature())); });
+            [] { return check_model(bake(make_creature())); });
   for (const char* file : {"BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"})
     t.example("five nodes have certificates by every sound variant, and all are accepted: " + std::string(file), exact, [=] {
       const std::string path = std::string("out/models/") + file;
-      return std::filesystem::exists(path) ? check_model(Character(load_model(path)))
+      return std::filesystem::exists(path) ? check_model(bake(load_model(path)))
                                            : Checked(true, 0, "skipped: " + path + " is not there");
     });
 
@@ -530,7 +531,7 @@ PROPTEST(certificate) {
         return Checked(false, refused, pinned.finding);
       } catch (const NoProof&) {
         CheckedFolder sound;
-        json forged = certify(sound, refit_variant("control_exact"), node);
+        json forged = certify(sound, compared_variant("control_exact"), node);
         forged["ball"] = {{"center", as_json<3>(convert<Rational>(ball.center))}, {"radius", as_text(Rational(ball.radius))}};
         folder.add(sealed(forged));
       } catch (const std::invalid_argument&) {  // not a number
@@ -545,7 +546,7 @@ PROPTEST(certificate) {
     const auto pinned = counterexamples::algorithm1().front();
     const gen::NodeOf<double> storage(gen::rounded_to_double(pinned.input));
     const RefitNode<double> node = storage.node();
-    const Ball3<double> ball = refit_variant("control_exact").refit(node);
+    const Ball3<double> ball = compared_variant("control_exact").refit(node);
     const auto is_refused = [&](const RefitNode<double>& of, const Ball3<double>& by) {
       try {
         certificate(of, Skinning::spherical, by, "");
@@ -578,9 +579,9 @@ PROPTEST(certificate) {
   t.example("joint-sets are written once each, and pieces name them by their places, whatever their numbers", {}, [] {
     // Two pieces of set 2 around one of set 0.
     std::mt19937 random(2006);
-    const Character c(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
-    const auto pose = make_skinning_pose(c.model, c.sets, gen::random_posture(c.model, random, 0.2), Skinning::spherical);
-    const RefitVariant& variant = refit_variant("control_exact");
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
+    const auto pose = make_skinning_pose(c.mesh, c.sets, gen::random_posture(c.mesh, random, 0.2), Skinning::spherical);
+    const RefitVariant& variant = compared_variant("control_exact");
     const RefitNode<double> node = c.refit_node(0, pose, variant.pieces);
     std::vector<NodeJointSet> twice(node.joint_sets.rbegin(), node.joint_sets.rend());
     twice.insert(twice.end(), node.joint_sets.begin(), node.joint_sets.end());

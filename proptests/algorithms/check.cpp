@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "algorithms/queries/refit_query.hpp"  // as_text
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_piece.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/bounds.hpp"

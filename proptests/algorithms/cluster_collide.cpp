@@ -1,11 +1,13 @@
-#include "algorithms/collide/cluster_collide.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/cluster_collide.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -31,7 +33,7 @@ long meeting_boxes(const oracle::Posed& a, const oracle::Posed& b, Skinning skin
   const auto boxes_of = [&](const oracle::Posed& posed) {
     const auto points = posed.vertices(skinning);
     std::vector<std::array<Point3, 2>> boxes;
-    for (const Triangle& t : posed.character.model.triangles)
+    for (const Triangle& t : posed.character.mesh.triangles)
       boxes.push_back({points[t[0]].cwiseMin(points[t[1]]).cwiseMin(points[t[2]]),
                        points[t[0]].cwiseMax(points[t[1]]).cwiseMax(points[t[2]])});
     return boxes;
@@ -66,8 +68,8 @@ int first_triangle(const ClusterTree& tree, FanChild child) {
 // Triangles beside each other, each of three vertices of its own, in the plane z = 0. joints_of: two of them by vertex, or
 // the same one twice.
 template <class JointsOf>
-Model row_of_triangles(int count, int joints, const JointsOf& joints_of) {
-  Model m;
+SkinnedMesh row_of_triangles(int count, int joints, const JointsOf& joints_of) {
+  SkinnedMesh m;
   m.name = "row";
   for (int j = 0; j < joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, {0, 0, 0}});
   for (int t = 0; t < count; ++t) {
@@ -86,13 +88,13 @@ Model row_of_triangles(int count, int joints, const JointsOf& joints_of) {
 
 // How many of some triangles of a row are not found by a triangle that is put upon them, or others are.
 long lost_of_row(const ClusterTree& row, const std::vector<int>& triangles) {
-  const Character stamp(row_of_triangles(1, 1, [](int) { return std::pair(0, 0); }));
+  const auto stamp = bake(row_of_triangles(1, 1, [](int) { return std::pair(0, 0); }));
   const ClusterTree stamp_tree(stamp);
   ClusterBody first(row, Skinning::linear), second(stamp_tree, Skinning::linear);
-  first.begin(reference_posture(row.character().model), {});
+  first.begin(reference_posture(row.character().mesh), {});
   long lost = 0;
   for (const int t : triangles) {
-    second.begin(Posture(1), {identity_quaternion<double>(), row.character().model.vertices[3 * t]});
+    second.begin(Posture(1), {identity_quaternion<double>(), row.character().mesh.vertices[3 * t]});
     QueryCounts counts;
     lost += collide(first, second, Query::full, counts) != std::vector<TrianglePair>{{t, 0}};
     lost += collide(second, first, Query::full, counts) != std::vector<TrianglePair>{{0, t}};
@@ -107,12 +109,12 @@ PROPTEST(cluster_collide) {
           {.number_type = "double", .cases = 200, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
-            Model other = gen::make_mesh(plan_b);  // in units of its own, which are taken as they are
+            SkinnedMesh other = gen::make_mesh(plan_b);  // in units of its own, which are taken as they are
             const double unit = *rc::gen::element(1.0, 1.0, 0.01, 100.0);
             for (Point3& v : other.vertices) v *= unit;
             for (auto& joint : other.joints) joint.origin *= unit;
-            const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 40)}),
-                b(std::move(other));
+            const Character a = bake(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 40)}),
+                            b = bake(std::move(other));
             const ClusterTree tree_a(a, drawn_options()), tree_b(b, drawn_options());
             const Skinning skinning = drawn_skinning();
             ClusterBody first(tree_a, skinning), second(tree_b, skinning);
@@ -121,8 +123,8 @@ PROPTEST(cluster_collide) {
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 3; ++frame) {
               const auto length = gen::random_unit_length(random);
-              const Posture posture_a = gen::with_lengths(gen::random_posture(a.model, random), length, random),
-                            posture_b = gen::with_lengths(gen::random_posture(b.model, random), length, random);
+              const Posture posture_a = gen::with_lengths(gen::random_posture(a.mesh, random), length, random),
+                            posture_b = gen::with_lengths(gen::random_posture(b.mesh, random), length, random);
               const double apart = frame == 2 ? 3 : 0.5;
               const RigidTransform<double> at_a{gen::random_rotation(random, 1), {normal(random), 0, 0}},
                   at_b{gen::random_rotation(random, 1),
@@ -146,11 +148,11 @@ PROPTEST(cluster_collide) {
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Character c(gen::make_mesh(plan));
+            const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, drawn_options());
             const Skinning skinning = drawn_skinning();
             std::mt19937 random(plan.seed);
-            const Posture posture = gen::random_posture(c.model, random);
+            const Posture posture = gen::random_posture(c.mesh, random);
             const RigidTransform<double> at{gen::random_rotation(random, 1), {0.3, 0, 0.1}}, here{};
             ClusterBody first(tree, skinning), second(tree, skinning);
             first.begin(posture, here), second.begin(posture, at);
@@ -167,7 +169,7 @@ PROPTEST(cluster_collide) {
                      far = *rc::gen::element(0.0, 0.0, 1.0, 1e6, 1e30, 1e300);
         const gen::Attained scene = gen::attained(random, {.unit = unit, .far = far});
         const Skinning skinning = gen::random_skinning(random);
-        const Character c(scene.model, {.triangles_per_leaf = *rc::gen::element(1, 8)});
+        const auto c = bake(scene.mesh, {.triangles_per_leaf = *rc::gen::element(1, 8)});
         const auto points = oracle::Posed{c, scene.posture, scene.placement}.vertices(skinning);
         const int axis = static_cast<int>(random() % 3), sign = random() % 2 ? 1 : -1;
         Point3 tip = points[0];
@@ -176,16 +178,16 @@ PROPTEST(cluster_collide) {
         const int joints = *rc::gen::element(1, 5, 9);
         // A power of two, so that weights of it add up to it.
         const double length = std::exp2(std::max(-990.0, std::round(std::log2(unit)) - *rc::gen::element(0, 30)));
-        const Character needle(gen::needle(axis, sign, length, joints));
-        const Posture still = reference_posture(needle.model);
+        const auto needle = bake(gen::needle(axis, sign, length, joints));
+        const Posture still = reference_posture(needle.mesh);
         const RigidTransform<double> at{identity_quaternion<double>(), tip};
         const ClusterTree tree(c, drawn_options()), tree_of_needle(needle);
         ClusterBody body(tree, skinning), other(tree_of_needle, Skinning::spherical);
         body.begin(scene.posture, scene.placement), other.begin(still, at);
         std::vector<TrianglePair> expected;
         const auto needle_points = oracle::Posed{needle, still, at}.vertices(Skinning::spherical);
-        for (std::size_t t = 0; t < c.model.triangles.size(); ++t) {
-          const Triangle& v = c.model.triangles[t];
+        for (std::size_t t = 0; t < c.mesh.triangles.size(); ++t) {
+          const Triangle& v = c.mesh.triangles[t];
           if (triangles_meet({points[v[0]], points[v[1]], points[v[2]]},
                              {needle_points[0], needle_points[1], needle_points[2]}))
             expected.push_back({static_cast<int>(t), 0});
@@ -200,7 +202,7 @@ PROPTEST(cluster_collide) {
       });
   t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {},
             [] {
-              const Character c(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }),
+              const auto c = bake(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }),
                                 {.triangles_per_leaf = 1000000});
               long lost = 0, tried = 0;
               bool ok = c.tree.nodes.size() == 1;
@@ -221,7 +223,7 @@ PROPTEST(cluster_collide) {
     for (int i = 0; i < 130; ++i)
       for (int j = i + 1; j < 130; ++j) pairs.emplace_back(i, j);
     const int count = most_cluster_triangles;
-    const Character c(row_of_triangles(count, 130, [&](int v) { return pairs[v]; }), {.triangles_per_leaf = count});
+    const auto c = bake(row_of_triangles(count, 130, [&](int v) { return pairs[v]; }), {.triangles_per_leaf = count});
     const ClusterTree tree(c, {.most_triangles = most_cluster_triangles});
     const bool is_one = tree.clusters().size() == 1 && tree.clusters()[0].corner_count == 8 * 3 * count &&
                         tree.clusters()[0].corner_count <= 1 << 16;
@@ -232,7 +234,7 @@ PROPTEST(cluster_collide) {
           {.cases = 100}, [] {
             const auto plan = *gen::mesh_plan();
             const int per_leaf = *rc::gen::element(1, 2, 7, 1000);
-            const Character c(gen::make_mesh(plan), {.triangles_per_leaf = per_leaf, .prune_ratio = 1e9});  // binary
+            const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = per_leaf, .prune_ratio = 1e9});  // binary
             const ClusterOptions options = drawn_options();
             const ClusterTree tree(c, options);
             std::vector<int> seen;
@@ -246,12 +248,12 @@ PROPTEST(cluster_collide) {
                 for (int t = 0; t < group.count; ++t) {
                   seen.push_back(group.triangles[t]);
                   for (int k = 0; k < 3; ++k)
-                    RC_ASSERT(places[group.corners[t][k]] == c.model.triangles[group.triangles[t]][k]);
+                    RC_ASSERT(places[group.corners[t][k]] == c.mesh.triangles[group.triangles[t]][k]);
                 }
               }
             }
             std::sort(seen.begin(), seen.end());
-            RC_ASSERT(seen.size() == c.model.triangles.size());
+            RC_ASSERT(seen.size() == c.mesh.triangles.size());
             for (std::size_t t = 0; t < seen.size(); ++t) RC_ASSERT(seen[t] == static_cast<int>(t));
             std::vector<int> place(seen.size());  // by triangle, in the order of the sphere tree
             for (std::size_t i = 0; i < place.size(); ++i) place[c.tree.triangle_order[i]] = static_cast<int>(i);
@@ -275,11 +277,11 @@ PROPTEST(cluster_collide) {
           });
   t.example("what is counted: of single triangles every box once, none where reaches are apart, and sums over queries", {},
             [] {
-              Model m = gen::needle(0, 1, 1, 1);
-              const Character c(m);
+              SkinnedMesh m = gen::needle(0, 1, 1, 1);
+              const auto c = bake(m);
               const ClusterTree tree(c);
               ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-              const Posture still = reference_posture(c.model);
+              const Posture still = reference_posture(c.mesh);
               const auto counts_at = [&](double x, Query query, PairMemory* memory) {
                 first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
                 QueryCounts counts{100, 1000};  // of queries before
@@ -298,7 +300,7 @@ PROPTEST(cluster_collide) {
               return Checked(ok, 5);
             });
   t.example("a body counts the nodes that it bounds, and the clusters and corners that it skins, each once a frame", {}, [] {
-    const Character man(make_man());
+    const auto man = bake(make_man());
     const ClusterTree tree(man);
     ClusterBody body(tree, Skinning::spherical);
     long nodes = 0, corners = 0;
@@ -307,7 +309,7 @@ PROPTEST(cluster_collide) {
     const auto clusters = static_cast<long>(tree.clusters().size()), fans = static_cast<long>(tree.fans().size());
     bool ok = nodes > fans && corners > clusters;
     for (int frame = 0; frame < 2; ++frame) {
-      body.begin(man.model.clips[0].sample(0.1 * frame), {});
+      body.begin(man.clips[0].sample(0.1 * frame), {});
       ok = ok && body.nodes_bounded() == 0 && body.clusters_skinned() == 0 && body.corners_skinned() == 0;
       for (int time = 0; time < 2; ++time) {
         for (int f = 0; f < static_cast<int>(fans); ++f) body.fan_boxes(f), body.fan_box(f);
@@ -319,9 +321,9 @@ PROPTEST(cluster_collide) {
   });
   t.example("no more is looked at than is near: boxes, pairs of triangles and corners of two men, at three distances", {},
             [] {
-              const Character man(make_man());
+              const auto man = bake(make_man());
               const ClusterTree tree(man);
-              const Clip& walk = man.model.clips[0];
+              const Clip& walk = man.clips[0];
               ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
               struct Most {
                 double distance;
@@ -351,12 +353,12 @@ PROPTEST(cluster_collide) {
       "two walking men: nothing is bounded or skinned far apart, a part close by, and the pairs are those of the "
       "sphere trees",
       {}, [] {
-        const Character man(make_man());
+        const auto man = bake(make_man());
         const ClusterTree tree(man);
-        const Clip& walk = man.model.clips[0];
+        const Clip& walk = man.clips[0];
         const Posture early = walk.sample(0.2 * walk.duration), late = walk.sample(0.7 * walk.duration);
         ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-        Body p(man, refit_variant("spherical_repaired")), q(man, refit_variant("spherical_repaired"));
+        Body p(man, compared_variant("spherical_repaired")), q(man, compared_variant("spherical_repaired"));
         bool ok = true;
         std::string text;
         for (const double distance : {5.0, 0.6, 0.1}) {
@@ -375,10 +377,10 @@ PROPTEST(cluster_collide) {
         return Checked(ok, 3, text);
       });
   t.example("where two men's reaches begin to meet, each box of the first one's root is counted as compared", {}, [] {
-    const Character man(make_man());
+    const auto man = bake(make_man());
     const ClusterTree tree(man);
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-    const Posture posture = man.model.clips[0].sample(0);
+    const Posture posture = man.clips[0].sample(0);
     for (double distance = 5; distance > 0; distance -= 0.02) {
       const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
       a.begin(posture, {}), b.begin(posture, at);
@@ -392,16 +394,16 @@ PROPTEST(cluster_collide) {
   });
   t.example(
       "triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
-        Model m;
+        SkinnedMesh m;
         m.name = "triangle";
         m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
         m.triangles = {{0, 1, 2}};
         m.joints = {{"root", -1, {0, 0, 0}}};
         m.influences.assign(3, {{0, 1.0}});
-        const Character c(std::move(m));
+        const auto c = bake(std::move(m));
         const ClusterTree tree(c);
         ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-        const Posture still = reference_posture(c.model);
+        const Posture still = reference_posture(c.mesh);
         first.begin(still, {});
         const auto pairs = [&](double x, double y, double z) {
           second.begin(still, {identity_quaternion<double>(), {x, y, z}});
@@ -413,9 +415,9 @@ PROPTEST(cluster_collide) {
                        6);
       });
   t.example("a remembered pair that still touches answers a yes/no query, and no cluster is skinned for it", {}, [] {
-    const Character man(make_man());
+    const auto man = bake(make_man());
     const ClusterTree tree(man);
-    const Clip& walk = man.model.clips[0];
+    const Clip& walk = man.clips[0];
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
     const RigidTransform<double> at{identity_quaternion<double>(), {0.1, 0, 0}},
         away{identity_quaternion<double>(), {1, 0, 0}};
@@ -444,7 +446,7 @@ PROPTEST(cluster_collide) {
                    std::to_string(pairs.size()) + " pairs found, " + std::to_string(remembered) + " remembered");
   });
   t.example("options out of range, a placement that is not rigid and a posture with a NaN are refused by name", {}, [] {
-    const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     const auto message = [](const auto& call) -> std::string {
       try {
         call();
@@ -464,7 +466,7 @@ PROPTEST(cluster_collide) {
     const ClusterTree tree(c);
     ClusterBody body(tree, Skinning::spherical);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const Posture still = reference_posture(c.model);
+    const Posture still = reference_posture(c.mesh);
     const std::string stretched = message([&] {
       body.begin(still, {{2, 0, 0, 0}, {0, 0, 0}});
     }),

@@ -1,11 +1,13 @@
-#include "algorithms/collide/collide.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/collide.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -22,7 +24,7 @@ using gen::random_rotation;
 
 const RefitVariant& drawn_variant() {
   std::vector<const RefitVariant*> sound;
-  for (const RefitVariant& v : refit_variants())
+  for (const RefitVariant& v : compared_variants())
     if (v.sound) sound.push_back(&v);
   return *sound[*rc::gen::inRange<std::size_t>(0, sound.size())];
 }
@@ -33,8 +35,8 @@ Ball3<double> undefined(const RefitNode<double>&) {
   return {{nan, nan, nan}, nan};
 }
 // A triangle whose smallest ball has the edge from (0, 0, 0) to (2, 0, 0) as a diameter.
-Model lone_triangle() {
-  Model m;
+SkinnedMesh lone_triangle() {
+  SkinnedMesh m;
   m.name = "triangle";
   m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}};
   m.triangles = {{0, 1, 2}};
@@ -49,10 +51,10 @@ struct Men {
   long ball_tests, vertices, balls;
 };
 Men two_men(const char* variant, double distance, Query query) {
-  static const Character man(make_man());
-  const RefitVariant& v = refit_variant(variant);
+  static const auto man = bake(make_man());
+  const RefitVariant& v = compared_variant(variant);
   Body a(man, v), b(man, v);
-  const Clip& walk = man.model.clips[0];
+  const Clip& walk = man.clips[0];
   a.begin(walk.sample(0.2 * walk.duration));
   b.begin(walk.sample(0.7 * walk.duration));
   QueryCounts counts;
@@ -70,15 +72,15 @@ PROPTEST(collide) {
           {.number_type = "double", .cases = 150, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
-            const Character a(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 3)}),
-                b(gen::make_mesh(plan_b), {.triangles_per_leaf = *rc::gen::element(1, 3)});
+            const Character a = bake(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 3)}),
+                            b = bake(gen::make_mesh(plan_b), {.triangles_per_leaf = *rc::gen::element(1, 3)});
             const RefitVariant& variant = drawn_variant();
             const FrameOptions options{.most_joint_sets = *rc::gen::element(0, 2), .children_first = *rc::gen::arbitrary<bool>()};
             Body first(a, variant, options), second(b, variant, options);
             std::mt19937 random(plan_a.seed);
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 3; ++frame) {
-              const Posture posture_a = random_posture(a.model, random), posture_b = random_posture(b.model, random);
+              const Posture posture_a = random_posture(a.mesh, random), posture_b = random_posture(b.mesh, random);
               const double apart = frame == 2 ? 3 : 0.5;
               const RigidTransform<double> at_a{random_rotation(random, 1), {normal(random), 0, 0}},
                   at_b{random_rotation(random, 1), at_a.translation + Point3(normal(random), normal(random), 0) * apart};
@@ -96,34 +98,34 @@ PROPTEST(collide) {
   t.holds("one body in two placements", {.number_type = "double", .cases = 50, .degenerate_at_least = 0.3}, [] {
     const auto plan = *gen::mesh_plan();
     RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-    const Character c(gen::make_mesh(plan));
+    const auto c = bake(gen::make_mesh(plan));
     const RefitVariant& variant = drawn_variant();
     Body body(c, variant);
     std::mt19937 random(plan.seed);
-    const Posture posture = random_posture(c.model, random);
+    const Posture posture = random_posture(c.mesh, random);
     const RigidTransform<double> at{random_rotation(random, 1), {0.3, 0, 0.1}};
     body.begin(posture);
     QueryCounts counts;
     RC_ASSERT(sorted(collide({body}, {body, at}, Query::full, counts)) ==
               oracle::all_pairs({c, posture, {}}, {c, posture, at}, variant.skinning));
-    RC_ASSERT(body.vertices_skinned() <= static_cast<long>(c.model.vertices.size()));
+    RC_ASSERT(body.vertices_skinned() <= static_cast<long>(c.mesh.vertices.size()));
   });
   t.example("a ball that is undefined, or too small by rounding, hides no pair", {}, [] {
-    const Character c(lone_triangle());
+    const auto c = bake(lone_triangle());
     const RigidTransform<double> touching{identity_quaternion<double>(), {2, 0, 0}};
     const RefitVariant variant{"wrong", "", Skinning::spherical, false, Pieces::joint_sets, &undefined, &undefined};
     Body body(c, variant);
-    body.begin(reference_posture(c.model));
+    body.begin(reference_posture(c.mesh));
     QueryCounts counts;
     const auto found = static_cast<long>(collide({body}, {body, touching}, Query::full, counts).size());
     return Checked(found == 1, found);
   });
   t.holds("triangles that touch in a point where their balls do are found, wherever rounding has put them",
           {.number_type = "double", .cases = 2000}, [] {
-            static const Character c(lone_triangle());
+            static const auto c = bake(lone_triangle());
             std::mt19937 random(*rc::gen::inRange(0u, ~0u));
-            Body body(c, refit_variant("control_mixed"));
-            body.begin(reference_posture(c.model));
+            Body body(c, compared_variant("control_mixed"));
+            body.begin(reference_posture(c.mesh));
             const double most = *rc::gen::element(1.0, 1000.0, 1e15, 1e30, 1e150, 1e300);
             const RigidTransform<double> first = gen::accepted_placement(random, most);
             RigidTransform<double> second = first;
@@ -136,13 +138,13 @@ PROPTEST(collide) {
   t.holds("so are they at every scale at which vertices are numbers",
           {.number_type = "double", .cases = 500}, [] {
             const double unit = std::ldexp(1.0, *rc::gen::inRange(-1070, 132));
-            Model model = lone_triangle();
+            SkinnedMesh model = lone_triangle();
             for (Point3& v : model.vertices) v *= unit;
-            const Character c(std::move(model));
+            const auto c = bake(std::move(model));
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             for (const char* variant : {"control_mixed", "spherical_repaired", "linear"}) {
-              Body body(c, refit_variant(variant));
-              body.begin(reference_posture(c.model));
+              Body body(c, compared_variant(variant));
+              body.begin(reference_posture(c.mesh));
               const RigidTransform<double> first = gen::accepted_placement(random, unit);
               RigidTransform<double> second = first;
               second.translation = apply(first, Point3(2 * unit, 0, 0));
@@ -162,11 +164,11 @@ PROPTEST(collide) {
     long tried = 0;
     for (int exponent = -430; exponent <= 120; exponent += 10) {
       const double unit = std::ldexp(1.0, exponent);
-      Model model = lone_triangle();
+      SkinnedMesh model = lone_triangle();
       for (Point3& v : model.vertices) v *= unit;
-      const Character c(std::move(model));
-      Body body(c, refit_variant("control_mixed"));
-      body.begin(reference_posture(c.model));
+      const auto c = bake(std::move(model));
+      Body body(c, compared_variant("control_mixed"));
+      body.begin(reference_posture(c.mesh));
       for (const double way : {2 * (1 + 1e-12), 2.1}) {
         QueryCounts counts;
         if (!collide({body}, {body, {identity_quaternion<double>(), {way * unit, 0, 0}}}, Query::full, counts).empty() ||
@@ -178,9 +180,9 @@ PROPTEST(collide) {
     return Checked(true, tried);
   });
   t.example("a placement that is not rigid, or not finite, and a posture with a NaN are refused by name", {}, [] {
-    const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
-    Body body(c, refit_variant("spherical_repaired"));
-    body.begin(reference_posture(c.model));
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    Body body(c, compared_variant("spherical_repaired"));
+    body.begin(reference_posture(c.mesh));
     const auto message = [&](const RigidTransform<double>& at) -> std::string {
       try {
         QueryCounts counts;
@@ -192,7 +194,7 @@ PROPTEST(collide) {
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::string stretched = message({{2, 0, 0, 0}, {0, 0, 0}}), lost = message({{1, 0, 0, 0}, {nan, 0, 0}});
-    Posture posture = reference_posture(c.model);
+    Posture posture = reference_posture(c.mesh);
     posture[1].translation[2] = nan;
     std::string refused;
     try {

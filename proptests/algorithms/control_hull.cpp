@@ -1,11 +1,11 @@
 // The control balls hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the
 // fallback.
-#include "algorithms/refit/control_hull.hpp"
+#include "algorithms/runtime/refit/control_hull.hpp"
 
 #include <cstdio>
 #include <random>
 
-#include "algorithms/skinning/rotation_center.hpp"
+#include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/skinned_samples.hpp"

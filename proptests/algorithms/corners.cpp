@@ -1,4 +1,4 @@
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/bake/corners.hpp"
 
 #include <ctime>
 

@@ -1,34 +1,23 @@
-#include "algorithms/collide/crowd.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/crowd.hpp"
 
 #include <algorithm>
 #include <memory>
 #include <random>
 #include <stdexcept>
-#ifdef REFITLAB_TBB
-#include <tbb/global_control.h>
-#endif
 
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
+#include "proptests/oracles/workers_on_threads.hpp"
 
 namespace proptests {
 namespace {
 
 using namespace refitlab;
 using oracle::sorted;
-
-// As many threads as are asked for, on however few cores: as it is, TBB takes no more than there are cores.
-struct ManyThreads {
-#ifdef REFITLAB_TBB
-  static constexpr int count = 8;
-  tbb::global_control control{tbb::global_control::max_allowed_parallelism, count};
-#else
-  static constexpr int count = 1;
-#endif
-};
 
 // What a query of a crowd leaves behind.
 struct CrowdOutcome {
@@ -44,9 +33,9 @@ struct CrowdOutcome {
   }
 };
 
-CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, int threads) {
+CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const Workers& workers) {
   CrowdCounts counts;
-  CrowdOutcome out{collide_all(bodies, Query::full, counts, threads), {}, {}};
+  CrowdOutcome out{collide_all(bodies, Query::full, counts, workers), {}, {}};
   for (Contact& contact : out.contacts) contact.pairs = sorted(contact.pairs);
   out.counts = {counts.pairs_of_boxes, counts.queries.ball_tests, counts.queries.triangle_tests};
   for (const auto* body : bodies)
@@ -61,7 +50,7 @@ PROPTEST(crowd) {
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Character c(gen::make_mesh(plan));
+            const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, {.most_triangles = 10, .most_children = 9});
             std::mt19937 random(plan.seed);
             std::uniform_real_distribution<double> place(-6, 6);
@@ -73,7 +62,7 @@ PROPTEST(crowd) {
             std::vector<ClusterBody*> bodies;
             for (int i = 0; i < count; ++i) {
               owned.push_back(std::make_unique<ClusterBody>(tree, skinning));
-              owned.back()->begin(gen::random_posture(c.model, random, spread),
+              owned.back()->begin(gen::random_posture(c.mesh, random, spread),
                                   {gen::random_rotation(random, 1), {place(random), place(random), 0}});
               bodies.push_back(owned.back().get());
             }
@@ -85,16 +74,16 @@ PROPTEST(crowd) {
                   expected.push_back({i, k, sorted(pairs)});
               }
             RC_TAG(expected.empty() ? "apart" : "in contact");
-            for (int threads = 1; threads <= (has_threads() ? 2 : 1); ++threads) {
+            for (const Workers& workers : {one_worker(), oracle::workers_on_threads<2>()}) {
               CrowdCounts counts;
-              const auto found = collide_all(bodies, Query::full, counts, threads);
+              const auto found = collide_all(bodies, Query::full, counts, workers);
               RC_ASSERT(found.size() == expected.size());
               RC_ASSERT(counts.pairs_of_boxes >= static_cast<long>(found.size()));
               for (std::size_t i = 0; i < found.size(); ++i) {
                 RC_ASSERT(found[i].first == expected[i].first && found[i].second == expected[i].second);
                 RC_ASSERT(sorted(found[i].pairs) == expected[i].pairs);
               }
-              const auto answers = collide_all(bodies, Query::yes_no, counts, threads);
+              const auto answers = collide_all(bodies, Query::yes_no, counts, workers);
               RC_ASSERT(answers.size() == expected.size());
               for (const Contact& answer : answers) RC_ASSERT(answer.pairs.size() == 1u);
             }
@@ -103,8 +92,7 @@ PROPTEST(crowd) {
       "a dense crowd, each body in work with most others at once, is the same on many threads as on one, and nothing is "
       "worked out twice",
       {}, [] {
-        const ManyThreads threads;
-        const Character man(make_man());
+        const auto man = bake(make_man());
         const ClusterTree tree(man);
         constexpr int count = 12;
         constexpr long frames = 16;
@@ -116,28 +104,28 @@ PROPTEST(crowd) {
         for (long frame = 0; frame < frames; ++frame) {
           const auto begin = [&] {
             std::mt19937 random(static_cast<unsigned>(frame));
-            std::uniform_real_distribution<double> place(-0.3, 0.3), time(0, man.model.clips[0].duration);
+            std::uniform_real_distribution<double> place(-0.3, 0.3), time(0, man.clips[0].duration);
             for (auto* body : bodies)
-              body->begin(man.model.clips[0].sample(time(random)),
+              body->begin(man.clips[0].sample(time(random)),
                           {identity_quaternion<double>(), Point3(place(random), place(random), place(random))});
           };
           begin();
-          const CrowdOutcome one = outcome_of(bodies, 1);
+          const CrowdOutcome one = outcome_of(bodies, one_worker());
           begin();
-          if (!(outcome_of(bodies, ManyThreads::count) == one)) return Checked(false, frame, "frame " + std::to_string(frame));
+          if (!(outcome_of(bodies, oracle::workers_on_threads<8>()) == one)) return Checked(false, frame, "frame " + std::to_string(frame));
           contacts += static_cast<long>(one.contacts.size());
         }
         return Checked(contacts > 30 * frames, frames, std::to_string(contacts) + " contacts");
       });
   t.example("what is counted of a crowd: pairs of reaches that meet, and what their queries count, added to what was", {},
             [] {
-              const Character c(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+              const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
               const ClusterTree tree(c);
               std::vector<std::unique_ptr<ClusterBody>> owned;
               std::vector<ClusterBody*> bodies;
               for (const double x : {0.0, 0.3, 0.6, 50.0, 100.0, 100.2}) {
                 owned.push_back(std::make_unique<ClusterBody>(tree, Skinning::linear));
-                owned.back()->begin(reference_posture(c.model), {identity_quaternion<double>(), {x, 0, 0}});
+                owned.back()->begin(reference_posture(c.mesh), {identity_quaternion<double>(), {x, 0, 0}});
                 bodies.push_back(owned.back().get());
               }
               QueryCounts one_by_one;
@@ -149,14 +137,17 @@ PROPTEST(crowd) {
                              counts.queries.ball_tests == 11 + one_by_one.ball_tests &&
                              counts.queries.triangle_tests == 13 + one_by_one.triangle_tests);
             });
-  t.example("no thread at all is refused", {}, [] {
-    try {
-      CrowdCounts counts;
-      collide_all({}, Query::full, counts, 0);
-      return Checked(false);
-    } catch (const std::invalid_argument& e) {
-      return Checked(true, 1, e.what());
-    }
+  t.example("workers that take the tasks in another order find the same contacts", {}, [] {
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    const ClusterTree tree(c);
+    ClusterBody a(tree, Skinning::linear), b(tree, Skinning::linear), d(tree, Skinning::linear);
+    ClusterBody* const bodies[] = {&a, &b, &d};
+    for (int i = 0; i < 3; ++i) bodies[i]->begin(reference_posture(c.mesh), {identity_quaternion<double>(), {0.3 * i, 0, 0}});
+    const Workers backwards{[](void*, std::size_t count, void (*task)(void*, std::size_t), void* data) {
+      while (count-- > 0) task(data, count);
+    }};
+    const CrowdOutcome one = outcome_of(bodies, one_worker());
+    return Checked(one.contacts.size() == 3 && outcome_of(bodies, backwards) == one, 3);
   });
 }
 

@@ -1,4 +1,5 @@
-#include "algorithms/refit/deformed.hpp"
+#include "algorithms/bake/build_tree.hpp"
+#include "algorithms/methods/refit/deformed.hpp"
 
 #include <random>
 
@@ -13,7 +14,7 @@ namespace {
 using namespace refitlab;
 
 struct Refitted {
-  Model model;
+  SkinnedMesh mesh;
   SphereTree tree;
   NodeVertices vertices;
   std::vector<Point3> deformed;
@@ -25,7 +26,7 @@ Refitted draw() {
   const auto plan = *gen::mesh_plan();
   const int places = *rc::gen::element(1, 3, 1000, 1000);
   RC_CLASSIFY(gen::is_degenerate(plan) || places < 1000, "degenerate");
-  const Model model = gen::make_mesh(plan);
+  const SkinnedMesh model = gen::make_mesh(plan);
   const auto tree = build_sphere_tree(model, JointSets(model), {.triangles_per_leaf = *rc::gen::element(1, 4)});
   std::mt19937 random(plan.seed + 1);
   std::normal_distribution<double> normal;

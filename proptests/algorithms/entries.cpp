@@ -4,14 +4,15 @@
 #include <functional>
 #include <random>
 
-#include "algorithms/batch/batch_refit.hpp"
-#include "algorithms/batch/node_refit.hpp"
-#include "algorithms/batch/packed_vertices.hpp"
-#include "algorithms/collide/crowd.hpp"
-#include "algorithms/queries/exact_skin.hpp"
-#include "algorithms/refit/frame_refits.hpp"
-#include "algorithms/refit/variants.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/batch/batch_refit.hpp"
+#include "algorithms/runtime/batch/node_refit.hpp"
+#include "algorithms/runtime/batch/packed_vertices.hpp"
+#include "algorithms/runtime/collide/crowd.hpp"
+#include "algorithms/verification/exact_skin.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness.hpp"
@@ -45,8 +46,8 @@ void tag(const WidePlan& plan, int triangles_per_leaf) {
 
 struct World {
   explicit World(const WidePlan& plan, int triangles_per_leaf)
-      : character(gen::wide_model(plan), {.triangles_per_leaf = triangles_per_leaf}),
-        posture(gen::wide_posture(plan, character.model)) {}
+      : character(bake(gen::wide_model(plan), {.triangles_per_leaf = triangles_per_leaf})),
+        posture(gen::wide_posture(plan, character.mesh)) {}
   Character character;
   Posture posture;
 };
@@ -63,9 +64,9 @@ class Truth {
  public:
   Truth(const World& w, Skinning skinning)
       : character_(w.character),
-        pose_(make_skinning_pose(w.character.model, w.character.sets, w.posture, skinning)),
-        exact_(w.character.model, w.character.sets, pose_, skinning),
-        skinned_(skin(w.character.model, w.character.sets, pose_, skinning)) {}
+        pose_(make_skinning_pose(w.character.mesh, w.character.sets, w.posture, skinning)),
+        exact_(w.character.mesh, w.character.sets, pose_, skinning),
+        skinned_(skin(w.character.mesh, w.character.sets, pose_, skinning)) {}
   const SkinningPose<double>& pose() const { return pose_; }
 
   // The balls of all nodes hold their vertices, skinned either way.
@@ -104,9 +105,9 @@ bool is_held_by_variants(const World& w) {
   bool ok = true;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
     Truth truth(w, skinning);
-    for (const RefitVariant& variant : refit_variants()) {
+    for (const RefitVariant& variant : compared_variants()) {
       if (variant.skinning != skinning || !variant.sound) continue;
-      const auto balls = w.character.refit_all(variant, truth.pose());
+      const auto balls = refit_all(w.character, variant, truth.pose());
       ok = ok && truth.is_held_by([&](int n) { return balls[n]; });
     }
     FrameRefits refits(w.character, default_variant(skinning), {.most_joint_sets = 2, .children_first = true});
@@ -140,14 +141,14 @@ bool is_held_by_batches(const World& w) {
 // Poses and skins in packs are those of one at a time, to the last bit.
 bool are_packs_the_same(const World& w, Skinning skinning) {
   const auto& c = w.character;
-  const auto pose = make_skinning_pose(c.model, c.sets, w.posture, skinning);
-  const auto expected = skin(c.model, c.sets, pose, skinning);
+  const auto pose = make_skinning_pose(c.mesh, c.sets, w.posture, skinning);
+  const auto expected = skin(c.mesh, c.sets, pose, skinning);
   bool ok = true;
   for (const Target target : available_targets()) {
     SkinningPose<double> packed;
-    PosePacks(c.model, c.sets, skinning).make(w.posture, packed, target);
+    PosePacks(c.mesh, c.sets, skinning).make(w.posture, packed, target);
     std::vector<Point3> skinned(expected.size());
-    PackedVertices(c.model, c.sets).skin_all(packed, skinning, skinned, target);
+    PackedVertices(c.mesh, c.sets).skin_all(packed, skinning, skinned, target);
     ok = ok && skinned == expected;
   }
   return ok;
@@ -156,7 +157,7 @@ bool are_packs_the_same(const World& w, Skinning skinning) {
 // Two of one character, placed anywhere, near each other or far apart.
 bool are_pairs_right(const World& w, Skinning skinning, std::mt19937& random) {
   double size = 0;
-  for (const Point3& p : w.character.model.vertices) size = std::max(size, p.lpNorm<Eigen::Infinity>());
+  for (const Point3& p : w.character.mesh.vertices) size = std::max(size, p.lpNorm<Eigen::Infinity>());
   const RigidTransform<double> here{}, there = gen::accepted_placement(random, size);
   const auto expected = oracle::all_pairs({w.character, w.posture, here}, {w.character, w.posture, there}, skinning);
   const ClusterTree tree(w.character, {.most_triangles = 1 + static_cast<int>(random() % 8), .most_children = 2 + static_cast<int>(random() % 6)});

@@ -1,5 +1,5 @@
 // ExactSkin, by which balls are judged, against matrices in rationals and against balls that end at the vertex itself.
-#include "algorithms/queries/exact_skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
 
 #include <cmath>
 
@@ -17,10 +17,10 @@ using RationalPoint = Vec<Rational, 3>;
 struct Skinned {
   Skinned(gen::PosedModel drawn, Skinning of)
       : posed(std::move(drawn)),
-        sets(posed.model),
+        sets(posed.mesh),
         skinning(of),
-        pose(make_skinning_pose(posed.model, sets, posed.posture, skinning)),
-        exact(posed.model, sets, pose, skinning) {}
+        pose(make_skinning_pose(posed.mesh, sets, posed.posture, skinning)),
+        exact(posed.mesh, sets, pose, skinning) {}
   gen::PosedModel posed;
   JointSets sets;
   Skinning skinning;
@@ -38,7 +38,7 @@ RationalPoint by_matrix(const Skinned& s, int v) {
     q += convert<Rational>(set.transforms[i].rotation) * Rational(w[i]);
     image += convert<Rational>(set.center_images[i]) * Rational(w[i]);
   }
-  const RationalPoint arm = convert<Rational>(s.posed.model.vertices[v]) - convert<Rational>(set.rotation_center);
+  const RationalPoint arm = convert<Rational>(s.posed.mesh.vertices[v]) - convert<Rational>(set.rotation_center);
   return oracle::times<Rational>(oracle::affine_of<Rational>(q, image), arm);
 }
 
@@ -73,7 +73,7 @@ PROPTEST(exact_skin) {
   t.holds("a vertex under spherical blending is where matrices in rationals have it",
           {.number_type = "rational", .cases = 100}, [] {
             Skinned s(*gen::posed_model(), *rc::gen::element(Skinning::spherical, Skinning::hejl));
-            for (int v = 0; v < static_cast<int>(s.posed.model.vertices.size()); ++v)
+            for (int v = 0; v < static_cast<int>(s.posed.mesh.vertices.size()); ++v)
               RC_ASSERT(s.exact.exact(v) == by_matrix(s, v));
           });
   t.holds("a ball has a vertex exactly if rationals say so, to the last bit of its radius",
@@ -81,7 +81,7 @@ PROPTEST(exact_skin) {
             const Skinning skinning =
                 *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
             Skinned s(*gen::posed_model(), skinning);
-            check_verdicts(s, *rc::gen::inRange(0, static_cast<int>(s.posed.model.vertices.size())));
+            check_verdicts(s, *rc::gen::inRange(0, static_cast<int>(s.posed.mesh.vertices.size())));
           });
 }
 

@@ -2,14 +2,15 @@
 // error.
 #include <cmath>
 
-#include "algorithms/batch/batch_refit.hpp"
-#include "algorithms/batch/node_refit.hpp"
-#include "algorithms/collide/cluster_collide.hpp"
-#include "algorithms/collide/collide.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/batch/batch_refit.hpp"
+#include "algorithms/runtime/batch/node_refit.hpp"
+#include "algorithms/runtime/collide/cluster_collide.hpp"
+#include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/model/load.hpp"
-#include "algorithms/queries/exact_skin.hpp"
-#include "algorithms/refit/variants.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/extreme_models.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
@@ -30,10 +31,10 @@ constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinnin
 // A character in a posture, by one skinning, and how large its numbers are.
 struct Posed {
   Posed(const Character& c, const Posture& posture, Skinning skinning)
-      : pose(make_skinning_pose(c.model, c.sets, posture, skinning)), deformed(skin(c.model, c.sets, pose, skinning)),
-        exact(c.model, c.sets, pose, skinning) {
+      : pose(make_skinning_pose(c.mesh, c.sets, posture, skinning)), deformed(skin(c.mesh, c.sets, pose, skinning)),
+        exact(c.mesh, c.sets, pose, skinning) {
     for (const Point3& p : deformed) size = std::max(size, p.norm());
-    for (const Point3& p : c.model.vertices) size = std::max(size, p.norm());
+    for (const Point3& p : c.mesh.vertices) size = std::max(size, p.norm());
     for (const auto& t : posture) size = std::max(size, t.translation.norm());
   }
   SkinningPose<double> pose;
@@ -70,9 +71,9 @@ std::string refit_complaints(const Character& c, const Posture& posture) {
   for (const Skinning skinning : skinnings) {
     Posed posed(c, posture, skinning);
     const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
-    for (const RefitVariant& variant : refit_variants()) {
+    for (const RefitVariant& variant : compared_variants()) {
       if (variant.skinning != bounded || !variant.sound) continue;
-      const auto balls = c.refit_all(variant, posed.pose);
+      const auto balls = refit_all(c, variant, posed.pose);
       const std::string wrong = complaint(c, posed, [&](int n) { return balls[n]; });
       if (!wrong.empty()) out += variant.name + ": " + wrong;
     }
@@ -130,8 +131,8 @@ std::string collision_complaints(const Character& c, const Posture& posture) {
   return out;
 }
 
-Checked all_right(const Model& model, const Posture& posture) {
-  const Character c(model);
+Checked all_right(const SkinnedMesh& model, const Posture& posture) {
+  const auto c = bake(model);
   const std::string wrong = refit_complaints(c, posture) +
                             complaint_or_refusal(c, posture, [&] { return batch_complaints(c, posture); }) +
                             collision_complaints(c, posture);
@@ -221,7 +222,7 @@ Checked check_file(const ExtremeFile& file) {
   try {
     const Model model = load_model(folder.file("rig.glb"));
     if (!file.words.empty()) return {false, 1, "it loads"};
-    const Character c(model);
+    const auto c = bake(model);
     const Posture posture = model.clips[0].sample(0.7);
     const std::string wrong = refit_complaints(c, posture);
     return {wrong.empty(), static_cast<long>(c.tree.nodes.size()), wrong};
@@ -238,7 +239,7 @@ Checked check_file(const ExtremeFile& file) {
 PROPTEST(extremes) {
   for (const ExtremeModel& extreme : gen::extreme_models())
     t.example(extreme.what + ": no ball misses a vertex, and queries find all pairs", {.number_type = "double"},
-              [&] { return all_right(extreme.model, extreme.posture); });
+              [&] { return all_right(extreme.mesh, extreme.posture); });
   t.holds("of what the interface accepts at its ends no sound variant's ball misses a vertex, be it skinned exactly: tiny, huge, "
           "both at once, of many joints, of quaternions off unit length",
           {.number_type = "double", .cases = 250, .degenerate_at_least = 0.3}, [] {
@@ -247,7 +248,7 @@ PROPTEST(extremes) {
             RC_CLASSIFY(wide.largest_length > 1e30 || wide.least_coordinate < 1e-70, "degenerate");
             RC_CLASSIFY(wide.largest_length < 1e-70, "all of it tiny");
             RC_CLASSIFY(wide.least_coordinate < 1e-150, "below the slack for underflow");
-            const Character c(wide.model, {.triangles_per_leaf = wide.triangles_per_leaf});
+            const auto c = bake(wide.mesh, {.triangles_per_leaf = wide.triangles_per_leaf});
             if (const auto wrong = refit_complaints(c, wide.posture); !wrong.empty()) RC_FAIL(wrong + wide.what);
           });
   for (const ExtremeFile& file : extreme_files())

@@ -1,4 +1,4 @@
-#include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
 
 #include <cmath>
 #include <random>

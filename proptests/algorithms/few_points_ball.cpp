@@ -1,4 +1,4 @@
-#include "algorithms/balls/few_points_ball.hpp"
+#include "algorithms/runtime/balls/few_points_ball.hpp"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "algorithms/balls/few_points_ball_packs.hpp"
+#include "algorithms/methods/balls/few_points_ball_packs.hpp"
 
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"

@@ -1,9 +1,9 @@
-#include "algorithms/balls/first_balls_ball.hpp"
+#include "algorithms/runtime/balls/first_balls_ball.hpp"
 
 #include <cmath>
 #include <random>
 
-#include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"

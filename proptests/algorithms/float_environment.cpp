@@ -1,30 +1,33 @@
 // Every public entry in every floating-point mode that a caller may have set.
-#include "algorithms/packs/float_environment.hpp"
+#include "proptests/oracles/workers_on_threads.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 #include <cstring>
 #include <filesystem>
 #include <functional>
 #include <set>
 
-#include "algorithms/balls/few_balls_ball.hpp"
-#include "algorithms/batch/batch_refit.hpp"
-#include "algorithms/batch/node_refit.hpp"
-#include "algorithms/batch/packed_vertices.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/batch/batch_refit.hpp"
+#include "algorithms/runtime/batch/node_refit.hpp"
+#include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/certificate/certificate.hpp"
-#include "algorithms/collide/crowd.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/model/subdivide.hpp"
-#include "algorithms/queries/score.hpp"
-#include "algorithms/refit/deformed.hpp"
-#include "algorithms/refit/frame_refits.hpp"
-#include "algorithms/refit/volume_variants.hpp"
+#include "algorithms/runtime/collide/crowd.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/model/procedural/subdivide.hpp"
+#include "algorithms/verification/score.hpp"
+#include "algorithms/methods/refit/deformed.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
+#include "algorithms/methods/refit/volume_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/results/result_table.hpp"
 #include "algorithms/results/write_whole.hpp"
-#include "algorithms/skinning/skin.hpp"
-#include "algorithms/volumes/box_orientation.hpp"
-#include "algorithms/weights/quantize.hpp"
-#include "algorithms/weights/weight_hull.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/methods/volumes/box_orientation.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/bake/weight_hull.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
 
@@ -77,18 +80,14 @@ constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinnin
 
 // What the entries are asked about; made in the default mode.
 struct World {
-  Character character{snake_with_denormals(), {.triangles_per_leaf = 4}};
-  Posture posture = character.model.clips[0].sample(0.3);
-  SkinningPose<double> pose = make_skinning_pose(character.model, character.sets, posture, Skinning::spherical);
-  std::vector<Point3> deformed = skin(character.model, character.sets, pose, Skinning::spherical);
-  std::vector<Ball3<double>> balls = character.refit_all(default_variant(Skinning::spherical), pose);
+  AnimatedCharacter character = bake(snake_with_denormals(), {.triangles_per_leaf = 4});
+  Posture posture = character.clips[0].sample(0.3);
+  SkinningPose<double> pose = make_skinning_pose(character.mesh, character.sets, posture, Skinning::spherical);
+  std::vector<Point3> deformed = skin(character.mesh, character.sets, pose, Skinning::spherical);
+  std::vector<Ball3<double>> balls = refit_all(character, default_variant(Skinning::spherical), pose);
   ClusterTree clusters{character, {.most_triangles = 32, .most_children = 4}};
   RefitQuery query = make_refit_query(1, 3);
   RigidTransform<double> near{identity_quaternion<double>(), {0.15, 0.02, 1e-311}};
-
-  World() {
-    for (const Pieces kind : {Pieces::joint_sets, Pieces::mixed, Pieces::clusters}) character.prepare(kind);
-  }
 };
 
 void add_pose(Bytes& out, const SkinningPose<double>& pose) {
@@ -114,12 +113,11 @@ std::vector<Entry> building_entries() {
          const Model m = make_snake(3);
          out.add_all(m.vertices), out.add_all(m.clips[0].sample(0.37));
        }},
-      {"subdivide", [](const World& w, Bytes& out) { out.add_all(subdivide(w.character.model).vertices); }},
+      {"subdivide", [](const World& w, Bytes& out) { out.add_all(subdivide(Model{w.character.mesh}).vertices); }},
       {"Character, its pieces", [](const World& w, Bytes& out) {
-         const Character c(w.character.model);
+         const auto c = bake(w.character.mesh);
          for (const TreeNode& n : c.tree.nodes) out.add(n.reference);
          for (const Pieces kind : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::clusters}) {
-           c.prepare(kind);
            const auto node = c.refit_node(0, w.pose, kind);
            for (std::size_t i = 0; i < node.joint_sets.size(); ++i) out.add(node.piece_reference(i));
          }
@@ -141,22 +139,22 @@ std::vector<Entry> refitting_entries() {
     entries.push_back({"poses and skin, skinning " + std::to_string(static_cast<int>(skinning)),
                        [skinning](const World& w, Bytes& out) {
                          const auto& c = w.character;
-                         const auto pose = make_skinning_pose(c.model, c.sets, w.posture, skinning);
+                         const auto pose = make_skinning_pose(c.mesh, c.sets, w.posture, skinning);
                          add_pose(out, pose);
-                         out.add_all(skin(c.model, c.sets, pose, skinning));
+                         out.add_all(skin(c.mesh, c.sets, pose, skinning));
                          for (const Target target : available_targets()) {
                            SkinningPose<double> packed;
-                           PosePacks(c.model, c.sets, skinning).make(w.posture, packed, target);
+                           PosePacks(c.mesh, c.sets, skinning).make(w.posture, packed, target);
                            packed.measure();
                            add_pose(out, packed);
-                           std::vector<Point3> skinned(c.model.vertices.size());
-                           PackedVertices(c.model, c.sets).skin_all(packed, skinning, skinned, target);
+                           std::vector<Point3> skinned(c.mesh.vertices.size());
+                           PackedVertices(c.mesh, c.sets).skin_all(packed, skinning, skinned, target);
                            out.add_all(skinned);
                          }
                        }});
-  for (const RefitVariant& variant : refit_variants())
+  for (const RefitVariant& variant : compared_variants())
     entries.push_back({"refit variant " + variant.name, [&variant](const World& w, Bytes& out) {
-                         out.add_all(w.character.refit_all(variant, w.pose));
+                         out.add_all(refit_all(w.character, variant, w.pose));
                          for (std::size_t n = 0; n < w.character.tree.nodes.size(); ++n)
                            out.add(variant.refit_as_computed(
                                w.character.refit_node(static_cast<int>(n), w.pose, variant.pieces)));
@@ -228,14 +226,14 @@ std::vector<Entry> query_entries() {
                        QueryCounts counts;
                        out.add_all(collide({a, {}}, {a, w.near}, Query::full, counts));
                      }});
-  for (const int threads : {1, has_threads() ? 2 : 1})
-    entries.push_back({"collide_all, threads " + std::to_string(threads), [threads](const World& w, Bytes& out) {
+  for (const bool two : {false, true})
+    entries.push_back({two ? "collide_all, on two threads" : "collide_all, on one thread", [two](const World& w, Bytes& out) {
                          ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical),
                              c(w.clusters, Skinning::linear);
                          a.begin(w.posture, {}), b.begin(w.posture, w.near), c.begin(w.posture, w.near);
                          ClusterBody* const bodies[] = {&a, &b, &c};
                          CrowdCounts counts;
-                         for (const Contact& contact : collide_all(bodies, Query::full, counts, threads))
+                         for (const Contact& contact : collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
                            out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
                        }});
   entries.push_back({"triangles_meet, filter_triangles, place", [](const World& w, Bytes& out) {

@@ -1,4 +1,4 @@
-#include "algorithms/packs/four.hpp"
+#include "algorithms/runtime/packs/four.hpp"
 
 #include "proptests/harness.hpp"
 

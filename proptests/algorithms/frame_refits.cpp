@@ -1,15 +1,17 @@
-#include "algorithms/refit/frame_refits.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
 
 #include <algorithm>
 #include <random>
 #include <set>
 
-#include "algorithms/balls/few_balls_ball.hpp"
-#include "algorithms/balls/round_up.hpp"
-#include "algorithms/batch/pose_packs.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skin.hpp"
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -18,7 +20,7 @@ namespace {
 
 using namespace refitlab;
 
-Posture random_posture(const Model& model, unsigned seed) {
+Posture random_posture(const SkinnedMesh& model, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   Posture posture = reference_posture(model);
@@ -32,16 +34,16 @@ Posture random_posture(const Model& model, unsigned seed) {
 
 // A drawn character in a random posture, or any other.
 struct Drawn {
-  Drawn(Model m, const Posture& posture, const RefitVariant& of)
+  Drawn(SkinnedMesh m, const Posture& posture, const RefitVariant& of)
       : variant(of),
-        character(std::move(m)),
-        pose(make_skinning_pose(character.model, character.sets, posture, variant.skinning)),
-        deformed(skin(character.model, character.sets, pose, variant.skinning)) {}
-  Drawn(Model m, unsigned seed)
-      : character(std::move(m)),
-        pose(make_skinning_pose(character.model, character.sets, random_posture(character.model, seed),
+        character(bake(std::move(m))),
+        pose(make_skinning_pose(character.mesh, character.sets, posture, variant.skinning)),
+        deformed(skin(character.mesh, character.sets, pose, variant.skinning)) {}
+  Drawn(SkinnedMesh m, unsigned seed)
+      : character(bake(std::move(m))),
+        pose(make_skinning_pose(character.mesh, character.sets, random_posture(character.mesh, seed),
                                 variant.skinning)),
-        deformed(skin(character.model, character.sets, pose, variant.skinning)) {}
+        deformed(skin(character.mesh, character.sets, pose, variant.skinning)) {}
   int count() const { return static_cast<int>(character.tree.nodes.size()); }
   Ball3<double> own(int n) const { return variant.refit(character.refit_node(n, pose, variant.pieces)); }
   int joint_sets(int n) const { return static_cast<int>(character.tree.refit_node(n, pose).joint_sets.size()); }
@@ -51,7 +53,7 @@ struct Drawn {
     return true;
   }
 
-  const RefitVariant& variant = refit_variant("control_sets_exact");
+  const RefitVariant& variant = compared_variant("control_sets_exact");
   Character character;
   SkinningPose<double> pose;
   std::vector<Point3> deformed;
@@ -59,8 +61,8 @@ struct Drawn {
 
 // Two strips of triangles. Where the vertices of the first are half-way between two joints, in front of which a third has
 // hardly any weight, dual quaternions may blend to 0, so that their bound is all of space. The second strip is rigid.
-Model two_strips() {
-  Model m;
+SkinnedMesh two_strips() {
+  SkinnedMesh m;
   m.name = "strips";
   for (int j = 0; j < 4; ++j) m.joints.push_back({"joint", j - 1, {0, 0, 0}});
   const auto add = [&](const Point3& p, const std::vector<std::pair<int, double>>& weights) {
@@ -149,9 +151,9 @@ PROPTEST(frame_refits) {
             FrameRefits frame(d.character, d.variant,
                               {.most_joint_sets = *rc::gen::element(0, 1, 2, 4), .most_front = *rc::gen::element(2, 64), .children_first = *rc::gen::arbitrary<bool>()});
             for (int round = 0; round < 3; ++round) {
-              const auto pose = make_skinning_pose(d.character.model, d.character.sets,
-                                                   random_posture(d.character.model, 77u + round), d.variant.skinning);
-              const auto deformed = skin(d.character.model, d.character.sets, pose, d.variant.skinning);
+              const auto pose = make_skinning_pose(d.character.mesh, d.character.sets,
+                                                   random_posture(d.character.mesh, 77u + round), d.variant.skinning);
+              const auto deformed = skin(d.character.mesh, d.character.sets, pose, d.variant.skinning);
               frame.begin(pose);
               std::mt19937 random(static_cast<unsigned>(round));
               for (int i = 0; i < 40; ++i) {
@@ -213,7 +215,7 @@ PROPTEST(frame_refits) {
   t.example("around a ball that is all of space is all of space, from below and of children, and only there", {}, [] {
     long frames = 0;
     for (const char* name : {"dual_quaternion_control_mean", "dual_quaternion_control_near", "dual_quaternion_control_exact"}) {
-      const Drawn d(two_strips(), with_opposite_turns(), refit_variant(name));
+      const Drawn d(two_strips(), with_opposite_turns(), compared_variant(name));
       for (const int most_joint_sets : {0, 1, 2})
         for (const int most_front : {1, 2, 64})
           for (const bool children_first : {false, true}) {
@@ -238,10 +240,10 @@ PROPTEST(frame_refits) {
             }
           });
   t.example("a pose whose arrays were filled by hand is refused until it is measured", {}, [] {
-    const Character snake(make_snake(5));
+    const auto snake = bake(make_snake(5));
     FrameRefits frame(snake, default_variant(Skinning::spherical));
     SkinningPose<double> pose;
-    PosePacks(snake.model, snake.sets, Skinning::spherical).make(reference_posture(snake.model), pose);
+    PosePacks(snake.mesh, snake.sets, Skinning::spherical).make(reference_posture(snake.mesh), pose);
     try {
       frame.begin(pose);
       return false;

@@ -1,4 +1,4 @@
-#include "algorithms/model/joint_sets.hpp"
+#include "algorithms/runtime/mesh/joint_sets.hpp"
 
 #include <set>
 
@@ -14,7 +14,7 @@ PROPTEST(joint_sets) {
           {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Model model = gen::make_mesh(plan);
+            const SkinnedMesh model = gen::make_mesh(plan);
             const JointSets sets(model);
             std::set<std::vector<int>> expected;
             for (std::size_t v = 0; v < model.vertices.size(); ++v) {

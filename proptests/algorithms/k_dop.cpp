@@ -1,5 +1,5 @@
 // k-DOPs of every k, in exact arithmetic; the axis-aligned box is the one of k = 6.
-#include "algorithms/volumes/k_dop.hpp"
+#include "algorithms/methods/volumes/k_dop.hpp"
 
 #include <algorithm>
 

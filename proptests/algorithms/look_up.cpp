@@ -1,11 +1,11 @@
 // Through the smallest kernel that looks numbers up, so that every target's own way is tried: pieces of one joint that
 // only moves are boxed where the table says the joint is.
-#include "algorithms/packs/look_up.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
 
 #include <random>
 
-#include "algorithms/collide/reach_piece_kernel.hpp"
-#include "algorithms/packs/lanes.hpp"
+#include "algorithms/runtime/collide/reach_piece_kernel.hpp"
+#include "algorithms/runtime/packs/lanes.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {

@@ -1,6 +1,6 @@
-#include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/runtime/balls/mean_ball.hpp"
 
-#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"

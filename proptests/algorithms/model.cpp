@@ -1,10 +1,10 @@
 // What makes a model, or a posture of it, one that is refused.
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 #include <cmath>
 #include <functional>
 
-#include "algorithms/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace refitlab;
 
-Model tube() { return gen::make_mesh({gen::MeshKind::tube, 3, 4, 3, 7}); }
+SkinnedMesh tube() { return gen::make_mesh({gen::MeshKind::tube, 3, 4, 3, 7}); }
 
 std::string refusal(const std::function<void()>& f) {
   try {
@@ -25,7 +25,7 @@ std::string refusal(const std::function<void()>& f) {
 }
 
 struct Broken {
-  std::function<void(Model&)> break_it;
+  std::function<void(SkinnedMesh&)> break_it;
   std::string message;
 };
 
@@ -33,31 +33,31 @@ constexpr double unit = 0x1p-24, beyond = 1e40 * (1 + 0x1p-52);
 
 // Of three joints and twelve vertices. Most are as near to what is accepted (accepted_models) as numbers can be.
 std::vector<Broken> broken_models() {
-  const auto weights = [](std::vector<Influence> list) { return [=](Model& m) { m.influences[2] = list; }; };
+  const auto weights = [](std::vector<Influence> list) { return [=](SkinnedMesh& m) { m.influences[2] = list; }; };
   return {
-      {[](Model& m) { m.joints.clear(); }, "skeleton: no joints"},
-      {[](Model& m) { m.vertices.clear(); }, "mesh: no triangles"},
-      {[](Model& m) { m.triangles.clear(); }, "mesh: no triangles"},
-      {[](Model& m) { m.influences.pop_back(); }, "mesh: not one list of influences a vertex"},
-      {[](Model& m) { m.influences.push_back(m.influences[0]); }, "mesh: not one list of influences a vertex"},
-      {[](Model& m) { m.joints[0].parent = 0; }, "joint 0 (joint 0): its parent does not come before it"},
-      {[](Model& m) { m.joints[1].parent = 2; }, "joint 1 (joint 1): its parent does not come before it"},
-      {[](Model& m) { m.joints[1].parent = 1; }, "joint 1 (joint 1): its parent does not come before it"},
-      {[](Model& m) { m.joints[1].parent = -2; }, "joint 1 (joint 1): its parent does not come before it"},
-      {[](Model& m) { m.joints[2].origin[1] = NAN; }, "joint 2 (joint 2): its origin is not finite"},
-      {[](Model& m) { m.joints[2].origin[0] = -INFINITY; }, "joint 2 (joint 2): its origin is not finite"},
-      {[](Model& m) { m.joints[2].origin[0] = beyond; }, "joint 2 (joint 2): its origin is out of range, beyond 1e40"},
-      {[](Model& m) { m.joints[0].origin[1] = -beyond; }, "joint 0 (joint 0): its origin is out of range, beyond 1e40"},
-      {[](Model& m) { m.joints[1].origin[2] = beyond; }, "joint 1 (joint 1): its origin is out of range, beyond 1e40"},
-      {[](Model& m) { m.vertices[4][2] = INFINITY; }, "vertex 4: its position is not finite"},
-      {[](Model& m) { m.vertices[11][0] = NAN; }, "vertex 11: its position is not finite"},
-      {[](Model& m) { m.vertices[4][2] = -beyond; }, "vertex 4: its position is out of range, beyond 1e40"},
-      {[](Model& m) { m.vertices[0][0] = beyond; }, "vertex 0: its position is out of range, beyond 1e40"},
-      {[](Model& m) { m.vertices[11][1] = beyond; }, "vertex 11: its position is out of range, beyond 1e40"},
-      {[](Model& m) { m.triangles[3][1] = -1; }, "triangle 3: vertex index -1 is out of range"},
-      {[](Model& m) { m.triangles[3][1] = 12; }, "triangle 3: vertex index 12 is out of range"},
-      {[](Model& m) { m.triangles[0][0] = 12; }, "triangle 0: vertex index 12 is out of range"},
-      {[](Model& m) { m.triangles.back()[2] = 12; }, "triangle 15: vertex index 12 is out of range"},
+      {[](SkinnedMesh& m) { m.joints.clear(); }, "skeleton: no joints"},
+      {[](SkinnedMesh& m) { m.vertices.clear(); }, "mesh: no triangles"},
+      {[](SkinnedMesh& m) { m.triangles.clear(); }, "mesh: no triangles"},
+      {[](SkinnedMesh& m) { m.influences.pop_back(); }, "mesh: not one list of influences a vertex"},
+      {[](SkinnedMesh& m) { m.influences.push_back(m.influences[0]); }, "mesh: not one list of influences a vertex"},
+      {[](SkinnedMesh& m) { m.joints[0].parent = 0; }, "joint 0 (joint 0): its parent does not come before it"},
+      {[](SkinnedMesh& m) { m.joints[1].parent = 2; }, "joint 1 (joint 1): its parent does not come before it"},
+      {[](SkinnedMesh& m) { m.joints[1].parent = 1; }, "joint 1 (joint 1): its parent does not come before it"},
+      {[](SkinnedMesh& m) { m.joints[1].parent = -2; }, "joint 1 (joint 1): its parent does not come before it"},
+      {[](SkinnedMesh& m) { m.joints[2].origin[1] = NAN; }, "joint 2 (joint 2): its origin is not finite"},
+      {[](SkinnedMesh& m) { m.joints[2].origin[0] = -INFINITY; }, "joint 2 (joint 2): its origin is not finite"},
+      {[](SkinnedMesh& m) { m.joints[2].origin[0] = beyond; }, "joint 2 (joint 2): its origin is out of range, beyond 1e40"},
+      {[](SkinnedMesh& m) { m.joints[0].origin[1] = -beyond; }, "joint 0 (joint 0): its origin is out of range, beyond 1e40"},
+      {[](SkinnedMesh& m) { m.joints[1].origin[2] = beyond; }, "joint 1 (joint 1): its origin is out of range, beyond 1e40"},
+      {[](SkinnedMesh& m) { m.vertices[4][2] = INFINITY; }, "vertex 4: its position is not finite"},
+      {[](SkinnedMesh& m) { m.vertices[11][0] = NAN; }, "vertex 11: its position is not finite"},
+      {[](SkinnedMesh& m) { m.vertices[4][2] = -beyond; }, "vertex 4: its position is out of range, beyond 1e40"},
+      {[](SkinnedMesh& m) { m.vertices[0][0] = beyond; }, "vertex 0: its position is out of range, beyond 1e40"},
+      {[](SkinnedMesh& m) { m.vertices[11][1] = beyond; }, "vertex 11: its position is out of range, beyond 1e40"},
+      {[](SkinnedMesh& m) { m.triangles[3][1] = -1; }, "triangle 3: vertex index -1 is out of range"},
+      {[](SkinnedMesh& m) { m.triangles[3][1] = 12; }, "triangle 3: vertex index 12 is out of range"},
+      {[](SkinnedMesh& m) { m.triangles[0][0] = 12; }, "triangle 0: vertex index 12 is out of range"},
+      {[](SkinnedMesh& m) { m.triangles.back()[2] = 12; }, "triangle 15: vertex index 12 is out of range"},
       {weights({{3, 1.0}}), "vertex 2: joint index 3 is out of range 0..2"},
       {weights({{-1, 1.0}}), "vertex 2: joint index -1 is out of range 0..2"},
       {weights({{1, 0.5}, {0, 0.5}}), "vertex 2: influences are not in increasing order of distinct joints"},
@@ -78,25 +78,25 @@ std::vector<Broken> broken_models() {
 }
 
 // What is at the edge of the above, and accepted.
-std::vector<std::function<void(Model&)>> accepted_models() {
-  const auto weights = [](std::vector<Influence> list) { return [=](Model& m) { m.influences[2] = list; }; };
-  std::vector<std::function<void(Model&)>> out{
-      [](Model& m) { m.name.clear(), m.joints[0].name.clear(); },
-      [](Model& m) { m.joints[1].parent = m.joints[2].parent = -1; },
-      [](Model& m) { m.joints[2].parent = 1; },
-      [](Model& m) { m.triangles.resize(1); },
-      [](Model& m) { m.triangles[3] = {11, 11, 11}; },
-      [](Model& m) { m.triangles[3] = {0, 0, 11}; },
-      [](Model& m) { m.vertices.resize(1), m.influences.resize(1), m.triangles = {{0, 0, 0}}; },
-      [](Model& m) { m.joints.resize(1), m.influences.assign(m.vertices.size(), {{0, 1.0}}); },
+std::vector<std::function<void(SkinnedMesh&)>> accepted_models() {
+  const auto weights = [](std::vector<Influence> list) { return [=](SkinnedMesh& m) { m.influences[2] = list; }; };
+  std::vector<std::function<void(SkinnedMesh&)>> out{
+      [](SkinnedMesh& m) { m.name.clear(), m.joints[0].name.clear(); },
+      [](SkinnedMesh& m) { m.joints[1].parent = m.joints[2].parent = -1; },
+      [](SkinnedMesh& m) { m.joints[2].parent = 1; },
+      [](SkinnedMesh& m) { m.triangles.resize(1); },
+      [](SkinnedMesh& m) { m.triangles[3] = {11, 11, 11}; },
+      [](SkinnedMesh& m) { m.triangles[3] = {0, 0, 11}; },
+      [](SkinnedMesh& m) { m.vertices.resize(1), m.influences.resize(1), m.triangles = {{0, 0, 0}}; },
+      [](SkinnedMesh& m) { m.joints.resize(1), m.influences.assign(m.vertices.size(), {{0, 1.0}}); },
       weights({{2, 1.0}}),
       weights({{0, unit}, {2, 1 - unit}}),
       weights({{0, unit}, {1, unit}, {2, 1 - 2 * unit}}),
   };
   for (int axis = 0; axis < 3; ++axis)
     for (const double end : {1e40, -1e40, 5e-324, -0.0}) {
-      out.push_back([=](Model& m) { m.vertices[11][axis] = end; });
-      out.push_back([=](Model& m) { m.joints[2].origin[axis] = end; });
+      out.push_back([=](SkinnedMesh& m) { m.vertices[11][axis] = end; });
+      out.push_back([=](SkinnedMesh& m) { m.joints[2].origin[axis] = end; });
     }
   return out;
 }
@@ -111,7 +111,7 @@ double last_accepted_scale(double direction) {
 }
 
 std::string refusal_of_rotation(const Quaternion<double>& q) {
-  const Model m = tube();
+  const SkinnedMesh m = tube();
   Posture posture = reference_posture(m);
   posture[2].rotation = q;
   return refusal([&] { check_posture(m, posture); });
@@ -124,7 +124,7 @@ PROPTEST(model) {
     std::string wrong;
     const auto list = accepted_models();
     for (std::size_t i = 0; i < list.size(); ++i) {
-      Model m = tube();
+      SkinnedMesh m = tube();
       list[i](m);
       const std::string message = refusal([&] { validate(m); });
       if (!message.empty()) wrong += std::to_string(i) + ": " + message + "; ";
@@ -151,7 +151,7 @@ PROPTEST(model) {
     RC_ASSERT(refusal_of_rotation(q.normalized().cast<float>().cast<double>()).empty());
   });
   t.example("a posture is refused for a joint too few and one too many, and for any number that is not finite", {}, [] {
-    const Model m = tube();
+    const SkinnedMesh m = tube();
     const auto refused = [&](const std::function<void(Posture&)>& change) {
       Posture posture = reference_posture(m);
       change(posture);
@@ -175,7 +175,7 @@ PROPTEST(model) {
   t.example("a model with one thing wrong is refused with its name, the thing and the reason", {}, [] {
     std::string wrong = refusal([] { validate(tube()); });
     for (const Broken& broken : broken_models()) {
-      Model m = tube();
+      SkinnedMesh m = tube();
       broken.break_it(m);
       const std::string message = refusal([&] { validate(m); });
       if (message != "tube: " + broken.message) wrong += "'" + message + "', not '" + broken.message + "'; ";
@@ -183,7 +183,7 @@ PROPTEST(model) {
     return Checked(wrong.empty(), static_cast<long>(broken_models().size()), wrong);
   });
   t.example("a posture that moves a joint out of range is refused, and one at its end is not", {}, [] {
-    const Model m = tube();
+    const SkinnedMesh m = tube();
     Posture posture = reference_posture(m);
     posture[1].translation[2] = -largest_coordinate;
     const std::string at_the_end = refusal([&] { check_posture(m, posture); });

@@ -1,11 +1,11 @@
-#include "algorithms/balls/near_smallest_ball.hpp"
+#include "algorithms/methods/balls/near_smallest_ball.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
 
-#include "algorithms/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"

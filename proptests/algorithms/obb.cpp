@@ -1,11 +1,11 @@
 // Oriented boxes, in exact arithmetic wherever an orientation is given: rotations of rational quaternions are rational.
-#include "algorithms/volumes/obb.hpp"
+#include "algorithms/methods/volumes/obb.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <random>
 
-#include "algorithms/volumes/aabb.hpp"
+#include "algorithms/methods/volumes/aabb.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/gen/point_cloud.hpp"

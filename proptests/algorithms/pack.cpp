@@ -1,8 +1,8 @@
-#include "algorithms/packs/pack.hpp"
+#include "algorithms/runtime/packs/pack.hpp"
 
 #include <random>
 
-#include "algorithms/packs/targets.hpp"
+#include "algorithms/runtime/packs/targets.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"

@@ -1,11 +1,11 @@
-#include "algorithms/batch/packed_vertices.hpp"
+#include "algorithms/runtime/batch/packed_vertices.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <set>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
@@ -26,7 +26,7 @@ bool are_identical(const Point3& a, const Point3& b) {
 }
 
 // Every group and the whole model, by every target, against skin().
-bool is_as_skin(const PackedVertices& packed, const Model& model, const JointSets& sets, const SkinningPose<double>& pose,
+bool is_as_skin(const PackedVertices& packed, const SkinnedMesh& model, const JointSets& sets, const SkinningPose<double>& pose,
                 Skinning skinning) {
   const auto expected = skin(model, sets, pose, skinning);
   const Point3 untouched(7, 7, 7);
@@ -55,31 +55,31 @@ PROPTEST(packed_vertices) {
   t.holds("by every target, groups of vertices are skinned bit by bit as skin() does",
           {.number_type = "double pack", .cases = 1000, .degenerate_at_least = 0.05}, [] {
             const auto posed = *gen::posed_model();
-            const JointSets sets(posed.model);
-            const int vertex_count = static_cast<int>(posed.model.vertices.size());
+            const JointSets sets(posed.mesh);
+            const int vertex_count = static_cast<int>(posed.mesh.vertices.size());
             std::vector<std::vector<int>> groups(*rc::gen::inRange(1, 4));
             for (int v = 0; v < vertex_count; ++v)
               for (auto& group : groups)
                 if (*rc::gen::inRange(0, 2)) group.push_back(v);
             RC_CLASSIFY(std::any_of(groups.begin(), groups.end(), [](const auto& g) { return g.empty(); }), "degenerate");
-            const PackedVertices packed(posed.model, sets, groups);
+            const PackedVertices packed(posed.mesh, sets, groups);
             RC_ASSERT(packed.group_count() == static_cast<int>(groups.size()));
             for (int g = 0; g < packed.group_count(); ++g) {
               const auto vertices = packed.vertices(g);
               RC_ASSERT(std::set<int>(vertices.begin(), vertices.end()) == std::set<int>(groups[g].begin(), groups[g].end()));
             }
             const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(kinds), std::end(kinds)));
-            const auto pose = make_skinning_pose(posed.model, sets, posed.posture, skinning);
-            RC_ASSERT(is_as_skin(packed, posed.model, sets, pose, skinning));
+            const auto pose = make_skinning_pose(posed.mesh, sets, posed.posture, skinning);
+            RC_ASSERT(is_as_skin(packed, posed.mesh, sets, pose, skinning));
           });
   t.holds("also at the ends of what is accepted: up to 90 joints a joint-set, tiny and huge, quaternions off unit length",
           {.number_type = "double pack", .cases = 200}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const gen::WideModel wide = gen::wide_model(random);
-            const JointSets sets(wide.model);
-            const PackedVertices packed(wide.model, sets);
+            const JointSets sets(wide.mesh);
+            const PackedVertices packed(wide.mesh, sets);
             for (const Skinning skinning : kinds)
-              RC_ASSERT(is_as_skin(packed, wide.model, sets, make_skinning_pose(wide.model, sets, wide.posture, skinning), skinning));
+              RC_ASSERT(is_as_skin(packed, wide.mesh, sets, make_skinning_pose(wide.mesh, sets, wide.posture, skinning), skinning));
           });
   t.example("the built-in man and creature are, as a whole, in mid-clip", {.number_type = "double pack"}, [] {
     long checked = 0;

@@ -1,4 +1,4 @@
-#include "algorithms/collide/pair_memory.hpp"
+#include "algorithms/runtime/collide/pair_memory.hpp"
 
 #include "proptests/harness.hpp"
 

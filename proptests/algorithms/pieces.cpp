@@ -1,10 +1,11 @@
-#include "algorithms/tree/pieces.hpp"
+#include "algorithms/bake/build_tree.hpp"
+#include "algorithms/bake/build_pieces.hpp"
 
 #include <algorithm>
 #include <set>
 
-#include "algorithms/balls/smallest_ball_of_balls.hpp"
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -17,14 +18,14 @@ namespace {
 using namespace refitlab;
 
 struct Rig {
-  explicit Rig(Model m, const TreeOptions& options = {})
-      : model(std::move(m)), sets(model), tree(build_sphere_tree(model, sets, options)), vertices(tree, model) {
+  explicit Rig(SkinnedMesh m, const TreeOptions& options = {})
+      : mesh(std::move(m)), sets(mesh), tree(build_sphere_tree(mesh, sets, options)), vertices(tree, mesh) {
     for (int s = 0; s < sets.count(); ++s) {
       pose.append(sets.joints(s).size());
       pose.complete(Point3::Zero());
     }
   }
-  Model model;
+  SkinnedMesh mesh;
   JointSets sets;
   SphereTree tree;
   NodeVertices vertices;
@@ -86,7 +87,7 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOpt
     bool covered = false;
     for (std::size_t p = 0; p < node.joint_sets.size() && !covered; ++p)
       covered = node.joint_sets[p].joint_set == rig.sets.of_vertex(v) &&
-                in_ball(node.piece_reference(p), rig.model.vertices[v]) &&
+                in_ball(node.piece_reference(p), rig.mesh.vertices[v]) &&
                 in_hull(corners_of(node, node.joint_sets[p]), exact(rig.sets.weights(v)));
     if (!covered) return "vertex " + std::to_string(v) + " is in no piece";
   }
@@ -122,7 +123,7 @@ void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mi
       for (const int v : own)
         if (!find([&](const NodeJointSet& single, const Ball3<double>& reference) {
               return single.joint_set == piece.joint_set && single.corner_count == 1 && reference.radius == 0 &&
-                     reference.center == rig.model.vertices[v] &&
+                     reference.center == rig.mesh.vertices[v] &&
                      exact(after.corner(single, 0)) == exact(rig.sets.weights(v));
             }))
           out.wrong = "vertex " + std::to_string(v) + " is not listed";
@@ -145,7 +146,7 @@ struct Vertex {
   std::vector<Influence> influences;
 };
 Rig rig_of(const std::vector<Vertex>& vertices, int joints) {
-  Model m;
+  SkinnedMesh m;
   m.name = "vertices";
   for (int j = 0; j < joints; ++j) m.joints.push_back({"joint", -1, {0, 0, 0}});
   for (const Vertex& v : vertices) {
@@ -164,7 +165,7 @@ struct RootPiece {
   double radius, weight_range;
 };
 std::vector<RootPiece> root_pieces(const Rig& rig, const PieceOptions& options) {
-  const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
+  const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
   const auto node = table.refit_node(rig.tree, 0, rig.pose);
   std::vector<RootPiece> out;
   for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
@@ -196,7 +197,7 @@ std::vector<Vertex> ring_and_row(double ring, double row_length, int least) {
 
 Checked check_man(const PieceOptions& options) {
   static const Rig rig(make_man());
-  const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
+  const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
   long nodes = 0;
   const int count = static_cast<int>(rig.tree.nodes.size());
   for (int n = 0; n < count; n += n < 30 ? 1 : 61) {
@@ -205,7 +206,7 @@ Checked check_man(const PieceOptions& options) {
     ++nodes;
   }
   return Checked(nodes > 100, nodes,
-                 std::to_string(table.piece_count()) + " pieces for " + std::to_string(count) + " nodes");
+                 std::to_string(table.pieces.size()) + " pieces for " + std::to_string(count) + " nodes");
 }
 
 }  // namespace
@@ -217,7 +218,7 @@ PROPTEST(pieces) {
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
             for (const PieceOptions& options : {PieceOptions{1}, {2}, {5}, {64}, {1, 1.5, 2.}, {3, 1, 0.5}, {1, 1.7}}) {
-              const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
+              const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
               for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); n += n < 12 ? 1 : 5)
                 RC_ASSERT(fault(rig, table, n, options, 12) == "");
             }
@@ -227,10 +228,10 @@ PROPTEST(pieces) {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
-            const PieceTable few(rig.tree, rig.vertices, rig.model, rig.sets, {1});
+            const PieceTable few = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1});
             const bool per_set = *rc::gen::arbitrary<bool>();
             const PieceOptions options = per_set ? PieceOptions{1, 2.6} : PieceOptions{8};
-            const PieceTable many(rig.tree, rig.vertices, rig.model, rig.sets, options);
+            const PieceTable many = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) {
               const auto a = few.refit_node(rig.tree, n, rig.pose), b = many.refit_node(rig.tree, n, rig.pose);
               const auto largest = [](const RefitNode<double>& node) {
@@ -249,7 +250,7 @@ PROPTEST(pieces) {
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
             const PieceOptions options = *rc::gen::element(PieceOptions{1}, PieceOptions{4}, PieceOptions{1, 4. / 3, 2});
-            const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, options);
+            const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) {
               const auto node = table.refit_node(rig.tree, n, rig.pose);
               std::vector<Ball3<double>> all;
@@ -260,7 +261,7 @@ PROPTEST(pieces) {
           });
   t.example("the widest piece is split first: eight pieces of a tube of one joint are a fraction of it", {}, [] {
     const Rig rig(gen::make_mesh({gen::MeshKind::tube, 12, 4, 1, 2006}));
-    const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {8});
+    const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {8});
     const auto root = table.refit_node(rig.tree, 0, rig.pose);
     double largest = 0;
     for (std::size_t i = 0; i < root.joint_sets.size(); ++i) largest = std::max(largest, root.piece_reference(i).radius);
@@ -299,7 +300,7 @@ PROPTEST(pieces) {
         vertices.push_back({{0, 0, 0}, influences});
       }
       const Rig rig = rig_of(vertices, 4);
-      const PieceTable table(rig.tree, rig.vertices, rig.model, rig.sets, {20});
+      const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {20});
       const auto node = table.refit_node(rig.tree, 0, rig.pose);
       for (const NodeJointSet& piece : node.joint_sets) {
         if (rig.sets.joints(piece.joint_set).size() == 1) continue;
@@ -338,8 +339,8 @@ PROPTEST(pieces) {
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const Rig rig(gen::make_mesh(plan));
             const double factor = *rc::gen::element(0.25, 1., 2., 8.);
-            const PieceTable plain(rig.tree, rig.vertices, rig.model, rig.sets, {1}),
-                mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, 1, factor});
+            const PieceTable plain = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1}),
+                             mixed = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1, 1, factor});
             Listed result;
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n)
               compare_lists(rig, plain, mixed, factor, n, result);
@@ -350,8 +351,8 @@ PROPTEST(pieces) {
   t.example("on the built-in man, up to 64 pieces", {.number_type = "rational"}, [] { return check_man({64}); });
   t.example("on the built-in man, some of its pieces are listed as vertices and some are not", {}, [] {
     const Rig rig(make_man());
-    const PieceTable plain(rig.tree, rig.vertices, rig.model, rig.sets, {}),
-        mixed(rig.tree, rig.vertices, rig.model, rig.sets, {1, 1, 2.});
+    const PieceTable plain = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {}),
+                     mixed = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1, 1, 2.});
     Listed result;
     for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); n += 7) compare_lists(rig, plain, mixed, 2, n, result);
     return Checked(result.wrong.empty() && result.listed > 500 && result.kept > 500, result.listed + result.kept,

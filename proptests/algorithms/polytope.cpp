@@ -1,11 +1,11 @@
 // Volume and surface area of polytopes, of k-DOPs that are known solids and of random ones.
-#include "algorithms/volumes/polytope.hpp"
+#include "algorithms/methods/volumes/polytope.hpp"
 
 #include <cmath>
 #include <cstdio>
 #include <random>
 
-#include "algorithms/volumes/k_dop.hpp"
+#include "algorithms/methods/volumes/k_dop.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"

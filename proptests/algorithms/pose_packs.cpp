@@ -1,8 +1,8 @@
-#include "algorithms/batch/pose_packs.hpp"
+#include "algorithms/runtime/batch/pose_packs.hpp"
 
 #include <random>
 
-#include "algorithms/model/procedural.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
@@ -43,7 +43,7 @@ PROPTEST(pose_packs) {
       "other",
       {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
         const auto plan = *gen::mesh_plan();
-        const Model model = gen::make_mesh(plan);
+        const SkinnedMesh model = gen::make_mesh(plan);
         const JointSets sets(model);
         std::mt19937 random(plan.seed);
         const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.5, 3.0);
@@ -62,10 +62,10 @@ PROPTEST(pose_packs) {
           {.number_type = "double", .cases = 200}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const gen::WideModel wide = gen::wide_model(random);
-            const JointSets sets(wide.model);
+            const JointSets sets(wide.mesh);
             for (const Skinning skinning : all_skinnings) {
-              const PosePacks packs(wide.model, sets, skinning);
-              const auto expected = make_skinning_pose(wide.model, sets, wide.posture, skinning);
+              const PosePacks packs(wide.mesh, sets, skinning);
+              const auto expected = make_skinning_pose(wide.mesh, sets, wide.posture, skinning);
               SkinningPose<double> pose;
               for (const Target target : available_targets()) {
                 packs.make(wide.posture, pose, target);
@@ -87,7 +87,7 @@ PROPTEST(pose_packs) {
     return Checked(wrong == 0, 20, std::to_string(sets.count()) + " joint-sets");
   });
   t.example("a posture that make_skinning_pose refuses is refused, and the pose stays", {}, [] {
-    const Model model = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
+    const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
     const JointSets sets(model);
     const PosePacks packs(model, sets, Skinning::spherical);
     SkinningPose<double> pose;

@@ -8,14 +8,14 @@
 #include <cstdio>
 #include <random>
 
-#include "algorithms/balls/mean_ball.hpp"
-#include "algorithms/balls/round_up.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/refit/character.hpp"
-#include "algorithms/refit/dual_quaternion.hpp"
-#include "algorithms/refit/variants.hpp"
+#include "algorithms/runtime/balls/mean_ball.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/write_whole.hpp"
-#include "algorithms/skinning/blend.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/refit_case.hpp"
 #include "proptests/gen/skinned_samples.hpp"
@@ -304,7 +304,7 @@ void check_no_miss(Skinning skinning) {
       with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   const gen::NodeOf<double> storage(c);
-  for (const RefitVariant& variant : refit_variants()) {
+  for (const RefitVariant& variant : compared_variants()) {
     if (!variant.sound || variant.skinning != skinning) continue;
     const Ball3<double> ball = variant.refit(storage.node());
     if (ball.radius == HUGE_VAL) continue;  // all of space
@@ -321,12 +321,12 @@ void check_no_miss(Skinning skinning) {
 // All nodes of a model in a posture: what a variant adds to its ball is at least what its pieces' rates ask for; and the
 // node's reference ball, and that of one of its joint-set's pieces, have each vertex, exactly.
 Checked check_nodes() {
-  const Character c(make_snake(24));
-  const Posture posture = c.model.clips[0].sample(0.37 * c.model.clips[0].duration);
+  const auto c = bake(make_snake(24));
+  const Posture posture = c.clips[0].sample(0.37 * c.clips[0].duration);
   long pieces = 0, vertices_alone = 0, too_little = 0, outside = 0;
-  for (const RefitVariant& variant : refit_variants()) {
+  for (const RefitVariant& variant : compared_variants()) {
     if (!variant.sound) continue;
-    const auto pose = make_skinning_pose(c.model, c.sets, posture, variant.skinning);
+    const auto pose = make_skinning_pose(c.mesh, c.sets, posture, variant.skinning);
     for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); n += 3) {
       const RefitNode<double> node = c.refit_node(n, pose, variant.pieces);
       const double added = variant.refit(node).radius - variant.refit_as_computed(node).radius;
@@ -344,7 +344,7 @@ Checked check_nodes() {
       for (const int v : c.vertices[n]) {
         const auto has = [&](const Ball3<double>& ball) {
           return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)},
-                          convert<Rational>(c.model.vertices[v])) == Verdict::holds;
+                          convert<Rational>(c.mesh.vertices[v])) == Verdict::holds;
         };
         bool in_piece = false;
         for (std::size_t i = 0; i < node.joint_sets.size(); ++i)

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <set>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skinning_pose.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {

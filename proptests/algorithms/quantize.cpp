@@ -1,4 +1,4 @@
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 
 #include <cmath>
 #include <limits>

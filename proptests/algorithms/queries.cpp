@@ -2,10 +2,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "algorithms/balls/smallest_ball_of_balls.hpp"
-#include "algorithms/queries/portable_random.hpp"
-#include "algorithms/queries/refit_query.hpp"
-#include "algorithms/queries/score.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/verification/portable_random.hpp"
+#include "algorithms/verification/refit_query.hpp"
+#include "algorithms/verification/score.hpp"
 #include "proptests/cases/statements.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
@@ -125,7 +126,7 @@ PROPTEST(queries) {
           {.number_type = "double against rational", .cases = 300}, [] {
             const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
             const QueryNodes nodes(query);
-            const RefitVariant& variant = refit_variant(*rc::gen::element<std::string>(
+            const RefitVariant& variant = compared_variant(*rc::gen::element<std::string>(
                 "spherical_printed_signed", "spherical_repaired", "control_mean", "dual_quaternion_control_mean", "linear"));
             SkinnedQuery skinned(query, variant.skinning);
             const Ball3<double> ball =
@@ -206,7 +207,7 @@ PROPTEST(queries) {
                 std::map<Skinning, SkinnedQuery> skinned;
                 for (const Skinning s : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
                   skinned.emplace(s, SkinnedQuery(query, s));
-                for (const RefitVariant& v : refit_variants()) {
+                for (const RefitVariant& v : compared_variants()) {
                   const auto ball = v.refit(nodes.node(v.pieces));
                   const QueryScore score = skinned.at(v.skinning).score(ball);
                   missed[v.name] += score.misses_beyond_tolerance();
@@ -214,7 +215,7 @@ PROPTEST(queries) {
                 }
               }
               std::string wrong;
-              for (const RefitVariant& v : refit_variants())
+              for (const RefitVariant& v : compared_variants())
                 if ((missed[v.name] == 0) != v.sound)
                   wrong += v.name + " misses " + std::to_string(missed[v.name]) + "; ";
                 else if (unbounded[v.name] * 10 > count)

@@ -1,9 +1,9 @@
-#include "algorithms/collide/reach.hpp"
+#include "algorithms/runtime/collide/reach.hpp"
 
 #include <random>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -16,7 +16,7 @@ using namespace refitlab;
 
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-Box6 box_of_vertices(const Model& model, const JointSets& sets, const Posture& posture, Skinning skinning,
+Box6 box_of_vertices(const SkinnedMesh& model, const JointSets& sets, const Posture& posture, Skinning skinning,
                      const RigidTransform<double>& placement) {
   Box6 box = no_box;
   for (const Point3& p : skin(model, sets, make_skinning_pose(model, sets, posture, skinning), skinning)) {
@@ -60,7 +60,7 @@ PROPTEST(reach) {
           {.number_type = "float", .cases = 600, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Model model = gen::make_mesh(plan);
+            const SkinnedMesh model = gen::make_mesh(plan);
             const JointSets sets(model);
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.1, 0.5, 3.0);
@@ -85,7 +85,7 @@ PROPTEST(reach) {
   t.holds("joints that only turn, about points of their own: rotation centers far from all vertices",
           {.number_type = "float", .cases = 300}, [] {
             const auto plan = *gen::mesh_plan();
-            const Model model = gen::make_mesh(plan);
+            const SkinnedMesh model = gen::make_mesh(plan);
             const JointSets sets(model);
             std::mt19937 random(plan.seed);
             std::normal_distribution<double> normal;
@@ -110,11 +110,11 @@ PROPTEST(reach) {
         const double unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-18, 1e-30, 1e-45, 1e-300, 1e9, 1e10),
                      far = *rc::gen::element(0.0, 1.0, 1e6, 1e30, 1e300);
         const gen::Attained scene = gen::attained(random, {.unit = unit, .far = far});
-        const JointSets sets(scene.model);
+        const JointSets sets(scene.mesh);
         const Skinning skinning = gen::random_skinning(random);
-        const int joints = static_cast<int>(scene.model.joints.size());
-        Reach reach(scene.model, sets, skinning);
-        const Box6 of_vertices = box_of_vertices(scene.model, sets, scene.posture, skinning, scene.placement);
+        const int joints = static_cast<int>(scene.mesh.joints.size());
+        Reach reach(scene.mesh, sets, skinning);
+        const Box6 of_vertices = box_of_vertices(scene.mesh, sets, scene.posture, skinning, scene.placement);
         for (const Target target : available_targets()) {
           const Box6 box = reach.box(scene.posture, scene.placement, target);
           RC_LOG() << scene.what;
@@ -127,7 +127,7 @@ PROPTEST(reach) {
         }
       });
   t.example("a vertex swept about an axis bulges out of its joints' chord, and stays in the box", {}, [] {
-    Model model;
+    SkinnedMesh model;
     model.name = "swept";
     model.vertices.assign(3, {1, 0, 0});
     model.triangles = {{0, 1, 2}};
@@ -148,7 +148,7 @@ PROPTEST(reach) {
     return Checked(ok && least > 1, 6, "blown up by at least " + std::to_string(least) + " times the bulge");
   });
   t.example("a posture counts as rigid by itself only where check_posture has nothing against it", {}, [] {
-    const Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     const JointSets sets(model);
     Reach reach(model, sets, Skinning::spherical);
     long wrong = 0, tried = 0;
@@ -166,7 +166,7 @@ PROPTEST(reach) {
     return Checked(wrong == 0, tried);
   });
   t.example("vertices whose squares float does not hold reach everywhere", {}, [] {
-    Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     for (Point3& v : model.vertices) v *= 1e25;
     const JointSets sets(model);
     bool ok = true;
@@ -236,7 +236,7 @@ PROPTEST(reach) {
     return Checked(ok, 4);
   });
   t.example("dual quaternions half a turn apart have no box, and rotation centers help out in spherical skinning", {}, [] {
-    Model model = gen::make_mesh({gen::MeshKind::tube, 12, 8, 4, 7});
+    SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 12, 8, 4, 7});
     const JointSets sets(model);
     Posture posture = reference_posture(model);
     posture[1].rotation = {0.5, std::sqrt(0.75), 0, 0};
@@ -247,7 +247,7 @@ PROPTEST(reach) {
                    encloses(spherical, box_of_vertices(model, sets, posture, Skinning::spherical, {})));
   });
   t.example("what is not finite, or overflows, reaches everywhere", {}, [] {
-    const Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     const JointSets sets(model);
     long wrong = 0, tried = 0;
     for (const Skinning skinning : all_skinnings) {

@@ -1,10 +1,11 @@
-#include "algorithms/collide/reach_packs.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/reach_packs.hpp"
 
 #include <random>
 
-#include "algorithms/collide/cluster_body.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/collide/cluster_body.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -28,7 +29,7 @@ void spoil_lengths(Posture& posture, std::mt19937& random) {
 
 std::vector<Point3> placed_vertices(const Character& c, const Posture& posture, const RigidTransform<double>& placement,
                                     Skinning skinning) {
-  auto out = skin(c.model, c.sets, make_skinning_pose(c.model, c.sets, posture, skinning), skinning);
+  auto out = skin(c.mesh, c.sets, make_skinning_pose(c.mesh, c.sets, posture, skinning), skinning);
   for (Point3& p : out) p = apply(placement, p);
   return out;
 }
@@ -78,15 +79,15 @@ PROPTEST(reach_packs) {
           {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Character c(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 10)});
+            const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 10)});
             NodeReach nodes(c, all_nodes(c));
             if (nodes.packs.empty()) RC_DISCARD("too many joints");
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 1e-3, 0.1, 0.5, 1.0);
             for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-              Reach reach(c.model, c.sets, skinning);
+              Reach reach(c.mesh, c.sets, skinning);
               for (int frame = 0; frame < 3; ++frame) {
-                Posture posture = gen::random_posture(c.model, random, spread);
+                Posture posture = gen::random_posture(c.mesh, random, spread);
                 if (frame == 1) spoil_lengths(posture, random);
                 const auto placement = random_placement(random);
                 const auto points = placed_vertices(c, posture, placement, skinning);
@@ -109,12 +110,12 @@ PROPTEST(reach_packs) {
                      far = *rc::gen::element(0.0, 1.0, 1e6, 1e30, 1e300);
         const gen::Attained scene =
             gen::attained(random, {.unit = unit, .far = far, .joints = *rc::gen::inRange(1, most_reach_joints + 1)});
-        const Character c(scene.model, {.triangles_per_leaf = 8});
+        const auto c = bake(scene.mesh, {.triangles_per_leaf = 8});
         NodeReach nodes(c, {0});
         RC_ASSERT(!nodes.packs.empty());
-        const int joints = static_cast<int>(scene.model.joints.size());
+        const int joints = static_cast<int>(scene.mesh.joints.size());
         for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-          Reach reach(c.model, c.sets, skinning);
+          Reach reach(c.mesh, c.sets, skinning);
           const auto points = placed_vertices(c, scene.posture, scene.placement, skinning);
           for (const Target target : available_targets()) {
             RC_LOG() << scene.what;
@@ -133,13 +134,13 @@ PROPTEST(reach_packs) {
   t.holds("joints that only turn, about points of their own, by rotations that are not quite of unit length",
           {.number_type = "float", .cases = 300}, [] {
             const auto plan = *gen::mesh_plan();
-            const Character c(gen::make_mesh(plan), {.triangles_per_leaf = 1});
+            const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = 1});
             NodeReach nodes(c, all_nodes(c));
             if (nodes.packs.empty()) RC_DISCARD("too many joints");
             std::mt19937 random(plan.seed);
             std::normal_distribution<double> normal;
             const double spread = *rc::gen::element(1e-4, 1e-3, 1e-2, 0.3), far = *rc::gen::element(1.0, 30.0, 1000.0);
-            Posture posture = gen::random_posture(c.model, random, spread);
+            Posture posture = gen::random_posture(c.mesh, random, spread);
             for (auto& joint : posture) {
               const Point3 pivot = Point3(normal(random), normal(random), normal(random)) * far;
               joint.translation = pivot - rotate(joint.rotation, pivot);
@@ -149,7 +150,7 @@ PROPTEST(reach_packs) {
             if (*rc::gen::arbitrary<bool>()) spoil_lengths(posture, random);
             for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
               const auto placement = random_placement(random);
-              Reach reach(c.model, c.sets, skinning);
+              Reach reach(c.mesh, c.sets, skinning);
               if (!nodes.bound(reach, posture, placement)) continue;
               const auto points = placed_vertices(c, posture, placement, skinning);
               for (std::size_t n = 0; n < nodes.boxes.size(); ++n)
@@ -160,18 +161,18 @@ PROPTEST(reach_packs) {
           {.number_type = "float", .cases = 200, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Character c(gen::make_mesh(plan));
+            const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, {.most_triangles = *rc::gen::element(1, 5, 30), .most_children = 20});
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
             for (const Skinning skinning : all_skinnings) {
               ClusterBody body(tree, skinning);
               for (int frame = 0; frame < 3; ++frame) {
-                const Posture posture = gen::random_posture(c.model, random, spread);
+                const Posture posture = gen::random_posture(c.mesh, random, spread);
                 const auto placement = random_placement(random);
                 body.begin(posture, placement);
                 if (frame == 1) {  // what is refused leaves the frame as it is
-                  Posture bad = gen::random_posture(c.model, random, 3);
+                  Posture bad = gen::random_posture(c.mesh, random, 3);
                   bad.back().rotation *= 2;
                   RC_ASSERT_THROWS_AS(body.begin(bad, placement), ModelError);
                 }
@@ -187,15 +188,15 @@ PROPTEST(reach_packs) {
             }
           });
   t.example("a rotation center far away multiplies what rotations lack of unit length", {}, [] {
-    Model model;
+    SkinnedMesh model;
     model.name = "turned about a far point";
     model.vertices.assign(3, {0, 0, 0});
     model.triangles = {{0, 1, 2}};
     model.joints = {{"first", -1, {0, 0, 0}}, {"second", 0, {0, 0, 0}}};
     model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
-    const Character c(std::move(model));
+    const auto c = bake(std::move(model));
     NodeReach nodes(c, {0});
-    Reach reach(c.model, c.sets, Skinning::spherical);
+    Reach reach(c.mesh, c.sets, Skinning::spherical);
     const Point3 pivot(1000, 0, 0);
     bool ok = true;
     double farthest = 0;
@@ -222,16 +223,16 @@ PROPTEST(reach_packs) {
               long tried = 0;
               for (const double far : {1.0, 100.0, 1e3, 1e5})
                 for (const double off : {-4.9e-7, 0.0, 4.9e-7}) {
-                  Model model;
+                  SkinnedMesh model;
                   model.name = "far from its joint";
                   model.vertices = {{1, 0, 0}, {1, 0, 0}, {0, 0, 0}};
                   model.triangles = {{0, 1, 2}};
                   model.joints = {{"far", -1, {far / 3, far, far / 7}}};
                   model.influences.assign(3, {{0, 1}});
-                  const Character c(std::move(model), {.triangles_per_leaf = 1});
+                  const auto c = bake(std::move(model), {.triangles_per_leaf = 1});
                   NodeReach nodes(c, {0});
                   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-                    Reach reach(c.model, c.sets, skinning);
+                    Reach reach(c.mesh, c.sets, skinning);
                     std::mt19937 random(1);
                     for (int turn = 0; turn < 20; ++turn) {
                       Posture posture{{gen::random_rotation(random, 1), {0, 0, 0}}};
@@ -250,37 +251,37 @@ PROPTEST(reach_packs) {
   t.holds("what is so small that its squares underflow is held too", {.number_type = "float", .cases = 200}, [] {
     const auto plan = *gen::mesh_plan();
     const double scale = *rc::gen::element(1e-15, 1e-17, 1e-19, 1e-22, 1e-30, 1e-50);
-    Model model = gen::make_mesh(plan);
+    SkinnedMesh model = gen::make_mesh(plan);
     for (Point3& v : model.vertices) v *= scale;
     for (auto& joint : model.joints) joint.origin *= scale;
-    const Character c(std::move(model), {.triangles_per_leaf = 1});
+    const auto c = bake(std::move(model), {.triangles_per_leaf = 1});
     NodeReach nodes(c, all_nodes(c));
     if (nodes.packs.empty()) RC_DISCARD("too many joints");
     std::mt19937 random(plan.seed);
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      Posture posture = gen::random_posture(c.model, random, 0.5);
+      Posture posture = gen::random_posture(c.mesh, random, 0.5);
       for (auto& joint : posture) joint.translation *= scale;
       auto placement = random_placement(random);
       placement.translation *= scale;
-      Reach reach(c.model, c.sets, skinning);
+      Reach reach(c.mesh, c.sets, skinning);
       const auto points = placed_vertices(c, posture, placement, skinning);
       if (!nodes.bound(reach, posture, placement)) continue;
       for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
     }
   });
   t.example("the clusters of a walking man have boxes little larger than their vertices'", {}, [] {
-    const Character man(make_man());
+    const auto man = bake(make_man());
     const ClusterTree tree(man, {.most_children = 96});  // one fan
     const int count = tree.fans()[0].child_count;
     std::string text = "sum of widths over that of the vertices' boxes: ";
     bool ok = true;
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      Reach reach(man.model, man.sets, skinning);
+      Reach reach(man.mesh, man.sets, skinning);
       std::vector<FlippedBox> scratch(count);
       std::vector<Box6> boxes(count);
       double exact = 0, bounded = 0;
       for (int i = 0; i < 10; ++i) {
-        const Posture posture = man.model.clips[0].sample(i / 10.0 * man.model.clips[0].duration);
+        const Posture posture = man.clips[0].sample(i / 10.0 * man.clips[0].duration);
         const auto points = placed_vertices(man, posture, {}, skinning);
         reach.box(posture, {});
         ok = ok && reach.boxes(tree.fans()[0].reach, posture, {}, scratch, boxes);
@@ -303,7 +304,7 @@ PROPTEST(reach_packs) {
     bool ok = true;
     long lanes = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
-      const Character c(gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed}));
+      const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed}));
       std::vector<int> nodes;
       for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
       const auto pieces = pieces_of_nodes(c, nodes);
@@ -320,19 +321,19 @@ PROPTEST(reach_packs) {
     return Checked(ok && lanes > 1000, lanes);
   });
   t.example("nothing is known of nodes between joints half a turn apart", {}, [] {
-    const Character c(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
     NodeReach nodes(c, {0});
-    Reach reach(c.model, c.sets, Skinning::spherical);
-    Posture posture(c.model.joints.size());
+    Reach reach(c.mesh, c.sets, Skinning::spherical);
+    Posture posture(c.mesh.joints.size());
     const bool at_rest = nodes.bound(reach, posture, {});
     for (std::size_t j = 1; j < posture.size(); j += 2) posture[j].rotation = {0, 1, 0, 0};
     return at_rest && !nodes.bound(reach, posture, {});
   });
   t.example("pieces of too many joints or too far away have no packs", {}, [] {
-    Model model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
-    const Character near(model);
+    SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    const auto near = bake(model);
     for (Point3& v : model.vertices) v *= 1e25;
-    const Character far(model);
+    const auto far = bake(model);
     return Checked(!make_reach_packs(near, pieces_of_nodes(near, all_nodes(near))).empty() &&
                    make_reach_packs(far, pieces_of_nodes(far, all_nodes(far))).empty());
   });

@@ -1,6 +1,6 @@
 // Refitting for dual quaternion skinning: the control balls hold every vertex, exactly in rationals where no root is
 // needed, and by intervals on the fallback.
-#include "algorithms/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
 
 #include <cstdio>
 #include <optional>

@@ -6,13 +6,14 @@
 #include <map>
 #include <random>
 
-#include "algorithms/balls/round_up.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/model/load.hpp"
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/queries/exact_skin.hpp"
-#include "algorithms/refit/character.hpp"
-#include "algorithms/refit/frame_refits.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/verification/exact_skin.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness.hpp"
 
@@ -24,11 +25,11 @@ using namespace refitlab;
 constexpr int nodes_per_posture = 200, vertices_per_node = 16;
 
 // Two times of each of at most three clips, none of them a key time, where postures tend to be too simple.
-std::vector<Posture> postures_of(const Model& model) {
+std::vector<Posture> postures_of(const AnimatedCharacter& c) {
   std::vector<Posture> out;
-  for (std::size_t c = 0; c < std::min<std::size_t>(3, model.clips.size()); ++c)
-    for (const double share : {0.3718, 0.9141}) out.push_back(model.clips[c].sample(share * model.clips[c].duration));
-  if (out.empty()) out.push_back(reference_posture(model));
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, c.clips.size()); ++i)
+    for (const double share : {0.3718, 0.9141}) out.push_back(c.clips[i].sample(share * c.clips[i].duration));
+  if (out.empty()) out.push_back(reference_posture(c.mesh));
   return out;
 }
 
@@ -54,22 +55,22 @@ std::vector<int> some_nodes(const Character& c, std::mt19937& random) {
 }
 
 Checked check_model(Model model) {
-  const Character c(std::move(model));
+  const auto c = bake(std::move(model));
   std::mt19937 random(2006);
   std::map<std::string, Tally> tallies;
-  for (const Posture& posture : postures_of(c.model))
+  for (const Posture& posture : postures_of(c))
     for (const Skinning skinning :
          {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion}) {
       // Hejl's rotation center changes the pose, not the bound: spherical variants must hold for it too.
       const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
-      const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-      const auto skinned = skin(c.model, c.sets, pose, skinning);
-      ExactSkin exact(c.model, c.sets, pose, skinning);
+      const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+      const auto skinned = skin(c.mesh, c.sets, pose, skinning);
+      ExactSkin exact(c.mesh, c.sets, pose, skinning);
       for (const int n : some_nodes(c, random)) {
         const auto all = c.vertices[n];
         std::vector<int> vertices;
         std::sample(all.begin(), all.end(), std::back_inserter(vertices), vertices_per_node, random);
-        for (const RefitVariant& variant : refit_variants()) {
+        for (const RefitVariant& variant : compared_variants()) {
           if (!variant.sound || variant.skinning != bounded) continue;
           const RefitNode<double> node = c.refit_node(n, pose, variant.pieces);
           const Ball3<double> ball = variant.refit(node), bare = variant.refit_as_computed(node);
@@ -112,16 +113,16 @@ void check_wide() {
   RC_TAG(lengths[plan.lengths]);
   RC_CLASSIFY(plan.influences > 16, "more than 16 influences");
   RC_CLASSIFY(std::abs(plan.exponent) >= 60, "huge or tiny");
-  Model model = gen::wide_model(plan);
+  SkinnedMesh model = gen::wide_model(plan);
   const Posture posture = gen::wide_posture(plan, model);
-  const Character c(std::move(model), {.triangles_per_leaf = *rc::gen::element(1, 2, 5, 1 << 30)});
+  const auto c = bake(std::move(model), {.triangles_per_leaf = *rc::gen::element(1, 2, 5, 1 << 30)});
   const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
-  const auto pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-  const auto skinned = skin(c.model, c.sets, pose, skinning);
-  ExactSkin exact(c.model, c.sets, pose, skinning);
-  for (const RefitVariant& variant : refit_variants()) {
+  const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+  const auto skinned = skin(c.mesh, c.sets, pose, skinning);
+  ExactSkin exact(c.mesh, c.sets, pose, skinning);
+  for (const RefitVariant& variant : compared_variants()) {
     if (!variant.sound || variant.skinning != (skinning == Skinning::hejl ? Skinning::spherical : skinning)) continue;
-    const auto balls = c.refit_all(variant, pose);
+    const auto balls = refit_all(c, variant, pose);
     FrameRefits frame(c, variant, {.most_joint_sets = 2, .most_front = 3, .children_first = true});
     frame.begin(pose);
     frame.refit_all();
@@ -143,7 +144,7 @@ PROPTEST(refit_end_to_end) {
   const Options options{.number_type = "double against rational"};
   t.example("a variant that there is not is refused with the names of those there are", {}, [] {
     try {
-      refit_variant("spherical");
+      compared_variant("spherical");
       return false;
     } catch (const std::invalid_argument& e) {
       return std::string(e.what()).find("control_mixed") != std::string::npos;

@@ -1,5 +1,5 @@
 // Refitting for linear blending.
-#include "algorithms/refit/linear.hpp"
+#include "algorithms/runtime/refit/linear.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/refit_ladder.hpp"

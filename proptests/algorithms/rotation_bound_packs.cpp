@@ -1,4 +1,4 @@
-#include "algorithms/batch/rotation_bound_packs.hpp"
+#include "algorithms/runtime/batch/rotation_bound_packs.hpp"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // Rotation centers, against a stacked least-squares solution and against their neighbours.
-#include "algorithms/skinning/rotation_center.hpp"
+#include "algorithms/runtime/skinning/rotation_center.hpp"
 
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"

@@ -1,11 +1,11 @@
 // What is raised encloses, and by no more than is needed: radii by rounded_up, balls in float, and the least float above.
-#include "algorithms/balls/round_up.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 
 #include <cmath>
 #include <random>
 
-#include "algorithms/balls/mean_ball.hpp"
-#include "algorithms/packs/float_above.hpp"
+#include "algorithms/runtime/balls/mean_ball.hpp"
+#include "algorithms/runtime/packs/float_above.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"

@@ -1,16 +1,16 @@
 // Balls of clouds of every size, from the least denormal to the largest squares: of what is as large as 1, the same but
 // for the underflow that rounded_up adds; and nothing that is finite has a center or a radius that is not a number.
-#include "algorithms/balls/scaling.hpp"
+#include "algorithms/runtime/balls/scaling.hpp"
 
 #include <cmath>
 #include <random>
 
-#include "algorithms/balls/few_balls_ball.hpp"
-#include "algorithms/balls/few_points_ball_packs.hpp"
-#include "algorithms/balls/first_balls_ball.hpp"
-#include "algorithms/balls/near_smallest_ball.hpp"
-#include "algorithms/balls/round_up.hpp"
-#include "algorithms/volumes/box_orientation.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/methods/balls/few_points_ball_packs.hpp"
+#include "algorithms/runtime/balls/first_balls_ball.hpp"
+#include "algorithms/methods/balls/near_smallest_ball.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/methods/volumes/box_orientation.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"

@@ -1,12 +1,12 @@
 // A frame's skinning data and the skinned vertices of whole models.
-#include "algorithms/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <set>
 
-#include "algorithms/skinning/blend.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/gen/weights.hpp"
@@ -21,9 +21,9 @@ using gen::PosedModel;
 
 double size_of(const PosedModel& posed) {
   double size = 1;
-  for (const Point3& v : posed.model.vertices) size = std::max(size, v.norm());
+  for (const Point3& v : posed.mesh.vertices) size = std::max(size, v.norm());
   for (const auto& c : posed.posture) size = std::max(size, c.translation.norm());
-  for (const auto& j : posed.model.joints) size = std::max(size, j.origin.norm());
+  for (const auto& j : posed.mesh.joints) size = std::max(size, j.origin.norm());
   return size;
 }
 
@@ -56,9 +56,9 @@ double worst_difference(const std::vector<Point3>& a, const std::vector<Point3>&
 }
 
 std::string message_of(const Posture& posture, const PosedModel& posed) {
-  const JointSets sets(posed.model);
+  const JointSets sets(posed.mesh);
   try {
-    make_skinning_pose(posed.model, sets, posture, Skinning::spherical);
+    make_skinning_pose(posed.mesh, sets, posture, Skinning::spherical);
   } catch (const ModelError& e) {
     return e.what();
   }
@@ -67,12 +67,12 @@ std::string message_of(const Posture& posture, const PosedModel& posed) {
 
 PosedModel two_joints() {
   PosedModel p;
-  p.model.name = "pair";
-  p.model.joints = {{"hip", -1, {0, 0, 0}}, {"knee", 0, {0, 1, 0}}};
-  p.model.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  p.model.influences = {{{0, 1.0}}, {{0, 0.5}, {1, 0.5}}, {{1, 1.0}}};
-  p.model.triangles = {{0, 1, 2}};
-  p.posture = reference_posture(p.model);
+  p.mesh.name = "pair";
+  p.mesh.joints = {{"hip", -1, {0, 0, 0}}, {"knee", 0, {0, 1, 0}}};
+  p.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  p.mesh.influences = {{{0, 1.0}}, {{0, 0.5}, {1, 0.5}}, {{1, 1.0}}};
+  p.mesh.triangles = {{0, 1, 2}};
+  p.posture = reference_posture(p.mesh);
   return p;
 }
 
@@ -123,26 +123,26 @@ PROPTEST(skinning_pose) {
   t.holds("the skinned vertices are those of Eigen's matrices and quaternions, up to 1e-11 of the model's size",
           {.number_type = "double", .cases = 500, .degenerate_at_least = 0.2}, [] {
             const PosedModel posed = *gen::posed_model();
-            const JointSets sets(posed.model);
-            const auto spherical = make_skinning_pose(posed.model, sets, posed.posture, Skinning::spherical);
-            const auto by_points = skin(posed.model, sets, spherical, Skinning::linear);
-            const auto by_quaternions = skin(posed.model, sets, spherical, Skinning::spherical);
-            const auto dual = make_skinning_pose(posed.model, sets, posed.posture, Skinning::dual_quaternion);
-            const auto by_dual_quaternions = skin(posed.model, sets, dual, Skinning::dual_quaternion);
-            RC_CLASSIFY(has_half_turn(spherical) || posed.model.joints.size() == 1, "degenerate");
-            for (std::size_t v = 0; v < posed.model.vertices.size(); ++v) {
+            const JointSets sets(posed.mesh);
+            const auto spherical = make_skinning_pose(posed.mesh, sets, posed.posture, Skinning::spherical);
+            const auto by_points = skin(posed.mesh, sets, spherical, Skinning::linear);
+            const auto by_quaternions = skin(posed.mesh, sets, spherical, Skinning::spherical);
+            const auto dual = make_skinning_pose(posed.mesh, sets, posed.posture, Skinning::dual_quaternion);
+            const auto by_dual_quaternions = skin(posed.mesh, sets, dual, Skinning::dual_quaternion);
+            RC_CLASSIFY(has_half_turn(spherical) || posed.mesh.joints.size() == 1, "degenerate");
+            for (std::size_t v = 0; v < posed.mesh.vertices.size(); ++v) {
               const auto& set = spherical[sets.of_vertex(static_cast<int>(v))];
               const auto w = sets.weights(static_cast<int>(v));
               // The least-squares center may lie far away, and rounding grows with its distance.
               const double tolerance = 1e-11 * (size_of(posed) + set.rotation_center.norm());
-              RC_ASSERT((by_points[v] - oracle::linear_by_eigen(set.transforms, w, posed.model.vertices[v])).norm() <=
+              RC_ASSERT((by_points[v] - oracle::linear_by_eigen(set.transforms, w, posed.mesh.vertices[v])).norm() <=
                         tolerance);
               if (norm(blend_quaternion<double>(set, w)) < 0.01) continue;
               RC_ASSERT((by_quaternions[v] -
-                         oracle::spherical_by_eigen(set.transforms, w, set.rotation_center, posed.model.vertices[v]))
+                         oracle::spherical_by_eigen(set.transforms, w, set.rotation_center, posed.mesh.vertices[v]))
                             .norm() <= tolerance);
               RC_ASSERT((by_dual_quaternions[v] -
-                         oracle::dual_quaternion_by_eigen(set.transforms, w, posed.model.vertices[v]))
+                         oracle::dual_quaternion_by_eigen(set.transforms, w, posed.mesh.vertices[v]))
                             .norm() <= tolerance);
             }
           });
@@ -150,8 +150,8 @@ PROPTEST(skinning_pose) {
       "the data of a joint-set are its joints' transforms in order, with images of one common center",
       {.number_type = "double", .cases = 300}, [] {
         const PosedModel posed = *gen::posed_model();
-        const JointSets sets(posed.model);
-        const auto pose = make_skinning_pose(posed.model, sets, posed.posture,
+        const JointSets sets(posed.mesh);
+        const auto pose = make_skinning_pose(posed.mesh, sets, posed.posture,
                                              *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl,
                                                                Skinning::dual_quaternion));
         RC_ASSERT(pose.size() == static_cast<std::size_t>(sets.count()));
@@ -177,28 +177,28 @@ PROPTEST(skinning_pose) {
   t.holds("a pose that is filled again is the one made anew, whatever it held, and stays as it is if the posture is refused",
           {.number_type = "double", .cases = 300}, [] {
             const PosedModel before = *gen::posed_model(), posed = *gen::posed_model();
-            const JointSets sets(posed.model);
+            const JointSets sets(posed.mesh);
             const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::hejl);
-            SkinningPose<double> pose = make_skinning_pose(before.model, JointSets(before.model), before.posture, skinning);
-            make_skinning_pose(posed.model, sets, posed.posture, skinning, pose);
-            const auto anew = make_skinning_pose(posed.model, sets, posed.posture, skinning);
+            SkinningPose<double> pose = make_skinning_pose(before.mesh, JointSets(before.mesh), before.posture, skinning);
+            make_skinning_pose(posed.mesh, sets, posed.posture, skinning, pose);
+            const auto anew = make_skinning_pose(posed.mesh, sets, posed.posture, skinning);
             RC_ASSERT(same(pose, anew));
-            RC_ASSERT_THROWS_AS(make_skinning_pose(posed.model, sets, {}, skinning, pose), ModelError);
+            RC_ASSERT_THROWS_AS(make_skinning_pose(posed.mesh, sets, {}, skinning, pose), ModelError);
             RC_ASSERT(same(pose, anew));
           });
   t.holds("the signs of a posture's quaternions move no vertex, but where joints of a set differ by a half-turn",
           {.number_type = "double", .cases = 500}, [] {
             const PosedModel posed = *gen::posed_model();
-            const JointSets sets(posed.model);
+            const JointSets sets(posed.mesh);
             const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
-            const auto pose = make_skinning_pose(posed.model, sets, posed.posture, skinning);
+            const auto pose = make_skinning_pose(posed.mesh, sets, posed.posture, skinning);
             RC_PRE(!has_half_turn(pose));
             Posture negated = posed.posture;
             for (auto& c : negated)
               if (*rc::gen::arbitrary<bool>()) c.rotation = -c.rotation;
-            const auto other = make_skinning_pose(posed.model, sets, negated, skinning);
-            RC_ASSERT(worst_difference(skin(posed.model, sets, pose, skinning),
-                                       skin(posed.model, sets, other, skinning)) == 0);
+            const auto other = make_skinning_pose(posed.mesh, sets, negated, skinning);
+            RC_ASSERT(worst_difference(skin(posed.mesh, sets, pose, skinning),
+                                       skin(posed.mesh, sets, other, skinning)) == 0);
           });
   t.holds(
       "the joint that two neighbouring bones share is where their transforms agree, and blending about it is blending "
@@ -225,18 +225,18 @@ PROPTEST(skinning_pose) {
   t.holds("for neighbouring bones Hejl's center is the shared joint, and skinning about it is spherical skinning",
           {.number_type = "double", .cases = 500}, [] {
             const PosedModel posed = *gen::posed_model();
-            const JointSets sets(posed.model);
-            const auto hejl = make_skinning_pose(posed.model, sets, posed.posture, Skinning::hejl);
-            const auto spherical = make_skinning_pose(posed.model, sets, posed.posture, Skinning::spherical);
-            const auto a = skin(posed.model, sets, hejl, Skinning::hejl);
-            const auto b = skin(posed.model, sets, spherical, Skinning::spherical);
+            const JointSets sets(posed.mesh);
+            const auto hejl = make_skinning_pose(posed.mesh, sets, posed.posture, Skinning::hejl);
+            const auto spherical = make_skinning_pose(posed.mesh, sets, posed.posture, Skinning::spherical);
+            const auto a = skin(posed.mesh, sets, hejl, Skinning::hejl);
+            const auto b = skin(posed.mesh, sets, spherical, Skinning::spherical);
             int seen = 0;
             for (std::size_t v = 0; v < a.size(); ++v) {
               const int s = sets.of_vertex(static_cast<int>(v));
               const auto joints = sets.joints(s);
-              if (joints.size() != 2 || posed.model.joints[joints[1]].parent != joints[0]) continue;
+              if (joints.size() != 2 || posed.mesh.joints[joints[1]].parent != joints[0]) continue;
               ++seen;
-              RC_ASSERT(hejl[s].rotation_center == posed.model.joints[joints[1]].origin);
+              RC_ASSERT(hejl[s].rotation_center == posed.mesh.joints[joints[1]].origin);
               RC_ASSERT((hejl[s].center_images[0] - hejl[s].center_images[1]).norm() <= 1e-12 * size_of(posed));
               RC_ASSERT((a[v] - b[v]).norm() <= 1e-8 * (size_of(posed) + spherical[s].rotation_center.norm()));
             }
@@ -246,34 +246,34 @@ PROPTEST(skinning_pose) {
           "joint-set, or of the first joint",
           {.number_type = "double", .cases = 500, .tags_at_least = {{"several shared", 0.1}, {"none shared", 0.1}, {"one joint", 0.1}}}, [] {
             const PosedModel posed = *gen::posed_model();
-            const JointSets sets(posed.model);
+            const JointSets sets(posed.mesh);
             std::set<std::string> seen;
             for (int s = 0; s < sets.count(); ++s) {
               const auto joints = sets.joints(s);
               Point3 sum = Point3::Zero();
               int shared = -1, count = 0;
               for (const int j : joints) {
-                sum += posed.model.joints[j].origin;
-                if (std::ranges::find(joints, posed.model.joints[j].parent) != joints.end()) shared = j, ++count;
+                sum += posed.mesh.joints[j].origin;
+                if (std::ranges::find(joints, posed.mesh.joints[j].parent) != joints.end()) shared = j, ++count;
               }
               const Point3 mean = sum / static_cast<double>(joints.size());
               for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
-                RC_ASSERT((center_prior(posed.model, joints, skinning) - mean).norm() <= 1e-13 * size_of(posed));
-              RC_ASSERT(center_prior(posed.model, joints, Skinning::hejl) == posed.model.joints[shared < 0 ? joints[0] : shared].origin);
+                RC_ASSERT((center_prior(posed.mesh, joints, skinning) - mean).norm() <= 1e-13 * size_of(posed));
+              RC_ASSERT(center_prior(posed.mesh, joints, Skinning::hejl) == posed.mesh.joints[shared < 0 ? joints[0] : shared].origin);
               seen.insert(joints.size() == 1 ? "one joint" : count == 0 ? "none shared" : count == 1 ? "one shared" : "several shared");
             }
             for (const std::string& tag : seen) RC_TAG(tag);
           });
   t.example("a posture that is refused leaves the pose as it was", {}, [] {
     const PosedModel p = two_joints();
-    const JointSets sets(p.model);
+    const JointSets sets(p.mesh);
     Posture other = p.posture;
     other[1].translation = {1, 2, 3};
-    SkinningPose<double> pose = make_skinning_pose(p.model, sets, other, Skinning::spherical);
+    SkinningPose<double> pose = make_skinning_pose(p.mesh, sets, other, Skinning::spherical);
     const SkinningPose<double> before = pose;
     other[1].rotation[0] = NAN;
     try {
-      make_skinning_pose(p.model, sets, other, Skinning::spherical, pose);
+      make_skinning_pose(p.mesh, sets, other, Skinning::spherical, pose);
     } catch (const ModelError&) {
       return same(pose, before) && pose.size() == static_cast<std::size_t>(sets.count()) && pose.is_measured();
     }

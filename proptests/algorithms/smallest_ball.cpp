@@ -1,4 +1,4 @@
-#include "algorithms/balls/smallest_ball.hpp"
+#include "algorithms/runtime/balls/smallest_ball.hpp"
 
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"

@@ -1,11 +1,12 @@
-#include "algorithms/tree/sphere_tree.hpp"
+#include "algorithms/bake/build_tree.hpp"
+#include "algorithms/runtime/tree/sphere_tree.hpp"
 
 #include <ctime>
 #include <map>
 #include <set>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/bake/corners.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/corners.hpp"
@@ -18,7 +19,7 @@ using namespace refitlab;
 
 constexpr double keep_all = 1e300;  // as a prune ratio
 
-std::set<int> vertices_below(const SphereTree& tree, const Model& model, const TreeNode& n) {
+std::set<int> vertices_below(const SphereTree& tree, const SkinnedMesh& model, const TreeNode& n) {
   std::set<int> out;
   for (int k = 0; k < n.triangle_count; ++k)
     for (const int v : model.triangles[tree.triangle_order[n.first_triangle + k]]) out.insert(v);
@@ -26,7 +27,7 @@ std::set<int> vertices_below(const SphereTree& tree, const Model& model, const T
 }
 
 // What is wrong with the arrays of the tree; empty if nothing is.
-std::string structural_fault(const SphereTree& tree, const Model& model, const TreeOptions& options) {
+std::string structural_fault(const SphereTree& tree, const SkinnedMesh& model, const TreeOptions& options) {
   const auto& nodes = tree.nodes;
   std::set<int> all(tree.triangle_order.begin(), tree.triangle_order.end());
   if (all.size() != model.triangles.size() || tree.triangle_order.size() != all.size() || *all.begin() != 0 ||
@@ -70,7 +71,7 @@ std::string structural_fault(const SphereTree& tree, const Model& model, const T
 }
 
 // The balls hold their vertices exactly, and none is larger than needed.
-std::string ball_fault(const SphereTree& tree, const Model& model) {
+std::string ball_fault(const SphereTree& tree, const SkinnedMesh& model) {
   for (const TreeNode& n : tree.nodes) {
     std::vector<Ball<Rational, 3>> points;
     Ball<Rational, 3> ball{convert<Rational>(n.reference.center), Rational(n.reference.radius)};
@@ -95,7 +96,7 @@ std::vector<oracle::ExactWeights> rows_of(const SphereTree& tree, const NodeJoin
 }
 
 // The joint-sets of a node are those of its vertices, and their corners those of the vertices' weight bounds.
-std::string weight_fault(const SphereTree& tree, const Model& model, const JointSets& sets) {
+std::string weight_fault(const SphereTree& tree, const SkinnedMesh& model, const JointSets& sets) {
   for (const TreeNode& n : tree.nodes) {
     std::map<int, std::vector<oracle::ExactWeights>> weights;
     for (const int v : vertices_below(tree, model, n)) {
@@ -142,7 +143,7 @@ std::string pruning_fault(const SphereTree& pruned, const SphereTree& binary, do
 }
 
 // Each node is halved at the median of the centroids along their longest extent.
-std::string split_fault(const SphereTree& binary, const Model& model) {
+std::string split_fault(const SphereTree& binary, const SkinnedMesh& model) {
   const auto centroid = [&](int k) {
     const Triangle& t = model.triangles[binary.triangle_order[k]];
     return Point3((model.vertices[t[0]] + model.vertices[t[1]] + model.vertices[t[2]]) / 3);
@@ -175,7 +176,7 @@ PROPTEST(sphere_tree) {
           {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Model model = gen::make_mesh(plan);
+            const SkinnedMesh model = gen::make_mesh(plan);
             const TreeOptions options = draw_options();
             const auto tree = build_sphere_tree(model, JointSets(model), options);
             RC_ASSERT(structural_fault(tree, model, options) == "");
@@ -190,14 +191,14 @@ PROPTEST(sphere_tree) {
           {.number_type = "rational", .cases = 100, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Model model = gen::make_mesh(plan);
+            const SkinnedMesh model = gen::make_mesh(plan);
             RC_ASSERT(ball_fault(build_sphere_tree(model, JointSets(model), draw_options()), model) == "");
           });
   t.holds("the joint-sets of a node are those of its vertices, with all corners of their weights' bounds",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Model model = gen::make_mesh(plan);
+            const SkinnedMesh model = gen::make_mesh(plan);
             const JointSets sets(model);
             RC_ASSERT(weight_fault(build_sphere_tree(model, sets, draw_options()), model, sets) == "");
           });
@@ -205,7 +206,7 @@ PROPTEST(sphere_tree) {
           {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Model model = gen::make_mesh(plan);
+            const SkinnedMesh model = gen::make_mesh(plan);
             const TreeOptions options = draw_options();
             const JointSets sets(model);
             const auto tree = build_sphere_tree(model, sets, options);
@@ -220,7 +221,7 @@ PROPTEST(sphere_tree) {
             }
           });
   t.example("a leaf without triangles is refused", {}, [] {
-    const Model model = gen::make_mesh({gen::MeshKind::tube, 3, 3, 1, 1});
+    const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 3, 3, 1, 1});
     try {
       build_sphere_tree(model, JointSets(model), {.triangles_per_leaf = 0});
     } catch (const std::invalid_argument& e) {
@@ -231,7 +232,7 @@ PROPTEST(sphere_tree) {
   t.example("the trees of the built-in models are right, and built in less than a second of processor time", {}, [] {
     std::string detail;
     bool all = true;
-    for (const Model& model : {make_man(), make_creature()}) {
+    for (const SkinnedMesh& model : {make_man(), make_creature()}) {
       const JointSets sets(model);
       const TreeOptions options;
       const std::clock_t start = std::clock();

@@ -1,4 +1,4 @@
-#include "algorithms/model/subdivide.hpp"
+#include "algorithms/model/procedural/subdivide.hpp"
 
 #include <algorithm>
 #include <map>
@@ -45,7 +45,7 @@ PROPTEST(subdivide) {
       {.cases = 300, .degenerate_at_least = 0.4}, [] {
         const auto plan = *gen::mesh_plan();
         RC_CLASSIFY(is_degenerate(plan), "degenerate");
-        const Model m = make_mesh(plan), fine = subdivide(m);
+        const Model m{make_mesh(plan)}, fine = subdivide(m);
         RC_ASSERT(fine.triangles.size() == 4 * m.triangles.size());
         for (std::size_t i = 0; i < m.triangles.size(); ++i) {
           const Corners whole = corners(m, m.triangles[i]);
@@ -68,7 +68,7 @@ PROPTEST(subdivide) {
           {.cases = 300, .degenerate_at_least = 0.4}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(is_degenerate(plan), "degenerate");
-            const Model m = make_mesh(plan), fine = subdivide(m);
+            const Model m{make_mesh(plan)}, fine = subdivide(m);
             std::size_t edges = 0;
             for (const auto& [a, b] : edges_of(m)) edges += a != b;
             RC_ASSERT(fine.vertices.size() == m.vertices.size() + edges);
@@ -82,7 +82,7 @@ PROPTEST(subdivide) {
           {.cases = 300, .degenerate_at_least = 0.4}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(is_degenerate(plan), "degenerate");
-            const Model m = make_mesh(plan), fine = subdivide(m);
+            const Model m{make_mesh(plan)}, fine = subdivide(m);
             for (std::size_t i = 0; i < m.triangles.size(); ++i) {
               const Triangle &whole = m.triangles[i], &inner = fine.triangles[4 * i + 3];
               for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
-#include "algorithms/balls/three_points_ball.hpp"
+#include "algorithms/runtime/balls/three_points_ball.hpp"
 
-#include "algorithms/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"

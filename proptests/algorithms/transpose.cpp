@@ -1,4 +1,4 @@
-#include "algorithms/packs/transpose.hpp"
+#include "algorithms/runtime/packs/transpose.hpp"
 
 #include "proptests/harness.hpp"
 

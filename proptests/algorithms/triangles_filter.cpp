@@ -1,4 +1,4 @@
-#include "algorithms/collide/triangles_filter.hpp"
+#include "algorithms/runtime/collide/triangles_filter.hpp"
 
 #include <rapidcheck.h>
 

@@ -1,4 +1,4 @@
-#include "algorithms/collide/triangles_meet.hpp"
+#include "algorithms/runtime/collide/triangles_meet.hpp"
 
 #include <rapidcheck.h>
 

@@ -1,16 +1,17 @@
 // Each variant is what its name and description say: these pieces, this algorithm, these balls.
-#include "algorithms/refit/variants.hpp"
+#include "algorithms/bake/build_pieces.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 
 #include <functional>
 #include <set>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/refit/algorithm1_printed.hpp"
-#include "algorithms/refit/algorithm1_repaired.hpp"
-#include "algorithms/refit/character.hpp"
-#include "algorithms/refit/control_hull.hpp"
-#include "algorithms/refit/dual_quaternion.hpp"
-#include "algorithms/refit/linear.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/methods/refit/algorithm1_printed.hpp"
+#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/refit/control_hull.hpp"
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/linear.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -84,9 +85,9 @@ bool same(const Ball3<double>& a, const Ball3<double>& b) {
 }
 
 std::string fault_of_piece_counts(const Character& c, const SkinningPose<double>& pose) {
-  const PieceTable sets(c.tree, c.vertices, c.model, c.sets, {}),
-      mixed(c.tree, c.vertices, c.model, c.sets, {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
-      clusters(c.tree, c.vertices, c.model, c.sets, {.most_pieces = 512});
+  const PieceTable sets = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {}),
+                   mixed = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
+                   clusters = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {.most_pieces = 512});
   const auto differs = [](const Node& a, const Node& b) {
     if (a.joint_sets.size() != b.joint_sets.size()) return true;
     for (std::size_t i = 0; i < a.joint_sets.size(); ++i)
@@ -106,9 +107,9 @@ std::string fault_of_piece_counts(const Character& c, const SkinningPose<double>
 
 // The snake in its wave.
 struct Posed {
-  Character character{make_snake(24)};
+  AnimatedCharacter character = bake(make_snake(24));
   SkinningPose<double> pose(Skinning skinning) const {
-    return make_skinning_pose(character.model, character.sets, character.model.clips[0].sample(0.37), skinning);
+    return make_skinning_pose(character.mesh, character.sets, character.clips[0].sample(0.37), skinning);
   }
   int count() const { return static_cast<int>(character.tree.nodes.size()); }
 };
@@ -124,9 +125,9 @@ PROPTEST(variants) {
             {.number_type = "double"}, [] {
               std::string wrong;
               long balls = 0;
-              if (refit_variants().size() != std::size(expected_variants)) wrong += "their number; ";
+              if (compared_variants().size() != std::size(expected_variants)) wrong += "their number; ";
               for (const Named& expected : expected_variants) {
-                const RefitVariant& variant = refit_variant(expected.name);
+                const RefitVariant& variant = compared_variant(expected.name);
                 const auto pose = snake().pose(expected.skinning);
                 bool good = variant.skinning == expected.skinning && variant.pieces == expected.pieces && variant.sound == expected.sound;
                 for (int n = 0; n < snake().count(); n += n < 100 ? 1 : 37, ++balls) {
@@ -168,16 +169,16 @@ PROPTEST(variants) {
     return Checked(fault.empty(), snake().count(), fault);
   });
   t.holds("the kinds of pieces are those that are documented, of any mesh", {.cases = 30}, [] {
-    const Character c(gen::make_mesh(*gen::mesh_plan()));
-    const auto pose = make_skinning_pose(c.model, c.sets, reference_posture(c.model), Skinning::spherical);
+    const auto c = bake(gen::make_mesh(*gen::mesh_plan()));
+    const auto pose = make_skinning_pose(c.mesh, c.sets, reference_posture(c.mesh), Skinning::spherical);
     RC_ASSERT(fault_of_piece_counts(c, pose) == "");
   });
   t.example("the defaults are the mixed ones, and no two variants share a name", {}, [] {
     std::set<std::string> names;
-    for (const RefitVariant& variant : refit_variants()) names.insert(variant.name);
+    for (const RefitVariant& variant : compared_variants()) names.insert(variant.name);
     return default_variant(Skinning::linear).name == "linear_mixed" && default_variant(Skinning::spherical).name == "control_mixed" &&
            default_variant(Skinning::hejl).name == "control_mixed" &&
-           default_variant(Skinning::dual_quaternion).name == "dual_quaternion_mixed" && names.size() == refit_variants().size();
+           default_variant(Skinning::dual_quaternion).name == "dual_quaternion_mixed" && names.size() == compared_variants().size();
   });
 }
 

@@ -1,13 +1,13 @@
 // Refitted volumes hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the fallback;
 // in double up to rounding. And the table of variants, on whole models.
-#include "algorithms/refit/volume_refit.hpp"
+#include "algorithms/methods/refit/volume_refit.hpp"
 
 #include <thread>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/refit/character.hpp"
-#include "algorithms/refit/volume_variants.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/volume_variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/rational_root.hpp"
@@ -106,10 +106,10 @@ void check_double() {
 
 // Every node of a model in a posture, by two threads at once: each volume holds all of the node's deformed vertices.
 Checked check_model(Model model) {
-  const Character c(std::move(model));
-  const Clip& clip = c.model.clips.back();
-  const auto pose = make_skinning_pose(c.model, c.sets, clip.sample(0.8 * clip.duration), Skinning::spherical);
-  const auto deformed = skin(c.model, c.sets, pose, Skinning::spherical);
+  const auto c = bake(std::move(model));
+  const Clip& clip = c.clips.back();
+  const auto pose = make_skinning_pose(c.mesh, c.sets, clip.sample(0.8 * clip.duration), Skinning::spherical);
+  const auto deformed = skin(c.mesh, c.sets, pose, Skinning::spherical);
   long checked[2] = {0, 0}, missed[2] = {0, 0};
   const auto work = [&](int part) {
     for (int n = part; n < static_cast<int>(c.tree.nodes.size()); n += 2)

@@ -1,10 +1,10 @@
-#include "algorithms/weights/weight_hull.hpp"
+#include "algorithms/bake/weight_hull.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <set>
 
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/bake/corners.hpp"
 #include "proptests/gen/rational.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"

@@ -5,8 +5,8 @@
 #include <set>
 #include <sstream>
 
-#include "algorithms/skinning/blend.hpp"
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/bake/corners.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 
 namespace proptests::cases {

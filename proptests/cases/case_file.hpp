@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/queries/refit_query.hpp"
+#include "algorithms/verification/refit_query.hpp"
 #include "lemmas/s41_corners_span.hpp"
 #include "lemmas/s44_joint_sets.hpp"
 #include "lemmas/vocabulary/cap.hpp"

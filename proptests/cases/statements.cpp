@@ -1,7 +1,7 @@
 #include "proptests/cases/statements.hpp"
 
-#include "algorithms/refit/algorithm1_printed.hpp"
-#include "algorithms/refit/algorithm1_repaired.hpp"
+#include "algorithms/methods/refit/algorithm1_printed.hpp"
+#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/oracles/refit_ladder.hpp"
 

@@ -1,10 +1,10 @@
 // A twisted man, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not.
 #include <cstdio>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/refit/character.hpp"
-#include "algorithms/refit/variants.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/exact/exact.hpp"
 
@@ -18,14 +18,14 @@ static bool products_are_rounded() {
 
 int main() {
   using namespace refitlab;
-  const Character man(make_man(1034));
+  const auto man = bake(make_man(1034));
   const RefitVariant& variant = default_variant(Skinning::spherical);
-  const Posture posture = man.model.clips[1].sample(man.model.clips[1].duration);
-  const SkinningPose<double> pose = make_skinning_pose(man.model, man.sets, posture, variant.skinning);
+  const Posture posture = man.clips[1].sample(man.clips[1].duration);
+  const SkinningPose<double> pose = make_skinning_pose(man.mesh, man.sets, posture, variant.skinning);
   const int node = man.tree.nodes[0].first_child;
   const Ball3<double> ball = variant.refit(man.refit_node(node, pose, variant.pieces));
 
-  const std::vector<Point3> deformed = skin(man.model, man.sets, pose, variant.skinning);
+  const std::vector<Point3> deformed = skin(man.mesh, man.sets, pose, variant.skinning);
   int outside = 0;
   for (const int v : man.vertices[node]) outside += (deformed[v] - ball.center).norm() > ball.radius * (1 + 1e-12);
   std::printf("%s: radius %.3f, %zu vertices, %d outside\n", variant.name.c_str(), ball.radius, man.vertices[node].size(),

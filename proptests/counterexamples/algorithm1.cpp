@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/bake/corners.hpp"
 
 namespace proptests::counterexamples {
 namespace {

@@ -1,6 +1,6 @@
 #include "proptests/gen/accepted.hpp"
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "proptests/gen/random_posture.hpp"
 
 namespace proptests::gen {
@@ -23,7 +23,7 @@ Quaternion<double> random_turn(std::mt19937& random) {
   return half_turn;
 }
 
-void add_joints(Model& m, int count, const Point3& origin) {
+void add_joints(SkinnedMesh& m, int count, const Point3& origin) {
   for (int j = 0; j < count; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, origin});
 }
 
@@ -67,8 +67,8 @@ Attained attained(std::mt19937& random, const AttainedOptions& options) {
   const double radius = options.unit * one_of({1.0, 1 - 0x1p-40, 1.9, 0.1 + 0.9 * std::abs(u(random))}, random);
   const Point3 center =
       random() % 2 ? Point3(0, 0, 0) : Point3(u(random), u(random), u(random)) * options.unit * one_of({1.0, 10.0, 1e4}, random);
-  Attained out{.model = {}, .posture = {}, .placement = accepted_placement(random, options.far), .size = 0, .what = ""};
-  Model& m = out.model;
+  Attained out{.mesh = {}, .posture = {}, .placement = accepted_placement(random, options.far), .size = 0, .what = ""};
+  SkinnedMesh& m = out.mesh;
   m.name = "octahedron";
   add_joints(m, joints, center);
   const bool are_weights_one = random() % 2;  // of all vertices
@@ -95,8 +95,8 @@ Attained attained(std::mt19937& random, const AttainedOptions& options) {
   return out;
 }
 
-Model needle(int axis, int sign, double length, int joints) {
-  Model m;
+SkinnedMesh needle(int axis, int sign, double length, int joints) {
+  SkinnedMesh m;
   m.name = "needle";
   const Point3 away = Point3::Unit(axis) * sign, aside = Point3::Unit((axis + 1) % 3);
   add_joints(m, joints, away * length);

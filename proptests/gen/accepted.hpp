@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "algorithms/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
 
 namespace proptests::gen {
 
@@ -25,7 +25,7 @@ refitlab::Skinning random_skinning(std::mt19937& random);
 // the vertices are the extreme points of any bound that knows a ball around them. Turns are half turns about the axes,
 // where a quaternion that is too long stretches most, or any.
 struct Attained {
-  refitlab::Model model;  // an octahedron
+  refitlab::SkinnedMesh mesh;  // an octahedron
   refitlab::Posture posture;
   refitlab::RigidTransform<double> placement;
   double size;  // more than the lengths that bounds are made from: about center, radius, joints' translations
@@ -40,6 +40,6 @@ Attained attained(std::mt19937& random, const AttainedOptions& options = {});
 
 // A single triangle of joints that do not move, from its tip at the origin along an axis this or that way. Moved so that
 // the tip is the farthest vertex of a body along that axis, it touches the body in that very double and nowhere else.
-refitlab::Model needle(int axis, int sign, double length, int joints);
+refitlab::SkinnedMesh needle(int axis, int sign, double length, int joints);
 
 }  // namespace proptests::gen

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "proptests/gen/random_posture.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 
@@ -12,12 +12,12 @@ using namespace refitlab;
 
 namespace {
 
-Model tube(int joints) { return make_mesh({MeshKind::tube, 6, 4, joints, 5}); }
+SkinnedMesh tube(int joints) { return make_mesh({MeshKind::tube, 6, 4, joints, 5}); }
 
 // A strip of so many vertices; weights_of gives vertex v its joints and weights.
 template <class Position, class WeightsOf>
-Model strip(int vertices, int joints, const Position& position, const WeightsOf& weights_of) {
-  Model m{.name = "strip", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}, .clips = {}};
+SkinnedMesh strip(int vertices, int joints, const Position& position, const WeightsOf& weights_of) {
+  SkinnedMesh m{.name = "strip", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}};
   for (int j = 0; j < joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, {0, 0, 0.01 * j}});
   for (int v = 0; v < vertices; ++v) {
     m.vertices.push_back(position(v));
@@ -31,7 +31,7 @@ Model strip(int vertices, int joints, const Position& position, const WeightsOf&
 
 using Weights = std::vector<std::pair<int, double>>;
 
-Model thousand_joints() {
+SkinnedMesh thousand_joints() {
   return strip(
       700, 1000, [](int v) { return Point3(0.2 * (v % 2), 0.1 * (v % 3), 0.014 * v); },
       [](int v) {
@@ -40,7 +40,7 @@ Model thousand_joints() {
       });
 }
 
-Model sixty_four_influences() {
+SkinnedMesh sixty_four_influences() {
   return strip(
       40, 64, [](int v) { return Point3(0.2 * (v % 2), 0.1 * (v % 3), 0.016 * v); },
       [](int v) {
@@ -50,7 +50,7 @@ Model sixty_four_influences() {
       });
 }
 
-Model one_of_many_joints() {
+SkinnedMesh one_of_many_joints() {
   return strip(
       30, 5, [](int v) { return Point3(0.2 * (v % 2), 0.1 * (v % 3), 0.016 * v); },
       [](int) {
@@ -58,7 +58,7 @@ Model one_of_many_joints() {
       });
 }
 
-Model on_a_line() {
+SkinnedMesh on_a_line() {
   return strip(
       30, 3, [](int v) { return Point3(0.1 * (v % 7), 0.1 * (v % 7), 0.1 * (v % 7)); },
       [](int v) {
@@ -68,7 +68,7 @@ Model on_a_line() {
 
 }  // namespace
 
-Model scaled(Model model, double factor) {
+SkinnedMesh scaled(SkinnedMesh model, double factor) {
   for (Point3& v : model.vertices) v *= factor;
   for (Joint& j : model.joints) j.origin *= factor;
   return model;
@@ -82,7 +82,7 @@ Posture scaled(Posture posture, double factor) {
 std::vector<ExtremeModel> extreme_models() {
   std::mt19937 random(2006);
   std::vector<ExtremeModel> out;
-  const auto add = [&](const char* what, Model model, double size) {
+  const auto add = [&](const char* what, SkinnedMesh model, double size) {
     Posture posture = scaled(random_posture(model, random), size);
     out.push_back({what, std::move(model), std::move(posture)});
   };
@@ -95,7 +95,7 @@ std::vector<ExtremeModel> extreme_models() {
   add("coordinates of 1e39, the largest", scaled(tube(3), 1e39), 1e39);
   add("coordinates of 1e-30, moved by 1", scaled(tube(3), 1e-30), 1);
   add("coordinates of 1, moved by 1e30", tube(3), 1e30);
-  Model far_vertex = tube(3), close_vertices = tube(3);
+  SkinnedMesh far_vertex = tube(3), close_vertices = tube(3);
   far_vertex.vertices[0] = {1e30, 0, 0};
   for (std::size_t v = 0; v < 12; ++v) close_vertices.vertices[v] *= 1e-30;
   add("one vertex at 1e30", std::move(far_vertex), 1);

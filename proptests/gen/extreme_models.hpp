@@ -1,13 +1,13 @@
 // Models at the ends of what a model may be, each in a posture.
 #pragma once
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace proptests::gen {
 
 struct ExtremeModel {
   std::string what;
-  refitlab::Model model;
+  refitlab::SkinnedMesh mesh;
   refitlab::Posture posture;
 };
 
@@ -16,7 +16,7 @@ struct ExtremeModel {
 std::vector<ExtremeModel> extreme_models();
 
 // The model and all of its lengths times a factor.
-refitlab::Model scaled(refitlab::Model model, double factor);
+refitlab::SkinnedMesh scaled(refitlab::SkinnedMesh model, double factor);
 refitlab::Posture scaled(refitlab::Posture posture, double factor);
 
 }  // namespace proptests::gen

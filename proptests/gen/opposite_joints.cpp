@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/weights/quantize.hpp"
-#include "algorithms/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
 
 namespace proptests::gen {
 
@@ -15,7 +15,7 @@ OppositeJoints opposite_joints(unsigned seed) {
   std::uniform_real_distribution<double> u(-1, 1), weight(0, 1);
   const int joints = 2 + static_cast<int>(random() % 3);
   OppositeJoints out;
-  Model& m = out.model;
+  SkinnedMesh& m = out.mesh;
   m.name = "soup";
   for (int j = 0; j < joints; ++j)
     m.joints.push_back({"joint " + std::to_string(j), j - 1, {u(random), u(random), u(random)}});

@@ -1,12 +1,12 @@
 // Triangles anywhere among joints that are turned nearly opposite ways, so that blends of them nearly vanish.
 #pragma once
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace proptests::gen {
 
 struct OppositeJoints {
-  refitlab::Model model;      // 20 triangles, of two to four joints that all influence each vertex
+  refitlab::SkinnedMesh mesh;      // 20 triangles, of two to four joints that all influence each vertex
   refitlab::Posture posture;  // quaternions within a right angle of the first, some twice as far from each other
 };
 OppositeJoints opposite_joints(unsigned seed);

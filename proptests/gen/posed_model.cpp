@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "lemmas/exact/lift.hpp"
 
 namespace proptests::gen {
@@ -33,7 +33,7 @@ RigidTransform<double> turn_about(const Point3& origin, const Quaternion<double>
 
 PosedModel assemble(const std::vector<JointPlan>& joints, const std::vector<VertexPlan>& vertices) {
   PosedModel out;
-  Model& m = out.model;
+  SkinnedMesh& m = out.mesh;
   m.name = "generated";
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const int parent = j == 0 ? -1 : std::max(0, static_cast<int>(j) - 1 - joints[j].up);
@@ -72,13 +72,13 @@ rc::Gen<PosedModel> posed_model() {
 
 void showValue(const PosedModel& posed, std::ostream& out) {
   for (std::size_t j = 0; j < posed.turns.size(); ++j) {
-    const Joint& joint = posed.model.joints[j];
+    const Joint& joint = posed.mesh.joints[j];
     out << "\n  joint " << j << " of parent " << joint.parent << " at (" << joint.origin.transpose() << ") turned by ";
     rc::show(posed.turns[j], out);
   }
-  for (std::size_t v = 0; v < posed.model.vertices.size(); ++v) {
-    out << "\n  vertex (" << posed.model.vertices[v].transpose() << ")";
-    for (const auto& i : posed.model.influences[v]) out << " " << i.weight << " of joint " << i.joint;
+  for (std::size_t v = 0; v < posed.mesh.vertices.size(); ++v) {
+    out << "\n  vertex (" << posed.mesh.vertices[v].transpose() << ")";
+    for (const auto& i : posed.mesh.influences[v]) out << " " << i.weight << " of joint " << i.joint;
   }
 }
 

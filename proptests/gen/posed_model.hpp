@@ -1,13 +1,13 @@
 // Small rigged models in a posture: a random tree of joints, a handful of vertices, joints that only turn.
 #pragma once
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "proptests/gen/rigid.hpp"
 
 namespace proptests::gen {
 
 struct PosedModel {
-  refitlab::Model model;
+  refitlab::SkinnedMesh mesh;
   refitlab::Posture posture;  // composed along the tree, as the paper has it: a joint turns about its origin
   std::vector<RationalQuaternion> turns;  // the local rotation of each joint, exactly
 };

@@ -11,7 +11,7 @@ Quaternion<double> random_rotation(std::mt19937& random, double spread) {
   return q;
 }
 
-Posture random_posture(const Model& model, std::mt19937& random, double spread) {
+Posture random_posture(const SkinnedMesh& model, std::mt19937& random, double spread) {
   std::normal_distribution<double> normal;
   Posture posture = reference_posture(model);
   for (auto& t : posture) {

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace proptests::gen {
 
@@ -11,6 +11,6 @@ namespace proptests::gen {
 refitlab::Quaternion<double> random_rotation(std::mt19937& random, double spread);
 
 // Every joint turned and moved by itself, neighbours by some 100 degrees against each other at a spread of 0.5.
-refitlab::Posture random_posture(const refitlab::Model& model, std::mt19937& random, double spread = 0.5);
+refitlab::Posture random_posture(const refitlab::SkinnedMesh& model, std::mt19937& random, double spread = 0.5);
 
 }  // namespace proptests::gen

@@ -3,9 +3,9 @@
 #include <limits>
 #include <ostream>
 
-#include "algorithms/skinning/blend.hpp"
-#include "algorithms/weights/corners.hpp"
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/bake/corners.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "proptests/gen/list.hpp"
 
 namespace proptests::gen {

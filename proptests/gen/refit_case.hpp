@@ -1,7 +1,7 @@
 // Refits in exact rationals: a reference ball, and joint-sets in a posture with weight bounds, made to be awkward.
 #pragma once
 
-#include "algorithms/tree/refit_node.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/weight_bounds.hpp"

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 
 namespace proptests::gen {
 
@@ -17,11 +17,11 @@ rc::Gen<MeshPlan> mesh_plan() {
       full(0, mesh_kind_count + 1), full(2, 13), full(3, 9), full(1, 5), rc::gen::arbitrary<unsigned>());
 }
 
-Model make_mesh(const MeshPlan& plan) {
+SkinnedMesh make_mesh(const MeshPlan& plan) {
   std::mt19937 random(plan.seed);
   std::uniform_real_distribution<double> noise(-0.3, 0.3);
   const int joints = plan.kind == MeshKind::many_influences ? 8 : plan.joints;
-  Model m{.name = "tube", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}, .clips = {}};
+  SkinnedMesh m{.name = "tube", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}};
   for (int j = 0; j < joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, {0, 0, 1.0 * j}});
   for (int ring = 0; ring < plan.rings; ++ring)
     for (int side = 0; side < plan.sides; ++side) {

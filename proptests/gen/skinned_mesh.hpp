@@ -3,7 +3,7 @@
 
 #include <rapidcheck.h>
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace proptests::gen {
 
@@ -20,7 +20,7 @@ struct MeshPlan {
 rc::Gen<MeshPlan> mesh_plan();
 
 // A valid model without clips. With many_influences the weights spread over eight joints, more than can be enumerated.
-refitlab::Model make_mesh(const MeshPlan& plan);
+refitlab::SkinnedMesh make_mesh(const MeshPlan& plan);
 
 inline bool is_degenerate(const MeshPlan& plan) { return plan.kind != MeshKind::tube; }
 

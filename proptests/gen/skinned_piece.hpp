@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "algorithms/tree/refit_node.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 
 namespace proptests::gen {
 

@@ -1,6 +1,6 @@
 #include "proptests/gen/skinned_samples.hpp"
 
-#include "algorithms/skinning/blend.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 #include "proptests/gen/sphere_point.hpp"
 
 namespace proptests::gen {

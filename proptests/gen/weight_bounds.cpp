@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/bake/corners.hpp"
 #include "proptests/gen/weights.hpp"
 
 namespace proptests::gen {

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <random>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 
 namespace proptests::gen {
 
@@ -25,14 +25,14 @@ rc::Gen<WidePlan> wide_plan(int least_exponent, int greatest_exponent) {
   });
 }
 
-Model wide_model(const WidePlan& plan) {
+SkinnedMesh wide_model(const WidePlan& plan) {
   std::mt19937 random(plan.seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto point = [&] {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     return Point3(std::ldexp(x, plan.exponent), std::ldexp(y, plan.exponent), std::ldexp(z, plan.exponent));
   };
-  Model m;
+  SkinnedMesh m;
   m.name = "wide";
   for (int j = 0; j < plan.joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, point()});
   for (int v = 0; v < plan.vertices; ++v) {
@@ -49,7 +49,7 @@ Model wide_model(const WidePlan& plan) {
   return m;
 }
 
-Posture wide_posture(const WidePlan& plan, const Model& model) {
+Posture wide_posture(const WidePlan& plan, const SkinnedMesh& model) {
   constexpr double end = 0.4999e-6;  // of a length, so that its square differs from 1 by a little less than 1e-6
   std::mt19937 random(plan.seed + 1);
   std::normal_distribution<double> normal;

@@ -4,7 +4,7 @@
 
 #include <rapidcheck.h>
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace proptests::gen {
 
@@ -24,8 +24,8 @@ rc::Gen<WidePlan> wide_plan(int least_exponent, int greatest_exponent);
 // One joint, or one influence of each vertex.
 inline bool is_degenerate(const WidePlan& plan) { return plan.influences == 1; }
 
-refitlab::Model wide_model(const WidePlan& plan);
-refitlab::Posture wide_posture(const WidePlan& plan, const refitlab::Model& model);
+refitlab::SkinnedMesh wide_model(const WidePlan& plan);
+refitlab::Posture wide_posture(const WidePlan& plan, const refitlab::SkinnedMesh& model);
 
 void showValue(const WidePlan& plan, std::ostream& out);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/weights/quantize.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 
 namespace proptests::gen {
 
@@ -101,7 +101,7 @@ Quaternion<double> of_defect(const Quaternion<double>& unit, double defect) {
 WideModel wide_model(std::mt19937& random, int most_joints) {
   Drawing d(random);
   WideModel out;
-  Model& m = out.model;
+  SkinnedMesh& m = out.mesh;
   m.name = "wide";
   const int joint_counts[] = {1, 2, 3, 4, 5, 6, 9, 33, 90};
   const int joints = std::min(most_joints, joint_counts[d.below(9)]);

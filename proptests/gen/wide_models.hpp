@@ -3,12 +3,12 @@
 
 #include <random>
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace proptests::gen {
 
 struct WideModel {
-  refitlab::Model model;
+  refitlab::SkinnedMesh mesh;
   refitlab::Posture posture;
   int triangles_per_leaf;
   double largest_length;  // at least any length of the model and of the posture's translations

@@ -1,6 +1,6 @@
 #include "lemmas/s41_corners_span.hpp"
 
-#include "algorithms/weights/corners.hpp"
+#include "algorithms/bake/corners.hpp"
 #include "proptests/counterexamples/s41_corners_span.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/gen/weights.hpp"

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "algorithms/collide/triangles_meet.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/collide/triangles_meet.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 
 namespace proptests::oracle {
 
 using namespace refitlab;
 
 std::vector<Point3> Posed::vertices(Skinning skinning) const {
-  auto points = skin(character.model, character.sets,
-                     make_skinning_pose(character.model, character.sets, posture, skinning), skinning);
+  auto points = skin(character.mesh, character.sets,
+                     make_skinning_pose(character.mesh, character.sets, posture, skinning), skinning);
   for (auto& p : points) p = apply(at, p);
   return points;
 }
@@ -23,7 +23,7 @@ std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
 
 std::vector<TrianglePair> all_pairs(const Posed& a, const Posed& b, Skinning skinning) {
   const auto p = a.vertices(skinning), q = b.vertices(skinning);
-  const auto &s = a.character.model.triangles, &t = b.character.model.triangles;
+  const auto &s = a.character.mesh.triangles, &t = b.character.mesh.triangles;
   std::vector<TrianglePair> pairs;
   for (std::size_t i = 0; i < s.size(); ++i)
     for (std::size_t j = 0; j < t.size(); ++j)

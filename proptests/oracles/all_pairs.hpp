@@ -1,7 +1,7 @@
 // Which triangles touch, by testing all pairs of triangles whose vertices are all skinned beforehand.
 #pragma once
 
-#include "algorithms/collide/collide.hpp"
+#include "algorithms/runtime/collide/collide.hpp"
 
 namespace proptests::oracle {
 

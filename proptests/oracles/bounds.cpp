@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "algorithms/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
 
 namespace proptests::oracle {
 namespace {

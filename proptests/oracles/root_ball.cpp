@@ -1,6 +1,6 @@
 #include "proptests/oracles/root_ball.hpp"
 
-#include "algorithms/skinning/blend.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/t3_one_cap.hpp"
 

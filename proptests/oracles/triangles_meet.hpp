@@ -1,7 +1,7 @@
 // Whether two triangles have a point in common, in exact arithmetic.
 #pragma once
 
-#include "algorithms/collide/triangles_filter.hpp"
+#include "algorithms/runtime/collide/triangles_filter.hpp"
 
 namespace proptests::oracle {
 

@@ -7,10 +7,11 @@
 #include <iostream>
 #include <set>
 
-#include "algorithms/model/procedural.hpp"
-#include "algorithms/refit/deformed.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/methods/refit/deformed.hpp"
 #include "algorithms/results/write_whole.hpp"
-#include "algorithms/skinning/skin.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/explorer/packed_model.hpp"
 #include "experiments/explorer/pages/all.hpp"
 #include "experiments/scenes/twist.hpp"
@@ -28,30 +29,28 @@ std::map<std::string, Model>& packed_models() {
   return all;
 }
 
-const Character& character(const std::string& name) {
-  static std::map<std::string, Character> made;
+const AnimatedCharacter& character(const std::string& name) {
+  static std::map<std::string, AnimatedCharacter> made;
   if (const auto packed = packed_models().find(name); packed != packed_models().end() && !made.count(name))
-    made.emplace(name, packed->second);
+    made.emplace(name, bake(packed->second));
   if (const auto known = made.find(name); known != made.end()) return known->second;
-  return made.emplace(name, name == "man"        ? make_man()
-                            : name == "creature" ? make_creature()
-                                                 : make_snake(24))
+  return made.emplace(name, bake(name == "man" ? make_man() : name == "creature" ? make_creature() : make_snake(24)))
       .first->second;
 }
 
-Posture posture_of(const Model& model, const json& settings) {
-  Posture posture = reference_posture(model);
-  for (const Clip& clip : model.clips)
+Posture posture_of(const AnimatedCharacter& c, const json& settings) {
+  Posture posture = reference_posture(c.mesh);
+  for (const Clip& clip : c.clips)
     if (clip.name == settings.at("clip")) posture = clip.sample(settings.at("time"));
-  return twisted(model, posture, settings.at("joint"), settings.at("twist"));
+  return twisted(c.mesh, posture, settings.at("joint"), settings.at("twist"));
 }
 
 json character_numbers(const json& settings) {
-  const Character& c = character(settings.at("model"));
-  const RefitVariant& variant = refit_variant(settings.at("variant"));
-  const auto pose = make_skinning_pose(c.model, c.sets, posture_of(c.model, settings), variant.skinning);
-  const auto deformed = skin(c.model, c.sets, pose, variant.skinning);
-  const auto balls = c.refit_all(variant, pose);
+  const AnimatedCharacter& c = character(settings.at("model"));
+  const RefitVariant& variant = compared_variant(settings.at("variant"));
+  const auto pose = make_skinning_pose(c.mesh, c.sets, posture_of(c, settings), variant.skinning);
+  const auto deformed = skin(c.mesh, c.sets, pose, variant.skinning);
+  const auto balls = refit_all(c, variant, pose);
   const auto optimal = optimal_balls(c.tree, c.vertices, deformed);
   const double slack = miss_tolerance * c.tree.nodes[0].reference.radius;
 

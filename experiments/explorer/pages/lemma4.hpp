@@ -1,7 +1,7 @@
 // Lemma 4 to play with: a ball around unit vectors bounds the directions of their blends.
 #pragma once
 
-#include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/runtime/balls/mean_ball.hpp"
 #include "experiments/explorer/pages/page.hpp"
 #include "lemmas/lemma4_quaternion_hull.hpp"
 

@@ -2,7 +2,7 @@
 // whole sphere will do.
 #pragma once
 
-#include "algorithms/balls/mean_ball.hpp"
+#include "algorithms/runtime/balls/mean_ball.hpp"
 #include "experiments/explorer/pages/page.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/s43_whole_sphere_fallback.hpp"

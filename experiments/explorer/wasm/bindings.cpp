@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/eigen.hpp>
 
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/explorer/explorer.hpp"
 #include "experiments/explorer/pages/all.hpp"
 #include "experiments/scenes/twist.hpp"
@@ -76,7 +77,7 @@ EMSCRIPTEN_KEEPALIVE const char* catalog() {
   static std::string text;
   return answer(text, [] {
     json out{{"models", the_explorer().models()}, {"compared", compared_variants()}};
-    for (const RefitVariant& v : refit_variants())
+    for (const RefitVariant& v : compared_variants())
       out["variants"].push_back({{"name", v.name}, {"description", v.description}, {"sound", v.sound}});
     for (const auto& live : explorer::live_pages<Exact>()) {
       const explorer::Page& p = live.page;
@@ -98,10 +99,10 @@ EMSCRIPTEN_KEEPALIVE const char* character(const char* model) {
   return answer(text, [&] {
     const Character& c = the_explorer().character(model);
     triangles.values.clear();
-    for (const Triangle& t : c.model.triangles) triangles.values.insert(triangles.values.end(), t.begin(), t.end());
-    json out{{"triangles", triangles.place()}, {"levels", c.tree.level_count()}, {"twist_joint", twist_joint(c.model)}};
-    for (const Joint& j : c.model.joints) out["joints"].push_back(j.name);
-    for (const Clip& clip : c.model.clips) out["clips"].push_back({{"name", clip.name}, {"duration", clip.duration}});
+    for (const Triangle& t : c.mesh.triangles) triangles.values.insert(triangles.values.end(), t.begin(), t.end());
+    json out{{"triangles", triangles.place()}, {"levels", c.tree.level_count()}, {"twist_joint", twist_joint(c.mesh)}};
+    for (const Joint& j : c.mesh.joints) out["joints"].push_back(j.name);
+    for (const Clip& clip : c.clips) out["clips"].push_back({{"name", clip.name}, {"duration", clip.duration}});
     return out;
   });
 }

@@ -1,8 +1,0 @@
-#include "algorithms/batch/pose_kernel.hpp"
-#include "algorithms/packs/kernel_table.hpp"
-
-namespace refitlab {
-
-PoseRun pose_run(Target target) { return REFITLAB_OF_TARGET(target, pose_run); }
-
-}  // namespace refitlab

@@ -1,8 +1,0 @@
-#include "algorithms/batch/refit_kernel.hpp"
-#include "algorithms/packs/kernel_table.hpp"
-
-namespace refitlab {
-
-const RefitKernels& refit_kernels(Target target) { return REFITLAB_OF_TARGET(target, refit_kernels); }
-
-}  // namespace refitlab

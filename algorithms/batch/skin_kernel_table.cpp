@@ -1,8 +1,0 @@
-#include "algorithms/batch/skin_kernel.hpp"
-#include "algorithms/packs/kernel_table.hpp"
-
-namespace refitlab {
-
-const SkinKernels& skin_kernels(Target target) { return REFITLAB_OF_TARGET(target, skin_kernels); }
-
-}  // namespace refitlab

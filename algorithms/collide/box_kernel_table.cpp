@@ -1,8 +1,0 @@
-#include "algorithms/collide/box_kernel.hpp"
-#include "algorithms/packs/kernel_table.hpp"
-
-namespace refitlab {
-
-const BoxKernels& box_kernels(Target target) { return REFITLAB_OF_TARGET(target, box_kernels); }
-
-}  // namespace refitlab

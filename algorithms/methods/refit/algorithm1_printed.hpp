@@ -1,0 +1,68 @@
+// Algorithm 1 of the paper (4.5), as printed. Unsound: see algorithm1_repaired.hpp, which stands beside it.
+//
+// Kept: the angle of line 13 and the ball of line 15 for any angle (Lemma 5 as printed), the division by norms that may be
+// zero, no case for r_E >= 1, and quaternions whose signs come from the matrices (line 3). Read for sense: i runs over
+// the joints on line 3, q_i on line 8 is that of joint j_i, and corners and rotation center belong to each joint-set.
+#pragma once
+
+#include "algorithms/runtime/refit/ball_policy.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
+#include "lemmas/lemma4_quaternion_hull.hpp"
+#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
+#include "lemmas/s43_rotated_cap.hpp"
+
+namespace refitlab {
+
+// Where the quaternions of line 3 get their signs.
+enum class Signs {
+  of_matrices,  // as printed: MATRIX2QUAT knows the rotation only
+  of_skinning   // the ones that the skinning blends
+};
+
+// The quaternion that the usual conversion from a matrix returns for the rotation of q [Eberly 2001]: positive in the real
+// part if the matrix has a positive trace, else in the largest imaginary part. No q of unit length changes otherwise.
+template <class S>
+Quaternion<S> matrix_to_quaternion(const Quaternion<S>& q) {
+  int positive = 0;
+  if (!(S(1) < S(4) * sq(q[0]))) {  // the trace is 4 w^2 - 1
+    positive = 1;
+    for (int i = 2; i <= 3; ++i)
+      if (sq(q[positive]) < sq(q[i])) positive = i;
+  }
+  return q[positive] < S(0) ? Quaternion<S>(-q) : q;
+}
+
+// In float and double the result may be not a number or of negative radius: that is part of what is printed.
+template <class Policy, class S>
+Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLists<S>& lists) {
+  lists.balls.clear();                                                                      // line 1
+  for (const NodeJointSet& set : node.joint_sets) {                                         // line 4
+    const JointSetPose<S> pose = node.pose[set.joint_set];
+    lists.quaternions.clear();                                                              // line 5
+    for (int k = 0; k < set.corner_count; ++k) {                                            // line 6
+      const auto corner = node.corner(set, k);
+      Quaternion<S> blend = Quaternion<S>::Constant(S(0));
+      for (std::size_t i = 0; i < corner.size(); ++i) {                                     // lines 3 and 8
+        const Quaternion<S>& q = pose.transforms[i].rotation;
+        blend = blend + (signs == Signs::of_matrices ? matrix_to_quaternion(q) : q) * corner[i];
+      }
+      lists.quaternions.push_back(direction_by_root(blend));                                // lines 9 and 10
+    }
+    const std::span<const Quaternion<S>> unit(lists.quaternions);
+    const Quaternion<S> center = Policy::template center_of_points<S, 4>(unit);             // line 11
+    const S squared_radius = farthest_squared_distance(center, unit);
+    const Quaternion<S> apex = direction_by_root(center);                                   // line 12
+    const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));            // line 13: alpha = 2 arccos d,
+    const S cos_alpha = rotated_cap_cosine_printed(d);                                      // so these are its cosine
+    const S sin_alpha = rotated_cap_sine_printed(d);                                        // and sine
+    const Vec<S, 3> u = node.reference.center - pose.rotation_center;
+    const Ball3<S> turned = cap_ball_printed<S, 3>(rotate(apex, u), norm(u), cos_alpha, sin_alpha);
+    for (int k = 0; k < set.corner_count; ++k)                                              // lines 7, 14 and 15
+      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + turned.center, turned.radius});
+  }
+  return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);  // line 16
+}
+
+}  // namespace refitlab

@@ -1,0 +1,132 @@
+// KDop: a discrete-orientation polytope, the points between k/2 pairs of parallel planes of fixed directions [Klosowski
+// et al. 1998, "Efficient collision detection using bounding volume hierarchies of k-DOPs"].
+//
+// The directions are integer vectors that are not normalised, so that all but the length of a direction is rational.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "algorithms/methods/volumes/polytope.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab {
+
+using SlabDirection = std::array<int, 3>;  // of -1, 0, 1; the first that is not 0 is 1
+
+constexpr int squared_length(const SlabDirection& d) { return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; }
+
+// A double that is not below ||d||, by 2e-16 at most: radii grow, never shrink, in any number type.
+constexpr double length_bound(const SlabDirection& d) {
+  return std::array{1.0, 1.4142135623730951, 1.7320508075688774}[squared_length(d) - 1];
+}
+
+// One of each pair of opposite directions. k = 6: the axes; 14: and the cube's corners; 18: the axes and the cube's
+// edges; 26: all of them. The axes x, y, z come first.
+template <int k>
+constexpr std::array<SlabDirection, k / 2> slab_directions() {
+  static_assert(k == 6 || k == 14 || k == 18 || k == 26);
+  std::array<SlabDirection, k / 2> out{};
+  std::size_t count = 0;
+  for (int length = 1; length <= 3; ++length) {
+    if ((length == 2 && k != 18 && k != 26) || (length == 3 && k != 14 && k != 26)) continue;
+    for (int code = 26; code > 13; --code) {  // whose digits to the base 3 are d + 1
+      const SlabDirection d{code / 9 - 1, code / 3 % 3 - 1, code % 3 - 1};
+      if (squared_length(d) == length) out[count++] = d;
+    }
+  }
+  return out;
+}
+
+// (x, d), of additions alone.
+template <SlabDirection d, class S>
+S along(const Vec<S, 3>& x) {
+  constexpr int first = d[0] ? 0 : d[1] ? 1 : 2;
+  S sum = x[first];
+  for (int i = first + 1; i < 3; ++i)
+    if (d[i] != 0) sum = d[i] > 0 ? S(sum + x[i]) : S(sum - x[i]);
+  return sum;
+}
+
+template <class S, int k>
+struct KDop {
+  static constexpr std::array<SlabDirection, k / 2> directions = slab_directions<k>();
+
+  // (x, d) of its points is within [low, high], by direction d. Length units of the model, times ||d||.
+  std::array<S, k / 2> low, high;
+
+  // The smallest that encloses all balls, but for the rounding of ||d||. balls is not empty.
+  static KDop around(std::span<const Ball3<S>> balls) {
+    KDop out;
+    for_each_slab([&]<std::size_t i>() {
+      out.low[i] = lowest<i>(balls[0]);
+      out.high[i] = highest<i>(balls[0]);
+    });
+    for (const Ball3<S>& ball : balls.subspan(1))
+      for_each_slab([&]<std::size_t i>() {
+        out.low[i] = min_of(out.low[i], lowest<i>(ball));
+        out.high[i] = max_of(out.high[i], highest<i>(ball));
+      });
+    return out;
+  }
+
+  Verdict contains(const Vec<S, 3>& x) const {
+    Verdict all = Verdict::holds;
+    for_each_slab([&]<std::size_t i>() {
+      const S at = along<directions[i]>(x);
+      all &= less_equal(low[i], at) & less_equal(at, high[i]);
+    });
+    return all;
+  }
+
+  // No slab separates the two. Fails only if they are disjoint; for k = 6 it holds only if they are not.
+  Verdict overlaps(const KDop& other) const {
+    Verdict all = Verdict::holds;
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      all &= less_equal(low[i], other.high[i]) & less_equal(other.low[i], high[i]);
+    return all;
+  }
+
+  S volume() const { return polytope().volume(); }
+  S surface_area() const { return polytope().surface_area(); }
+
+ private:
+  template <class Visit>
+  static void for_each_slab(const Visit& visit) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (visit.template operator()<i>(), ...);
+    }(std::make_index_sequence<k / 2>());
+  }
+
+  template <std::size_t i>
+  static S lowest(const Ball3<S>& b) {
+    return along<directions[i]>(b.center) - b.radius * S(length_bound(directions[i]));
+  }
+  template <std::size_t i>
+  static S highest(const Ball3<S>& b) {
+    return along<directions[i]>(b.center) + b.radius * S(length_bound(directions[i]));
+  }
+
+  // About the middle of its box, where it loses no digits.
+  Polytope<S> polytope() const {
+    Vec<S, 3> middle;
+    S reach(0);
+    for (int i = 0; i < 3; ++i) {
+      middle[i] = (low[i] + high[i]) / S(2);
+      reach = reach + (high[i] - low[i]) / S(2);
+    }
+    std::vector<HalfSpace<S, 3>> half_spaces;
+    for_each_slab([&]<std::size_t i>() {
+      const SlabDirection& d = directions[i];
+      const Vec<S, 3> normal{S(d[0]), S(d[1]), S(d[2])};
+      const S at = along<directions[i]>(middle);
+      half_spaces.push_back({normal, low[i] - at});
+      half_spaces.push_back({-normal, at - high[i]});
+    });
+    return {std::move(half_spaces), reach};
+  }
+};
+
+}  // namespace refitlab

@@ -1,0 +1,22 @@
+// Triangle meshes of implicit bodies.
+#pragma once
+
+#include "algorithms/model/procedural/procedural_body.hpp"
+
+namespace refitlab {
+
+struct SkinMesh {
+  std::vector<Point3> vertices;
+  std::vector<Triangle> triangles;  // counter-clockwise seen from outside
+};
+
+// Marching tetrahedra on a grid of cubes with edges of length `cell`: a closed manifold, many triangles, uneven ones.
+SkinMesh polygonise(const ImplicitBody& body, double cell);
+
+// The mesh of the body's surface with exactly `triangle_count` triangles (even, fewer than polygonise() makes), as near
+// to equilateral as may be, with edges in proportion to `size` at their place. Throws ModelError if the count is not
+// reached.
+SkinMesh mesh_of(const ImplicitBody& body, double cell, int triangle_count,
+                 const std::function<double(const Point3&)>& size);
+
+}  // namespace refitlab

@@ -1,0 +1,54 @@
+// A ball near the smallest one of balls whose first ones are likely to be its support: one pass, where that is true.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "algorithms/runtime/balls/three_points_ball.hpp"
+
+namespace refitlab {
+
+// The smallest ball of two balls, which are defined.
+inline Ball3<double> two_balls_ball(const Ball3<double>& a, const Ball3<double>& b) {
+  const Vec<double, 3> way = b.center - a.center;
+  const double length = norm(way), radius = (length + a.radius + b.radius) / 2;
+  if (radius <= a.radius) return a;
+  if (radius <= b.radius) return b;
+  return {a.center + way * ((radius - a.radius) / length), radius};
+}
+
+// The ball about a center that encloses all balls, as computed, if its radius is at most this.
+inline std::optional<Ball3<double>> ball_up_to(const Vec<double, 3>& center, double radius, std::span<const Ball3<double>> balls) {
+  if (!(radius < std::numeric_limits<double>::infinity())) return std::nullopt;
+  double squared = 0, least = balls[0].radius, greatest = least;
+  for (const auto& b : balls) {
+    const double d = squared_distance(b.center, center), room = radius - b.radius;
+    if (!(d <= sq(room) && 0 <= room)) return std::nullopt;
+    squared = max_of(squared, d);
+    least = min_of(least, b.radius), greatest = max_of(greatest, b.radius);
+  }
+  if (!(least >= 0)) return std::nullopt;
+  if (least == greatest) return Ball3<double>{center, root(squared) + least};
+  double reach = 0;
+  for (const auto& b : balls) reach = max_of(reach, norm<double, 3>(b.center - center) + b.radius);
+  return Ball3<double>{center, reach};
+}
+
+// Around the center of the smallest ball of the first two balls, or of the first three if these are of one radius. No
+// ball around all of them is smaller than that one: if all are enclosed from there by a radius at most 1 + slack times
+// its own, the least such radius, as computed, is the result, else there is none. balls are two or more.
+inline std::optional<Ball3<double>> first_balls_ball(std::span<const Ball3<double>> balls, double slack) {
+  const Ball3<double>&a = balls[0], &b = balls[1];
+  if (balls.size() == 2 || a.radius != b.radius || a.radius != balls[2].radius) {
+    const Ball3<double> two = two_balls_ball(a, b);
+    return ball_up_to(two.center, two.radius * (1 + slack), balls);
+  }
+  const auto three = three_points_ball(a.center, b.center, balls[2].center);
+  const double radius = root(three.squared_radius) + a.radius;
+  if (balls.size() == 3 && a.radius >= 0 && radius < std::numeric_limits<double>::infinity())
+    return Ball3<double>{three.center, radius};
+  return ball_up_to(three.center, radius * (1 + slack), balls);
+}
+
+}  // namespace refitlab

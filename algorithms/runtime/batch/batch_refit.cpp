@@ -1,0 +1,77 @@
+#include "algorithms/runtime/batch/batch_refit.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "algorithms/runtime/batch/single_precision.hpp"
+#include "algorithms/runtime/packs/float_above.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr float epsilon = std::numeric_limits<float>::epsilon();
+
+template <int D>
+void append(std::vector<float>& to, const Vec<double, D>& v) {
+  for (int i = 0; i < D; ++i) to.push_back(static_cast<float>(v[i]));
+}
+
+}  // namespace
+
+const PackedBalls& BatchRefit::spherical(const SkinningPose<double>& pose, Target target) {
+  const DefaultFloatEnvironment environment;
+  numbers_.clear(), first_number_.clear();
+  for (std::size_t s = 0; s < pose.size(); ++s) {
+    const JointSetPose<double> set = pose[s];
+    first_number_.push_back(static_cast<int>(numbers_.size()));
+    double size = 0;
+    for (const auto& image : set.center_images) size = std::max(size, squared_norm(image));
+    append(numbers_, set.rotation_center);
+    numbers_.push_back(static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))));
+    for (std::size_t i = 0; i < set.transforms.size(); ++i) {
+      // Of a single joint the kernel takes it to be of unit length, which a posture's is up to 1e-6.
+      const Quaternion<double>& q = set.transforms[i].rotation;
+      append(numbers_, set.transforms.size() == 1 ? Quaternion<double>(q / norm(q)) : q);
+      append(numbers_, set.center_images[i]);
+    }
+  }
+  const RefitKernels& kernels = refit_kernels(target);
+  return refit(kernels.spherical_nodes, kernels.spherical_pieces, kernels.merge);
+}
+
+const PackedBalls& BatchRefit::linear(const SkinningPose<double>& pose, Target target) {
+  const DefaultFloatEnvironment environment;
+  numbers_.clear(), first_number_.clear();
+  for (std::size_t s = 0; s < pose.size(); ++s) {
+    const JointSetPose<double> set = pose[s];
+    first_number_.push_back(static_cast<int>(numbers_.size()));
+    double size = 0, defect = 0;
+    for (const auto& t : set.transforms) {
+      size = std::max(size, squared_norm(t.translation));
+      defect = std::max(defect, std::abs(squared_norm(t.rotation) - 1));
+    }
+    const auto joints = static_cast<float>(set.transforms.size());
+    numbers_.push_back(epsilon * (8 + joints) * (static_cast<float>(checked_single(1.001 * std::sqrt(size))) + packed_.largest_reference()));
+    numbers_.push_back(float_above(2 * (defect + 0x1p-48)));  // what is below the rounding of ||q||^2 included
+    for (const auto& t : set.transforms) {
+      Point3 column[3];
+      for (int i = 0; i < 3; ++i) column[i] = rotate<double>(t.rotation, Point3::Unit(i));
+      for (int row = 0; row < 3; ++row)
+        append<4>(numbers_, {column[0][row], column[1][row], column[2][row], t.translation[row]});
+    }
+  }
+  const RefitKernels& kernels = refit_kernels(target);
+  return refit(kernels.linear_nodes, kernels.linear_pieces, kernels.merge);
+}
+
+const PackedBalls& BatchRefit::refit(RefitNodes nodes, RefitPieces pieces, MergeNodes merge) {
+  checked_single(packed_.largest_reference());
+  const FrameNumbers frame{numbers_.data(), first_number_.data()};
+  nodes(packed_.nodes(), frame, balls_.data());
+  pieces(packed_.pieces(), frame, records_.data());
+  merge(packed_.merged().data(), static_cast<int>(packed_.merged().size()), records_.data(), balls_.numbers());
+  return balls_;
+}
+
+}  // namespace refitlab

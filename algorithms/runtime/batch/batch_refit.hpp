@@ -1,0 +1,53 @@
+// BatchRefit: the balls of all nodes of a tree in one go, in float, by Algorithm 1 repaired or by the linear refit, with mean
+// balls: what refit_algorithm1_repaired<MeanBalls> and refit_linear<MeanBalls> find node by node.
+#pragma once
+
+#include "algorithms/runtime/batch/packed_nodes.hpp"
+
+namespace refitlab {
+
+// The balls of all nodes, where the kernels left them.
+class PackedBalls {
+ public:
+  PackedBalls(std::span<const int> places, int lanes) : places_(places), balls_(lanes) {}
+  Ball3<float> operator[](int node) const {
+    const float* x = numbers() + places_[node];
+    constexpr int next = Lanes<float>::count;
+    return {{x[0], x[next], x[2 * next]}, x[3 * next]};
+  }
+  Lanes<float>* data() { return balls_.data(); }
+  float* numbers() { return balls_.data()->lane.data(); }
+  const float* numbers() const { return balls_.data()->lane.data(); }
+
+ private:
+  std::span<const int> places_;  // by node
+  std::vector<Lanes<float>> balls_;
+};
+
+class BatchRefit {
+ public:
+  // tree and sets are of one model.
+  BatchRefit(const SphereTree& tree, const JointSets& sets)
+      : packed_(tree, sets), balls_(packed_.places(), packed_.ball_lanes()), records_(packed_.empty_records()) {}
+
+  BatchRefit(const BatchRefit&) = delete;  // the balls refer to the nodes
+  BatchRefit& operator=(const BatchRefit&) = delete;
+
+  // By node, until the next call. Each encloses the node's vertices, deformed by spherical blending with exactly this pose:
+  // the slack for all rounding is in the radius (refit_kernel.hpp). Throws std::range_error for lengths that single
+  // precision cannot square (single_precision.hpp).
+  const PackedBalls& spherical(const SkinningPose<double>& pose, Target target = best_target());
+  // The same for linear blending.
+  const PackedBalls& linear(const SkinningPose<double>& pose, Target target = best_target());
+
+ private:
+  const PackedBalls& refit(RefitNodes nodes, RefitPieces pieces, MergeNodes merge);
+
+  PackedNodes packed_;
+  PackedBalls balls_;
+  std::vector<Four> records_;
+  std::vector<float> numbers_;     // of the frame
+  std::vector<int> first_number_;  // by joint-set
+};
+
+}  // namespace refitlab

@@ -1,0 +1,140 @@
+#include "algorithms/runtime/batch/node_refit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "algorithms/runtime/batch/refit_kernel.hpp"
+#include "algorithms/runtime/batch/single_precision.hpp"
+#include "algorithms/runtime/packs/float_above.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
+#include "lemmas/s43_rotated_cap.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr float epsilon = std::numeric_limits<float>::epsilon();
+
+Four four(const Point3& v) {
+  return Four{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
+}
+
+// The imaginary part first, so that it stands where a point has its coordinates.
+Four four(const Quaternion<double>& q) {
+  return Four{static_cast<float>(q[1]), static_cast<float>(q[2]), static_cast<float>(q[3]), static_cast<float>(q[0])};
+}
+
+float squared_length(const Four& v) {
+  const Four squares = v * v, pairs = squares + __builtin_shufflevector(squares, squares, 2, 3, 0, 1);
+  return pairs[0] + pairs[1];
+}
+
+// Of the first three; the last one is 0.
+Four cross(const Four& a, const Four& b) {
+  return __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
+         __builtin_shufflevector(a, a, 2, 0, 1, 3) * __builtin_shufflevector(b, b, 1, 2, 0, 3);
+}
+
+// The image of the point x by a unit quaternion, as rotate has it.
+Four rotated(const Four& unit, const Four& x) {
+  const Four t = cross(unit, x);
+  return x + 2 * (t * unit[3] + cross(unit, t));
+}
+
+}  // namespace
+
+NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tree.joint_sets), sets_(sets.count()) {
+  const DefaultFloatEnvironment environment;
+  for (const double w : tree.corner_weights) weights_.push_back(static_cast<float>(w));  // exact
+  int most_corners = 0, most_pieces = 0;
+  for (const TreeNode& n : tree.nodes) {
+    checked_single(norm(n.reference.center) + n.reference.radius);
+    nodes_.push_back({four(n.reference.center), float_above(n.reference.radius), n.first_joint_set, n.joint_set_count});
+    int corners = 0;
+    for (int i = 0; i < n.joint_set_count; ++i) corners += pieces_[n.first_joint_set + i].corner_count;
+    most_corners = std::max(most_corners, corners);
+    most_pieces = std::max(most_pieces, n.joint_set_count);
+  }
+  corners_.resize(most_corners);
+  radii_.resize(most_pieces);
+}
+
+void NodeRefit::begin(const SkinningPose<double>& pose) {
+  const DefaultFloatEnvironment environment;
+  joints_.clear();
+  for (std::size_t s = 0; s < pose.size(); ++s) {
+    const JointSetPose<double> set = pose[s];
+    double size = 0;
+    for (const auto& image : set.center_images) size = std::max(size, squared_norm(image));
+    sets_[s] = {four(set.rotation_center), static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))),
+                static_cast<int>(joints_.size()), static_cast<int>(set.transforms.size())};
+    for (std::size_t i = 0; i < set.transforms.size(); ++i)
+      joints_.push_back({four(set.transforms[i].rotation), four(set.center_images[i])});
+  }
+}
+
+float NodeRefit::place_corners(const NodeJointSet& piece, const Four& p, Corner* out) const {
+  const Set& set = sets_[piece.joint_set];
+  const Joint* joints = joints_.data() + set.first_joint;
+  const float* w = weights_.data() + piece.first_weight;
+  Four direction = {0, 0, 0, 0};
+  float longest_inverse = 1;
+  for (int k = 0; k < piece.corner_count; ++k, w += set.joint_count) {
+    Four blend = joints[0].rotation * w[0], center = joints[0].center_image * w[0];
+    for (int i = 1; i < set.joint_count; ++i) {
+      blend += joints[i].rotation * w[i];
+      center += joints[i].center_image * w[i];
+    }
+    const float inverse = 1 / std::sqrt(squared_length(blend));
+    longest_inverse = std::max(longest_inverse, inverse);
+    out[k] = {blend * inverse, center};
+    direction += out[k].unit;
+  }
+  const Four x = p - set.rotation_center;
+  const float longer = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);  // than x
+  const float slack = epsilon * static_cast<float>(66 + 2 * set.joint_count);
+  if (piece.corner_count == 1 && longest_inverse < std::numeric_limits<float>::infinity()) {
+    out[0].center += rotated(direction, x);
+    return slack * (longer * longest_inverse + set.size);
+  }
+  const Four apex = direction * (1 / std::sqrt(squared_length(direction)));
+  float far = 0;
+  bool is_bounded = true;  // not if a blend vanishes: then it is not a number
+  for (int k = 0; k < piece.corner_count; ++k) {
+    const float squared = squared_length(out[k].unit - apex);
+    is_bounded = is_bounded && squared < 2;
+    far = std::max(far, squared);
+  }
+  const float length = std::sqrt(squared_length(x));
+  const CapBallRatios<float> ratios = cap_ball_ratios(rotated_cap_versine(far / 4));
+  if (!is_bounded || ratios.center == 0) return length + slack * (longer + set.size);
+  const Four offset = rotated(apex, x) * ratios.center;
+  for (int k = 0; k < piece.corner_count; ++k) out[k].center += offset;
+  return std::sqrt(ratios.squared_radius) * length + slack * (longer * longest_inverse + set.size);
+}
+
+Ball3<float> NodeRefit::operator()(int node) {
+  const DefaultFloatEnvironment environment;
+  const Node& n = nodes_[node];
+  const std::span<const NodeJointSet> pieces(pieces_.data() + n.first_piece, n.piece_count);
+  Four sum = {0, 0, 0, 0};
+  int count = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Corner* own = corners_.data() + count;
+    radii_[i] = place_corners(pieces[i], n.center, own);
+    for (int k = 0; k < pieces[i].corner_count; ++k) sum += own[k].center;
+    count += pieces[i].corner_count;
+  }
+  const Four center = sum * (1 / static_cast<float>(count));
+  float radius = 0;
+  const Corner* corner = corners_.data();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    float far = 0;
+    for (int k = 0; k < pieces[i].corner_count; ++k, ++corner) far = std::max(far, squared_length(corner->center - center));
+    radius = std::max(radius, std::sqrt(far) + radii_[i]);
+  }
+  return {{center[0], center[1], center[2]}, (radius + n.radius) * (1 + 8 * epsilon) + underflow_slack};
+}
+
+}  // namespace refitlab

@@ -1,0 +1,53 @@
+// NodeRefit: Algorithm 1 repaired, of one node at a time, in float: a quaternion or a point is one Four. For a query that
+// touches few nodes, where BatchRefit would make all of them.
+#pragma once
+
+#include "algorithms/runtime/packs/four.hpp"
+#include "algorithms/runtime/tree/sphere_tree.hpp"
+
+namespace refitlab {
+
+class NodeRefit {
+ public:
+  // tree and sets are of one model. Throws std::range_error, as begin does, for lengths that single precision cannot
+  // square (single_precision.hpp).
+  NodeRefit(const SphereTree& tree, const JointSets& sets);
+
+  // Starts a frame. pose need not outlive the call.
+  void begin(const SkinningPose<double>& pose);
+
+  // What refit_algorithm1_repaired<MeanBalls> finds, with the slack of refit_kernel.hpp for rounding in the radius: encloses
+  // the node's vertices, deformed by spherical blending with exactly the frame's pose.
+  Ball3<float> operator()(int node);
+
+ private:
+  struct Joint {
+    Four rotation, center_image;
+  };
+  struct Set {
+    Four rotation_center;
+    float size;  // of the coordinates, for the slack
+    int first_joint, joint_count;
+  };
+  struct Node {
+    Four center;
+    float radius;
+    int first_piece, piece_count;
+  };
+  struct Corner {
+    Four unit, center;
+  };
+
+  // Writes the piece's corners and returns the radius of their balls, without r.
+  float place_corners(const NodeJointSet& piece, const Four& p, Corner* out) const;
+
+  std::vector<Node> nodes_;
+  std::vector<NodeJointSet> pieces_;
+  std::vector<float> weights_;
+  std::vector<Set> sets_;
+  std::vector<Joint> joints_;
+  std::vector<Corner> corners_;  // of the node in work, in all of its pieces
+  std::vector<float> radii_;     // by piece
+};
+
+}  // namespace refitlab

@@ -1,0 +1,140 @@
+#include "algorithms/runtime/batch/packed_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "algorithms/runtime/packs/float_above.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr int lanes = Lanes<float>::count;
+
+// A node is refitted whole with others of its joint-sets if these are few and the nodes fill a good part of the lanes.
+constexpr std::size_t most_sets = most_sets_of_whole_nodes, fewest_nodes = 4;
+
+std::span<const NodeJointSet> joint_sets(const SphereTree& tree, const TreeNode& node) {
+  return {tree.joint_sets.data() + node.first_joint_set, static_cast<std::size_t>(node.joint_set_count)};
+}
+
+std::vector<int> names_of(std::span<const NodeJointSet> sets) {
+  std::vector<int> out;
+  for (const NodeJointSet& s : sets) out.push_back(s.joint_set);
+  return out;
+}
+
+int corner_count(std::span<const NodeJointSet> sets) {
+  int sum = 0;
+  for (const NodeJointSet& s : sets) sum += s.corner_count;
+  return sum;
+}
+
+std::vector<int> corner_counts(std::span<const NodeJointSet> sets) {
+  std::vector<int> out;
+  for (const NodeJointSet& s : sets) out.push_back(s.corner_count);
+  return out;
+}
+
+// So that the lanes of a block have about as many corners.
+constexpr auto has_fewer_corners = [](const auto& a, const auto& b) {
+  return std::pair(corner_count(a.sets), corner_counts(a.sets)) < std::pair(corner_count(b.sets), corner_counts(b.sets));
+};
+
+}  // namespace
+
+PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places_(tree.nodes.size()) {
+  const DefaultFloatEnvironment environment;
+  std::map<std::vector<int>, std::vector<Item>> by_sets;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    const TreeNode& node = tree.nodes[n];
+    const auto own = joint_sets(tree, node);
+    by_sets[names_of(own)].push_back({&node, own, static_cast<int>(n)});
+    largest_reference_ = std::max(largest_reference_, float_above(node.reference.center.norm()));
+  }
+  std::map<std::pair<int, int>, std::vector<Item>> pieces;  // by joint-set and count of corners
+  std::vector<int> merged;
+  for (auto& [names, items] : by_sets) {
+    if (names.size() == 1 || (names.size() <= most_sets && items.size() >= fewest_nodes)) {
+      std::stable_sort(items.begin(), items.end(), has_fewer_corners);
+      std::vector<int> nodes;
+      for (const Item& item : items) nodes.push_back(item.target);
+      place(nodes);
+      add(tree, sets, items, nodes_);
+      continue;
+    }
+    for (const Item& item : items) {
+      const int count = corner_count(item.sets);
+      merged.push_back(item.target);
+      merged_.push_back({record_count_, count, float_above(item.node->reference.radius), 0});
+      for (int record = record_count_; const NodeJointSet& s : item.sets) {
+        pieces[{s.joint_set, s.corner_count}].push_back({item.node, {&s, 1}, record});
+        record += s.corner_count;
+      }
+      record_count_ += (count + 3) / 4 * 4;
+    }
+  }
+  for (const auto& [key, items] : pieces) add(tree, sets, items, pieces_);
+  place(merged);
+  for (std::size_t i = 0; i < merged.size(); ++i) merged_[i].place = places_[merged[i]];
+}
+
+// Each in a lane, in new blocks of balls.
+void PackedNodes::place(std::span<const int> nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (i % lanes == 0) ball_lanes_ += 4;
+    places_[nodes[i]] = (ball_lanes_ - 4) * lanes + static_cast<int>(i % lanes);
+  }
+}
+
+void PackedNodes::add(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to) {
+  for (std::size_t first = 0; first < items.size(); first += lanes)
+    add_block(tree, sets, items.subspan(first, std::min<std::size_t>(lanes, items.size() - first)), to);
+}
+
+void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to) {
+  const auto item = [&](int lane) -> const Item& { return items[std::min<std::size_t>(lane, items.size() - 1)]; };
+  const auto add_row = [&](auto&& number) {
+    Lanes<float> row;
+    for (int lane = 0; lane < lanes; ++lane) row.lane[lane] = number(item(lane));
+    to.data.push_back(row);
+  };
+  const auto share = [](const Item& it) { return 1 / static_cast<float>(corner_count(it.sets)); };
+  // Items come sorted by the number of corners.
+  const bool same_share = corner_count(items.front().sets) == corner_count(items.back().sets);
+  const std::size_t set_count = items[0].sets.size();
+  to.blocks.push_back({static_cast<int>(to.sets.size()), static_cast<int>(set_count), static_cast<int>(to.data.size()),
+                       static_cast<int>(to.targets.size()), same_share ? share(items[0]) : 0});
+  for (int i = 0; i < 3; ++i) add_row([&](const Item& it) { return static_cast<float>(it.node->reference.center[i]); });
+  add_row([](const Item& it) { return float_above(it.node->reference.radius); });
+  if (!same_share) add_row(share);
+  int corners = 0;
+  for (std::size_t e = 0; e < set_count; ++e) {
+    const int set = items[0].sets[e].joint_set, joints = static_cast<int>(sets.joints(set).size());
+    int fewest = items[0].sets[e].corner_count, most = 0;
+    for (const Item& it : items) {
+      fewest = std::min(fewest, it.sets[e].corner_count);
+      most = std::max(most, it.sets[e].corner_count);
+    }
+    to.sets.push_back({set, joints, fewest, most});
+    corners += most;
+    for (int k = 0; k < most; ++k) {
+      if (k >= fewest) add_row([&](const Item& it) { return k < it.sets[e].corner_count ? 1.f : 0.f; });
+      for (int i = 0; i + 1 < joints; ++i)
+        add_row([&](const Item& it) {
+          const NodeJointSet& s = it.sets[e];
+          return static_cast<float>(tree.corner_weights[s.first_weight + std::min(k, s.corner_count - 1) * joints + i]);
+        });
+    }
+  }
+  to.most_corners = std::max(to.most_corners, corners);
+  for (int lane = 0; lane < lanes; ++lane) to.targets.push_back(item(lane).target);
+}
+
+NodeBlocks PackedNodes::Blocks::view() const {
+  return {blocks.data(), static_cast<int>(blocks.size()), sets.data(), data.data(), targets.data(), most_corners};
+}
+
+}  // namespace refitlab

@@ -1,0 +1,60 @@
+// PackedNodes: a tree's nodes laid out for the kernels of the batch refit (refit_kernel.hpp).
+//
+// Most nodes are moved by one to a few joint-sets, which many other nodes are moved by as well: those are refitted whole,
+// a node a lane. The others, near the root, are taken apart: their pieces of one joint-set with those of other nodes, the
+// balls of the corners merged afterwards.
+#pragma once
+
+#include <limits>
+
+#include "algorithms/runtime/batch/refit_kernel.hpp"
+#include "algorithms/runtime/tree/sphere_tree.hpp"
+
+namespace refitlab {
+
+class PackedNodes {
+ public:
+  PackedNodes(const SphereTree& tree, const JointSets& sets);
+
+  NodeBlocks nodes() const { return nodes_.view(); }
+  NodeBlocks pieces() const { return pieces_.view(); }
+  std::span<const MergedNode> merged() const { return merged_; }
+  // All records of the merged nodes, as they are before the first frame.
+  std::vector<Four> empty_records() const { return std::vector<Four>(record_count_, no_ball); }
+
+  // How many Lanes of balls there are, and where among their numbers a node's x is; y, z and radius are in the next Lanes.
+  int ball_lanes() const { return ball_lanes_; }
+  std::span<const int> places() const { return places_; }
+  float largest_reference() const { return largest_reference_; }  // of the ||p||, rounded upwards
+
+ private:
+  struct Blocks {
+    NodeBlocks view() const;
+    std::vector<NodeBlock> blocks;
+    std::vector<BlockSet> sets;
+    std::vector<Lanes<float>> data;
+    std::vector<int> targets;
+    int most_corners = 0;
+  };
+  // A node, or a piece of it, in one lane.
+  struct Item {
+    const TreeNode* node;
+    std::span<const NodeJointSet> sets;
+    int target;  // the node, or the first of the piece's records
+  };
+
+  // Appends blocks of items of the same joint-sets, in this order.
+  static void add(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to);
+  static void add_block(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to);
+  void place(std::span<const int> nodes);
+
+  static constexpr Four no_ball = {0, 0, 0, -std::numeric_limits<float>::infinity()};
+
+  Blocks nodes_, pieces_;
+  std::vector<MergedNode> merged_;
+  std::vector<int> places_;
+  int ball_lanes_ = 0, record_count_ = 0;
+  float largest_reference_ = 0;
+};
+
+}  // namespace refitlab

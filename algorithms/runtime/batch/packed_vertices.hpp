@@ -1,0 +1,56 @@
+// PackedVertices: groups of a model's vertices, laid out so that packs skin a group at a time, bit-identical to skin().
+//
+// Within a group vertices are sorted by joint-set; each run of one joint-set is padded to whole blocks of Lanes.
+#pragma once
+
+#include "algorithms/runtime/batch/skin_kernel.hpp"
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
+
+namespace refitlab {
+
+// Skinned vertices: one place after the other, three Lanes a block of places. The padding holds other places' copies.
+struct SkinnedVertices {
+  Point3 operator[](int place) const {
+    const Lanes<double>* block = blocks.data() + 3 * (place / Lanes<double>::count);
+    const int lane = place % Lanes<double>::count;
+    return {block[0].lane[lane], block[1].lane[lane], block[2].lane[lane]};
+  }
+  std::vector<Lanes<double>> blocks;  // x, y, z of a block of places, and so on
+};
+
+class PackedVertices {
+ public:
+  // A group is a list of distinct vertices, in any order; a vertex may be in several groups.
+  PackedVertices(const SkinnedMesh& mesh, const JointSets& sets, std::span<const std::vector<int>> groups);
+  // One group of all vertices.
+  PackedVertices(const SkinnedMesh& mesh, const JointSets& sets);
+
+  int group_count() const { return static_cast<int>(first_run_.size()) - 1; }
+  // The vertex at each place of a group. A padding place repeats the vertex before it.
+  std::span<const int> vertices(int group) const;
+
+  // Skins one group; out.blocks grows as needed and is used again. pose is of make_skinning_pose for this model, with the
+  // same skinning; so it is for skin_all.
+  void skin_group(int group, const SkinningPose<double>& pose, Skinning skinning, SkinnedVertices& out,
+                  Target target = best_target()) const;
+
+  // All groups; each vertex to out[vertex] (as many as the model's vertices; those of no group stay).
+  void skin_all(const SkinningPose<double>& pose, Skinning skinning, std::span<Point3> out,
+                Target target = best_target()) const;
+
+ private:
+  struct Run {
+    int joint_set, first_data, first_block, block_count;
+  };
+
+  void add_group(const SkinnedMesh& mesh, const JointSets& sets, std::vector<int> group);
+  void skin_run(const Run& run, const SkinningPose<double>& pose, SkinRun kernel, Lanes<double>* out) const;
+  SkinRun kernel(Skinning skinning, Target target) const;
+
+  std::vector<int> first_run_ = {0};  // by group, and one past the last
+  std::vector<Run> runs_;
+  std::vector<Lanes<double>> data_;
+  std::vector<int> vertices_;  // by place
+};
+
+}  // namespace refitlab

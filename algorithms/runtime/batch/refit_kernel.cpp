@@ -1,0 +1,268 @@
+#include "algorithms/runtime/batch/refit_kernel.hpp"
+
+#include <cstring>
+#include <limits>
+
+#include "algorithms/runtime/balls/mean_ball.hpp"
+#include "algorithms/runtime/batch/rotation_bound_packs.hpp"
+#include "algorithms/runtime/packs/by_joint.hpp"
+#include "algorithms/runtime/packs/pack.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+using S = Pack<float>;
+constexpr int pack_size = static_cast<int>(S::size());
+using PackOfFour = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 4>>;
+constexpr float epsilon = std::numeric_limits<float>::epsilon();
+
+// The part of a block that one pack holds, read from the start on.
+class Reader {
+ public:
+  Reader(const Lanes<float>* data, int first_lane) : next_(data->lane.data() + first_lane) {}
+  S operator()() {
+    const S out(next_, std::experimental::element_aligned);
+    next_ += Lanes<float>::count;
+    return out;
+  }
+
+ private:
+  const float* next_;
+};
+
+template <int D>
+Vec<S, D> broadcast(const float*& numbers) {
+  Vec<S, D> out;
+  for (int i = 0; i < D; ++i) out[i] = S(*numbers++);
+  return out;
+}
+
+// The balls of one joint-set's corners: centers, all to be moved by offset, and the radius that they share, without r.
+// sum: of the moved centers, without those that repeat others.
+struct CornerBalls {
+  Vec<S, 3>* center;
+  Vec<S, 3> offset, sum;
+  S radius;
+};
+
+struct Scratch {
+  explicit Scratch(int corners) : centers(corners), units(corners) {}
+  std::vector<Vec<S, 3>> centers;
+  std::vector<Quaternion<S>> units;
+};
+
+// The weights of one corner: the last one is what the others leave, which is exact.
+template <int joints>
+class Weights {
+ public:
+  explicit Weights(int count) : w_(count) {}
+  std::span<const S> read(Reader& read) {
+    const int last = static_cast<int>(w_.size()) - 1;
+    S rest(1);
+    for (int i = 0; i < last; ++i) {
+      w_[i] = read();
+      rest = rest - w_[i];
+    }
+    w_[last] = rest;
+    return {w_.data(), joints ? joints : w_.size()};
+  }
+
+ private:
+  ByJoint<S, joints> w_;
+};
+
+// Algorithm 1 repaired. joints and corners are how many the set has, or 0 if that is only known at run time.
+struct Spherical {
+  template <int joints, int corners>
+  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S&, Reader& read,
+                           Quaternion<S>* units, CornerBalls& out) {
+    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
+    ByJoint<RigidTransform<S>, joints> transforms(n);
+    ByJoint<Vec<S, 3>, joints> center_images(n);
+    Weights<joints> weights(n);
+    const Vec<S, 3> rotation_center = broadcast<3>(numbers);
+    const S size(*numbers++);
+    for (int i = 0; i < n; ++i) {
+      transforms[i].rotation = broadcast<4>(numbers);
+      center_images[i] = broadcast<3>(numbers);
+    }
+    const Vec<S, 3> x = p - rotation_center;
+    const S longer = (abs(x[0]) + abs(x[1])) + abs(x[2]);  // than x
+    if (joints == 1) {  // one corner, and a quaternion of unit length
+      out.center[0] = center_images[0];
+      out.offset = rotate(transforms[0].rotation, x);
+      out.sum = center_images[0] + out.offset;
+      out.radius = S(epsilon * 66) * (longer + size);
+      return;
+    }
+    const JointSetPose<S> pose{transforms, rotation_center, center_images, {}};
+    Quaternion<S> direction(S(0), S(0), S(0), S(0));
+    Vec<S, 3> sum(S(0), S(0), S(0));
+    S longest_inverse(1), count(static_cast<float>(set.certain_corners));
+    const auto place = [&](int k) {
+      const std::span<const S> w = weights.read(read);
+      const Quaternion<S> blend = blend_quaternion(pose, w);
+      const S inverse = S(1) / root(squared_norm(blend));
+      longest_inverse = max_of(longest_inverse, inverse);
+      units[k] = blend * inverse;
+      out.center[k] = blend_center(pose, w);
+    };
+    for (int k = 0; k < set.certain_corners; ++k) {
+      place(k);
+      direction = direction + units[k];
+      sum = sum + out.center[k];
+    }
+    for (int k = set.certain_corners; k < m; ++k) {
+      const S included = read();
+      place(k);
+      direction = direction + units[k] * included;
+      sum = sum + out.center[k] * included;
+      count = count + included;
+    }
+    const RotationBound<S> bound = bound_rotations_packs<float>(std::span<const Quaternion<S>>(units, m), direction);
+    const Ball3<S> turned = rotated_ball(bound, x);
+    out.offset = turned.center;
+    out.sum = sum + out.offset * count;
+    where(bound.center_ratio == S(0), longest_inverse) = S(1);  // of all rotations none is off
+    out.radius = turned.radius + S(epsilon * float(64 + 2 * n)) * (longer * longest_inverse + size);
+  }
+};
+
+struct Linear {
+  template <int joints, int corners>
+  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S& r, Reader& read,
+                           Quaternion<S>*, CornerBalls& out) {
+    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
+    ByJoint<Vec<S, 3>, joints> images(n);
+    Weights<joints> weights(n);
+    const S slack(*numbers++), stretch(*numbers++);
+    out.radius = slack + stretch * r;
+    for (int i = 0; i < n; ++i)
+      for (int row = 0; row < 3; ++row) {
+        const Vec<S, 3> of_rotation = broadcast<3>(numbers);
+        images[i][row] = dot(of_rotation, p) + S(*numbers++);
+      }
+    out.offset = out.sum = Vec<S, 3>(S(0), S(0), S(0));
+    for (int k = 0; k < m; ++k) {
+      const S included = k < set.certain_corners ? S(1) : read();
+      out.center[k] = combine<S, 3>(weights.read(read), std::span<const Vec<S, 3>>(images.data(), n));
+      out.sum = out.sum + out.center[k] * included;
+    }
+  }
+};
+
+template <class Blending>
+void corner_balls(const BlockSet& set, const FrameNumbers& frame, const Vec<S, 3>& p, const S& r, Reader& read,
+                  Quaternion<S>* units, CornerBalls& out) {
+  const float* numbers = frame.numbers + frame.first[set.joint_set];
+  switch (set.joint_count) {
+    case 1: return Blending::template corner_balls<1, 1>(set, numbers, p, r, read, units, out);
+    case 2:
+      if (set.corner_count == 2) return Blending::template corner_balls<2, 2>(set, numbers, p, r, read, units, out);
+      return Blending::template corner_balls<2, 1>(set, numbers, p, r, read, units, out);
+    case 3: return Blending::template corner_balls<3, 0>(set, numbers, p, r, read, units, out);
+    case 4: return Blending::template corner_balls<4, 0>(set, numbers, p, r, read, units, out);
+    default: return Blending::template corner_balls<0, 0>(set, numbers, p, r, read, units, out);
+  }
+}
+
+void store(const S& x, Lanes<float>& to, int first) { x.copy_to(to.lane.data() + first, std::experimental::element_aligned); }
+
+void store(const Vec<S, 3>& v, Lanes<float>* to, int first) {
+  for (int i = 0; i < 3; ++i) store(v[i], to[i], first);
+}
+
+template <class Blending>
+REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& frame, Lanes<float>* out) {
+  Scratch scratch(all.most_corners);
+  CornerBalls of_set[most_sets_of_whole_nodes];
+  for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block, out += 4)
+    for (int first = 0; first < Lanes<float>::count; first += pack_size) {
+      Reader read(all.data + block->first_data, first);
+      const S px = read(), py = read(), pz = read(), r = read(), share = block->share > 0 ? S(block->share) : read();
+      const Vec<S, 3> p(px, py, pz);
+      Vec<S, 3> sum(S(0), S(0), S(0));
+      int corners = 0;
+      for (int e = 0; e < block->set_count; ++e) {
+        const BlockSet& set = all.sets[block->first_set + e];
+        CornerBalls& own = of_set[e];
+        own.center = scratch.centers.data() + corners;
+        corner_balls<Blending>(set, frame, p, r, read, scratch.units.data(), own);
+        sum = sum + own.sum;
+        corners += set.corner_count;
+      }
+      Vec<S, 3> center = sum;
+      S radius = of_set[0].radius;
+      if (corners > 1) {
+        center = sum * share;
+        radius = S(0);
+        for (int e = 0; e < block->set_count; ++e) {
+          const int m = all.sets[block->first_set + e].corner_count;
+          const std::span<const Vec<S, 3>> centers(of_set[e].center, m);
+          const S far = farthest_squared_distance<S, 3>(center - of_set[e].offset, centers);
+          radius = max_of(radius, S(root(far) + of_set[e].radius));
+        }
+      }
+      store(center, out, first);
+      store(S((radius + r) * S(1 + 8 * epsilon) + S(underflow_slack)), out[3], first);
+    }
+}
+
+template <class Blending>
+REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& frame, Four* records) {
+  Scratch scratch(all.most_corners);
+  for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block) {
+    const BlockSet& set = all.sets[block->first_set];
+    for (int first = 0; first < Lanes<float>::count; first += pack_size) {
+      Reader read(all.data + block->first_data, first);
+      const S px = read(), py = read(), pz = read(), r = read();
+      CornerBalls own;
+      own.center = scratch.centers.data();
+      corner_balls<Blending>(set, frame, {px, py, pz}, r, read, scratch.units.data(), own);
+      const int* targets = all.targets + block->first_target + first;
+      for (int k = 0; k < set.corner_count; ++k) {
+        alignas(64) float numbers[4][pack_size];
+        for (int i = 0; i < 3; ++i) S(own.center[k][i] + own.offset[i]).copy_to(numbers[i], std::experimental::vector_aligned);
+        own.radius.copy_to(numbers[3], std::experimental::vector_aligned);
+        for (int lane = 0; lane < pack_size; lane += 4) {
+          Four rows[4];
+          for (int i = 0; i < 4; ++i) std::memcpy(&rows[i], numbers[i] + lane, sizeof(Four));
+          transpose(rows);
+          for (int i = 0; i < 4; ++i) records[targets[lane + i] + k] = rows[i];
+        }
+      }
+    }
+  }
+}
+
+REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const Four* records, float* balls) {
+  for (const MergedNode* node = nodes; node != nodes + node_count; ++node) {
+    const Four* own = records + node->first_record;
+    Four sum = own[0];
+    for (int k = 1; k < node->corner_count; ++k) sum += own[k];
+    const float share = 1 / static_cast<float>(node->corner_count);
+    const float center[3] = {sum[0] * share, sum[1] * share, sum[2] * share};
+    PackOfFour radius = 0;
+    for (int k = 0; k < node->corner_count; k += 4) {
+      Four rows[4] = {own[k], own[k + 1], own[k + 2], own[k + 3]};
+      transpose(rows);
+      PackOfFour squared = 0;
+      for (int i = 0; i < 3; ++i) {
+        const PackOfFour d = PackOfFour(rows[i]) - center[i];
+        squared += d * d;
+      }
+      radius = max(radius, sqrt(squared) + PackOfFour(rows[3]));
+    }
+    float* ball = balls + node->place;
+    for (int i = 0; i < 3; ++i) ball[i * Lanes<float>::count] = center[i];
+    ball[3 * Lanes<float>::count] = (hmax(radius) + node->radius) * (1 + 8 * epsilon) + underflow_slack;
+  }
+}
+
+}  // namespace
+
+const RefitKernels refit_kernels{refit_nodes<Spherical>, refit_nodes<Linear>, refit_pieces<Spherical>, refit_pieces<Linear>,
+                                 merge_nodes};
+
+}  // namespace refitlab::REFITLAB_TARGET

@@ -1,0 +1,88 @@
+// The kernels of the batch refit: Algorithm 1 repaired, and the linear refit, of as many nodes as there are lanes, all of
+// them moved by the same joint-sets; in float, with mean balls.
+//
+// Rounding. u = 2^-24, n joints. Of Algorithm 1: a unit quaternion q'_k / ||q'_k|| is off by (n + 7) u / ||q'_k||, and the
+// apex by 6 u, so the cap's angle alpha = 4 arcsin s by 2 sqrt(2) (n + 19) u / ||q'_k|| (s^2 < 1/2); the ratios, the
+// rotation of x = p - r_c and its length add less than 70 u ||x||; the weights are exact. The centers' images and the
+// difference x are off by (n + 4) u times their sizes. All of that is less than
+//     epsilon (64 + 2 n) (||x|| / min ||q'_k|| + size),     epsilon = 2 u, size = max ||r_i|| + 2 ||r_c||,
+// which is added to the radius, and the sums of radii are less than 8 epsilon times the radius off. The means need no
+// bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||), and,
+// as of rotations whose ||q_i||^2 = 1 + e are off by e (pose_rounding.hpp), 2 |e| r.
+// Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few
+// of them (balls/round_up.hpp).
+#pragma once
+
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/runtime/packs/four.hpp"
+#include "algorithms/runtime/packs/lanes.hpp"
+#include "algorithms/runtime/packs/targets.hpp"
+
+namespace refitlab {
+
+inline constexpr float underflow_slack = underflow_of_distance<float>();  // of each radius
+
+// Numbers of one joint-set in one frame. Spherical: r_c (3), size (1), then q_i (4) and r_i (3) of each joint. Linear: slack
+// (1), what r is stretched by (1), then the rows of R_i and t_i, (3 + 1) x 3, of each joint.
+struct FrameNumbers {
+  const float* numbers;
+  const int* first;  // by joint-set
+};
+
+// Nodes, or pieces of nodes, one a lane, moved by the same joint-sets. Its numbers are Lanes: p (3), r, 1 / (number of
+// corners) if that is not the same in all lanes, then of each joint-set and each of its corners the weights but the last
+// one, after, beyond certain_corners, a 1, or a 0 where the lane has no such corner and repeats another one.
+struct NodeBlock {
+  int first_set, set_count;  // in NodeBlocks::sets
+  int first_data;            // in NodeBlocks::data
+  int first_target;          // of pieces, in NodeBlocks::targets
+  float share;               // 1 / (number of corners), or 0 if it is among the numbers
+};
+inline constexpr int most_sets_of_whole_nodes = 3;
+struct BlockSet {
+  int joint_set, joint_count;
+  int certain_corners, corner_count;  // the fewest and the most of any lane
+};
+struct NodeBlocks {
+  const NodeBlock* blocks;
+  int block_count;
+  const BlockSet* sets;
+  const Lanes<float>* data;
+  const int* targets;  // by lane, of a piece: which record is that of its first corner
+  int most_corners;  // of any block, in all of its sets
+};
+
+// Whole nodes: out has the balls' x, y, z and radius, four Lanes a block.
+using RefitNodes = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Lanes<float>* out);
+
+// Pieces, of one joint-set: the balls of their corners, without r, to their records.
+using RefitPieces = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Four* records);
+
+// A node whose pieces' corners are merged. They are one record after the other, and some more up to a multiple of four, of
+// radius minus infinity. Its ball is the numbers x, y, z and radius, in Lanes, from place on.
+struct MergedNode {
+  int first_record, corner_count;
+  float radius;  // r
+  int place;
+};
+using MergeNodes = void (*)(const MergedNode* nodes, int node_count, const Four* records, float* balls);
+
+struct RefitKernels {
+  RefitNodes spherical_nodes, linear_nodes;
+  RefitPieces spherical_pieces, linear_pieces;
+  MergeNodes merge;
+};
+
+namespace baseline {
+extern const RefitKernels refit_kernels;
+}
+namespace avx2 {
+extern const RefitKernels refit_kernels;
+}
+namespace avx512 {
+extern const RefitKernels refit_kernels;
+}
+
+const RefitKernels& refit_kernels(Target target);
+
+}  // namespace refitlab

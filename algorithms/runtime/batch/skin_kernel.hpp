@@ -1,0 +1,39 @@
+// The kernel of batch skinning: vertices of one joint-set, a vertex a lane.
+#pragma once
+
+#include "algorithms/runtime/packs/lanes.hpp"
+#include "algorithms/runtime/packs/targets.hpp"
+
+namespace refitlab {
+
+// A joint-set's JointSetPose, as numbers.
+struct JointSetNumbers {
+  int joint_count;
+  const double* transforms;  // each a quaternion and a translation, transform_stride apart
+  int transform_stride;
+  const double* rotation_center;
+  const double* center_images;  // 3 each
+  const double* duals;          // 4 each
+};
+
+// data: a block of vertices after the other, each their x, y, z and, by joint of the set, weights. The images go to out,
+// their x, y, z a block.
+using SkinRun = void (*)(const JointSetNumbers& joints, const Lanes<double>* data, int block_count, Lanes<double>* out);
+
+struct SkinKernels {
+  SkinRun linear, spherical, dual_quaternion;
+};
+
+namespace baseline {
+extern const SkinKernels skin_kernels;
+}
+namespace avx2 {
+extern const SkinKernels skin_kernels;
+}
+namespace avx512 {
+extern const SkinKernels skin_kernels;
+}
+
+const SkinKernels& skin_kernels(Target target);
+
+}  // namespace refitlab

@@ -1,0 +1,47 @@
+// Body: a character in one frame, as queries see it: balls refitted and vertices skinned only where a query gets to.
+#pragma once
+
+#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/runtime/collide/triangles_meet.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
+
+namespace refitlab {
+
+class Body {
+ public:
+  // character and variant outlive this.
+  Body(const Character& character, const RefitVariant& variant, const FrameOptions& options = {})
+      : character_(character),
+        skinning_(variant.skinning),
+        pose_packs_(character.mesh, character.sets, skinning_),
+        balls_(character, variant, options),
+        made_(character.mesh.vertices.size()),
+        skinned_(character.mesh.vertices.size()) {}
+
+  // Starts a frame. Throws ModelError for a posture that make_skinning_pose refuses.
+  void begin(const Posture& posture);
+
+  const Character& character() const { return character_; }
+  // The ball of a node, in model space of this frame.
+  const Ball3<double>& ball(int node) { return balls_[node]; }
+  // The skinned corners of a triangle, in model space of this frame; the very doubles that skin() yields.
+  TrianglePoints triangle(int triangle);
+
+  const FrameRefits& refits() const { return balls_; }
+  // How many vertices were skinned since begin.
+  long vertices_skinned() const { return vertices_skinned_; }
+
+ private:
+  const Point3& vertex(int v);
+
+  const Character& character_;
+  const Skinning skinning_;
+  const PosePacks pose_packs_;
+  FrameRefits balls_;
+  SkinningPose<double> pose_;
+  FrameStamps made_;  // by vertex
+  std::vector<Point3> skinned_;
+  long vertices_skinned_ = 0;
+};
+
+}  // namespace refitlab

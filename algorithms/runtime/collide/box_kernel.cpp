@@ -1,0 +1,387 @@
+#include "algorithms/runtime/collide/box_kernel.hpp"
+
+#include <bit>
+#include <limits>
+
+#include "algorithms/runtime/packs/pack.hpp"
+#include "algorithms/runtime/packs/transpose.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// A box that grows by points, turned by a rotation first.
+template <class Pack>
+class GrowingBox {
+ public:
+  explicit GrowingBox(const float* rotation) : rotation_(rotation) {}
+  void add(const Vec<Pack, 3>& p) {
+    for (int i = 0; i < 3; ++i) {
+      const Pack turned = p[0] * rotation_[3 * i] + p[1] * rotation_[3 * i + 1] + p[2] * rotation_[3 * i + 2];
+      low[i] = min(low[i], turned);
+      high[i] = max(high[i], turned);
+    }
+  }
+  void blow_up(const Pack& by) {
+    for (int i = 0; i < 3; ++i) low[i] -= by, high[i] += by;
+  }
+  template <class Mask>
+  void replace_where(const Mask& mask, const GrowingBox& other) {
+    for (int i = 0; i < 3; ++i) where(mask, low[i]) = other.low[i], where(mask, high[i]) = other.high[i];
+  }
+
+  Pack low[3] = {Pack(infinity), Pack(infinity), Pack(infinity)};
+  Pack high[3] = {Pack(-infinity), Pack(-infinity), Pack(-infinity)};
+
+ private:
+  const float* rotation_;
+};
+
+template <class Pack>
+class BoxKernel {
+  using Mask = typename Pack::mask_type;
+  using Point = Vec<Pack, 3>;
+  static constexpr int width = static_cast<int>(Pack::size());
+  static_assert(box_lanes % width == 0);
+
+ public:
+  // rotation: 3 x 3, row by row.
+  static void run(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
+                  const float* centers, const float* rotation, FlippedBox* boxes) {
+    switch (joints) {
+      case 1:
+        return run_joints<1>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 2:
+        return run_joints<2>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 3:
+        return run_joints<3>(packs, count, skinning, slots, centers, rotation, boxes);
+      default:
+        return run_joints<4>(packs, count, skinning, slots, centers, rotation, boxes);
+    }
+  }
+
+ private:
+  // What float may lose, as a share of the sizes that a box is made from. With u = 2^-24 and all inputs within u:
+  // a component of a blended quaternion is off by at most 8 u (three roundings a product, five in the sum), so W_kl by
+  // 40 u, and a component of P_kl by 90 u |x|; one of a blended center image by 8 u |r|, r the largest of its joints'.
+  // Where corners are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8,
+  // |P_kl| <= 2 |x| W_kl, and a control point is off by at most (3 * 90 + 20) u |x| * 8/3 + (3 * 51 + 20) u |r| * 8/3
+  // for its numerator and 120 u * 8/3 (2 |x| + |r|) for its denominator: below 1450 u |x| + 800 u |r|. Turning it adds
+  // 8 u of its size, and x itself is off by 3 u (|x| + |p|). For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) >
+  // 1/6, the same steps end below 850 u |p| + 1600 u 2 |d|; linear blending stays below 50 u of its sizes. 2048 u of
+  // the sum of all sizes leaves a fourth for what was rounded here, and for quaternions whose squared lengths are off by
+  // 1e-6: the placement's, and the joint's in linear blending, stretch the radius by 34 u each.
+  static constexpr float slack = 2048 * 0x1p-24f;
+
+  template <int N>
+  static void run_joints(const BoxPack* packs, std::size_t count, Skinning skinning, const float* slots,
+                         const float* centers, const float* rotation, FlippedBox* boxes) {
+    for (const BoxPack* pack = packs; pack != packs + count; ++pack)
+      for (int first = 0; first < box_lanes; first += width) {
+        const BoxKernel lanes{*pack, first, slots, centers, rotation};
+        switch (skinning) {
+          case Skinning::linear:
+            merge(lanes.template linear<N>(), *pack, first, boxes);
+            break;
+          case Skinning::dual_quaternion:
+            merge(lanes.template dual_quaternion<N>(), *pack, first, boxes);
+            break;
+          default:
+            merge(lanes.template spherical<N>(), *pack, first, boxes);
+        }
+      }
+  }
+
+  static void merge(const GrowingBox<Pack>& box, const BoxPack& pack, int first, FlippedBox* boxes) {
+    alignas(64) float sides[8][width] = {};
+    for (int i = 0; i < 3; ++i) {
+      // What is undefined, by coordinates beyond what float holds, may be anywhere.
+      const Mask is_undefined = !(box.low[i] <= box.high[i]);
+      choose(is_undefined, Pack(-infinity), box.low[i]).copy_to(sides[i], std::experimental::vector_aligned);
+      const Pack flipped = choose(is_undefined, Pack(-infinity), Pack(-box.high[i]));
+      flipped.copy_to(sides[4 + i], std::experimental::vector_aligned);
+    }
+    merge_lanes(sides, pack.target + first, boxes);
+  }
+
+  Pack load(const float* lanes) const { return Pack(lanes + first, std::experimental::element_aligned); }
+  // Numbers of a record of eight floats a lane, from record index[lane] of an array.
+  struct Records {
+    alignas(64) float of[8][width];
+    Pack operator[](int i) const { return Pack(of[i], std::experimental::vector_aligned); }
+    Quaternion<Pack> quaternion(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2], (*this)[i + 3]}; }
+    Point point(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
+  };
+  Records gather(const float* from, const std::int32_t* index) const {
+    Records out;
+    const float* rows[8];
+    for (int block = 0; block < width; block += 8) {  // a pack of four lanes uses half of what is fetched
+      for (int i = 0; i < 8; ++i) rows[i] = from + 8 * index[first + block + (i < width ? i : 0)];
+      if constexpr (width >= 8) {
+        transpose<float>(rows, out.of[0] + block, width);
+      } else {
+        for (int i = 0; i < 8; ++i)
+          for (int lane = 0; lane < width; ++lane) out.of[i][lane] = rows[lane][i];
+      }
+    }
+    return out;
+  }
+  Records slot(int joint) const { return gather(slots, pack.slot[joint]); }
+  Point reference_center() const { return {load(pack.center[0]), load(pack.center[1]), load(pack.center[2])}; }
+  static Pack size(const Point& p) { return abs(p[0]) + abs(p[1]) + abs(p[2]); }
+
+  // sum low_i x_i + rest x_k for each corner k, in place.
+  template <int N, class Value>
+  void blend_corners(Value (&x)[N]) const {
+    Value low = x[0] * load(pack.low[0]);
+    for (int i = 1; i < N; ++i) low = low + x[i] * load(pack.low[i]);
+    const Pack rest = load(pack.rest);
+    for (int k = 0; k < N; ++k) x[k] = low + x[k] * rest;
+  }
+
+  template <int N>
+  GrowingBox<Pack> spherical() const {
+    Quaternion<Pack> q[N];
+    Point r[N];
+    Pack sizes(0.f);
+    for (int i = 0; i < N; ++i) {
+      const Records joint = slot(i);
+      q[i] = joint.quaternion(0), r[i] = joint.point(4);
+      sizes = max(sizes, size(r[i]));
+    }
+    blend_corners<N>(q), blend_corners<N>(r);
+    const Point p0 = reference_center(), x = p0 - gather(centers, pack.set).point(0);
+    MixedCorners<Pack> mixed[N][N];
+    for (int k = 0; k < N; ++k)
+      for (int l = 0; l <= k; ++l) mixed[k][l] = mix_rotations(q[k], q[l], x);
+    const Mask near = are_near<N>(mixed, 4);
+    GrowingBox<Pack> box(rotation), anyhow(rotation);
+    for (int j = 0; j < N; ++j) {
+      anyhow.add(r[j]);
+      for (int k = j; k < N; ++k)
+        for (int l = k; l < N; ++l) {
+          const ScaledPoint<Pack> point = spherical_control_point(mixed[k][j], mixed[l][k], mixed[l][j], r[j], r[k], r[l]);
+          const Pack scale = Pack(1.f) / point.denominator;
+          box.add(point.numerator * scale);
+        }
+    }
+    const Pack radius = load(pack.radius);
+    const Pack lost = (sizes + size(x) + size(p0) + radius) * slack;
+    box.blow_up(radius + lost);
+    anyhow.blow_up(size(x) + radius + lost);
+    box.replace_where(!near, anyhow);
+    return box;
+  }
+
+  template <int N>
+  GrowingBox<Pack> linear() const {
+    const Point p = reference_center();
+    Point r[N];
+    Pack sizes = size(p);
+    for (int i = 0; i < N; ++i) {
+      const Records joint = slot(i);
+      const Point at = joint.point(4);
+      r[i] = rotate(joint.quaternion(0), p) + at;
+      sizes = max(sizes, size(p) + size(at));
+    }
+    blend_corners<N>(r);
+    GrowingBox<Pack> box(rotation);
+    for (int k = 0; k < N; ++k) box.add(r[k]);
+    const Pack radius = load(pack.radius);
+    box.blow_up(radius + (sizes + radius) * slack);
+    return box;
+  }
+
+  template <int N>
+  GrowingBox<Pack> dual_quaternion() const {
+    const Point point = reference_center();
+    Quaternion<Pack> q[N], d[N];
+    Pack sizes = size(point);
+    for (int i = 0; i < N; ++i) {
+      const Records joint = slot(i);
+      q[i] = joint.quaternion(0), d[i] = joint.quaternion(4);
+      sizes = max(sizes, size(point) + (abs(d[i][0]) + abs(d[i][1]) + abs(d[i][2]) + abs(d[i][3])) * 2);
+    }
+    blend_corners<N>(q), blend_corners<N>(d);
+    MixedCorners<Pack> mixed[N][N];
+    for (int k = 0; k < N; ++k)
+      for (int l = 0; l <= k; ++l) mixed[k][l] = mix_motions<Pack>({q[k], d[k]}, {q[l], d[l]}, point);
+    const Mask near = are_near<N>(mixed, 2);
+    GrowingBox<Pack> box(rotation), all(rotation);
+    for (int k = 0; k < N; ++k)
+      for (int l = 0; l <= k; ++l) box.add(mixed[k][l].numerator * (Pack(1.f) / mixed[k][l].weight));
+    const Pack radius = load(pack.radius);
+    box.blow_up(radius + (sizes + radius) * slack);
+    for (int i = 0; i < 3; ++i) all.low[i] = -infinity, all.high[i] = infinity;
+    box.replace_where(!near, all);
+    return box;
+  }
+
+  // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is short.
+  template <int N>
+  static Mask are_near(const MixedCorners<Pack> (&mixed)[N][N], float near) {
+    Mask all(true);
+    for (int k = 0; k < N; ++k) {
+      const Pack& own = mixed[k][k].weight;
+      all = all && own > 0.25f;
+      for (int l = 0; l < k; ++l) {
+        const Pack& w = mixed[k][l].weight;
+        all = all && w > 0.f && w * w * near > own * mixed[l][l].weight;
+      }
+    }
+    return all;
+  }
+
+  BoxKernel(const BoxPack& p, int f, const float* s, const float* c, const float* r)
+      : pack(p), first(f), slots(s), centers(c), rotation(r) {}
+
+  const BoxPack& pack;
+  const int first;
+  const float *slots, *centers, *rotation;
+};
+
+REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
+                           const float* centers, const float* rotation, FlippedBox* boxes) {
+  BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
+}
+
+// Which lanes of a block's boxes are not apart from a box: a byte a lane, the first lowest.
+std::uint64_t meeting(const BoxBlock& block, const double* box) {
+  using S = refitlab::Pack<double>;
+  constexpr int width = static_cast<int>(S::size());
+  alignas(64) bool meets[8];
+  for (int first = 0; first < 8; first += width) {
+    auto apart = S(0.0) > S(0.0);
+    for (int i = 0; i < 3; ++i) {
+      const S low(block.side[i] + first, std::experimental::vector_aligned);
+      const S high(block.side[3 + i] + first, std::experimental::vector_aligned);
+      apart = apart || high < box[i] || S(box[3 + i]) < low;
+    }
+    (!apart).copy_to(meets + first, std::experimental::element_aligned);
+  }
+  return std::bit_cast<std::uint64_t>(meets);
+}
+// The bytes of the first count lanes, of at most 8.
+std::uint64_t first_lanes(std::uint64_t lanes, int count) {
+  return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes;
+}
+
+REFITLAB_KERNEL int overlaps(const BoxBlock* blocks, int count, const double* box, int* out) {
+  int found = 0;
+  for (int first = 0; first < count; first += 8)
+    for (std::uint64_t lanes = first_lanes(meeting(blocks[first / 8], box), count - first); lanes; lanes &= lanes - 1)
+      out[found++] = first + std::countr_zero(lanes) / 8;
+  return found;
+}
+
+REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock& a, int count_a, const BoxBlock& b, int count_b) {
+  std::uint64_t pairs = 0;
+  for (int i = 0; i < count_a; ++i) {
+    const double box[6] = {a.side[0][i], a.side[1][i], a.side[2][i], a.side[3][i], a.side[4][i], a.side[5][i]};
+    const std::uint64_t lanes = first_lanes(meeting(b, box), count_b);
+    pairs |= (lanes * 0x0102040810204080 >> 56) << 8 * i;  // gathers the bytes' lowest bits
+  }
+  return pairs;
+}
+
+REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners_b, const CornerPair* pairs, int count,
+                                  Filtered* answers) {
+  using S = refitlab::Pack<double>;
+  constexpr int width = static_cast<int>(S::size());
+  for (int first = 0; first < count; first += width) {
+    const int lanes = count - first < width ? count - first : width;
+    const auto load = [&](const Corner* corners, auto places, TriangleOf<S>& out) {
+      alignas(64) double numbers[9][width];
+      for (int lane = 0; lane < width; ++lane) {  // those behind the last repeat it
+        const CornerPair& pair = pairs[first + (lane < lanes ? lane : lanes - 1)];
+        for (int c = 0; c < 3; ++c)
+          for (int i = 0; i < 3; ++i) numbers[3 * c + i][lane] = corners[places(pair)[c]].of[i];
+      }
+      for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < 3; ++i) out[c][i] = S(numbers[3 * c + i], std::experimental::vector_aligned);
+    };
+    TriangleOf<S> a, b;
+    load(
+        corners_a, [](const CornerPair& p) { return p.a; }, a);
+    load(
+        corners_b, [](const CornerPair& p) { return p.b; }, b);
+    const PlaneSides<S> of_b(a, b), of_a(b, a);
+    const auto are_apart = of_a.are_one() || of_b.are_one(),
+               cross = !are_apart && of_a.are_certain() && of_b.are_certain();
+    bool apart[width], meet[width] = {};
+    are_apart.copy_to(apart, std::experimental::element_aligned);
+    if (any_of(cross)) {
+      const auto gap = sign_of_gap(of_a, of_b, a, b);
+      (are_apart || (cross && gap.is_positive)).copy_to(apart, std::experimental::element_aligned);
+      (cross && gap.is_negative).copy_to(meet, std::experimental::element_aligned);
+    }
+    for (int lane = 0; lane < lanes; ++lane)
+      answers[first + lane] = apart[lane] ? Filtered::apart : meet[lane] ? Filtered::meet : Filtered::unknown;
+  }
+}
+
+REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out) {
+  using S = refitlab::Pack<double>;
+  constexpr int width = static_cast<int>(S::size());
+  RigidTransform<S> at;
+  for (int i = 0; i < 4; ++i) at.rotation[i] = S(placement[i]);
+  for (int i = 0; i < 3; ++i) at.translation[i] = S(placement[4 + i]);
+  for (int block = 0; block < block_count; ++block, skinned += 3)
+    for (int first = 0; first < Lanes<double>::count; first += width, out += width) {
+      const auto load = [&](int i) { return S(skinned[i].lane.data() + first, std::experimental::element_aligned); };
+      const Vec<S, 3> p = apply(at, Vec<S, 3>(load(0), load(1), load(2)));
+      for (int lane = 0; lane < width; ++lane) out[lane] = {p[0][lane], p[1][lane], p[2][lane], 0};
+    }
+}
+
+// A box that grows by corners: low and high, of four numbers of which three are used.
+class CornerBox {
+  using Four = double __attribute__((vector_size(32)));
+
+ public:
+  explicit CornerBox(const Corner& c) : low_(*reinterpret_cast<const Four*>(c.of)), high_(low_) {}
+  void add(const Corner& c) {
+    const Four p = *reinterpret_cast<const Four*>(c.of);
+    low_ = p < low_ ? p : low_, high_ = p > high_ ? p : high_;
+  }
+  void add(const CornerBox& b) { low_ = b.low_ < low_ ? b.low_ : low_, high_ = b.high_ > high_ ? b.high_ : high_; }
+  void put(BoxBlock& block, int lane) const {
+    for (int i = 0; i < 3; ++i) block.side[i][lane] = low_[i], block.side[3 + i][lane] = high_[i];
+  }
+  void put(double* box) const {
+    for (int i = 0; i < 3; ++i) box[i] = low_[i], box[3 + i] = high_[i];
+  }
+
+ private:
+  Four low_, high_;
+};
+
+REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock* out,
+                                double* all) {
+  CornerBox whole(corners[groups[0].corners[0][0]]);
+  for (int g = 0; g < count; ++g) {
+    CornerBox box(corners[groups[g].corners[0][0]]);
+    for (int t = 0; t < groups[g].count; ++t)
+      for (const std::uint16_t place : groups[g].corners[t]) box.add(corners[place]);
+    whole.add(box);
+    box.put(out[g / 8], g % 8);
+  }
+  whole.put(all);
+}
+
+REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const Corner* corners, BoxBlock& out) {
+  for (int t = 0; t < group.count; ++t) {
+    CornerBox box(corners[group.corners[t][0]]);
+    box.add(corners[group.corners[t][1]]);
+    box.add(corners[group.corners[t][2]]);
+    box.put(out, t);
+  }
+}
+
+}  // namespace
+
+const BoxKernels box_kernels{bound, overlaps, overlapping_pairs, filter_pairs, place, box_groups, box_triangles};
+
+}  // namespace refitlab::REFITLAB_TARGET

@@ -1,0 +1,117 @@
+#include "algorithms/runtime/collide/cluster_tree.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+void check(const ClusterOptions& o) {
+  if (o.most_triangles < 1 || o.most_triangles > most_cluster_triangles)
+    throw std::invalid_argument("cluster options: most_triangles is " + std::to_string(o.most_triangles) +
+                                ", not in 1 to " + std::to_string(most_cluster_triangles));
+  if (o.most_children < 2)
+    throw std::invalid_argument("cluster options: most_children is " + std::to_string(o.most_children) +
+                                ", less than 2");
+}
+
+}  // namespace
+
+ClusterTree::ClusterTree(const Character& character, const ClusterOptions& options)
+    : character_(&character), options_(options), vertices_(character.mesh, character.sets, {}) {
+  const DefaultFloatEnvironment environment;
+  check(options);
+  add_fan(part_of_node(0));
+  pack_clusters();
+}
+
+ClusterTree::Part ClusterTree::part_of_node(int node) const {
+  const TreeNode& n = character_->tree.nodes[node];
+  return {node, n.first_triangle, n.triangle_count};
+}
+
+std::vector<ClusterTree::Part> ClusterTree::children_of(const Part& part) const {
+  std::vector<Part> out;
+  if (part.node >= 0) {
+    const TreeNode& n = character_->tree.nodes[part.node];
+    for (int c = n.first_child; c < n.first_child + n.child_count; ++c) out.push_back(part_of_node(c));
+  }
+  if (!out.empty()) return out;
+  const int half = part.triangle_count / 2;
+  return {{-1, part.first_triangle, half}, {-1, part.first_triangle + half, part.triangle_count - half}};
+}
+
+// Distinct, in increasing order.
+std::vector<int> ClusterTree::vertices_of(const Part& part) const {
+  if (part.node >= 0) {
+    const auto vertices = character_->vertices[part.node];
+    return {vertices.begin(), vertices.end()};
+  }
+  return distinct_vertices(character_->mesh, std::span(character_->tree.triangle_order).subspan(part.first_triangle, part.triangle_count));
+}
+
+// The part of most triangles is opened as long as it is too large for a cluster and there is room for its children. A
+// root that is a cluster is a fan of itself.
+int ClusterTree::add_fan(const Part& part) {
+  const auto is_cluster = [&](const Part& p) { return p.triangle_count <= options_.most_triangles; };
+  std::vector<Part> open{part};
+  for (bool is_first = true;; is_first = false) {
+    const auto most = std::max_element(
+        open.begin(), open.end(), [](const Part& a, const Part& b) { return a.triangle_count < b.triangle_count; });
+    if (is_cluster(*most)) break;
+    const std::vector<Part> below = children_of(*most);
+    if (!is_first && open.size() - 1 + below.size() > static_cast<std::size_t>(options_.most_children)) break;
+    *most = below[0];
+    open.insert(open.end(), below.begin() + 1, below.end());
+  }
+  // In the order of their triangles, so that neighbours in the fan are neighbours in space.
+  std::sort(open.begin(), open.end(),
+            [](const Part& a, const Part& b) { return a.first_triangle < b.first_triangle; });
+
+  const int fan = static_cast<int>(fans_.size());
+  std::vector<std::vector<int>> vertices;
+  for (const Part& p : open) vertices.push_back(vertices_of(p));
+  const std::vector<NodePiece> pieces = pieces_of_vertices(*character_, vertices);
+  fans_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()),
+                   make_box_pieces(*character_, pieces), make_reach_packs(*character_, pieces)});
+  children_.resize(children_.size() + open.size());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const FanChild child = is_cluster(open[i]) ? FanChild{add_cluster(open[i]), -1} : FanChild{-1, add_fan(open[i])};
+    children_[fans_[fan].first_child + i] = child;
+  }
+  return fan;
+}
+
+int ClusterTree::add_cluster(const Part& part) {
+  clusters_.push_back({0, static_cast<int>(groups_.size()), (part.triangle_count + group_size - 1) / group_size});
+  groups_.resize(groups_.size() + clusters_.back().group_count);
+  cluster_parts_.push_back(part);
+  return static_cast<int>(clusters_.size()) - 1;
+}
+
+void ClusterTree::pack_clusters() {
+  const SkinnedMesh& mesh = character_->mesh;
+  std::vector<std::vector<int>> vertices;
+  for (const Part& part : cluster_parts_) vertices.push_back(vertices_of(part));
+  vertices_ = PackedVertices(mesh, character_->sets, vertices);
+  std::vector<std::uint16_t> place_of(mesh.vertices.size());
+  for (std::size_t c = 0; c < clusters_.size(); ++c) {
+    Cluster& cluster = clusters_[c];
+    const auto places = vertices_.vertices(static_cast<int>(c));
+    cluster.corner_count = static_cast<int>(places.size());
+    for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
+
+    const Part& part = cluster_parts_[c];
+    for (int t = 0; t < part.triangle_count; ++t) {
+      TriangleGroup& group = groups_[cluster.first_group + t / group_size];
+      const int triangle = character_->tree.triangle_order[part.first_triangle + t];
+      group.count = t % group_size + 1;
+      group.triangles[t % group_size] = triangle;
+      for (int i = 0; i < 3; ++i) group.corners[t % group_size][i] = place_of[mesh.triangles[triangle][i]];
+    }
+  }
+}
+
+}  // namespace refitlab

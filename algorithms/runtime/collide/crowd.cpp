@@ -1,0 +1,99 @@
+#include "algorithms/runtime/collide/crowd.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <numeric>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+bool meet(const Box6& a, const Box6& b) {
+  for (int i = 0; i < 3; ++i)
+    if (!(a[i] <= b[i + 3] && b[i] <= a[i + 3])) return false;
+  return true;
+}
+
+// The axis along which the boxes' lower sides are spread most.
+int widest_axis(const std::vector<Box6>& boxes) {
+  int widest = 0;
+  double most = -1;
+  for (int i = 0; i < 3; ++i) {
+    const auto [low, high] = std::minmax_element(boxes.begin(), boxes.end(), [i](const Box6& a, const Box6& b) { return a[i] < b[i]; });
+    if ((*high)[i] - (*low)[i] > most) most = (*high)[i] - (*low)[i], widest = i;
+  }
+  return widest;
+}
+
+// The pairs of boxes that meet, each with the smaller index first, in increasing order: by a sweep along one axis
+// [Baraff 1992].
+std::vector<std::pair<int, int>> meeting(const std::vector<Box6>& boxes) {
+  std::vector<std::pair<int, int>> pairs;
+  if (boxes.empty()) return pairs;
+  const int axis = widest_axis(boxes);
+  std::vector<int> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a][axis] < boxes[b][axis]; });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]][axis] <= boxes[order[i]][axis + 3]; ++j)
+      if (meet(boxes[order[i]], boxes[order[j]])) pairs.push_back(std::minmax(order[i], order[j]));
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// body(i) for each i < count; the first exception that one of them throws is thrown here, after all have ended.
+template <class Body>
+void for_each(const Workers& workers, std::size_t count, const Body& body) {
+  struct Task {
+    const Body& body;
+    std::mutex mutex;
+    std::exception_ptr failure;
+  } task{body, {}, {}};
+  const auto run = [](void* data, std::size_t i) {
+    Task& of = *static_cast<Task*>(data);
+    try {
+      of.body(i);
+    } catch (...) {
+      const std::scoped_lock lock(of.mutex);
+      if (!of.failure) of.failure = std::current_exception();
+    }
+  };
+  workers.for_each(workers.self, count, run, &task);
+  if (task.failure) std::rethrow_exception(task.failure);
+}
+
+}  // namespace
+
+Workers one_worker() {
+  return {[](void*, std::size_t count, void (*task)(void*, std::size_t), void* data) {
+            for (std::size_t i = 0; i < count; ++i) task(data, i);
+          },
+          nullptr};
+}
+
+std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts,
+                                 const Workers& workers) {
+  const DefaultFloatEnvironment environment;
+  std::vector<Box6> boxes(bodies.size());
+  for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->reach(); });
+  const auto pairs = meeting(boxes);
+  counts.pairs_of_boxes += static_cast<long>(pairs.size());
+
+  std::vector<Contact> found(pairs.size());
+  std::vector<QueryCounts> tests(pairs.size());
+  std::vector<std::mutex> in_work(bodies.size());
+  for_each(workers, pairs.size(), [&](std::size_t i) {
+    const DefaultFloatEnvironment of_this_thread;
+    const auto [a, b] = pairs[i];
+    const std::scoped_lock both(in_work[a], in_work[b]);
+    found[i] = {a, b, collide(*bodies[a], *bodies[b], query, tests[i])};
+  });
+  for (const QueryCounts& t : tests)
+    counts.queries.ball_tests += t.ball_tests, counts.queries.triangle_tests += t.triangle_tests;
+  std::erase_if(found, [](const Contact& c) { return c.pairs.empty(); });
+  return found;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,29 @@
+// Pieces of nodes: what a node holds of each joint-set, which is bounded by itself.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/runtime/tree/character.hpp"
+
+namespace refitlab {
+
+// A box along the axes.
+struct CenteredBox {
+  Point3 center, half;  // half its edges
+};
+
+struct NodePiece {
+  int joint_set;
+  Ball3<double> reference;  // around its vertices in the reference posture; its numbers are floats
+  CenteredBox box;          // likewise around them, but its numbers are doubles
+  std::vector<double> low;  // the least weights of its joints
+  double rest;              // 1 - sum low, at least 0
+  int target;               // the node's position in a list
+};
+
+// Of the vertices in each list, which is the target of their pieces; none is empty.
+std::vector<NodePiece> pieces_of_vertices(const Character& character, std::span<const std::vector<int>> lists);
+std::vector<NodePiece> pieces_of_nodes(const Character& character, std::span<const int> nodes);
+
+}  // namespace refitlab

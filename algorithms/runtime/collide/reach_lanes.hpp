@@ -1,0 +1,129 @@
+// For the kernels of Reach: the numbers of all joints, and the bounds of a pack's lanes.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include "algorithms/runtime/collide/reach_kernel.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
+#include "algorithms/runtime/packs/transpose.hpp"
+#include "lemmas/b7_reach.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+using S = Pack<float>;
+using Point = Vec<S, 3>;
+using Transform = RigidTransform<S>;
+constexpr int width = static_cast<int>(S::size());
+static_assert(reach_lanes % width == 0);
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+// More than a dot product is off.
+constexpr float positive = 1e-5f;
+
+S load(const float* lanes) { return S(lanes, std::experimental::vector_aligned); }
+[[gnu::always_inline]] inline S smaller(const S& a, const S& b) { return std::experimental::min(a, b); }
+[[gnu::always_inline]] inline S larger(const S& a, const S& b) { return std::experimental::max(a, b); }
+
+// Number i of all joints is at numbers + i * room(). few: they are at most 32.
+template <bool few>
+struct Joints {
+  float* numbers;
+  int count, any_room;
+
+  int room() const { return few ? 32 : any_room; }
+  float* number(int i) const { return numbers + i * room(); }
+
+  // From eight doubles a joint. Lanes behind the last joint repeat it.
+  void read(const double* posture) const {
+    int first = 0;
+    for (; first + 8 <= count; first += 8) read_block<true>(posture, first);
+    for (; first < (count + 15) / 16 * 16; first += 8) read_block<false>(posture, first);
+  }
+  Transform lanes(int first) const {
+    Transform out;
+    for (int i = 0; i < 4; ++i) out.rotation[i] = load(number(i) + first);
+    for (int i = 0; i < 3; ++i) out.translation[i] = load(number(4 + i) + first);
+    return out;
+  }
+  void put_lanes(int first, const Transform& t) const {
+    for (int i = 0; i < 4; ++i) t.rotation[i].copy_to(number(i) + first, std::experimental::vector_aligned);
+    for (int i = 0; i < 3; ++i) t.translation[i].copy_to(number(4 + i) + first, std::experimental::vector_aligned);
+  }
+  Transform of_lanes(const std::int32_t* joint) const {
+    Transform out;
+    for (int i = 0; i < 4; ++i) out.rotation[i] = look_up<few>(number(i), count, joint);
+    for (int i = 0; i < 3; ++i) out.translation[i] = look_up<few>(number(4 + i), count, joint);
+    return out;
+  }
+
+ private:
+  template <bool whole>
+  [[gnu::always_inline]] void read_block(const double* posture, int first) const {
+    using Doubles = EightOf<double>::Row;
+    using Floats = EightOf<float>::Row;
+    Floats rows[8];
+#pragma GCC unroll 8
+    for (int i = 0; i < 8; ++i) {
+      const std::ptrdiff_t joint = whole || first + i < count ? first + i : count - 1;
+      rows[i] = __builtin_convertvector(*reinterpret_cast<const Doubles*>(posture + 8 * joint), Floats);
+    }
+    transpose<float>(rows, numbers + first, room());
+  }
+};
+
+Point load_point(const float (&numbers)[3][reach_lanes], int first) {
+  return {load(numbers[0] + first), load(numbers[1] + first), load(numbers[2] + first)};
+}
+
+// The rotations of a lane's joints, with the skinning's signs.
+template <int slots>
+class Rotations {
+ public:
+  [[gnu::always_inline]] void add(int k, const Quaternion<S>& rotation) {
+    of_[k] = rotation;
+    if (k == 0) return;
+    const S cosine = dot(of_[0], rotation);
+    for (int i = 0; i < 4; ++i) of_[k][i] = choose(cosine < S(0), S(-rotation[i]), rotation[i]);
+    least_ = smaller(least_, abs(cosine));
+#pragma GCC unroll 8
+    for (int l = 1; l < k; ++l) least_ = smaller(least_, dot(of_[l], of_[k]));
+  }
+  // Whether nothing is known of what blends them.
+  auto are_far() const { return !(least_ > S(positive)); }
+  // c, or less; of no use if they are far.
+  S cosine() const { return least_ - S(positive); }
+
+ private:
+  Quaternion<S> of_[slots];
+  S least_{1};
+};
+
+// The most by which a blend strays, as a share of A.
+[[gnu::always_inline]] inline S stray_share(const S& c) { return root(squared_stray_share(c)); }
+
+// What a lane's joints make of a point: a box around its images, and A.
+class Images {
+ public:
+  [[gnu::always_inline]] void add(int k, const Point& image, const Point& low, const Point& high) {
+    if (k == 0) {
+      first_ = image, low_ = low, high_ = high;
+      return;
+    }
+    for (int i = 0; i < 3; ++i) low_[i] = smaller(low_[i], low[i]), high_[i] = larger(high_[i], high[i]);
+    const Point y = image - first_;
+    sum_ = sum_ + y;
+    squares_ = squares_ + squared_norm(y);
+  }
+  const Point& low() const { return low_; }
+  const Point& high() const { return high_; }
+  S spread(const S& joint_count) const { return root(larger(squared_spread_of_sums(joint_count, squares_, sum_), S(0))); }
+
+ private:
+  Point first_, low_, high_, sum_ = Point::Constant(S(0));
+  S squares_{0};
+};
+
+}  // namespace
+}  // namespace refitlab::REFITLAB_TARGET

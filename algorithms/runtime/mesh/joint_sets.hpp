@@ -1,0 +1,32 @@
+// Joint-sets: the distinct sets of joints that influence a vertex (paper 3, J(v)), and each vertex's weights in them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+
+namespace refitlab {
+
+class JointSets {
+ public:
+  explicit JointSets(const SkinnedMesh& mesh);
+
+  int count() const { return static_cast<int>(joints_.size()); }
+  // The joints of one joint-set, in increasing order.
+  std::span<const int> joints(int joint_set) const { return joints_[joint_set]; }
+  // Which joint-set a vertex belongs to.
+  int of_vertex(int vertex) const { return of_vertex_[vertex]; }
+  // The weights of a vertex, in the order of its joint-set's joints: all positive, sum exactly 1.
+  std::span<const double> weights(int vertex) const {
+    return {weights_.data() + first_weight_[vertex], joints_[of_vertex_[vertex]].size()};
+  }
+
+ private:
+  std::vector<std::vector<int>> joints_;
+  std::vector<int> of_vertex_;
+  std::vector<std::size_t> first_weight_;
+  std::vector<double> weights_;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,57 @@
+// SkinnedMesh: a triangle mesh, the joints that move it, and how much of each joint is in each vertex (paper 3).
+//
+// Frames: everything is in model space of the reference posture, right-handed, in the units of whatever it was made from.
+// A Posture gives, by joint, the rigid C_j that takes the reference posture to the animated one.
+#pragma once
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lemmas/vocabulary/rigid.hpp"
+
+namespace refitlab {
+
+using Point3 = Vec<double, 3>;
+using Triangle = std::array<int, 3>;  // indices of vertices, counter-clockwise seen from outside
+using Posture = std::vector<RigidTransform<double>>;
+
+// Of a coordinate of a mesh or a posture: sixth powers, which determinants have, are in the range of double up to here.
+inline constexpr double largest_coordinate = 1e40;
+
+struct Joint {
+  std::string name;
+  int parent;     // index of a joint that comes before this one, or -1
+  Point3 origin;  // of its local frame in the reference posture
+};
+
+// weight is a multiple of 2^-24, and the weights of a vertex sum to 1 exactly (see algorithms/runtime/mesh/quantize.hpp).
+struct Influence {
+  int joint;
+  double weight;
+};
+
+struct SkinnedMesh {
+  std::string name;
+  std::vector<Point3> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<Joint> joints;
+  std::vector<std::vector<Influence>> influences;  // by vertex; distinct joints in increasing order, weights > 0
+};
+
+// A model that cannot be used: the message names the file (or generated model), the thing, and the reason.
+class ModelError : public std::runtime_error {
+ public:
+  ModelError(const std::string& file, const std::string& thing, const std::string& reason)
+      : std::runtime_error(file + ": " + thing + ": " + reason) {}
+};
+
+// Throws ModelError unless the mesh fits the comments above: indices in range, at least one triangle, coordinates in range,
+// weights as stated. Every source of meshes ends with it.
+void validate(const SkinnedMesh& mesh);
+
+// The posture in which every joint stays where the reference posture has it.
+Posture reference_posture(const SkinnedMesh& mesh);
+
+}  // namespace refitlab

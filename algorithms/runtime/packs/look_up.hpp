@@ -1,0 +1,35 @@
+// Numbers of a table, one a lane, each from the lane's own place.
+#pragma once
+
+#include <cstdint>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
+#include "algorithms/runtime/packs/pack.hpp"
+
+namespace refitlab {
+
+// How many places a table for look_up has, at least: full registers, two at a time.
+constexpr int look_up_room(int count) { return (count + 31) / 32 * 32; }
+
+// table has look_up_room(count) floats, aligned as packs are; index: aligned likewise, each in [0, count). few says
+// that count is at most 32.
+template <bool few>
+[[gnu::always_inline]] inline Pack<float> look_up(const float* table, [[maybe_unused]] int count,
+                                                  const std::int32_t* index) {
+#ifdef __AVX512F__
+  const __m512i at = _mm512_load_si512(index);
+  const auto among = [&](const float* part) {  // what at modulo 32 says
+    return _mm512_permutex2var_ps(_mm512_load_ps(part), at, _mm512_load_ps(part + 16));
+  };
+  __m512 found = among(table);
+  for (int first = 32; !few && first < count; first += 32)
+    found = _mm512_mask_mov_ps(found, _mm512_cmpge_epi32_mask(at, _mm512_set1_epi32(first)), among(table + first));
+  return Pack<float>(found);
+#else
+  return Pack<float>([&](int lane) { return table[index[lane]]; });
+#endif
+}
+
+}  // namespace refitlab

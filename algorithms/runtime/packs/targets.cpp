@@ -1,0 +1,32 @@
+#include "algorithms/runtime/packs/targets.hpp"
+
+namespace refitlab {
+
+const char* name_of(Target target) {
+  switch (target) {
+    case Target::avx2: return "avx2";
+    case Target::avx512: return "avx512";
+    default: return "baseline";
+  }
+}
+
+const std::vector<Target>& available_targets() {
+  static const std::vector<Target> targets = [] {
+    std::vector<Target> out{Target::baseline};
+#ifdef REFITLAB_X86_TARGETS
+    // What x86-64-v3 and -v4 have over each other and v2, as far as a compiler may use it unasked for arithmetic.
+    __builtin_cpu_init();
+    const bool is_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+                       __builtin_cpu_supports("bmi2");
+    const bool is_v4 = is_v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                       __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                       __builtin_cpu_supports("avx512vl");
+    if (is_v3) out.push_back(Target::avx2);
+    if (is_v4) out.push_back(Target::avx512);
+#endif
+    return out;
+  }();
+  return targets;
+}
+
+}  // namespace refitlab

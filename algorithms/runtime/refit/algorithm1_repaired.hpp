@@ -1,0 +1,44 @@
+// Algorithm 1, repaired: sound for every posture and every weight bound; in intervals and exact numbers without exception,
+// in float and double up to rounding.
+//
+// Against the printed one: the skinning's own quaternion signs; a blend that may vanish or a cap of a half-sphere and more
+// means all rotations; beyond 90 degrees the smallest ball of a cap is the whole sphere's; the angle by its chord.
+#pragma once
+
+#include "algorithms/runtime/refit/ball_policy.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "lemmas/rotation_bound.hpp"
+
+namespace refitlab {
+
+// Bounds the rotations of one joint-set's weights: lines 5 to 13.
+template <class Policy, class S>
+RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodeJointSet& set,
+                                           std::vector<Quaternion<S>>& unit) {
+  unit.clear();
+  for (int k = 0; k < set.corner_count; ++k) {
+    const Quaternion<S> blend = blend_quaternion(node.pose[set.joint_set], node.corner(set, k));
+    const S squared_length = squared_norm(blend);
+    if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
+    unit.push_back(blend / root(squared_length));
+  }
+  const std::span<const Quaternion<S>> points(unit);
+  return bound_rotations(points, Policy::template center_of_points<S, 4>(points));
+}
+
+template <class Policy, class S>
+Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& lists) {
+  lists.balls.clear();
+  for (const NodeJointSet& set : node.joint_sets) {
+    const JointSetPose<S> pose = node.pose[set.joint_set];
+    const RotationBound<S> bound = bound_joint_set_rotations<Policy>(node, set, lists.quaternions);
+    const Vec<S, 3> u = node.reference.center - pose.rotation_center;
+    const Ball3<S> turned = rotated_ball(bound, u);  // lines 14 and 15
+    for (int k = 0; k < set.corner_count; ++k)
+      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + turned.center, turned.radius});
+  }
+  return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,180 @@
+// Control balls: blend skinning as a rational Bezier simplex in the weights, whose control points hold all of it.
+//
+// Let q'_k and r'_k be a piece's corner quaternions and corner images of the rotation center, and x = p - r_c. The control
+// points N_jkl / W_jkl are those of b1_rational_bezier_simplex, of degree 3.
+// If all W_kl are positive, the skinned p is a convex combination of the control points N_jkl / W_jkl, and the whole
+// reference ball stays within its radius of their hull. Rotations far apart make the control points stray, so a simplex
+// with corners 120 degrees apart or more, or with a corner that is 0, is halved (de Casteljau) at its widest edge, a
+// few times; what is still so wide then falls back on the cap bound of Algorithm 1 repaired, which is no larger there.
+// So the W_kl divided by are never small against the corners. The lemmas: b1_rational_bezier_simplex to
+// b5_rotation_axis.
+//
+// The halving is common to all blends of quaternions: ControlHull is a template over the blend of a piece.
+#pragma once
+
+#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
+#include "algorithms/runtime/refit/control_lists.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "lemmas/b3_subdivision.hpp"
+#include "lemmas/rotation_bound.hpp"
+
+namespace refitlab {
+
+inline constexpr int most_halvings = 4;  // in a row: 16 sub-simplices at most
+
+// Blend is of one piece, with Number and Corner, whose rotation is a quaternion; mix(a, b), as above for two corners;
+// middle(a, b), the corner half-way; near, so that corners are near if (q'_k, q'_l) > 0 and its square times near is
+// above ||q'_k||^2 ||q'_l||^2; and, given a simplex, emit for near corners and fall_back for others, which append balls
+// to lists.cap.balls.
+template <class Blend>
+class ControlHull {
+  using S = typename Blend::Number;
+  using Corner = typename Blend::Corner;
+
+ public:
+  // corners: a list of lists.
+  ControlHull(Blend& blend, std::vector<Corner>& corners, ControlLists<S>& lists)
+      : blend_(blend), corners_(corners), lists_(lists) {}
+
+  // The simplex whose m corners are the last of the corners, which are gone afterwards.
+  void cover(std::size_t m, int halvings_left) {
+    const std::size_t first = corners_.size() - m;
+    mix_all(first, m);
+    const auto [k, l] = widest_edge<S>(m, [&](std::size_t a, std::size_t b) -> const S& { return dots(m, a, b); });
+    if (is_near(m, k, l)) {
+      blend_.emit(simplex(first, m), lists_);
+    } else if (halvings_left > 0) {
+      halve(first, m, k, l, halvings_left);
+    } else {
+      blend_.fall_back(simplex(first, m), lists_);
+    }
+    corners_.resize(first);
+  }
+
+ private:
+  std::span<const Corner> simplex(std::size_t first, std::size_t m) const { return {corners_.data() + first, m}; }
+  S& dots(std::size_t m, std::size_t k, std::size_t l) { return lists_.dots[k * m + l]; }
+
+  // W and N of every pair.
+  void mix_all(std::size_t first, std::size_t m) {
+    lists_.dots.resize(m * m);
+    lists_.products.resize(m * m);
+    for (std::size_t k = 0; k < m; ++k)
+      for (std::size_t l = 0; l <= k; ++l) {
+        const MixedCorners<S> mixed = blend_.mix(corners_[first + k], corners_[first + l]);
+        dots(m, k, l) = dots(m, l, k) = mixed.weight;
+        lists_.products[k * m + l] = lists_.products[l * m + k] = mixed.numerator;
+      }
+  }
+
+  // As near as the blend asks for, and certainly not 0.
+  bool is_near(std::size_t m, std::size_t k, std::size_t l) {
+    const S& w = dots(m, k, l);
+    return is_certainly_nonzero(dots(m, k, k)) && is_certainly_nonzero(dots(m, l, l)) && certainly_less(S(0), w) &&
+           certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(Blend::near) * sq(w)));
+  }
+
+  // The two simplices that share the middle of the edge (k, l).
+  void halve(std::size_t first, std::size_t m, std::size_t k, std::size_t l, int halvings_left) {
+    const Corner middle = blend_.middle(corners_[first + k], corners_[first + l]);
+    for (const std::size_t replaced : {k, l}) {
+      const std::size_t own = corners_.size();
+      for (std::size_t i = 0; i < m; ++i) corners_.push_back(Corner(corners_[first + i]));
+      corners_[own + replaced] = middle;
+      cover(m, halvings_left - 1);
+    }
+  }
+
+  Blend& blend_;
+  std::vector<Corner>& corners_;
+  ControlLists<S>& lists_;
+};
+
+// Spherical blending of a piece, of degree 3: Equation (1).
+template <class S>
+class SphericalPiece {
+ public:
+  using Number = S;
+  using Corner = BlendedJoints<S>;
+  static constexpr double near = 4;  // less than 120 degrees of rotation apart, 60 degrees between the quaternions
+
+  // x is p - r_c, radius that of the reference ball.
+  SphericalPiece(const Vec<S, 3>& x, const S& radius) : x_(x), radius_(radius) {}
+
+  MixedCorners<S> mix(const Corner& a, const Corner& b) const { return mix_rotations(a.rotation, b.rotation, x_); }
+  static Corner middle(const Corner& a, const Corner& b) {
+    return {middle_of(a.rotation, b.rotation), middle_of(a.center_image, b.center_image)};
+  }
+
+  void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
+    const std::size_t m = corner.size();
+    const auto mixed = [&](std::size_t k, std::size_t l) {
+      return MixedCorners<S>{lists.dots[k * m + l], lists.products[k * m + l]};
+    };
+    for (std::size_t j = 0; j < m; ++j)
+      for (std::size_t k = j; k < m; ++k)
+        for (std::size_t l = k; l < m; ++l) {
+          const ScaledPoint<S> point =
+              spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), corner[j].center_image,
+                                      corner[k].center_image, corner[l].center_image);
+          const S scale = S(1) / point.denominator;
+          lists.cap.balls.push_back({point.numerator * scale, radius_});
+        }
+  }
+
+  // The rotations' cap, and the linear part's corners.
+  void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) const {
+    auto& unit = lists.cap.quaternions;
+    unit.clear();
+    RotationBound<S> bound = all_rotations<S>();
+    for (const Corner& c : corner) {
+      const S squared_length = squared_norm(c.rotation);
+      if (is_certainly_nonzero(squared_length)) unit.push_back(c.rotation / root(squared_length));
+    }
+    if (unit.size() == corner.size()) {
+      const std::span<const Quaternion<S>> points(unit);
+      bound = bound_rotations(points, mean_center(points));
+    }
+    const Ball3<S> turned = rotated_ball(bound, x_);
+    const S radius = radius_ + turned.radius;
+    for (const Corner& c : corner) lists.cap.balls.push_back({c.center_image + turned.center, radius});
+  }
+
+ private:
+  const Vec<S, 3> x_;
+  const S radius_;
+};
+
+// Balls whose convex hull contains the node's vertices under spherical blending, in lists.cap.balls: what any convex
+// bounding volume can be put around.
+template <class S>
+std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S>& lists) {
+  lists.cap.balls.clear();
+  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+    const NodeJointSet& set = node.joint_sets[i];
+    const JointSetPose<S> pose = node.pose[set.joint_set];
+    const Ball3<S>& reference = node.piece_reference(i);
+    const Vec<S, 3> x = reference.center - pose.rotation_center;
+    lists.corners.clear();
+    if (set.corner_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
+      const BlendedJoints<S> only = blend_joints(pose, node.corner(set, 0));
+      if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
+        lists.cap.balls.push_back({turn_and_place(only, squared_length, x), reference.radius});
+        continue;
+      }
+    }
+    for (int k = 0; k < set.corner_count; ++k) lists.corners.push_back(blend_joints(pose, node.corner(set, k)));
+    SphericalPiece<S> piece(x, reference.radius);
+    ControlHull(piece, lists.corners, lists)
+        .cover(lists.corners.size(), set.corner_count == 1 ? 0 : most_halvings);
+  }
+  return lists.cap.balls;
+}
+
+// One ball around the control balls.
+template <class Policy, class S>
+Ball3<S> refit_control_hull(const RefitNode<S>& node, ControlLists<S>& lists) {
+  return Policy::of_balls(control_balls(node, lists));
+}
+
+}  // namespace refitlab

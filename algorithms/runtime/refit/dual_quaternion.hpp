@@ -1,0 +1,160 @@
+// Refitting for dual quaternion skinning: its control balls, of degree 2, and one ball around them.
+//
+// Let q'_k + eps d'_k be a piece's corner dual quaternions and p the center of its reference ball. With W_kl and P_kl
+// of p itself as in control_hull.hpp, and
+//   N_kl = P_kl + T_kl,   T_kl = Im(d'_k q'_l* + d'_l q'_k*),
+// the image of p under the blend with weights u is sum u_k u_l N_kl / sum u_k u_l W_kl: if all W_kl are positive, a
+// convex combination of the control points N_kl / W_kl (b1_rational_bezier_simplex, b2_control_hull_encloses). The
+// blend is rigid, so the reference ball stays within its radius of their hull. Simplices are halved as for spherical
+// blending, but from a right angle on: with degree 2 there are fewer control points, which stray sooner
+// (b4_cap_fallback). What is still so wide after that falls back on the ball of b6_dual_quaternion_ball, larger the
+// nearer a blend is to 0. If one may be 0, no ball holds what its neighbours do: they carry a vertex as far as wanted.
+#pragma once
+
+#include <limits>
+
+#include "algorithms/runtime/refit/control_hull.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "lemmas/b3_subdivision.hpp"
+#include "lemmas/b6_dual_quaternion_ball.hpp"
+
+namespace refitlab {
+
+// All of space, as a ball: of infinite radius about a point.
+template <class S>
+Ball3<S> all_of_space(const Vec<S, 3>& center) {
+  return {center, S(std::numeric_limits<double>::infinity())};
+}
+
+// Dual quaternion blending of a piece.
+template <class S>
+class DualQuaternionPiece {
+ public:
+  using Number = S;
+  using Corner = BlendedDuals<S>;
+  static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
+
+  // point is p, radius that of the reference ball, translation at least the length of every joint's (for rounding).
+  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& translation = S(0))
+      : point_(point), radius_(radius), translation_(translation) {}
+
+  MixedCorners<S> mix(const Corner& a, const Corner& b) const {
+    return mix_motions(a, b, point_);
+  }
+  static Corner middle(const Corner& a, const Corner& b) {
+    return {middle_of(a.rotation, b.rotation), middle_of(a.dual, b.dual)};
+  }
+
+  void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
+    const std::size_t m = corner.size();
+    for (std::size_t k = 0; k < m; ++k)
+      for (std::size_t l = k; l < m; ++l)
+        lists.cap.balls.push_back({lists.products[k * m + l] / lists.dots[k * m + l], radius_});
+  }
+
+  // The ball about the mean f of the corners' images, of radius max ||2 d'_k + q'_k p - f q'_k|| ||a|| / (q'_k, a), for
+  // an axis a with all (q'_k, a) > 0. If none is found, there is no bound.
+  void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) {
+    const Quaternion<S> axis = axis_of(corner);
+    if (!is_ahead(corner, axis)) {
+      is_bounded_ = false;
+      return;
+    }
+    const std::size_t m = corner.size();
+    Vec<S, 3> middle = Vec<S, 3>::Constant(S(0));
+    for (std::size_t k = 0; k < m; ++k) middle = middle + lists.products[k * m + k] / lists.dots[k * m + k];
+    middle = middle / S(static_cast<double>(m));
+    S greatest(0);
+    for (const Corner& c : corner) greatest = max_of(greatest, squared_reach(c, point_, axis, middle));
+    const S reach = root(S(greatest * squared_norm(axis)));
+    lists.cap.balls.push_back({middle, radius_ + reach + rounding_of(middle, reach)});
+  }
+
+  bool is_bounded() const { return is_bounded_; }
+
+  // The corners' mean, and while a corner is behind it a few steps towards the point of their hull that is nearest to 0
+  // [Gilbert 1966], which all corners are ahead of unless it is 0.
+  static Quaternion<S> axis_of(std::span<const Corner> corner) {
+    Quaternion<S> axis = Quaternion<S>::Constant(S(0));
+    for (const Corner& c : corner) axis = axis + c.rotation;
+    axis = axis / S(static_cast<double>(corner.size()));
+    for (int step = 0; step < axis_steps && !is_ahead(corner, axis); ++step) {
+      const Corner* last = &corner[0];
+      for (const Corner& c : corner)
+        if (prefer_less(S(dot(c.rotation, axis)), S(dot(last->rotation, axis)))) last = &c;
+      const Quaternion<S> edge = last->rotation - axis;
+      const S squared_length = squared_norm(edge);
+      if (!certainly_less(S(0), squared_length)) break;
+      axis = axis + edge * min_of(S(-dot(edge, axis) / squared_length), S(1));
+    }
+    return axis;
+  }
+
+ private:
+  static constexpr int axis_steps = 6;
+  // Of an angle to the axis, and of a corner's squared length. Less may be made by rounding.
+  static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
+  static constexpr double least_squared_corner = std::is_floating_point_v<S> ? 1e-4 : 0;
+
+  // What the corners are off by, and what is computed of them, is (n + 16) u of (t + ||p|| + ||f||) for n joints, divided by
+  // (q'_k, a) / ||a||, which is at least 1e-2 times 1e-4: up to 500 joints, less than 2^-24 of that size in double.
+  S rounding_of(const Vec<S, 3>& middle, const S& reach) const {
+    if constexpr (!std::is_floating_point_v<S>) return S(0);
+    else return S(0x1p-24) * (reach + translation_ + norm(point_) + norm(middle));
+  }
+
+  static bool is_ahead(std::span<const Corner> corner, const Quaternion<S>& axis) {
+    for (const Corner& c : corner) {
+      const S along = dot(c.rotation, axis), lengths = squared_norm(c.rotation) * squared_norm(axis);
+      const S least = S(least_squared_cosine) * lengths;
+      if (!certainly_less(S(0), along) || !certainly_less(least, sq(along))) return false;
+      if (!certainly_less(S(least_squared_corner), squared_norm(c.rotation))) return false;
+    }
+    return true;
+  }
+
+  const Vec<S, 3> point_;
+  const S radius_, translation_;
+  bool is_bounded_ = true;
+};
+
+// Balls whose convex hull contains the node's vertices under dual quaternion blending, in lists.cap.balls. If some
+// admissible blend may be 0: one ball, all of space.
+template <class S>
+std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node, ControlLists<S>& lists) {
+  auto& balls = lists.cap.balls;
+  balls.clear();
+  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+    const NodeJointSet& set = node.joint_sets[i];
+    const JointSetPose<S> pose = node.pose[set.joint_set];
+    const Ball3<S>& reference = node.piece_reference(i);
+    if (set.corner_count == 1) {  // one rigid transform, unless its blend may be zero
+      const BlendedDuals<S> only = blend_duals(pose, node.corner(set, 0));
+      if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
+        balls.push_back({move_rigidly(only, squared_length, reference.center), reference.radius});
+        continue;
+      }
+    }
+    lists.dual_corners.clear();
+    for (int k = 0; k < set.corner_count; ++k) lists.dual_corners.push_back(blend_duals(pose, node.corner(set, k)));
+    S translation(0);
+    if constexpr (std::is_floating_point_v<S>) translation = node.pose.scales(set.joint_set).translation;
+    DualQuaternionPiece<S> piece(reference.center, reference.radius, translation);
+    ControlHull(piece, lists.dual_corners, lists)
+        .cover(lists.dual_corners.size(), set.corner_count == 1 ? 0 : most_halvings);
+    if (!piece.is_bounded()) {
+      balls.assign(1, all_of_space(reference.center));
+      break;
+    }
+  }
+  return balls;
+}
+
+// One ball around them; a single one is its own.
+template <class Policy, class S>
+Ball3<S> refit_dual_quaternion(const RefitNode<S>& node, ControlLists<S>& lists) {
+  const std::span<const Ball3<S>> balls = control_balls_dual_quaternion(node, lists);
+  return balls.size() == 1 ? balls[0] : Policy::of_balls(balls);
+}
+
+}  // namespace refitlab

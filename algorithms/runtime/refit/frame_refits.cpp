@@ -1,0 +1,113 @@
+#include "algorithms/runtime/refit/frame_refits.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+// The front of a node that has children.
+std::vector<int> front_of(const SphereTree& tree, const FrameOptions& options, int node) {
+  const auto fewer_to_gain = [&](int a, int b) {
+    const auto gain = [&](int n) { return tree.nodes[n].child_count ? tree.nodes[n].joint_set_count : 0; };
+    return std::pair(gain(a), -a) < std::pair(gain(b), -b);
+  };
+  std::vector<int> front;  // a heap
+  const auto open = [&](int n) {
+    for (int child = tree.nodes[n].first_child; child < tree.nodes[n].first_child + tree.nodes[n].child_count; ++child) {
+      front.push_back(child);
+      std::push_heap(front.begin(), front.end(), fewer_to_gain);
+    }
+  };
+  for (open(node);;) {
+    const TreeNode& most = tree.nodes[front.front()];
+    const auto opened = static_cast<int>(front.size()) - 1 + most.child_count;
+    if (most.joint_set_count <= options.most_joint_sets || most.child_count == 0 || opened > options.most_front) return front;
+    const int n = front.front();
+    std::pop_heap(front.begin(), front.end(), fewer_to_gain);
+    front.pop_back();
+    open(n);
+  }
+}
+
+std::vector<std::vector<int>> fronts(const SphereTree& tree, const FrameOptions& options) {
+  std::vector<std::vector<int>> front(tree.nodes.size());
+  if (options.most_joint_sets == 0) return front;
+  for (std::size_t n = 0; n < front.size(); ++n)
+    if (tree.nodes[n].joint_set_count > options.most_joint_sets && tree.nodes[n].child_count > 0)
+      front[n] = front_of(tree, options, static_cast<int>(n));
+  return front;
+}
+
+// Encloses the balls, which are all of space if one of them is.
+Ball3<double> ball_around(std::span<const Ball3<double>> balls) {
+  for (const Ball3<double>& ball : balls)
+    if (ball.radius == std::numeric_limits<double>::infinity()) return ball;
+  return rounded_up(few_balls_enclosing(balls));
+}
+
+}  // namespace
+
+FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant, const FrameOptions& options)
+    : character_(character),
+      variant_(variant),
+      options_(options),
+      made_(character.tree.nodes.size()),
+      balls_(character.tree.nodes.size()),
+      front_(fronts(character.tree, options)),
+      refitted_(character.tree.level_count()) {
+  if (!character.has(variant.pieces))
+    throw std::invalid_argument(character.mesh.name + ": baked without the pieces of the refit " + variant.name);
+}
+
+void FrameRefits::begin(const SkinningPose<double>& pose) {
+  if (!pose.is_measured()) throw std::invalid_argument("refit: the pose was filled by hand, and not measured");
+  pose_ = &pose;
+  std::fill(refitted_.begin(), refitted_.end(), 0);
+  made_.begin();
+}
+
+const Ball3<double>& FrameRefits::operator[](int node) {
+  if (!is_refitted(node)) refit(node);
+  return balls_[node];
+}
+
+void FrameRefits::refit_all() {
+  for (std::size_t n = balls_.size(); n-- > 0;) (*this)[static_cast<int>(n)];
+}
+
+void FrameRefits::refit(int n) {
+  const DefaultFloatEnvironment environment;
+  const TreeNode& node = character_.tree.nodes[n];
+  if (front_[n].empty())
+    balls_[n] = variant_.refit(character_.refit_node(n, *pose_, variant_.pieces));
+  else
+    balls_[n] = from_below(n);
+  if (options_.children_first && are_children_refitted(node)) {
+    const Ball3<double> merged =
+        ball_around({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
+    if (merged.radius < balls_[n].radius) balls_[n] = merged;
+  }
+  made_.mark(n);
+  ++refitted_[node.level - 1];
+}
+
+bool FrameRefits::are_children_refitted(const TreeNode& node) const {
+  for (int child = node.first_child; child < node.first_child + node.child_count; ++child)
+    if (!is_refitted(child)) return false;
+  return node.child_count > 0;
+}
+
+Ball3<double> FrameRefits::from_below(int node) {
+  for (const int below : front_[node]) (*this)[below];  // may come here again, and uses the list
+  front_balls_.clear();
+  for (const int below : front_[node]) front_balls_.push_back(balls_[below]);
+  return ball_around(front_balls_);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,34 @@
+// The certified ball of a node: what a refit computed, with a slack for all rounding, as derived in
+// algorithms/runtime/skinning/pose_rounding.hpp.
+#pragma once
+
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
+
+namespace refitlab {
+
+// How far vertices of the node may be outside the hull of the control balls of its pieces, all computed in S: vertices
+// skinned exactly, and as skin() does. Not for Skinning::hejl: its poses are bounded as spherical.
+template <Skinning skinning, class S>
+S rounding_of_pieces(const RefitNode<S>& node) {
+  const Vec<S, 3>& p = node.reference.center;
+  const S twice_r = S(2) * node.reference.radius, length = upper_norm(p);
+  S worst(0);
+  for (const NodeJointSet& set : node.joint_sets) {
+    const PoseRounding<S>& rounding = node.pose.rounding(set.joint_set, skinning);
+    const RoundingRates<S>& rates = node.is_vertex(set) ? rounding.vertex : rounding.corners;
+    const S reach = twice_r + (skinning == Skinning::spherical
+                                   ? upper_norm<S>(p - node.pose.rotation_center(set.joint_set))
+                                   : length);  // at least ||x|| + r of the piece
+    worst = max_of(worst, S(rates.per_length * reach + rates.per_radius * node.reference.radius + rates.offset));
+  }
+  return worst;
+}
+
+// ball is what a refit computed for the node; the result encloses its vertices, skinned exactly or in S.
+template <Skinning skinning, class S>
+Ball3<S> certified(const Ball3<S>& ball, const RefitNode<S>& node) {
+  return rounded_up(inflate(ball, rounding_of_pieces<skinning>(node)));
+}
+
+}  // namespace refitlab

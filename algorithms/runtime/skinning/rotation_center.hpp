@@ -1,0 +1,115 @@
+// Rotation centers: the point whose images under a joint-set's transforms lie closest together [Kavan and Zara 2005b].
+//
+// For two joints let (w, v) be the relative rotation q_a* q_b and e = R_a^T (C_a p - C_b p) how far apart they carry the
+// prior p, seen from joint a. Then R_a^T (C_a (p + x) - C_b (p + x)) = e + (1 - R) x, and with
+// (1 - R)^T (1 - R) = 4 (||v||^2 - v v^T) and (1 - R)^T e = 2 (w v x e - v x (v x e)) the normal equations M x = g of n joints
+// are sums over their pairs, free of trigonometry and of cancellation at small angles. For two joints the solution nearest
+// to 0 is x = (v x (v x e) - w v x e) / (2 ||v||^2).
+//
+// V = sum of the v v^T has a trace t, and M = 4 (t - V): all eigenvalues of M are at most 4 t, and only one of them can be
+// below 2 t, since two of V's are never both above t/2. So the rank of M is 0, 2 or 3, the one direction in question is
+// V's largest eigenvector, and no eigensolver is needed: where that eigenvalue of M is small, the direction is that of
+// the eighth power of M's adjugate, which this very smallness makes a product n n^T.
+#pragma once
+
+#include <span>
+
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+
+namespace refitlab {
+namespace rotation_centers {
+
+// A symmetric matrix by its distinct entries: row by row, from the diagonal on.
+template <class S>
+struct Symmetric {
+  using Point = Vec<S, 3>;
+  S xx{0}, xy{0}, xz{0}, yy{0}, yz{0}, zz{0};
+
+  S trace() const { return xx + yy + zz; }
+  void add_product(const Point& v, const S& factor) {  // factor v v^T
+    const Point f = v * factor;
+    xx += f[0] * v[0], xy += f[0] * v[1], xz += f[0] * v[2], yy += f[1] * v[1], yz += f[1] * v[2], zz += f[2] * v[2];
+  }
+  Point operator*(const Point& v) const {
+    return {xx * v[0] + xy * v[1] + xz * v[2], xy * v[0] + yy * v[1] + yz * v[2], xz * v[0] + yz * v[1] + zz * v[2]};
+  }
+  Symmetric adjugate() const {
+    return {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+  }
+  S determinant(const Symmetric& adjugate) const { return xx * adjugate.xx + xy * adjugate.xy + xz * adjugate.xz; }
+  // Its square, divided by the square of the trace.
+  Symmetric scaled_square() const {
+    const S s = S(1) / (trace() * trace());
+    return {s * (xx * xx + xy * xy + xz * xz), s * (xx * xy + xy * yy + xz * yz), s * (xx * xz + xy * yz + xz * zz),
+            s * (xy * xy + yy * yy + yz * yz), s * (xy * xz + yy * yz + yz * zz), s * (xz * xz + yz * yz + zz * zz)};
+  }
+  Point longest_column() const {
+    const Point second = choose(yy >= zz, Point(xy, yy, yz), Point(xz, yz, zz));
+    return choose(xx >= yy && xx >= zz, Point(xx, xy, xz), second);
+  }
+};
+
+// V and g / 2 of the normal equations, a pair of joints after the other.
+template <class S>
+class NormalEquations {
+  using Point = Vec<S, 3>;
+
+ public:
+  explicit NormalEquations(const Point& prior) : prior_(prior) {}
+
+  void add_pair(const RigidTransform<S>& a, const RigidTransform<S>& b) {
+    const Quaternion<S> back = conjugate(a.rotation), relative = multiply(back, b.rotation);
+    const Point v = imaginary(relative), e = rotate<S>(back, apply(a, prior_) - apply(b, prior_));
+    const Point t = cross(v, e);
+    v_.add_product(v, S(1));
+    half_g_ = half_g_ + (cross(v, t) - t * relative[0]);
+  }
+
+  // The x nearest to 0.
+  Point solve() const {
+    const S t = v_.trace();
+    Symmetric<S> m{t - v_.xx, -v_.xy, -v_.xz, t - v_.yy, -v_.yz, t - v_.zz};  // a quarter of M
+    const Symmetric<S> adjugate = m.adjugate();
+    const S determinant = m.determinant(adjugate);
+    const Point regular = adjugate * half_g_ / (determinant * S(2));
+    // The other two eigenvalues are about t where the smallest is small.
+    const S smallest = determinant / (t * t);
+    const auto has_full_rank = smallest > max_of(S(squared_angle / 4), S(t * S(squared_ratio)));
+    // The eigenvector of the smallest is the largest's of the adjugate. Along it nothing moves: g has no part, and m a
+    // part that makes it regular.
+    const Symmetric<S> power = adjugate.scaled_square().scaled_square().scaled_square();
+    const Point column = power.longest_column(), axis = column / norm<S, 3>(column);
+    const Point g = half_g_ - axis * dot<S, 3>(axis, half_g_);
+    m.add_product(axis, t);
+    const Symmetric<S> inverse = m.adjugate();
+    const Point singular = inverse * g / (m.determinant(inverse) * S(2));
+    const Point zero(S(0), S(0), S(0));
+    return choose(t * S(4) > S(squared_angle), choose(has_full_rank, regular, singular), zero);
+  }
+
+ private:
+  static constexpr double squared_angle = 1e-8, squared_ratio = 1e-6;  // squares of the tolerances
+
+  Point prior_;
+  Symmetric<S> v_;
+  Point half_g_{S(0), S(0), S(0)};
+};
+
+}  // namespace rotation_centers
+
+// argmin_r of the sum over all pairs a < b of ||C_a r - C_b r||^2. Where the minimum is not unique (a single joint, equal
+// transforms, parallel axes: any point of a line or plane will do), the minimiser nearest to prior. Directions in which
+// the rotations differ by less than 1e-3 of their largest difference, or by less than 1e-4 rad, count as undetermined:
+// they could only move the center far away for nothing. (Differences are square roots of sums over pairs; the largest is
+// taken to be that of the sum over all directions, 2 sqrt(t), which it reaches for parallel axes.) All points in the
+// reference frame; rotations of unit length, whatever their signs. S is a floating-point number or a pack of them.
+template <class S>
+Vec<S, 3> rotation_center(std::span<const RigidTransform<S>> transforms, const Vec<S, 3>& prior) {
+  rotation_centers::NormalEquations<S> equations(prior);
+  for (std::size_t a = 0; a < transforms.size(); ++a)
+    for (std::size_t b = a + 1; b < transforms.size(); ++b) equations.add_pair(transforms[a], transforms[b]);
+  const Vec<S, 3> offset = equations.solve();
+  return prior + offset;
+}
+
+}  // namespace refitlab

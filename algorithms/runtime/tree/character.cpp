@@ -1,0 +1,13 @@
+#include "algorithms/runtime/tree/character.hpp"
+
+#include <stdexcept>
+
+namespace refitlab {
+
+RefitNode<double> Character::refit_node(int node, const SkinningPose<double>& pose, Pieces kind) const {
+  if (kind == Pieces::node) return tree.refit_node(node, pose);
+  if (!has(kind)) throw std::invalid_argument(mesh.name + ": baked without the pieces that the refit needs");
+  return pieces[static_cast<std::size_t>(kind)].refit_node(tree, node, pose);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,136 @@
+#include "algorithms/runtime/tree/check_character.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace refitlab {
+namespace {
+
+// Whether first, ..., first + count - 1 are indices of a list.
+bool is_range(long first, long count, std::size_t size) {
+  return first >= 0 && count >= 0 && static_cast<std::size_t>(first + count) <= size;
+}
+
+bool is_ball(const Ball3<double>& ball) {
+  return ball.center.cwiseAbs().maxCoeff() <= largest_coordinate && ball.radius >= 0 && ball.radius <= 4 * largest_coordinate;
+}
+
+// What is wrong with a piece; empty if nothing is.
+std::string fault_of(const NodeJointSet& piece, const JointSets& sets, const std::vector<double>& weights) {
+  if (piece.joint_set < 0 || piece.joint_set >= sets.count()) return "names a joint-set out of range";
+  const auto joints = static_cast<long>(sets.joints(piece.joint_set).size());
+  if (piece.corner_count < 1 || !is_range(piece.first_weight, piece.corner_count * joints, weights.size()))
+    return "names corners out of range";
+  for (long k = 0; k < piece.corner_count; ++k) {
+    double sum = 0;
+    for (long i = 0; i < joints; ++i) {
+      const double weight = weights[piece.first_weight + k * joints + i];
+      if (!(weight >= 0 && weight <= 1)) return "has a corner with a weight that is not in [0, 1]";
+      sum += weight;
+    }
+    if (sum != 1) return "has a corner whose weights do not sum to 1";
+  }
+  return "";
+}
+
+class TreeCheck {
+ public:
+  TreeCheck(const SphereTree& tree, const SkinnedMesh& mesh, const JointSets& sets, const std::string& file)
+      : tree_(tree), mesh_(mesh), sets_(sets), file_(file) {}
+
+  void run() const {
+    if (tree_.nodes.empty()) throw ModelError(file_, "tree", "has no nodes");
+    std::vector<int> order = tree_.triangle_order;
+    std::sort(order.begin(), order.end());
+    bool is_permutation = order.size() == mesh_.triangles.size();
+    for (std::size_t i = 0; i < order.size() && is_permutation; ++i) is_permutation = order[i] == static_cast<int>(i);
+    if (!is_permutation) throw ModelError(file_, "tree", "does not have each triangle once");
+    const TreeNode& root = tree_.nodes[0];
+    require(root.parent == -1 && root.level == 1, 0, "is no root");
+    require(root.first_triangle == 0 && root.triangle_count == static_cast<int>(order.size()), 0, "does not have all triangles");
+    int next_child = 1;
+    for (int n = 0; n < static_cast<int>(tree_.nodes.size()); ++n) {
+      const TreeNode& node = tree_.nodes[n];
+      require(is_ball(node.reference), n, "its ball is none");
+      require(node.triangle_count > 0 && is_range(node.first_triangle, node.triangle_count, order.size()), n,
+              "names triangles out of range");
+      check_pieces_of(n);
+      require(node.child_count >= 0, n, "has less than no children");
+      if (node.child_count == 0) {
+        check_leaf(n);
+        continue;
+      }
+      require(node.first_child == next_child && is_range(next_child, node.child_count, tree_.nodes.size()), n,
+              "its children are not those that follow");
+      check_children(n);
+      next_child += node.child_count;
+    }
+    require(next_child == static_cast<int>(tree_.nodes.size()), next_child - 1, "is followed by a node without a parent");
+  }
+
+ private:
+  void require(bool condition, int node, const char* reason) const {
+    if (!condition) throw ModelError(file_, "node " + std::to_string(node), reason);
+  }
+
+  void check_pieces_of(int n) const {
+    const TreeNode& node = tree_.nodes[n];
+    require(node.joint_set_count > 0 && is_range(node.first_joint_set, node.joint_set_count, tree_.joint_sets.size()), n,
+            "names joint-sets out of range");
+    for (int i = node.first_joint_set; i < node.first_joint_set + node.joint_set_count; ++i)
+      if (const auto fault = fault_of(tree_.joint_sets[i], sets_, tree_.corner_weights); !fault.empty())
+        throw ModelError(file_, "node " + std::to_string(n), "a joint-set " + fault);
+  }
+
+  void check_leaf(int n) const {
+    const TreeNode& leaf = tree_.nodes[n];
+    require(is_range(leaf.first_vertex, leaf.vertex_count, tree_.leaf_vertices.size()), n, "names vertices out of range");
+    const auto own = std::span(tree_.leaf_vertices).subspan(leaf.first_vertex, leaf.vertex_count);
+    const auto expected =
+        distinct_vertices(mesh_, std::span(tree_.triangle_order).subspan(leaf.first_triangle, leaf.triangle_count));
+    require(std::equal(own.begin(), own.end(), expected.begin(), expected.end()), n, "its vertices are not those of its triangles");
+  }
+
+  void check_children(int n) const {
+    const TreeNode& node = tree_.nodes[n];
+    int next_triangle = node.first_triangle;
+    for (int c = node.first_child; c < node.first_child + node.child_count; ++c) {
+      const TreeNode& child = tree_.nodes[c];
+      require(child.parent == n && child.level == node.level + 1, c, "is not the child of its parent");
+      require(child.first_triangle == next_triangle && child.triangle_count > 0 && child.triangle_count <= node.triangle_count, c,
+              "its triangles are not part of its parent's");
+      next_triangle += child.triangle_count;
+    }
+    require(next_triangle == node.first_triangle + node.triangle_count, n, "its children do not have all of its triangles");
+  }
+
+  const SphereTree& tree_;
+  const SkinnedMesh& mesh_;
+  const JointSets& sets_;
+  const std::string& file_;
+};
+
+}  // namespace
+
+void check_tree(const SphereTree& tree, const SkinnedMesh& mesh, const JointSets& sets, const std::string& file) {
+  TreeCheck(tree, mesh, sets, file).run();
+}
+
+void check_pieces(const PieceTable& table, const SphereTree& tree, const JointSets& sets, const std::string& file) {
+  const auto require = [&](bool condition, const char* reason) {
+    if (!condition) throw ModelError(file, "pieces", reason);
+  };
+  if (table.first.empty()) return require(table.pieces.empty(), "belong to no node");
+  require(table.first.size() == tree.nodes.size() + 1, "are not of as many nodes as there are");
+  require(table.first.front() == 0 && table.first.back() == table.pieces.size() && std::is_sorted(table.first.begin(), table.first.end()),
+          "are not in the order of the nodes");
+  require(std::adjacent_find(table.first.begin(), table.first.end()) == table.first.end(), "are missing for a node");
+  require(std::all_of(table.references.begin(), table.references.end(), is_ball), "have a ball that is none");
+  for (const NodeJointSet& piece : table.pieces) {
+    require(piece.reference >= 0 && static_cast<std::size_t>(piece.reference) < table.references.size(), "name a ball out of range");
+    if (const auto fault = fault_of(piece, sets, table.corner_weights); !fault.empty())
+      throw ModelError(file, "pieces", "one " + fault);
+  }
+}
+
+}  // namespace refitlab

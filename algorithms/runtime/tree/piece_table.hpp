@@ -1,0 +1,36 @@
+// PieceTable: tighter descriptions of what a node holds than the paper's one ball and one weight box a joint-set.
+//
+// A piece is some of the node's vertices of one joint-set, with a reference ball of these vertices alone and a polytope that
+// holds their weight vectors. Built once, like the tree (algorithms/bake/build_pieces.hpp).
+#pragma once
+
+#include <vector>
+
+#include "algorithms/runtime/tree/sphere_tree.hpp"
+
+namespace refitlab {
+
+// How finely a node is described: which pieces its RefitNode has.
+enum class Pieces {
+  node,        // the node's ball and weight boxes, as in the paper (SphereTree::refit_node)
+  joint_sets,  // a ball and a weight hull for each joint-set
+  mixed,       // the same, or the vertices one by one where that is about as cheap: few vertices, many control points
+  clusters     // up to 512 pieces a node
+};
+inline constexpr int piece_kinds = 4;
+inline constexpr int most_clusters = 512;
+
+struct PieceTable {
+  std::vector<std::size_t> first;  // by node, and one past the last; empty if the character was made without this table
+  std::vector<NodeJointSet> pieces;
+  // Of the pieces of one vertex there is one for each vertex, whatever the nodes it is in: they come first.
+  std::vector<Ball3<double>> references;
+  std::vector<double> corner_weights;
+
+  RefitNode<double> refit_node(const SphereTree& tree, int node, const SkinningPose<double>& pose) const {
+    return {tree.nodes[node].reference, {pieces.data() + first[node], first[node + 1] - first[node]}, corner_weights.data(), pose,
+            references};
+  }
+};
+
+}  // namespace refitlab

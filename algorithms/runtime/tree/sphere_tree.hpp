@@ -1,0 +1,57 @@
+// SphereTree: the bounding spheres of a skinned mesh, as algorithms/bake/build_tree makes them in the
+// reference posture (paper 3 and 4.1).
+//
+// Flat arrays, nodes level by level from the root (level 1, as in the paper's Table 1), the children of a node side by
+// side. Every triangle lies whole in one leaf, and the children of a node hold the same triangles as the node.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/runtime/tree/refit_node.hpp"
+#include "algorithms/runtime/mesh/joint_sets.hpp"
+
+namespace refitlab {
+
+struct TreeNode {
+  Ball3<double> reference;                 // the smallest ball of its vertices in the reference posture
+  int parent, first_child, child_count;    // parent is -1 at the root, child_count 0 at a leaf
+  int level;
+  int first_triangle, triangle_count;      // in SphereTree::triangle_order
+  int first_vertex, vertex_count;          // in SphereTree::leaf_vertices; 0 but at leaves
+  int first_joint_set, joint_set_count;    // in SphereTree::joint_sets
+};
+
+struct SphereTree {
+  std::vector<TreeNode> nodes;
+  std::vector<int> triangle_order;
+  std::vector<int> leaf_vertices;
+  std::vector<NodeJointSet> joint_sets;
+  std::vector<double> corner_weights;
+
+  int level_count() const { return nodes.back().level; }
+  RefitNode<double> refit_node(int node, const SkinningPose<double>& pose) const {
+    const TreeNode& n = nodes[node];
+    return {n.reference, {joint_sets.data() + n.first_joint_set, static_cast<std::size_t>(n.joint_set_count)},
+            corner_weights.data(), pose};
+  }
+};
+
+// The distinct vertices of some triangles, in increasing order.
+std::vector<int> distinct_vertices(const SkinnedMesh& mesh, std::span<const int> triangles);
+
+// The distinct vertices of each node's triangles, in increasing order. Refitting never looks at them; whoever checks or
+// measures a refit does.
+class NodeVertices {
+ public:
+  NodeVertices(const SphereTree& tree, const SkinnedMesh& mesh);
+  std::span<const int> operator[](int node) const {
+    return {vertices_.data() + first_[node], first_[node + 1] - first_[node]};
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<int> vertices_;
+};
+
+}  // namespace refitlab

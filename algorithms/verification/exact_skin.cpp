@@ -1,0 +1,56 @@
+#include "algorithms/verification/exact_skin.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/runtime/skinning/convert_pose.hpp"
+
+namespace refitlab {
+
+ExactSkin::ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning)
+    : mesh_(mesh), sets_(sets), pose_(pose), skinning_(skinning), quick_(mesh.vertices.size()),
+      exact_(mesh.vertices.size()) {}
+
+template <class S>
+Vec<S, 3> ExactSkin::skinned(int vertex) const {
+  const OwnedJointSetPose<S> pose = convert<S>(pose_[sets_.of_vertex(vertex)]);
+  std::vector<S> weights;
+  for (const double w : sets_.weights(vertex)) weights.push_back(S(w));
+  return blend<S>(skinning_, pose, weights, convert<S>(mesh_.vertices[vertex]));
+}
+
+const Vec<Rational, 3>& ExactSkin::exact(int vertex) {
+  auto& known = exact_[vertex];
+  if (!known) known = skinned<Rational>(vertex);
+  return *known;
+}
+
+const ExactSkin::Enclosure& ExactSkin::enclosure(int vertex) {
+  auto& known = quick_[vertex];
+  if (!known) {
+    const Vec<Interval, 3> v = skinned<Interval>(vertex);
+    known.emplace();
+    known->error = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double about = known->about[i] = (v[i].inf() + v[i].sup()) / 2;
+      known->error += std::max(v[i].sup() - about, about - v[i].inf());
+    }
+  }
+  return *known;
+}
+
+bool ExactSkin::is_in(const Ball3<double>& ball, int vertex) {
+  const DefaultFloatEnvironment environment;
+  if (!ball.center.allFinite()) return false;
+  if (!std::isfinite(ball.radius)) return ball.radius == HUGE_VAL;
+  const Enclosure& quick = enclosure(vertex);
+  const double distance = norm<double, 3>(quick.about - ball.center);
+  const double unsure = 2 * quick.error + 1e-14 * (distance + ball.radius) + 1e-150;  // far more than is rounded here
+  if (distance + unsure < ball.radius) return true;
+  if (distance - unsure > ball.radius) return false;
+  return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, exact(vertex)) == Verdict::holds;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,50 @@
+// ExactSkin: the vertices of one posture as exact arithmetic skins them, to check balls against.
+//
+// The numbers of a pose (quaternions, rotation centers, images of the centers, dual parts) are taken as they stand. Equation
+// (1) and the dual quaternions' divide by the squared norm, so their rotations are exact although quaternions in double
+// are not quite of unit length; in linear blending the slight stretch of such rotations is part of what is skinned.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "lemmas/exact/exact.hpp"
+#include "lemmas/exact/interval.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab {
+
+class ExactSkin {
+ public:
+  // model, sets and pose outlive this.
+  ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning);
+
+  // The vertex in rationals, computed when first asked for.
+  const Vec<Rational, 3>& exact(int vertex);
+
+  // Whether the ball, its numbers as they stand, has the vertex: decided in double if it is in or out by more than the
+  // vertex, skinned in intervals, is uncertain; else in rationals. A ball that is not finite has it only if the radius is infinite.
+  bool is_in(const Ball3<double>& ball, int vertex);
+
+ private:
+  template <class S>
+  Vec<S, 3> skinned(int vertex) const;
+
+  const SkinnedMesh& mesh_;
+  const JointSets& sets_;
+  const SkinningPose<double>& pose_;
+  const Skinning skinning_;
+  // The vertex is within error of about.
+  struct Enclosure {
+    Point3 about;
+    double error;
+  };
+  const Enclosure& enclosure(int vertex);
+
+  std::vector<std::optional<Enclosure>> quick_;  // by vertex
+  std::vector<std::optional<Vec<Rational, 3>>> exact_;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,151 @@
+#include "algorithms/verification/score.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/bake/corners.hpp"
+
+namespace refitlab {
+namespace {
+
+template <class S>
+OwnedJointSetPose<S> lift_pose(const OwnedJointSetPose<Rational>& pose) {
+  OwnedJointSetPose<S> out{lift<S>(pose.transforms), lift<S>(pose.rotation_center), lift<S>(pose.center_images), {}};
+  place_duals(out);
+  return out;
+}
+
+// The parts of W' below and above the middle of its widest weight, those of them that are not empty; again `times` - 1
+// times.
+void halve(const WeightBounds<Rational>& bounds, int times, std::vector<WeightBounds<Rational>>& out) {
+  std::size_t widest = 0;
+  for (std::size_t i = 1; i < bounds.low.size(); ++i)
+    if (bounds.high[widest] - bounds.low[widest] < bounds.high[i] - bounds.low[i]) widest = i;
+  if (times == 0 || bounds.low[widest] == bounds.high[widest]) return out.push_back(bounds);
+  const Rational middle = (bounds.low[widest] + bounds.high[widest]) / Rational(2);
+  WeightBounds<Rational> below = bounds, above = bounds;
+  below.high[widest] = above.low[widest] = middle;
+  halve(below, times - 1, out);
+  halve(above, times - 1, out);
+}
+
+double as_double(const Interval& x) { return CGAL::to_double(x); }
+double as_double(const MultiprecisionInterval& x) { return static_cast<double>(median(x)); }
+double as_double(const Rational& x) { return CGAL::to_double(x); }
+
+struct Containment {
+  Verdict verdict;
+  double gap = 0;  // where it fails: by how much the image reaches beyond the ball
+};
+
+template <class S>
+Containment is_held(const Ball3<double>& ball, const Ball3<S>& image) {
+  const Ball3<S> outer{convert<S>(ball.center), S(ball.radius)};
+  const Verdict v = encloses(outer, image);
+  if (v != Verdict::fails) return {v};
+  const S squared = squared_distance(outer.center, image.center), slack = outer.radius - image.radius;
+  const double distance = std::sqrt(as_double(squared)), reach = as_double(slack);
+  // As a quotient: the difference of distance and reach would have no digits left.
+  if (reach <= 0) return {v, distance - reach};
+  return {v, as_double(S(squared - sq(slack))) / (distance + reach)};
+}
+
+}  // namespace
+
+QueryNodes::QueryNodes(const RefitQuery& query) : reference_(lift<double>(query.reference)) {
+  const DefaultFloatEnvironment environment;
+  constexpr int halvings = 2;
+  for (const QuerySet& set : query.sets) {
+    const int number = static_cast<int>(pose_.size());
+    pose_.push_back(lift_pose<double>(set.pose));
+    const auto add = [&](Pieces pieces, const std::vector<RationalWeights>& corners) {
+      if (corners.empty()) return;
+      Description& d = descriptions_[static_cast<int>(pieces)];
+      d.pieces.push_back({number, static_cast<int>(d.corner_weights.size()), static_cast<int>(corners.size()),
+                          static_cast<int>(d.pieces.size())});
+      if (pieces != Pieces::node) d.references.push_back(lift<double>(set.reference));
+      for (const auto& corner : corners)
+        for (const Rational& w : corner) d.corner_weights.push_back(lift<double>(w));
+    };
+    add(Pieces::node, set.corners);
+    add(Pieces::joint_sets, set.corners);
+    add(Pieces::mixed, set.corners);  // a query has no vertices to list
+    std::vector<WeightBounds<Rational>> boxes;
+    halve(set.bounds, halvings, boxes);
+    for (const auto& box : boxes) add(Pieces::clusters, *enumerate_corners(box, std::size_t(-1) / 2));
+  }
+}
+
+SkinnedQuery::SkinnedQuery(const RefitQuery& query, Skinning skinning) : skinning_(skinning) {
+  const DefaultFloatEnvironment environment;
+  for (const QuerySet& set : query.sets) weights_.push_back(sampled_weights(set));
+  for (std::size_t z = 0; z < query.sets.size(); ++z) {
+    const QuerySet& set = query.sets[z];
+    size_ = std::max(size_, norm(lift<double>(set.pose.rotation_center)));
+    for (const auto& image : set.pose.center_images) size_ = std::max(size_, norm(lift<double>(image)));
+    const auto& [p, r] = set.reference;
+    for (const RationalWeights& w : weights_[z]) {
+      const auto add = [&](const Vec<Rational, 3>& vertex, const Rational& radius) {
+        targets_.push_back({&set, &w, vertex, radius, {}, {}, {}});
+        targets_.back().image = skinned<Interval>(targets_.back());
+      };
+      if (skinning != Skinning::linear || r == 0) {
+        add(p, r);
+        continue;
+      }
+      for (int i = 0; i < 3; ++i) {
+        const Vec<Rational, 3> arm = Vec<Rational, 3>::Unit(i) * r;
+        add(p + arm, Rational(0));
+        add(p - arm, Rational(0));
+      }
+    }
+  }
+}
+
+template <class S>
+Ball3<S> SkinnedQuery::skinned(const Target& target) const {
+  const OwnedJointSetPose<S> pose = lift_pose<S>(target.set->pose);
+  const std::vector<S> w = lift<S>(*target.weights);
+  const Vec<S, 3> v = lift<S>(target.vertex);
+  return {blend<S>(skinning_, pose, w, v), lift<S>(target.radius)};
+}
+
+QueryScore SkinnedQuery::score(const Ball3<double>& ball) {
+  const DefaultFloatEnvironment environment;
+  QueryScore out;
+  if (skinning_ == Skinning::dual_quaternion && ball.center.allFinite() && ball.radius == HUGE_VAL)
+    return {.unbounded = true};
+  if (!(ball.center.allFinite() && std::isfinite(ball.radius) && ball.radius >= 0))
+    return {.undefined = true, .misses = true, .worst_miss = 1};
+  const double size = size_ + norm(ball.center) + ball.radius;
+  for (Target& target : targets_) {
+    Containment held = is_held(ball, target.image);
+    if (held.verdict == Verdict::undecided) {
+      if (!target.closer) target.closer = skinned<MultiprecisionInterval>(target);
+      held = is_held(ball, *target.closer);
+    }
+    if (held.verdict == Verdict::undecided) {
+      if (!target.exact) target.exact = skinned<Rational>(target);
+      held = is_held(ball, *target.exact);
+    }
+    if (held.verdict != Verdict::fails) continue;
+    out.misses = true;
+    out.worst_miss = std::max(out.worst_miss, held.gap / size);
+  }
+  return out;
+}
+
+double SkinnedQuery::smallest_radius() const {
+  const DefaultFloatEnvironment environment;
+  std::vector<Ball3<double>> images;
+  for (const Target& target : targets_) {
+    const auto& c = target.image.center;
+    images.push_back({{as_double(c[0]), as_double(c[1]), as_double(c[2])}, as_double(target.image.radius)});
+  }
+  return smallest_ball_of_balls(images).radius;
+}
+
+}  // namespace refitlab
