@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "algorithms/model/load.hpp"
+#include "algorithms/model/guarded_load.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 
 namespace refitlab {
@@ -15,7 +15,7 @@ const char* const real_models[] = {"BCN_Epileptic.X", "Testwuson.X", "Soldier.gl
 }  // namespace
 
 Model load_named(const std::string& path) {
-  Model model = load_model(path);
+  Model model = load_model_guarded(path);
   model.name = std::filesystem::path(path).filename().string();
   return model;
 }

@@ -300,10 +300,11 @@ Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
 const std::vector<std::string> without_environment{
     "_kernel.cpp", "_kernel_table.cpp",  // called by entries that have it
     "model/mesh_binding.cpp", "model/scene_conversion.cpp", "model/gltf_audit.cpp",  // by load_model, model_of_scene
-    "model/procedural_body.cpp", "model/procedural_mesh.cpp", "model/procedural_polygonise.cpp",
-    "model/procedural_skeleton.cpp",  // by make_man and its like
-    "refit/character.cpp",            // calls entries that have it
-    "certificate/sha256.cpp", "model/crash_guard.cpp", "packs/targets.cpp", "model/joint_sets.cpp",
+    "procedural/procedural_body.cpp", "procedural/procedural_mesh.cpp", "procedural/procedural_polygonise.cpp",
+    "procedural/procedural_skeleton.cpp",  // by make_man and its like
+    "tree/check_character.cpp",            // by character_of
+    "certificate/sha256.cpp", "packs/targets.cpp", "mesh/joint_sets.cpp", "tree/character.cpp", "tree/sphere_tree.cpp",
+    "collide/exact_number.cpp",
     "results/folder_lock.cpp", "results/run_folder.cpp", "results/write_whole.cpp",  // no floating-point arithmetic
 };
 

@@ -1,9 +1,12 @@
-// A twisted man, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not.
+// A twisted man, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not. Writes
+// the baked man into a file that it is given.
 #include <cstdio>
+#include <fstream>
 
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/runtime/tree/character_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/exact/exact.hpp"
@@ -16,9 +19,10 @@ static bool products_are_rounded() {
   return x * x + minus_rounded_square == 0;
 }
 
-int main() {
+int main(int, char** argv) {
   using namespace refitlab;
   const auto man = bake(make_man(1034));
+  std::ofstream(argv[1], std::ios::binary) << bytes_of(man);
   const RefitVariant& variant = default_variant(Skinning::spherical);
   const Posture posture = man.clips[1].sample(man.clips[1].duration);
   const SkinningPose<double> pose = make_skinning_pose(man.mesh, man.sets, posture, variant.skinning);

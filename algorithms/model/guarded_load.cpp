@@ -1,4 +1,4 @@
-#include "algorithms/model/crash_guard.hpp"
+#include "algorithms/model/guarded_load.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -6,15 +6,19 @@
 #include <cerrno>
 #include <system_error>
 
+#include "algorithms/model/load.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
 namespace refitlab {
 
-bool survives(const std::function<void()>& f, unsigned seconds) {
+Model load_model_guarded(const std::string& path, unsigned seconds) {
+  const DefaultFloatEnvironment environment;
   const pid_t copy = fork();
   if (copy < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (copy == 0) {
     alarm(seconds);  // whose signal ends the copy
     try {
-      f();
+      load_model(path);
     } catch (...) {
     }
     _exit(0);  // without the parent's buffers and destructors
@@ -22,7 +26,8 @@ bool survives(const std::function<void()>& f, unsigned seconds) {
   int status = 0;
   while (waitpid(copy, &status, 0) < 0)
     if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw ModelError(path, "file", "assimp crashes on it, or does not end");
+  return load_model(path);
 }
 
 }  // namespace refitlab

@@ -1,0 +1,155 @@
+// A baked character comes back from its bytes as it was; bytes that are no such file, or that fit nothing, are refused.
+#include "algorithms/runtime/tree/character_file.hpp"
+
+#include <functional>
+
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
+#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+Character small_character() { return bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1})); }
+
+// The message of the refusal; empty if the bytes are read.
+std::string refusal(std::string_view bytes) {
+  try {
+    character_of(bytes, "man.refitlab");
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// What a change does to a character, and words of the refusal of its bytes.
+struct Fault {
+  const char* words;
+  std::function<void(Character&)> make;
+};
+
+PieceTable& mixed(Character& c) { return c.pieces[static_cast<std::size_t>(Pieces::mixed)]; }
+
+std::vector<Fault> faults() {
+  const auto node = [](auto change) { return [=](Character& c) { change(c.tree.nodes); }; };
+  return {
+      {"vertex index", [](Character& c) { c.mesh.triangles[1][2] = 1 << 20; }},
+      {"joint index", [](Character& c) { c.mesh.influences[0][0].joint = -1; }},
+      {"not finite", [](Character& c) { c.mesh.vertices[3][1] = std::nan(""); }},
+      {"tree: has no nodes", [](Character& c) { c.tree.nodes.clear(); }},
+      {"each triangle once", [](Character& c) { c.tree.triangle_order[0] = c.tree.triangle_order[1]; }},
+      {"each triangle once", [](Character& c) { c.tree.triangle_order.pop_back(); }},
+      {"is no root", node([](auto& n) { n[0].parent = 0; })},
+      {"does not have all triangles", node([](auto& n) { --n[0].triangle_count; })},
+      {"its ball is none", node([](auto& n) { n[2].reference.radius = -1; })},
+      {"its ball is none", node([](auto& n) { n[2].reference.center[0] = INFINITY; })},
+      {"triangles out of range", node([](auto& n) { n.back().triangle_count = 1 << 30; })},
+      {"less than no children", node([](auto& n) { n.back().child_count = -1; })},
+      {"not those that follow", node([](auto& n) { n[0].first_child = 0; })},
+      {"not those that follow", node([](auto& n) { n[0].child_count = 1 << 30; })},
+      {"its vertices are not those", node([](auto& n) { n.back().vertex_count = 1; })},
+      {"vertices out of range", node([](auto& n) { n.back().first_vertex = -1; })},
+      {"not the child of its parent", node([](auto& n) { n.back().parent = 0; })},
+      {"not the child of its parent", node([](auto& n) { n.back().level += 1; })},
+      {"not part of its parent's", node([](auto& n) { n[n[0].first_child].first_triangle += 1; })},
+      {"do not have all of its triangles", node([](auto& n) { n[n[0].child_count].triangle_count -= 1; })},
+      {"joint-sets out of range", node([](auto& n) { n[1].first_joint_set = 1 << 30; })},
+      {"without a parent", node([](auto& n) { n.push_back(n.back()); })},
+      {"a joint-set names a joint-set", [](Character& c) { c.tree.joint_sets[0].joint_set = 99; }},
+      {"a joint-set names corners", [](Character& c) { c.tree.joint_sets[0].corner_count = 0; }},
+      {"a joint-set names corners", [](Character& c) { c.tree.joint_sets[0].first_weight = -1; }},
+      {"not in [0, 1]", [](Character& c) { c.tree.corner_weights[0] = std::nan(""); }},
+      {"do not sum to 1", [](Character& c) { c.tree.corner_weights[0] *= 0.5; }},
+      {"belong to no node", [](Character& c) { mixed(c).first.clear(); }},
+      {"as many nodes", [](Character& c) { mixed(c).first.pop_back(); }},
+      {"order of the nodes", [](Character& c) { mixed(c).first[1] = 1 << 30; }},
+      {"missing for a node", [](Character& c) { mixed(c).first[1] = mixed(c).first[0]; }},
+      {"have a ball that is none", [](Character& c) { mixed(c).references.back().radius = -1; }},
+      {"name a ball out of range", [](Character& c) { mixed(c).pieces[0].reference = 1 << 30; }},
+      {"one names a joint-set", [](Character& c) { mixed(c).pieces[0].joint_set = -1; }},
+      {"one has a corner", [](Character& c) { mixed(c).corner_weights[0] = 2; }},
+  };
+}
+
+}  // namespace
+
+PROPTEST(character_file) {
+  t.holds("a character that was read refits as the one that was written, to the last bit, and has the same bytes",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Character c = bake(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 3)});
+            const std::string bytes = bytes_of(c);
+            const Character read = character_of(bytes, "any");
+            RC_ASSERT(bytes_of(read) == bytes);
+            std::mt19937 random(plan.seed);
+            const Posture posture = gen::random_posture(c.mesh, random, 1);
+            for (const RefitVariant& variant : refit_variants()) {
+              const auto written = refit_all(c, variant, make_skinning_pose(c.mesh, c.sets, posture, variant.skinning)),
+                         again = refit_all(read, variant, make_skinning_pose(read.mesh, read.sets, posture, variant.skinning));
+              RC_ASSERT(written.size() == again.size());
+              for (std::size_t n = 0; n < written.size(); ++n)
+                RC_ASSERT(written[n].center == again[n].center && written[n].radius == again[n].radius);
+            }
+          });
+  t.example("a file that ends at any byte is refused, and so is one with a byte more", {}, [] {
+    const std::string bytes = bytes_of(small_character());
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+      if (refusal(std::string_view(bytes).substr(0, size)).empty()) return Checked(false, long(size), "it is read");
+    return Checked(refusal(bytes).empty() && !refusal(bytes + "x").empty(), static_cast<long>(bytes.size()));
+  });
+  t.example("a file with a byte changed is refused, whichever it is", {}, [] {
+    const std::string bytes = bytes_of(small_character());
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      std::string changed = bytes;
+      changed[at] = static_cast<char>(changed[at] ^ 0x10);
+      if (refusal(changed).empty()) return Checked(false, long(at), "it is read");
+    }
+    return Checked(true, static_cast<long>(bytes.size()));
+  });
+  t.example("parts that do not fit each other are refused for what they are, whatever the checksum", {}, [] {
+    const auto all = faults();
+    std::string wrong;
+    for (const Fault& fault : all) {
+      Character c = small_character();
+      fault.make(c);
+      if (const std::string found = refusal(bytes_of(c)); found.find(fault.words) == std::string::npos)
+        wrong += std::string(fault.words) + ": '" + found + "'; ";
+    }
+    return Checked(wrong.empty(), static_cast<long>(all.size()), wrong);
+  });
+  t.example("what is no baked character, of another version, or not there is refused by name", {}, [] {
+    std::string bytes = bytes_of(small_character()), other = bytes;
+    other[8] = 2;
+    const bool named = refusal("solid cube") == "man.refitlab: file: is no baked character" &&
+                       refusal(other) == "man.refitlab: file: is of version 2, not 1" &&
+                       refusal(bytes + "x") == "man.refitlab: file: goes on after its end" &&
+                       refusal(bytes.substr(0, 40)) == "man.refitlab: file: ends early";
+    bytes.back() ^= 1;
+    const bool sum = refusal(bytes) == "man.refitlab: file: its checksum is not that of its bytes";
+    try {
+      read_character("/nowhere/man.refitlab");
+    } catch (const ModelError& e) {
+      return Checked(named && sum && e.what() == std::string("/nowhere/man.refitlab: file: cannot be read"), 6, e.what());
+    }
+    return Checked(false);
+  });
+  t.example("a character baked without the pieces of a refit says so", {}, [] {
+    const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}), {}, {});
+    const Character read = character_of(bytes_of(c), "any");
+    const RefitVariant& variant = refit_variant("control_mixed");
+    try {
+      refit_all(read, variant, make_skinning_pose(c.mesh, c.sets, reference_posture(c.mesh), variant.skinning));
+    } catch (const std::invalid_argument& e) {
+      return Checked(std::string(e.what()).find("baked without the pieces") != std::string::npos, 1, e.what());
+    }
+    return Checked(false, 1, "it refits");
+  });
+}
+
+}  // namespace proptests
