@@ -9,8 +9,7 @@ function(refitlab_kernels library)
     set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/runtime/${kernel}.cpp PROPERTIES
                                 COMPILE_OPTIONS "-O3;-ffp-contract=fast")
   endforeach()
-  # Clang does not take Eigen's vectors of packs that are wider than Eigen's alignment.
-  if(NOT (REFITLAB_WIDE_TARGETS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64"))
+  if(NOT (REFITLAB_WIDE_TARGETS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64"))
     return()
   endif()
   target_compile_definitions(${library} PUBLIC REFITLAB_X86_TARGETS)
@@ -21,7 +20,13 @@ function(refitlab_kernels library)
     add_library(refitlab_${target} OBJECT ${kernels})
     target_compile_definitions(refitlab_${target} PRIVATE REFITLAB_TARGET=${target} EIGEN_MAX_ALIGN_BYTES=16)
     target_compile_options(refitlab_${target} PRIVATE -march=${architecture})
-    target_compile_options(refitlab_${target} PRIVATE -Wno-maybe-uninitialized)  # in its own intrinsics (GCC bug 105593)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+      target_compile_options(refitlab_${target} PRIVATE -Wno-maybe-uninitialized)  # in its own intrinsics (GCC bug 105593)
+    else()
+      # Clang's flatten inlines what an entry point calls, and leaves what that calls to these limits.
+      target_compile_options(refitlab_${target} PRIVATE "SHELL:-mllvm -inline-threshold=100000"
+                             "SHELL:-mllvm -locally-hot-callsite-threshold=100000" -Wno-pass-failed)
+    endif()
     target_link_libraries(refitlab_${target} PRIVATE refitlab::lemmas refitlab_flags)
     target_sources(${library} PRIVATE $<TARGET_OBJECTS:refitlab_${target}>)
     add_custom_command(TARGET ${library} POST_BUILD VERBATIM

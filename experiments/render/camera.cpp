@@ -29,17 +29,18 @@ Camera Camera::orthographic(const Point3& eye, const Point3& target, double heig
   return Camera(eye, eye - target, up, 0, height);
 }
 
-Camera Camera::frame(const Box3& box, const Point3& from, double aspect, double field_of_view, double margin,
-                     const Point3& up) {
-  if (box.isEmpty()) throw std::invalid_argument("camera: nothing to frame, the box is empty");
+Camera Camera::frame(const Box<double>& box, const Point3& from, double aspect, double field_of_view,
+                     double margin, const Point3& up) {
+  if (box.is_empty()) throw std::invalid_argument("camera: nothing to frame, the box is empty");
   const Point3 center = box.center();
-  const double half_diagonal = std::max(box.diagonal().norm() / 2, 1e-6);
+  const double half_diagonal = std::max(box.edges().norm() / 2, 1e-6);
   const double room = 1 - 2 * margin;
   const double slope = height_at_one(field_of_view) / 2 * room;
   Camera camera(center, from, up, field_of_view, 1);
   double half_height = 1e-6, distance = 0;
   for (int i = 0; i < 8; ++i) {
-    const Point3 corner = box.corner(Box3::CornerType(i)) - center;
+    Point3 corner = -center;
+    for (int k = 0; k < 3; ++k) corner[k] += (i >> k & 1 ? box.high : box.low)[k];
     const double reach = std::max(std::abs(corner.dot(camera.up_)), std::abs(corner.dot(camera.right_)) / aspect);
     half_height = std::max(half_height, reach / room);
     if (field_of_view > 0) distance = std::max(distance, reach / slope + corner.dot(camera.back_));
@@ -53,10 +54,10 @@ Camera Camera::frame(std::span<const Point3> points, const Point3& from, double 
                      const Point3& up) {
   if (points.empty()) throw std::invalid_argument("camera: nothing to frame, there are no points");
   Camera camera(points[0], from, up, 0, 1);
-  Box3 seen;  // in the camera's own frame
+  auto seen = Box<double>::empty();  // in the camera's own frame
   for (const Point3& p : points)
-    seen.extend(Point3(p.dot(camera.right_), p.dot(camera.up_), p.dot(camera.back_)));
-  const Point3 size = seen.sizes(), center = seen.center();
+    seen.merge(Point3(p.dot(camera.right_), p.dot(camera.up_), p.dot(camera.back_)));
+  const Point3 size = seen.edges(), center = seen.center();
   camera.height_ = std::max({size.y(), size.x() / aspect, 1e-6}) / (1 - 2 * margin);
   camera.eye_ = center.x() * camera.right_ + center.y() * camera.up_ +
                 (center.z() + size.z() + camera.height_) * camera.back_;

@@ -5,10 +5,9 @@
 #include <span>
 
 #include "algorithms/model/model.hpp"
+#include "algorithms/runtime/balls/box.hpp"
 
 namespace refitlab::render {
-
-using Box3 = Eigen::AlignedBox3d;
 
 // A half-line; direction is of unit length.
 struct Ray {
@@ -27,7 +26,7 @@ class Camera {
 
   // Sees all of the box, centred. from: the direction from the box to the eye, any length. aspect: width / height of
   // the picture. field_of_view 0 asks for an orthographic camera. margin: empty share at each side.
-  static Camera frame(const Box3& box, const Point3& from, double aspect = 1, double field_of_view = 0,
+  static Camera frame(const Box<double>& box, const Point3& from, double aspect = 1, double field_of_view = 0,
                       double margin = 0.04, const Point3& up = {0, 1, 0});
 
   // Orthographic; sees all of the points, centred, with no more room than the margin.

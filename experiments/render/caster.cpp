@@ -43,9 +43,9 @@ T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, int number
 }  // namespace
 
 Caster::Caster(const Scene& scene) {
-  const Box3 bounds = scene.bounds();
-  center_ = bounds.isEmpty() ? Point3(Point3::Zero()) : Point3(bounds.center());
-  diagonal_ = bounds.isEmpty() ? 1 : std::max(bounds.diagonal().norm(), 1e-6);
+  const Box<double> bounds = scene.bounds();
+  center_ = bounds.is_empty() ? Point3(Point3::Zero()) : Point3(bounds.center());
+  diagonal_ = bounds.is_empty() ? 1 : std::max(bounds.edges().norm(), 1e-6);
   // One thread and one instruction set, so that the picture depends neither on cores nor on the processor.
   device_ = {rtcNewDevice("threads=1,max_isa=sse4.2"), [](RTCDevice d) { if (d) rtcReleaseDevice(d); }};
   if (!device_) throw std::runtime_error("Embree: cannot make a device");

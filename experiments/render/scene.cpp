@@ -13,13 +13,15 @@ bool is_opacity(double x) { return x >= 0 && x <= 1; }
 
 }  // namespace
 
-Box3 Scene::bounds() const {
-  Box3 box;
+Box<double> Scene::bounds() const {
+  auto box = Box<double>::empty();
   const auto extend = [&](const Point3& center, double radius) {
-    box.extend(center - Point3::Constant(radius)).extend(center + Point3::Constant(radius));
+    Box<double> own{center, center};
+    own.grow(radius);
+    box.merge(own);
   };
   for (const auto& mesh : meshes)
-    for (const auto& vertex : mesh.vertices) box.extend(vertex);
+    for (const auto& vertex : mesh.vertices) box.merge(vertex);
   for (const auto& [ball, color, opacity] : balls) extend(ball.center, ball.radius);
   for (const auto& line : lines)
     for (const auto& point : line.points) extend(point, line.radius);

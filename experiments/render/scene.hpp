@@ -37,7 +37,7 @@ struct Scene {
   std::vector<BallShape> balls;
   std::vector<LineShape> lines;
 
-  Box3 bounds() const;
+  Box<double> bounds() const;
   // Throws std::invalid_argument that names the shape and what is wrong with it: a number that is not finite, an index
   // out of range, an opacity outside [0, 1], a radius that is negative (balls) or not positive (lines).
   void validate() const;

@@ -1,21 +1,12 @@
 // Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a
 // leaf.
+#include "algorithms/runtime/balls/box.hpp"
 #include "experiments/rivals/median_split.hpp"
 #include "experiments/rivals/rivals.hpp"
 #include "experiments/rivals/skinning_detector.hpp"
 
 namespace refitlab {
 namespace {
-
-struct Box {
-  Point3 low, high;
-  bool is_apart(const Box& b) const {
-    return (low.array() > b.high.array()).any() || (b.low.array() > high.array()).any();
-  }
-  double extent() const { return (high - low).sum(); }
-};
-
-Box join(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
 
 // Nodes in depth-first order: a node's left child comes next, and its right one where it says.
 struct Node {
@@ -65,7 +56,7 @@ class AabbTree : public SkinningDetector {
     const auto size = [&](int side) {
       return boxes_[side][0].low.norm() + boxes_[side][0].high.norm() + placement(side).translation.norm();
     };
-    slack_ = Point3::Constant(double_rounding_slack * (size(0) + size(1)));
+    slack_ = double_rounding_slack * (size(0) + size(1));
     counts_.nodes_refitted += 2 * static_cast<long>(nodes_.size());
   }
 
@@ -76,8 +67,10 @@ class AabbTree : public SkinningDetector {
       const auto [a, b] = pending_.back();
       pending_.pop_back();
       ++counts_.volume_tests;
-      const Box &p = boxes_[0][a], &q = boxes_[1][b];
-      if (Box{p.low - slack_, p.high + slack_}.is_apart(q)) continue;
+      const Box<double>&p = boxes_[0][a], &q = boxes_[1][b];
+      Box<double> grown = p;
+      grown.grow(slack_);
+      if (are_apart(grown, q)) continue;
       const Node &m = nodes_[a], &n = nodes_[b];
       if (m.right == 0 && n.right == 0) {
         if (!touch(m.triangle, n.triangle)) continue;
@@ -99,7 +92,8 @@ class AabbTree : public SkinningDetector {
     auto& boxes = boxes_[side];
     for (std::size_t n = nodes_.size(); n-- > 0;) {
       if (nodes_[n].right != 0) {
-        boxes[n] = join(boxes[n + 1], boxes[nodes_[n].right]);
+        const Box<double>&a = boxes[n + 1], &b = boxes[nodes_[n].right];
+        boxes[n] = {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
         continue;
       }
       const Triangle& t = model().triangles[nodes_[n].triangle];
@@ -109,9 +103,9 @@ class AabbTree : public SkinningDetector {
   }
 
   const std::vector<Node> nodes_;
-  std::vector<Box> boxes_[2];
+  std::vector<Box<double>> boxes_[2];
   std::vector<Point3> moved_;  // the second body's vertices
-  Point3 slack_ = Point3::Zero();
+  double slack_ = 0;
   std::vector<std::pair<int, int>> pending_;
 };
 

@@ -8,7 +8,7 @@
 namespace refitlab {
 namespace {
 
-btDbvtVolume volume_of(const FloatBox& b) {
+btDbvtVolume volume_of(const RowBox<float>& b) {
   return btDbvtVolume::FromMM({b.low[0], b.low[1], b.low[2]}, {b.high[0], b.high[1], b.high[2]});
 }
 

@@ -21,7 +21,7 @@ class Boxes : public btPrimitiveManagerBase {
   bool is_trimesh() const override { return true; }
   int get_primitive_count() const override { return static_cast<int>(model_.triangles.size()); }
   void get_primitive_box(int triangle, btAABB& out) const override {
-    const FloatBox b = vertices_.box(model_.triangles[triangle]);
+    const RowBox<float> b = vertices_.box(model_.triangles[triangle]);
     out.m_min.setValue(b.low[0] - margin_, b.low[1] - margin_, b.low[2] - margin_);
     out.m_max.setValue(b.high[0] + margin_, b.high[1] + margin_, b.high[2] + margin_);
   }

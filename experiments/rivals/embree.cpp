@@ -62,7 +62,7 @@ class Embree : public SkinningDetector {
 
   static void bounds(const RTCBoundsFunctionArguments* arguments) {
     const auto& [self, side] = *static_cast<const Body*>(arguments->geometryUserPtr);
-    const FloatBox box = self->vertices_[side].box(self->model().triangles[arguments->primID]);
+    const RowBox<float> box = self->vertices_[side].box(self->model().triangles[arguments->primID]);
     *arguments->bounds_o = {box.low[0], box.low[1], box.low[2], 0, box.high[0], box.high[1], box.high[2], 0};
   }
 

@@ -2,12 +2,9 @@
 #pragma once
 
 #include "algorithms/model/model.hpp"
+#include "algorithms/runtime/balls/box.hpp"
 
 namespace refitlab {
-
-struct FloatBox {
-  Eigen::Array4f low, high;  // the fourth numbers are 0
-};
 
 // Vertices rounded to the nearest float. Rounding is monotone: where the boxes of two triangles overlap in double, so
 // do those of their rounded corners, and nothing has to be rounded outwards.
@@ -21,7 +18,7 @@ class FloatVertices {
   // numbers of the size of a vertex and the translation.
   void set(const std::vector<Point3>& vertices, const std::vector<int>& order, const RigidTransform<double>& by) {
     const auto turned = [&](const Point3& p) { return rounded(rotate<double>(by.rotation, p)); };
-    const Eigen::Array4f x = turned(Point3::UnitX()), y = turned(Point3::UnitY()), z = turned(Point3::UnitZ()),
+    const Row<float, 4> x = turned(Point3::UnitX()), y = turned(Point3::UnitY()), z = turned(Point3::UnitZ()),
                          t = rounded(by.translation);
     vertices_.resize(order.size());
     for (std::size_t v = 0; v < order.size(); ++v) {
@@ -29,15 +26,16 @@ class FloatVertices {
       vertices_[v] = x * float(p[0]) + y * float(p[1]) + z * float(p[2]) + t;
     }
   }
-  FloatBox box(const Triangle& t) const {
-    const Eigen::Array4f &a = vertices_[t[0]], &b = vertices_[t[1]], &c = vertices_[t[2]];
-    return {a.min(b).min(c), a.max(b).max(c)};
+  RowBox<float> box(const Triangle& t) const {
+    RowBox<float> out{vertices_[t[0]], vertices_[t[0]]};
+    out.merge(vertices_[t[1]]), out.merge(vertices_[t[2]]);
+    return out;
   }
 
  private:
-  static Eigen::Array4f rounded(const Point3& p) { return {float(p[0]), float(p[1]), float(p[2]), 0}; }
+  static Row<float, 4> rounded(const Point3& p) { return Row<float, 4>{float(p[0]), float(p[1]), float(p[2]), 0}; }
 
-  std::vector<Eigen::Array4f> vertices_;
+  std::vector<Row<float, 4>> vertices_;  // the fourth numbers are 0
 };
 
 }  // namespace refitlab

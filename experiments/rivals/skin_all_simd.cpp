@@ -2,11 +2,10 @@
 // node has the boxes of up to eight children in SIMD lanes, in float; the children of the lowest nodes are triangles.
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <experimental/simd>
-#include <limits>
+#include <bit>
 
-#include "algorithms/runtime/packs/four.hpp"
+#include "algorithms/runtime/collide/box_block.hpp"
+#include "algorithms/runtime/packs/transpose.hpp"
 #include "experiments/rivals/float_boxes.hpp"
 #include "experiments/rivals/median_split.hpp"
 #include "experiments/rivals/rivals.hpp"
@@ -15,54 +14,26 @@
 namespace refitlab {
 namespace {
 
-namespace stdx = std::experimental;
-
 constexpr int width = 8;
-using Lanes = stdx::fixed_size_simd<float, width>;
-using LaneMask = stdx::fixed_size_simd_mask<float, width>;
 
 // Of each box, whose corners were moved in float, in units of the coordinates' size: three products and sums.
 constexpr float rounding_slack = 0x1p-20f;
 
-struct Box : FloatBox {
-  void join(const Box& b) {
-    low = low.min(b.low);
-    high = high.max(b.high);
-  }
-};
+using Boxes = std::array<RowBox<float>, width>;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-const Box no_box{{Eigen::Array4f::Constant(infinity), Eigen::Array4f::Constant(-infinity)}};
-
-// The first three columns of four rows.
-void transpose(const Eigen::Array4f& a, const Eigen::Array4f& b, const Eigen::Array4f& c, const Eigen::Array4f& d,
-               float* x, float* y, float* z) {
-  Four rows[4];
-  const Eigen::Array4f* const from[] = {&a, &b, &c, &d};
-  for (int i = 0; i < 4; ++i) std::memcpy(&rows[i], from[i]->data(), sizeof(Four));
-  refitlab::transpose(rows);
-  float* const to[] = {x, y, z};
-  for (int i = 0; i < 3; ++i) std::memcpy(to[i], &rows[i], sizeof(Four));
+// The first three columns of four rows, to the rows of a block.
+void put_columns(const Row<float, 4>& a, const Row<float, 4>& b, const Row<float, 4>& c, const Row<float, 4>& d,
+                 float (*to)[width], int first) {
+  Row<float, 4> rows[4] = {a, b, c, d};
+  transpose(rows);
+  for (int i = 0; i < 3; ++i) write_row(rows[i], to[i] + first);
 }
-
-struct LaneBoxes {
-  alignas(32) float low[3][width], high[3][width];
-
-  void set(const std::array<Box, width>& b) {
-    for (int i = 0; i < width; i += 4) {
-      transpose(b[i].low, b[i + 1].low, b[i + 2].low, b[i + 3].low, low[0] + i, low[1] + i, low[2] + i);
-      transpose(b[i].high, b[i + 1].high, b[i + 2].high, b[i + 3].high, high[0] + i, high[1] + i, high[2] + i);
-    }
+void put_boxes(const Boxes& b, BoxBlock<float>& block) {
+  for (int i = 0; i < width; i += 4) {
+    put_columns(b[i].low, b[i + 1].low, b[i + 2].low, b[i + 3].low, block.side, i);
+    put_columns(b[i].high, b[i + 1].high, b[i + 2].high, b[i + 3].high, block.side + 3, i);
   }
-  Box box(int lane) const {
-    return {{{low[0][lane], low[1][lane], low[2][lane], 0}, {high[0][lane], high[1][lane], high[2][lane], 0}}};
-  }
-  LaneMask overlap(const Box& b) const {
-    const auto load = [](const float* p) { return Lanes(p, stdx::vector_aligned); };
-    return load(low[0]) <= b.high[0] && load(high[0]) >= b.low[0] && load(low[1]) <= b.high[1] &&
-           load(high[1]) >= b.low[1] && load(low[2]) <= b.high[2] && load(high[2]) >= b.low[2];
-  }
-};
+}
 
 // Nodes come before their children, and all of the lowest are equally deep: so two trees of one shape are descended in
 // step.
@@ -129,7 +100,8 @@ class SkinAllSimd : public SkinningDetector {
     sides_[0].vertices.set(skinned(0), order_, {});
     sides_[1].vertices.set(skinned(1), order_, to_first);
     for (Side& s : sides_) refit(s);
-    const auto size = [](const Box& b) { return b.low.abs().head<3>().maxCoeff() + b.high.abs().head<3>().maxCoeff(); };
+    const auto most = [](const Row<float, 4>& p) { return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}); };
+    const auto size = [&](const RowBox<float>& b) { return most(b.low) + most(b.high); };
     slack_ = rounding_slack *
              (size(sides_[0].boxes[0]) + size(sides_[1].boxes[0]) + static_cast<float>(norm(to_first.translation)));
     counts_.nodes_refitted += 2 * static_cast<long>(shapes_.size());
@@ -149,37 +121,38 @@ class SkinAllSimd : public SkinningDetector {
  private:
   struct Side {
     FloatVertices vertices;
-    std::vector<LaneBoxes> lanes;  // by node: its children's boxes
-    std::vector<Box> boxes;        // by node: its own
+    std::vector<BoxBlock<float>> lanes;  // by node: its children's boxes
+    std::vector<RowBox<float>> boxes;    // by node: its own
   };
 
   void refit(Side& s) const {
     for (std::size_t n = shapes_.size(); n-- > 0;) {
       const Shape& shape = shapes_[n];
-      std::array<Box, width> boxes;
-      Box own = no_box;
+      Boxes boxes;
+      RowBox<float> own = RowBox<float>::empty();
       for (int i = 0; i < shape.count; ++i) {
-        boxes[i] = shape.is_lowest ? Box{s.vertices.box(corners_[n * width + i])} : s.boxes[shape.child[i]];
-        own.join(boxes[i]);
+        boxes[i] = shape.is_lowest ? s.vertices.box(corners_[n * width + i]) : s.boxes[shape.child[i]];
+        own.merge(boxes[i]);
       }
-      std::fill(boxes.begin() + shape.count, boxes.end(), no_box);
-      s.lanes[n].set(boxes);
+      std::fill(boxes.begin() + shape.count, boxes.end(), RowBox<float>::empty());
+      put_boxes(boxes, s.lanes[n]);
       s.boxes[n] = own;
     }
   }
 
-  Box widened(const Box& b) const { return {{b.low - slack_, b.high + slack_}}; }
+  // A byte for each child whose box, grown by the slack, meets the other.
+  std::uint64_t meeting_grown(const BoxBlock<float>& children, Box<float> box) const {
+    box.grow(slack_);
+    return meeting(children, box);
+  }
 
   void visit(int a, int b, Query query, std::vector<TrianglePair>& found) {
-    const LaneMask near = sides_[1].lanes[b].overlap(widened(sides_[0].boxes[a]));
     counts_.volume_tests += width;
-    for (int j = 0; j < shapes_[b].count; ++j) {
-      if (!near[j]) continue;
-      const LaneMask both = sides_[0].lanes[a].overlap(widened(sides_[1].lanes[b].box(j)));
+    for (std::uint64_t near = meeting_grown(sides_[1].lanes[b], box_of<float>(sides_[0].boxes[a])); near; near &= near - 1) {
+      const int j = std::countr_zero(near) / 8;
       counts_.volume_tests += width;
-      if (stdx::none_of(both)) continue;
-      for (int i = 0; i < shapes_[a].count; ++i) {
-        if (!both[i]) continue;
+      for (std::uint64_t both = meeting_grown(sides_[0].lanes[a], sides_[1].lanes[b].get(j)); both; both &= both - 1) {
+        const int i = std::countr_zero(both) / 8;
         const int p = shapes_[a].child[i], q = shapes_[b].child[j];
         if (!shapes_[a].is_lowest) {
           pending_.emplace_back(p, q);

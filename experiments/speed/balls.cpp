@@ -11,6 +11,7 @@
 
 #include "algorithms/methods/balls/few_points_ball_packs.hpp"
 #include "algorithms/methods/balls/near_smallest_ball.hpp"
+#include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 constexpr std::uint64_t seed = 2006;
 constexpr int cloud_count = 256;
 constexpr char random_points[] = "random points", control_points[] = "control points";
-using Pack = std::experimental::native_simd<double>;
+using Doubles = Pack<double>;
 
 // The fastest road to CGAL's solver in double: spheres that are plain arrays, of radius 0.
 template <int dimension>
@@ -48,7 +49,7 @@ Ball<double, D> ball_by_cgal(std::span<const Vec<double, D>> points) {
 template <int D>
 struct Clouds {
   std::vector<std::vector<Vec<double, D>>> points;
-  std::vector<std::vector<PackPoint<Pack, D>>> packs;  // the same, a cloud a lane
+  std::vector<std::vector<PackPoint<Doubles, D>>> packs;  // the same, a cloud a lane
   std::vector<std::vector<Ball3<double>>> balls;       // the same with radius 0, in R^3
 };
 
@@ -89,10 +90,10 @@ Clouds<D> draw_clouds(const std::string& kind, int n) {
   std::mt19937_64 random(seed + n);
   Clouds<D> clouds;
   for (int c = 0; c < cloud_count; ++c) clouds.points.push_back(cloud<D>(random, kind, n));
-  for (std::size_t c = 0; c < cloud_count; c += Pack::size()) {
+  for (std::size_t c = 0; c < cloud_count; c += Doubles::size()) {
     auto& pack = clouds.packs.emplace_back(n);
     for (int j = 0; j < n; ++j)
-      for (int i = 0; i < D; ++i) pack[j][i] = Pack([&](auto lane) { return clouds.points[c + lane][j][i]; });
+      for (int i = 0; i < D; ++i) pack[j][i] = Doubles([&](auto lane) { return clouds.points[c + lane][j][i]; });
   }
   if constexpr (D == 3)
     for (const auto& points : clouds.points) {
@@ -106,10 +107,10 @@ template <int D>
 void require_equal_radii(const Clouds<D>& clouds) {
   for (std::size_t c = 0; c < cloud_count; ++c) {
     const std::span<const Vec<double, D>> points(clouds.points[c]);
-    const auto packs = few_points_balls<Pack, D>(clouds.packs[c / Pack::size()]);
+    const auto packs = few_points_balls<Doubles, D>(clouds.packs[c / Doubles::size()]);
     const double radius = as_ball(few_points_ball(points)).radius, slack = 1e-10 * radius;
     for (const double other : {as_ball(smallest_ball(points)).radius, ball_by_cgal(points).radius,
-                               std::sqrt(packs.squared_radius[c % Pack::size()])})
+                               std::sqrt(packs.squared_radius[c % Doubles::size()])})
       if (!(std::abs(other - radius) <= slack))
         throw std::runtime_error("ball speed: of " + std::to_string(points.size()) + " points of R^" +
                                  std::to_string(D) + ", two kernels find radii " + format_number(radius) + " and " +
@@ -133,8 +134,8 @@ void measure(const std::string& kind, int n, const SpeedSettings& settings, std:
     add("near_smallest", clouds.balls, [](std::span<const Ball3<double>> b) { return near_smallest_ball(b, 8); });
   add("walk", clouds.points, [](Points p) { return smallest_ball(p); });
   add("pivots", clouds.points, [](Points p) { return few_points_ball(p); });
-  add("pivots_in_packs_of_" + std::to_string(Pack::size()), clouds.packs,
-      [](std::span<const PackPoint<Pack, D>> p) { return few_points_balls<Pack, D>(p); });
+  add("pivots_in_packs_of_" + std::to_string(Doubles::size()), clouds.packs,
+      [](std::span<const PackPoint<Doubles, D>> p) { return few_points_balls<Doubles, D>(p); });
   add("cgal", clouds.points, [](Points p) { return ball_by_cgal(p); });
   const auto times = ns_per_item(timed, settings);
   const auto least = [&times](const std::string& name) {

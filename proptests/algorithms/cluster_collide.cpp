@@ -45,9 +45,9 @@ long meeting_boxes(const oracle::Posed& a, const oracle::Posed& b, Skinning skin
   return count;
 }
 
-bool holds(const Box6& box, const Point3& p) {
+bool holds(const Box<double>& box, const Point3& p) {
   for (int i = 0; i < 3; ++i)
-    if (!(box[i] <= p[i] && p[i] <= box[3 + i])) return false;
+    if (!(box.low[i] <= p[i] && p[i] <= box.high[i])) return false;
   return true;
 }
 

@@ -54,6 +54,7 @@ class Bytes {
   void add(const Ball<T, D>& ball) {
     add(ball.center), add(ball.radius);
   }
+  void add(const Box<double>& box) { add(box.low), add(box.high); }
   void add(const std::string& text) { text_ += text; }
   void add(const TrianglePair& pair) { add(pair.first), add(pair.second); }
   void add(const RigidTransform<double>& t) { add(t.rotation), add(t.translation); }
@@ -209,11 +210,11 @@ std::vector<Entry> query_entries() {
                          const ClusterTree tree(w.character, {.most_triangles = 32, .most_children = 4});
                          ClusterBody a(tree, skinning), b(tree, skinning);
                          a.begin(w.posture, {}), b.begin(w.posture, w.near);
-                         out.add_all(a.reach());
-                         for (std::size_t f = 0; f < tree.fans().size(); ++f) out.add_all(a.fan_box(static_cast<int>(f)));
+                         out.add(a.reach());
+                         for (std::size_t f = 0; f < tree.fans().size(); ++f) out.add(a.fan_box(static_cast<int>(f)));
                          for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
                            const int cluster = static_cast<int>(c);
-                           out.add_all(a.cluster_box(cluster));
+                           out.add(a.cluster_box(cluster));
                            for (const auto& side : a.triangle_boxes(cluster, 0).side) out.add(side[0]);
                          }
                          for (const Point3& p : b.triangle(5)) out.add(p);

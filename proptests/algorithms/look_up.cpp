@@ -29,14 +29,14 @@ int misplaced(const std::int32_t (&joint)[reach_lanes], int count, Target target
     for (auto& slot : pack.joint) slot[lane] = joint[lane];
     pack.joint_count[lane] = 1;
     pack.target[lane] = lane;
-    std::fill(std::begin(boxes[lane].of), std::end(boxes[lane].of), std::numeric_limits<float>::infinity());
+    boxes[lane].set_all(std::numeric_limits<float>::infinity());
   }
   pack.slot_count = 1;
   if (!bound_reach_pieces(target)(table, count, room, &piece, 1, false, 0, boxes)) return reach_lanes;
   int wrong = 0;
   for (int lane = 0; lane < reach_lanes; ++lane)
     for (int i = 0; i < 3; ++i)
-      wrong += boxes[lane].of[i] != 1 + joint[lane] || boxes[lane].of[4 + i] != -(1 + joint[lane]);
+      wrong += boxes[lane].box().low[i] != 1 + joint[lane] || boxes[lane].box().high[i] != 1 + joint[lane];
   return wrong;
 }
 

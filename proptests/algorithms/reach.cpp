@@ -16,30 +16,26 @@ using namespace refitlab;
 
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-Box6 box_of_vertices(const SkinnedMesh& model, const JointSets& sets, const Posture& posture, Skinning skinning,
+Box<double> box_of_vertices(const SkinnedMesh& model, const JointSets& sets, const Posture& posture, Skinning skinning,
                      const RigidTransform<double>& placement) {
-  Box6 box = no_box;
-  for (const Point3& p : skin(model, sets, make_skinning_pose(model, sets, posture, skinning), skinning)) {
-    const Point3 at = apply(placement, p);
-    for (int i = 0; i < 3; ++i) box[i] = std::min(box[i], at[i]), box[3 + i] = std::max(box[3 + i], at[i]);
-  }
+  auto box = Box<double>::empty();
+  for (const Point3& p : skin(model, sets, make_skinning_pose(model, sets, posture, skinning), skinning))
+    box.merge(apply(placement, p));
   return box;
 }
 
 // A box with a NaN encloses nothing here.
-bool encloses(const Box6& outer, const Box6& inner) {
+bool encloses(const Box<double>& outer, const Box<double>& inner) {
   for (int i = 0; i < 3; ++i)
-    if (!(outer[i] <= inner[i] && outer[3 + i] >= inner[3 + i])) return false;
+    if (!(outer.low[i] <= inner.low[i] && outer.high[i] >= inner.high[i])) return false;
   return true;
 }
 
-bool is_everything(const Box6& box) {
+bool is_everything(const Box<double>& box) {
   for (int i = 0; i < 3; ++i)
-    if (box[i] != -infinite || box[3 + i] != infinite) return false;
+    if (box.low[i] != -infinite || box.high[i] != infinite) return false;
   return true;
 }
-
-double widths(const Box6& b) { return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]); }
 
 RigidTransform<double> random_placement(std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -73,12 +69,12 @@ PROPTEST(reach) {
                 if (frame == 2)
                   for (auto& joint : posture) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
                 const auto placement = random_placement(random);
-                const Box6 box = reach.box(posture, placement),
+                const Box<double> box = reach.box(posture, placement),
                            of_vertices = box_of_vertices(model, sets, posture, skinning, placement);
                 for (const Target target : available_targets())
                   RC_ASSERT(encloses(reach.box(posture, placement, target), of_vertices));
-                if (skinning != Skinning::dual_quaternion) RC_ASSERT(std::isfinite(widths(box)));
-                if (frame == 0) RC_TAG(std::isfinite(widths(box)) ? "bounded" : "unbounded");
+                if (skinning != Skinning::dual_quaternion) RC_ASSERT(std::isfinite(box.extent()));
+                if (frame == 0) RC_TAG(std::isfinite(box.extent()) ? "bounded" : "unbounded");
               }
             }
           });
@@ -114,16 +110,16 @@ PROPTEST(reach) {
         const Skinning skinning = gen::random_skinning(random);
         const int joints = static_cast<int>(scene.mesh.joints.size());
         Reach reach(scene.mesh, sets, skinning);
-        const Box6 of_vertices = box_of_vertices(scene.mesh, sets, scene.posture, skinning, scene.placement);
+        const Box<double> of_vertices = box_of_vertices(scene.mesh, sets, scene.posture, skinning, scene.placement);
         for (const Target target : available_targets()) {
-          const Box6 box = reach.box(scene.posture, scene.placement, target);
+          const Box<double> box = reach.box(scene.posture, scene.placement, target);
           RC_LOG() << scene.what;
           RC_ASSERT(encloses(box, of_vertices));
           RC_ASSERT(is_everything(box) == (skinning == Skinning::dual_quaternion && joints > most_reach_joints));
           if (is_everything(box)) continue;
           const double most = 2 * unit * 1.9 + 4 * lost_of_reach * joints * scene.size + 1e-17 +
                               1e-13 * upper_norm(scene.placement.translation);
-          for (int i = 0; i < 3; ++i) RC_ASSERT(box[3 + i] - box[i] <= std::max(of_vertices[3 + i] - of_vertices[i], most));
+          for (int i = 0; i < 3; ++i) RC_ASSERT(box.edges()[i] <= std::max(of_vertices.edges()[i], most));
         }
       });
   t.example("a vertex swept about an axis bulges out of its joints' chord, and stays in the box", {}, [] {
@@ -140,9 +136,9 @@ PROPTEST(reach) {
       const Posture posture{{{std::cos(half / 2), 0, 0, std::sin(half / 2)}, {0, 0, 0}},
                             {{std::cos(half / 2), 0, 0, -std::sin(half / 2)}, {0, 0, 0}}};
       for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
-        const Box6 box = Reach(model, sets, skinning).box(posture, {});
-        ok = ok && encloses(box, box_of_vertices(model, sets, posture, skinning, {})) && box[3] < 1.6;
-        least = std::min(least, (box[3] - std::cos(half)) / (1 - std::cos(half)));
+        const Box<double> box = Reach(model, sets, skinning).box(posture, {});
+        ok = ok && encloses(box, box_of_vertices(model, sets, posture, skinning, {})) && box.high[0] < 1.6;
+        least = std::min(least, (box.high[0] - std::cos(half)) / (1 - std::cos(half)));
       }
     }
     return Checked(ok && least > 1, 6, "blown up by at least " + std::to_string(least) + " times the bulge");
@@ -158,7 +154,7 @@ PROPTEST(reach) {
           Posture posture = reference_posture(model);
           posture[joint].rotation *= std::sqrt(1 + off);
           bool is_rigid = false;
-          const Box6 box = reach.box(posture, {}, is_rigid, target);
+          const Box<double> box = reach.box(posture, {}, is_rigid, target);
           ++tried;
           if (is_rigid != (std::abs(off) < 5e-7)) ++wrong;
           if (is_everything(box) != (std::abs(off) > 2e-6)) ++wrong;
@@ -183,10 +179,10 @@ PROPTEST(reach) {
       for (std::size_t joint = 0; joint < creature.joints.size(); ++joint) {
         Posture posture = reference_posture(creature);
         posture[joint].translation += Point3(0.3, 0.2, 0.1);
-        const Box6 of_vertices = box_of_vertices(creature, sets, posture, skinning, {});
+        const Box<double> of_vertices = box_of_vertices(creature, sets, posture, skinning, {});
         for (const Target target : available_targets()) {
-          const Box6 box = reach.box(posture, {}, target);
-          ok = ok && encloses(box, of_vertices) && widths(box) < 1.5 * widths(of_vertices);
+          const Box<double> box = reach.box(posture, {}, target);
+          ok = ok && encloses(box, of_vertices) && box.extent() < 1.5 * of_vertices.extent();
         }
       }
     }
@@ -202,9 +198,9 @@ PROPTEST(reach) {
       double bounded = 0, exact = 0;
       for (int i = 0; i < 20; ++i) {
         const Posture posture = man.clips[0].sample(i / 20.0 * man.clips[0].duration);
-        const Box6 box = reach.box(posture, {}), of_vertices = box_of_vertices(man, sets, posture, skinning, {});
+        const Box<double> box = reach.box(posture, {}), of_vertices = box_of_vertices(man, sets, posture, skinning, {});
         ok = ok && encloses(box, of_vertices);
-        bounded += widths(box), exact += widths(of_vertices);
+        bounded += box.extent(), exact += of_vertices.extent();
       }
       ok = ok && bounded < (skinning == Skinning::hejl ? 1.21 : 1.16) * exact;
       text += (skinning == all_skinnings[0] ? "" : ", ") + std::to_string(bounded / exact);
@@ -216,10 +212,10 @@ PROPTEST(reach) {
     const JointSets sets(man);
     const Posture posture = man.clips[0].sample(0);
     const RigidTransform<double> placement{{std::cos(0.4), 0, std::sin(0.4), 0}, {10, 0, -20}};
-    const Box6 box = Reach(man, sets, Skinning::spherical).box(posture, placement),
+    const Box<double> box = Reach(man, sets, Skinning::spherical).box(posture, placement),
                of_vertices = box_of_vertices(man, sets, posture, Skinning::spherical, placement);
-    return Checked(encloses(box, of_vertices) && widths(box) < 1.3 * widths(of_vertices), 1,
-                   std::to_string(widths(box) / widths(of_vertices)));
+    return Checked(encloses(box, of_vertices) && box.extent() < 1.3 * of_vertices.extent(), 1,
+                   std::to_string(box.extent() / of_vertices.extent()));
   });
   t.example("a quaternion and its opposite are one rotation: the box is the same", {}, [] {
     const Model man = make_man();
@@ -230,8 +226,8 @@ PROPTEST(reach) {
     bool ok = true;
     for (const Skinning skinning : all_skinnings) {
       Reach reach(man, sets, skinning);
-      const Box6 box = reach.box(posture, {}), again = reach.box(negated, {});
-      for (int i = 0; i < 6; ++i) ok = ok && std::abs(box[i] - again[i]) < 1e-4;
+      const Box<double> box = reach.box(posture, {}), again = reach.box(negated, {});
+      ok = ok && (box.low - again.low).norm() < 1e-4 && (box.high - again.high).norm() < 1e-4;
     }
     return Checked(ok, 4);
   });
@@ -241,9 +237,9 @@ PROPTEST(reach) {
     Posture posture = reference_posture(model);
     posture[1].rotation = {0.5, std::sqrt(0.75), 0, 0};
     posture[2].rotation = {0.5, -std::sqrt(0.75), 0, 0};
-    const Box6 dual = Reach(model, sets, Skinning::dual_quaternion).box(posture, {}),
+    const Box<double> dual = Reach(model, sets, Skinning::dual_quaternion).box(posture, {}),
                spherical = Reach(model, sets, Skinning::spherical).box(posture, {});
-    return Checked(is_everything(dual) && std::isfinite(widths(spherical)) &&
+    return Checked(is_everything(dual) && std::isfinite(spherical.extent()) &&
                    encloses(spherical, box_of_vertices(model, sets, posture, Skinning::spherical, {})));
   });
   t.example("what is not finite, or overflows, reaches everywhere", {}, [] {

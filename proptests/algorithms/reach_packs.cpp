@@ -34,24 +34,22 @@ std::vector<Point3> placed_vertices(const Character& c, const Posture& posture, 
   return out;
 }
 
-bool holds(const Box6& box, const Point3& p) {
+bool holds(const Box<double>& box, const Point3& p) {
   for (int i = 0; i < 3; ++i)
-    if (!(box[i] <= p[i] && p[i] <= box[3 + i])) return false;
+    if (!(box.low[i] <= p[i] && p[i] <= box.high[i])) return false;
   return true;
 }
-bool holds(const Box6& box, const std::vector<Point3>& points, std::span<const int> vertices) {
+bool holds(const Box<double>& box, const std::vector<Point3>& points, std::span<const int> vertices) {
   for (const int v : vertices)
     if (!holds(box, points[v])) return false;
   return true;
 }
 
-double widths(const Box6& b) { return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]); }
-
 // Of some nodes, by their position.
 struct NodeReach {
   std::vector<ReachPiecePack> packs;
   std::vector<FlippedBox> scratch;
-  std::vector<Box6> boxes;
+  std::vector<Box<double>> boxes;
 
   NodeReach(const Character& c, const std::vector<int>& nodes)
       : packs(make_reach_packs(c, pieces_of_nodes(c, nodes))), scratch(nodes.size()), boxes(nodes.size()) {}
@@ -59,7 +57,7 @@ struct NodeReach {
   // False if nothing is known of one.
   bool bound(Reach& reach, const Posture& posture, const RigidTransform<double>& placement,
              Target target = best_target()) {
-    return std::isfinite(reach.box(posture, placement, target)[0]) &&
+    return std::isfinite(reach.box(posture, placement, target).low[0]) &&
            reach.boxes(packs, posture, placement, scratch, boxes, target);
   }
 };
@@ -126,7 +124,7 @@ PROPTEST(reach_packs) {
             for (int i = 0; i < 3; ++i) {
               double low = infinite, high = -infinite;
               for (const Point3& p : points) low = std::min(low, p[i]), high = std::max(high, p[i]);
-              RC_ASSERT(nodes.boxes[0][3 + i] - nodes.boxes[0][i] <= std::max(most, high - low));
+              RC_ASSERT(nodes.boxes[0].edges()[i] <= std::max(most, high - low));
             }
           }
         }
@@ -180,9 +178,9 @@ PROPTEST(reach_packs) {
                 for (int fan = 0; fan < static_cast<int>(tree.fans().size()); ++fan)
                   for (int i = 0; i < tree.fans()[fan].child_count; ++i) {
                     if (tree.child(fan, i).cluster < 0) continue;
-                    const Box6 box = body.child_box(fan, i), whole = body.fan_box(fan);
+                    const Box<double> box = body.child_box(fan, i), whole = body.fan_box(fan);
                     RC_ASSERT(holds(box, points, tree.vertices().vertices(tree.child(fan, i).cluster)));
-                    for (int k = 0; k < 3; ++k) RC_ASSERT(whole[k] <= box[k] && box[3 + k] <= whole[3 + k]);
+                    for (int k = 0; k < 3; ++k) RC_ASSERT(whole.low[k] <= box.low[k] && box.high[k] <= whole.high[k]);
                   }
               }
             }
@@ -213,7 +211,7 @@ PROPTEST(reach_packs) {
           farthest = std::max(farthest, std::abs(points[0][0]));
           reach.box(posture, {});
           ok = ok && reach.boxes(nodes.packs, posture, {}, nodes.scratch, nodes.boxes) &&
-               holds(nodes.boxes[0], points, c.vertices[0]) && (off != 0 || widths(nodes.boxes[0]) < 1000 * angle * 1.1);
+               holds(nodes.boxes[0], points, c.vertices[0]) && (off != 0 || nodes.boxes[0].extent() < 1000 * angle * 1.1);
         }
     return Checked(ok && farthest > 1e-3, 27, "by up to " + std::to_string(farthest));
   });
@@ -238,7 +236,7 @@ PROPTEST(reach_packs) {
                       Posture posture{{gen::random_rotation(random, 1), {0, 0, 0}}};
                       posture[0].rotation *= 1 + off;
                       const auto points = placed_vertices(c, posture, {}, skinning);
-                      const Box6 box = reach.box(posture, {});
+                      const Box<double> box = reach.box(posture, {});
                       ok = ok && holds(box, points, c.vertices[0]) &&
                            reach.boxes(nodes.packs, posture, {}, nodes.scratch, nodes.boxes) &&
                            holds(nodes.boxes[0], points, c.vertices[0]);
@@ -278,7 +276,7 @@ PROPTEST(reach_packs) {
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
       Reach reach(man.mesh, man.sets, skinning);
       std::vector<FlippedBox> scratch(count);
-      std::vector<Box6> boxes(count);
+      std::vector<Box<double>> boxes(count);
       double exact = 0, bounded = 0;
       for (int i = 0; i < 10; ++i) {
         const Posture posture = man.clips[0].sample(i / 10.0 * man.clips[0].duration);
@@ -287,12 +285,10 @@ PROPTEST(reach_packs) {
         ok = ok && reach.boxes(tree.fans()[0].reach, posture, {}, scratch, boxes);
         for (int k = 0; k < count; ++k) {
           const auto vertices = tree.vertices().vertices(tree.child(0, k).cluster);
-          Box6 box = no_box;
-          for (const int v : vertices)
-            for (int a = 0; a < 3; ++a)
-              box[a] = std::min(box[a], points[v][a]), box[3 + a] = std::max(box[3 + a], points[v][a]);
+          auto box = Box<double>::empty();
+          for (const int v : vertices) box.merge(points[v]);
           ok = ok && holds(boxes[k], points, vertices);
-          exact += widths(box), bounded += widths(boxes[k]);
+          exact += box.extent(), bounded += boxes[k].extent();
         }
       }
       ok = ok && bounded < (skinning == Skinning::linear ? 1.21 : 1.29) * exact;

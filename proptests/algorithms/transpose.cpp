@@ -23,6 +23,16 @@ bool turns_rows_into_columns() {
 }  // namespace
 
 PROPTEST(transpose) {
+  t.example("a transposition of four rows makes the columns rows", {.number_type = "float"}, [] {
+    refitlab::Row<float, 4> rows[4];
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) rows[i][k] = static_cast<float>(4 * i + k);
+    refitlab::transpose(rows);
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k)
+        if (rows[i][k] != static_cast<float>(4 * k + i)) return false;
+    return true;
+  });
   t.example("eight rows from anywhere become eight columns, and nothing beside them is written", {}, [] {
     return Checked(turns_rows_into_columns<float>() && turns_rows_into_columns<double>(), 2 * 64);
   });

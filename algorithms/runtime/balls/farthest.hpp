@@ -11,32 +11,33 @@ namespace refitlab {
 // Two points, coordinate by coordinate.
 template <class S, int D>
 struct TwoPoints {
-  Pair<S> row[D];
+  Row<S, 2> row[D];
 };
 
 template <class S, int D>
 TwoPoints<S, D> two_points(const Vec<S, D>& a, const Vec<S, D>& b) {
   if constexpr (D == 3)
-    return {{Pair<S>{a[0], b[0]}, Pair<S>{a[1], b[1]}, Pair<S>{a[2], b[2]}}};
+    return {{Row<S, 2>{a[0], b[0]}, Row<S, 2>{a[1], b[1]}, Row<S, 2>{a[2], b[2]}}};
   else
-    return {{Pair<S>{a[0], b[0]}, Pair<S>{a[1], b[1]}, Pair<S>{a[2], b[2]}, Pair<S>{a[3], b[3]}}};
+    return {{Row<S, 2>{a[0], b[0]}, Row<S, 2>{a[1], b[1]}, Row<S, 2>{a[2], b[2]}, Row<S, 2>{a[3], b[3]}}};
 }
 
 template <int D, class S>
 TwoPoints<S, D> same_point_twice(const Quad<S>& p) {
+  const auto both = [&](int i) { return Row<S, 2>{p[i], p[i]}; };
   if constexpr (D == 3)
-    return {{both(p[0]), both(p[1]), both(p[2])}};
+    return {{both(0), both(1), both(2)}};
   else
-    return {{both(p[0]), both(p[1]), both(p[2]), both(p[3])}};
+    return {{both(0), both(1), both(2), both(3)}};
 }
 
 // To the last bit what squared_distance of vector.hpp computes.
 template <class S, int D>
-Pair<S> squared_distances(const TwoPoints<S, D>& a, const TwoPoints<S, D>& b) {
-  const Pair<S> x = a.row[0] - b.row[0], y = a.row[1] - b.row[1], z = a.row[2] - b.row[2];
-  Pair<S> sum = x * x + y * y + z * z;
+Row<S, 2> squared_distances(const TwoPoints<S, D>& a, const TwoPoints<S, D>& b) {
+  const Row<S, 2> x = a.row[0] - b.row[0], y = a.row[1] - b.row[1], z = a.row[2] - b.row[2];
+  Row<S, 2> sum = x * x + y * y + z * z;
   if constexpr (D == 4) {
-    const Pair<S> w = a.row[3] - b.row[3];
+    const Row<S, 2> w = a.row[3] - b.row[3];
     sum += w * w;
   }
   return sum;
@@ -46,11 +47,11 @@ Pair<S> squared_distances(const TwoPoints<S, D>& a, const TwoPoints<S, D>& b) {
 template <class S, int most>
 class Farthest {
  public:
-  void see(const Pair<S>& values) {
-    const Pair<Int> key = ((Pair<Int>)values & ~index_bits) | next_;
+  void see(const Row<S, 2>& values) {
+    const Row<Int, 2> key = ((Row<Int, 2>)values & ~index_bits) | next_;
     greatest_ = greatest_ < values ? values : greatest_;
     // Chosen as integers: a maximum of two numbers is 0 where the processor takes both for zeros, and keeps no index.
-    const Pair<Int> is_greater = (Pair<S>)greatest_key_ < (Pair<S>)key;
+    const Row<Int, 2> is_greater = (Row<S, 2>)greatest_key_ < (Row<S, 2>)key;
     greatest_key_ = (is_greater & key) | (~is_greater & greatest_key_);
     next_ -= Int(2);
   }
@@ -66,9 +67,9 @@ class Farthest {
   // Non-negative numbers are in the order of their bits; the last bits of a key are the index, counted down.
   using Int = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
   static_assert((most & (most - 1)) == 0);
-  static constexpr Pair<Int> index_bits{most - 1, most - 1};
-  Pair<Int> next_{most - 1, most - 2}, greatest_key_ = next_;
-  Pair<S> greatest_{};
+  static constexpr Row<Int, 2> index_bits{most - 1, most - 1};
+  Row<Int, 2> next_{most - 1, most - 2}, greatest_key_ = next_;
+  Row<S, 2> greatest_{};
 };
 
 }  // namespace refitlab

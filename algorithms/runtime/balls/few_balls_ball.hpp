@@ -103,15 +103,15 @@ class FewBalls {
   // more or less.
   int fill_table() {
     Farthest<double, most> farthest;
-    Pair<double> sum{};
+    Row<double, 2> sum{};
     const auto first = same_point_twice<3>(origin_);
-    const auto least = both(range_.least), twice = both(2 * (range_.greatest - range_.least));
+    const double twice = 2 * (range_.greatest - range_.least);
     const int n = static_cast<int>(balls_.size());
     for (int i = 0; i < n; i += 2) {
       const Ball3<double>&a = balls_[i], &b = balls_[i + 1 < n ? i + 1 : i];
       centers_[i / 2] = two_points<double, 3>(a.center, b.center);
-      const Pair<double> r = radii_[i / 2] = Pair<double>{a.radius, b.radius} - least;
-      const Pair<double> powers = squared_distances(centers_[i / 2], first) + r * (twice - r);
+      const Row<double, 2> r = radii_[i / 2] = Row<double, 2>{a.radius, b.radius} - range_.least;
+      const Row<double, 2> powers = squared_distances(centers_[i / 2], first) + r * (twice - r);
       sum += powers;
       farthest.see(powers);
     }
@@ -123,7 +123,7 @@ class FewBalls {
   int farthest_from(const Quad<double>& center, double radius) const {
     Farthest<double, most> farthest;
     const auto c = same_point_twice<3>(center);
-    const auto twice = both(2 * radius);
+    const double twice = 2 * radius;
     const int rows = (static_cast<int>(balls_.size()) + 1) / 2;
     for (int i = 0; i < rows; ++i) farthest.see(squared_distances(centers_[i], c) + radii_[i] * (twice - radii_[i]));
     return farthest.index();
@@ -200,7 +200,7 @@ class FewBalls {
   int pivots_ = 0;
   GrowingSupport<double, 3> support_;
   std::array<TwoPoints<double, 3>, most / 2> centers_;
-  std::array<Pair<double>, most / 2> radii_;
+  std::array<Row<double, 2>, most / 2> radii_;
 };
 
 // The smallest ball of balls of one radius from that of their centers.

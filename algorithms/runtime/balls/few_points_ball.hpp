@@ -96,13 +96,13 @@ class FewPoints {
   // The last point stands twice if their number is odd. Returns the point farthest from the first.
   int fill_table() {
     Farthest<S, most> farthest;
-    Pair<S> sum{};
+    Row<S, 2> sum{};
     const TwoPoints<S, D> first = same_point_twice<D>(origin_);
     const Item* p = items_.data();
     const int n = static_cast<int>(items_.size());
     for (int i = 0; i < n; i += 2) {
       table_[i / 2] = two_points<S, D>(center_of<S, D>(p[i]), center_of<S, D>(p[i + 1 < n ? i + 1 : i]));
-      const Pair<S> squares = squared_distances(table_[i / 2], first);
+      const Row<S, 2> squares = squared_distances(table_[i / 2], first);
       sum += squares;
       farthest.see(squares);
     }

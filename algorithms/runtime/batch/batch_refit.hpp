@@ -45,7 +45,7 @@ class BatchRefit {
 
   PackedNodes packed_;
   PackedBalls balls_;
-  std::vector<Four> records_;
+  std::vector<Row<float, 4>> records_;
   std::vector<float> numbers_;     // of the frame
   std::vector<int> first_number_;  // by joint-set
 };

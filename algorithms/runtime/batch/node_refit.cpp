@@ -16,29 +16,29 @@ namespace {
 
 constexpr float epsilon = std::numeric_limits<float>::epsilon();
 
-Four four(const Point3& v) {
-  return Four{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
+Row<float, 4> four(const Point3& v) {
+  return Row<float, 4>{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
 }
 
 // The imaginary part first, so that it stands where a point has its coordinates.
-Four four(const Quaternion<double>& q) {
-  return Four{static_cast<float>(q[1]), static_cast<float>(q[2]), static_cast<float>(q[3]), static_cast<float>(q[0])};
+Row<float, 4> four(const Quaternion<double>& q) {
+  return Row<float, 4>{static_cast<float>(q[1]), static_cast<float>(q[2]), static_cast<float>(q[3]), static_cast<float>(q[0])};
 }
 
-float squared_length(const Four& v) {
-  const Four squares = v * v, pairs = squares + __builtin_shufflevector(squares, squares, 2, 3, 0, 1);
+float squared_length(const Row<float, 4>& v) {
+  const Row<float, 4> squares = v * v, pairs = squares + __builtin_shufflevector(squares, squares, 2, 3, 0, 1);
   return pairs[0] + pairs[1];
 }
 
 // Of the first three; the last one is 0.
-Four cross(const Four& a, const Four& b) {
+Row<float, 4> cross(const Row<float, 4>& a, const Row<float, 4>& b) {
   return __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
          __builtin_shufflevector(a, a, 2, 0, 1, 3) * __builtin_shufflevector(b, b, 1, 2, 0, 3);
 }
 
 // The image of the point x by a unit quaternion, as rotate has it.
-Four rotated(const Four& unit, const Four& x) {
-  const Four t = cross(unit, x);
+Row<float, 4> rotated(const Row<float, 4>& unit, const Row<float, 4>& x) {
+  const Row<float, 4> t = cross(unit, x);
   return x + 2 * (t * unit[3] + cross(unit, t));
 }
 
@@ -74,14 +74,14 @@ void NodeRefit::begin(const SkinningPose<double>& pose) {
   }
 }
 
-float NodeRefit::place_corners(const NodeJointSet& piece, const Four& p, Corner* out) const {
+float NodeRefit::place_corners(const NodeJointSet& piece, const Row<float, 4>& p, Corner* out) const {
   const Set& set = sets_[piece.joint_set];
   const Joint* joints = joints_.data() + set.first_joint;
   const float* w = weights_.data() + piece.first_weight;
-  Four direction = {0, 0, 0, 0};
+  Row<float, 4> direction = {0, 0, 0, 0};
   float longest_inverse = 1;
   for (int k = 0; k < piece.corner_count; ++k, w += set.joint_count) {
-    Four blend = joints[0].rotation * w[0], center = joints[0].center_image * w[0];
+    Row<float, 4> blend = joints[0].rotation * w[0], center = joints[0].center_image * w[0];
     for (int i = 1; i < set.joint_count; ++i) {
       blend += joints[i].rotation * w[i];
       center += joints[i].center_image * w[i];
@@ -91,14 +91,14 @@ float NodeRefit::place_corners(const NodeJointSet& piece, const Four& p, Corner*
     out[k] = {blend * inverse, center};
     direction += out[k].unit;
   }
-  const Four x = p - set.rotation_center;
+  const Row<float, 4> x = p - set.rotation_center;
   const float longer = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);  // than x
   const float slack = epsilon * static_cast<float>(66 + 2 * set.joint_count);
   if (piece.corner_count == 1 && longest_inverse < std::numeric_limits<float>::infinity()) {
     out[0].center += rotated(direction, x);
     return slack * (longer * longest_inverse + set.size);
   }
-  const Four apex = direction * (1 / std::sqrt(squared_length(direction)));
+  const Row<float, 4> apex = direction * (1 / std::sqrt(squared_length(direction)));
   float far = 0;
   bool is_bounded = true;  // not if a blend vanishes: then it is not a number
   for (int k = 0; k < piece.corner_count; ++k) {
@@ -109,7 +109,7 @@ float NodeRefit::place_corners(const NodeJointSet& piece, const Four& p, Corner*
   const float length = std::sqrt(squared_length(x));
   const CapBallRatios<float> ratios = cap_ball_ratios(rotated_cap_versine(far / 4));
   if (!is_bounded || ratios.center == 0) return length + slack * (longer + set.size);
-  const Four offset = rotated(apex, x) * ratios.center;
+  const Row<float, 4> offset = rotated(apex, x) * ratios.center;
   for (int k = 0; k < piece.corner_count; ++k) out[k].center += offset;
   return std::sqrt(ratios.squared_radius) * length + slack * (longer * longest_inverse + set.size);
 }
@@ -118,7 +118,7 @@ Ball3<float> NodeRefit::operator()(int node) {
   const DefaultFloatEnvironment environment;
   const Node& n = nodes_[node];
   const std::span<const NodeJointSet> pieces(pieces_.data() + n.first_piece, n.piece_count);
-  Four sum = {0, 0, 0, 0};
+  Row<float, 4> sum = {0, 0, 0, 0};
   int count = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Corner* own = corners_.data() + count;
@@ -126,7 +126,7 @@ Ball3<float> NodeRefit::operator()(int node) {
     for (int k = 0; k < pieces[i].corner_count; ++k) sum += own[k].center;
     count += pieces[i].corner_count;
   }
-  const Four center = sum * (1 / static_cast<float>(count));
+  const Row<float, 4> center = sum * (1 / static_cast<float>(count));
   float radius = 0;
   const Corner* corner = corners_.data();
   for (std::size_t i = 0; i < pieces.size(); ++i) {

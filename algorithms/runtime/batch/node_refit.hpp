@@ -1,8 +1,8 @@
-// NodeRefit: Algorithm 1 repaired, of one node at a time, in float: a quaternion or a point is one Four. For a query that
+// NodeRefit: Algorithm 1 repaired, of one node at a time, in float: a quaternion or a point is one Row. For a query that
 // touches few nodes, where BatchRefit would make all of them.
 #pragma once
 
-#include "algorithms/runtime/packs/four.hpp"
+#include "algorithms/runtime/packs/row.hpp"
 #include "algorithms/runtime/tree/sphere_tree.hpp"
 
 namespace refitlab {
@@ -22,24 +22,24 @@ class NodeRefit {
 
  private:
   struct Joint {
-    Four rotation, center_image;
+    Row<float, 4> rotation, center_image;
   };
   struct Set {
-    Four rotation_center;
+    Row<float, 4> rotation_center;
     float size;  // of the coordinates, for the slack
     int first_joint, joint_count;
   };
   struct Node {
-    Four center;
+    Row<float, 4> center;
     float radius;
     int first_piece, piece_count;
   };
   struct Corner {
-    Four unit, center;
+    Row<float, 4> unit, center;
   };
 
   // Writes the piece's corners and returns the radius of their balls, without r.
-  float place_corners(const NodeJointSet& piece, const Four& p, Corner* out) const;
+  float place_corners(const NodeJointSet& piece, const Row<float, 4>& p, Corner* out) const;
 
   std::vector<Node> nodes_;
   std::vector<NodeJointSet> pieces_;

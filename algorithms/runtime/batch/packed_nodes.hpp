@@ -20,7 +20,7 @@ class PackedNodes {
   NodeBlocks pieces() const { return pieces_.view(); }
   std::span<const MergedNode> merged() const { return merged_; }
   // All records of the merged nodes, as they are before the first frame.
-  std::vector<Four> empty_records() const { return std::vector<Four>(record_count_, no_ball); }
+  std::vector<Row<float, 4>> empty_records() const { return std::vector<Row<float, 4>>(record_count_, no_ball); }
 
   // How many Lanes of balls there are, and where among their numbers a node's x is; y, z and radius are in the next Lanes.
   int ball_lanes() const { return ball_lanes_; }
@@ -48,7 +48,7 @@ class PackedNodes {
   static void add_block(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to);
   void place(std::span<const int> nodes);
 
-  static constexpr Four no_ball = {0, 0, 0, -std::numeric_limits<float>::infinity()};
+  static constexpr Row<float, 4> no_ball = {0, 0, 0, -std::numeric_limits<float>::infinity()};
 
   Blocks nodes_, pieces_;
   std::vector<MergedNode> merged_;

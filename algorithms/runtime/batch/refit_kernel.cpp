@@ -1,12 +1,12 @@
 #include "algorithms/runtime/batch/refit_kernel.hpp"
 
-#include <cstring>
 #include <limits>
 
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "algorithms/runtime/batch/rotation_bound_packs.hpp"
 #include "algorithms/runtime/packs/by_joint.hpp"
 #include "algorithms/runtime/packs/pack.hpp"
+#include "algorithms/runtime/packs/transpose.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
@@ -14,7 +14,7 @@ namespace {
 
 using S = Pack<float>;
 constexpr int pack_size = static_cast<int>(S::size());
-using PackOfFour = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 4>>;
+using PackOfFour = Pack<float, 4>;
 constexpr float epsilon = std::numeric_limits<float>::epsilon();
 
 // The part of a block that one pack holds, read from the start on.
@@ -124,7 +124,7 @@ struct Spherical {
     const Ball3<S> turned = rotated_ball(bound, x);
     out.offset = turned.center;
     out.sum = sum + out.offset * count;
-    where(bound.center_ratio == S(0), longest_inverse) = S(1);  // of all rotations none is off
+    longest_inverse = choose(bound.center_ratio == S(0), S(1), longest_inverse);  // of all rotations none is off
     out.radius = turned.radius + S(epsilon * float(64 + 2 * n)) * (longer * longest_inverse + size);
   }
 };
@@ -210,7 +210,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
 }
 
 template <class Blending>
-REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& frame, Four* records) {
+REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& frame, Row<float, 4>* records) {
   Scratch scratch(all.most_corners);
   for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block) {
     const BlockSet& set = all.sets[block->first_set];
@@ -226,8 +226,8 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
         for (int i = 0; i < 3; ++i) S(own.center[k][i] + own.offset[i]).copy_to(numbers[i], std::experimental::vector_aligned);
         own.radius.copy_to(numbers[3], std::experimental::vector_aligned);
         for (int lane = 0; lane < pack_size; lane += 4) {
-          Four rows[4];
-          for (int i = 0; i < 4; ++i) std::memcpy(&rows[i], numbers[i] + lane, sizeof(Four));
+          Row<float, 4> rows[4];
+          for (int i = 0; i < 4; ++i) read_row(numbers[i] + lane, rows[i]);
           transpose(rows);
           for (int i = 0; i < 4; ++i) records[targets[lane + i] + k] = rows[i];
         }
@@ -236,16 +236,16 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
   }
 }
 
-REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const Four* records, float* balls) {
+REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const Row<float, 4>* records, float* balls) {
   for (const MergedNode* node = nodes; node != nodes + node_count; ++node) {
-    const Four* own = records + node->first_record;
-    Four sum = own[0];
+    const Row<float, 4>* own = records + node->first_record;
+    Row<float, 4> sum = own[0];
     for (int k = 1; k < node->corner_count; ++k) sum += own[k];
     const float share = 1 / static_cast<float>(node->corner_count);
     const float center[3] = {sum[0] * share, sum[1] * share, sum[2] * share};
     PackOfFour radius = 0;
     for (int k = 0; k < node->corner_count; k += 4) {
-      Four rows[4] = {own[k], own[k + 1], own[k + 2], own[k + 3]};
+      Row<float, 4> rows[4] = {own[k], own[k + 1], own[k + 2], own[k + 3]};
       transpose(rows);
       PackOfFour squared = 0;
       for (int i = 0; i < 3; ++i) {

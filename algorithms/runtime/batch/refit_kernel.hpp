@@ -14,7 +14,7 @@
 #pragma once
 
 #include "algorithms/runtime/balls/round_up.hpp"
-#include "algorithms/runtime/packs/four.hpp"
+#include "algorithms/runtime/packs/row.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
 #include "algorithms/runtime/packs/targets.hpp"
 
@@ -56,7 +56,7 @@ struct NodeBlocks {
 using RefitNodes = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Lanes<float>* out);
 
 // Pieces, of one joint-set: the balls of their corners, without r, to their records.
-using RefitPieces = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Four* records);
+using RefitPieces = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Row<float, 4>* records);
 
 // A node whose pieces' corners are merged. They are one record after the other, and some more up to a multiple of four, of
 // radius minus infinity. Its ball is the numbers x, y, z and radius, in Lanes, from place on.
@@ -65,7 +65,7 @@ struct MergedNode {
   float radius;  // r
   int place;
 };
-using MergeNodes = void (*)(const MergedNode* nodes, int node_count, const Four* records, float* balls);
+using MergeNodes = void (*)(const MergedNode* nodes, int node_count, const Row<float, 4>* records, float* balls);
 
 struct RefitKernels {
   RefitNodes spherical_nodes, linear_nodes;

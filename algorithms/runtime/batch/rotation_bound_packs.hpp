@@ -17,9 +17,9 @@ RotationBound<std::experimental::simd<T, Abi>> bound_rotations_packs(
   RotationBound<S> bound = bound_of_cap(apex, s2);
   const RotationBound<S> any = all_rotations<S>();
   const auto is_any = !(s2 < S(T(0.5)));  // true for a NaN
-  where(is_any, bound.center_ratio) = any.center_ratio;
-  where(is_any, bound.radius_ratio) = any.radius_ratio;
-  for (int i = 0; i < 4; ++i) where(is_any, bound.apex[i]) = any.apex[i];
+  bound.center_ratio = choose(is_any, any.center_ratio, bound.center_ratio);
+  bound.radius_ratio = choose(is_any, any.radius_ratio, bound.radius_ratio);
+  bound.apex = choose(is_any, any.apex, bound.apex);
   return bound;
 }
 

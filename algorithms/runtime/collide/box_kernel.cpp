@@ -12,33 +12,6 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// A box that grows by points, turned by a rotation first.
-template <class Pack>
-class GrowingBox {
- public:
-  explicit GrowingBox(const float* rotation) : rotation_(rotation) {}
-  void add(const Vec<Pack, 3>& p) {
-    for (int i = 0; i < 3; ++i) {
-      const Pack turned = p[0] * rotation_[3 * i] + p[1] * rotation_[3 * i + 1] + p[2] * rotation_[3 * i + 2];
-      low[i] = min(low[i], turned);
-      high[i] = max(high[i], turned);
-    }
-  }
-  void blow_up(const Pack& by) {
-    for (int i = 0; i < 3; ++i) low[i] -= by, high[i] += by;
-  }
-  template <class Mask>
-  void replace_where(const Mask& mask, const GrowingBox& other) {
-    for (int i = 0; i < 3; ++i) where(mask, low[i]) = other.low[i], where(mask, high[i]) = other.high[i];
-  }
-
-  Pack low[3] = {Pack(infinity), Pack(infinity), Pack(infinity)};
-  Pack high[3] = {Pack(-infinity), Pack(-infinity), Pack(-infinity)};
-
- private:
-  const float* rotation_;
-};
-
 template <class Pack>
 class BoxKernel {
   using Mask = typename Pack::mask_type;
@@ -94,16 +67,14 @@ class BoxKernel {
       }
   }
 
-  static void merge(const GrowingBox<Pack>& box, const BoxPack& pack, int first, FlippedBox* boxes) {
-    alignas(64) float sides[8][width] = {};
+  static void merge(Box<Pack> box, const BoxPack& pack, int first, FlippedBox* boxes) {
     for (int i = 0; i < 3; ++i) {
       // What is undefined, by coordinates beyond what float holds, may be anywhere.
       const Mask is_undefined = !(box.low[i] <= box.high[i]);
-      choose(is_undefined, Pack(-infinity), box.low[i]).copy_to(sides[i], std::experimental::vector_aligned);
-      const Pack flipped = choose(is_undefined, Pack(-infinity), Pack(-box.high[i]));
-      flipped.copy_to(sides[4 + i], std::experimental::vector_aligned);
+      box.low[i] = choose(is_undefined, Pack(-infinity), box.low[i]);
+      box.high[i] = choose(is_undefined, Pack(infinity), box.high[i]);
     }
-    merge_lanes(sides, pack.target + first, boxes);
+    merge_lanes(box, pack.target + first, boxes);
   }
 
   Pack load(const float* lanes) const { return Pack(lanes + first, std::experimental::element_aligned); }
@@ -130,6 +101,10 @@ class BoxKernel {
   }
   Records slot(int joint) const { return gather(slots, pack.slot[joint]); }
   Point reference_center() const { return {load(pack.center[0]), load(pack.center[1]), load(pack.center[2])}; }
+  Point turned(const Point& p) const {
+    const auto coordinate = [&](const float* row) { return p[0] * row[0] + p[1] * row[1] + p[2] * row[2]; };
+    return {coordinate(rotation), coordinate(rotation + 3), coordinate(rotation + 6)};
+  }
   static Pack size(const Point& p) { return abs(p[0]) + abs(p[1]) + abs(p[2]); }
 
   // sum low_i x_i + rest x_k for each corner k, in place.
@@ -142,7 +117,7 @@ class BoxKernel {
   }
 
   template <int N>
-  GrowingBox<Pack> spherical() const {
+  Box<Pack> spherical() const {
     Quaternion<Pack> q[N];
     Point r[N];
     Pack sizes(0.f);
@@ -157,26 +132,25 @@ class BoxKernel {
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_rotations(q[k], q[l], x);
     const Mask near = are_near<N>(mixed, 4);
-    GrowingBox<Pack> box(rotation), anyhow(rotation);
+    Box<Pack> box = Box<Pack>::empty(), anyhow = box;
     for (int j = 0; j < N; ++j) {
-      anyhow.add(r[j]);
+      anyhow.merge(turned(r[j]));
       for (int k = j; k < N; ++k)
         for (int l = k; l < N; ++l) {
           const ScaledPoint<Pack> point = spherical_control_point(mixed[k][j], mixed[l][k], mixed[l][j], r[j], r[k], r[l]);
           const Pack scale = Pack(1.f) / point.denominator;
-          box.add(point.numerator * scale);
+          box.merge(turned(point.numerator * scale));
         }
     }
     const Pack radius = load(pack.radius);
     const Pack lost = (sizes + size(x) + size(p0) + radius) * slack;
-    box.blow_up(radius + lost);
-    anyhow.blow_up(size(x) + radius + lost);
-    box.replace_where(!near, anyhow);
-    return box;
+    box.grow(radius + lost);
+    anyhow.grow(size(x) + radius + lost);
+    return choose(near, box, anyhow);
   }
 
   template <int N>
-  GrowingBox<Pack> linear() const {
+  Box<Pack> linear() const {
     const Point p = reference_center();
     Point r[N];
     Pack sizes = size(p);
@@ -187,15 +161,15 @@ class BoxKernel {
       sizes = max(sizes, size(p) + size(at));
     }
     blend_corners<N>(r);
-    GrowingBox<Pack> box(rotation);
-    for (int k = 0; k < N; ++k) box.add(r[k]);
+    Box<Pack> box = Box<Pack>::empty();
+    for (int k = 0; k < N; ++k) box.merge(turned(r[k]));
     const Pack radius = load(pack.radius);
-    box.blow_up(radius + (sizes + radius) * slack);
+    box.grow(radius + (sizes + radius) * slack);
     return box;
   }
 
   template <int N>
-  GrowingBox<Pack> dual_quaternion() const {
+  Box<Pack> dual_quaternion() const {
     const Point point = reference_center();
     Quaternion<Pack> q[N], d[N];
     Pack sizes = size(point);
@@ -209,14 +183,12 @@ class BoxKernel {
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_motions<Pack>({q[k], d[k]}, {q[l], d[l]}, point);
     const Mask near = are_near<N>(mixed, 2);
-    GrowingBox<Pack> box(rotation), all(rotation);
+    Box<Pack> box = Box<Pack>::empty();
     for (int k = 0; k < N; ++k)
-      for (int l = 0; l <= k; ++l) box.add(mixed[k][l].numerator * (Pack(1.f) / mixed[k][l].weight));
+      for (int l = 0; l <= k; ++l) box.merge(turned(mixed[k][l].numerator * (Pack(1.f) / mixed[k][l].weight)));
     const Pack radius = load(pack.radius);
-    box.blow_up(radius + (sizes + radius) * slack);
-    for (int i = 0; i < 3; ++i) all.low[i] = -infinity, all.high[i] = infinity;
-    box.replace_where(!near, all);
-    return box;
+    box.grow(radius + (sizes + radius) * slack);
+    return choose(near, box, Box<Pack>::everything());
   }
 
   // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is short.
@@ -247,28 +219,12 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
   BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
 }
 
-// Which lanes of a block's boxes are not apart from a box: a byte a lane, the first lowest.
-std::uint64_t meeting(const BoxBlock& block, const double* box) {
-  using S = refitlab::Pack<double>;
-  constexpr int width = static_cast<int>(S::size());
-  alignas(64) bool meets[8];
-  for (int first = 0; first < 8; first += width) {
-    auto apart = S(0.0) > S(0.0);
-    for (int i = 0; i < 3; ++i) {
-      const S low(block.side[i] + first, std::experimental::vector_aligned);
-      const S high(block.side[3 + i] + first, std::experimental::vector_aligned);
-      apart = apart || high < box[i] || S(box[3 + i]) < low;
-    }
-    (!apart).copy_to(meets + first, std::experimental::element_aligned);
-  }
-  return std::bit_cast<std::uint64_t>(meets);
-}
 // The bytes of the first count lanes, of at most 8.
 std::uint64_t first_lanes(std::uint64_t lanes, int count) {
   return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes;
 }
 
-REFITLAB_KERNEL int overlaps(const BoxBlock* blocks, int count, const double* box, int* out) {
+REFITLAB_KERNEL int overlaps(const BoxBlock<double>* blocks, int count, const Box<double>& box, int* out) {
   int found = 0;
   for (int first = 0; first < count; first += 8)
     for (std::uint64_t lanes = first_lanes(meeting(blocks[first / 8], box), count - first); lanes; lanes &= lanes - 1)
@@ -276,11 +232,11 @@ REFITLAB_KERNEL int overlaps(const BoxBlock* blocks, int count, const double* bo
   return found;
 }
 
-REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock& a, int count_a, const BoxBlock& b, int count_b) {
+REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b,
+                                                int count_b) {
   std::uint64_t pairs = 0;
   for (int i = 0; i < count_a; ++i) {
-    const double box[6] = {a.side[0][i], a.side[1][i], a.side[2][i], a.side[3][i], a.side[4][i], a.side[5][i]};
-    const std::uint64_t lanes = first_lanes(meeting(b, box), count_b);
+    const std::uint64_t lanes = first_lanes(meeting(b, a.get(i)), count_b);
     pairs |= (lanes * 0x0102040810204080 >> 56) << 8 * i;  // gathers the bytes' lowest bits
   }
   return pairs;
@@ -336,47 +292,32 @@ REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const 
     }
 }
 
-// A box that grows by corners: low and high, of four numbers of which three are used.
-class CornerBox {
-  using Four = double __attribute__((vector_size(32)));
-
- public:
-  explicit CornerBox(const Corner& c) : low_(*reinterpret_cast<const Four*>(c.of)), high_(low_) {}
-  void add(const Corner& c) {
-    const Four p = *reinterpret_cast<const Four*>(c.of);
-    low_ = p < low_ ? p : low_, high_ = p > high_ ? p : high_;
-  }
-  void add(const CornerBox& b) { low_ = b.low_ < low_ ? b.low_ : low_, high_ = b.high_ > high_ ? b.high_ : high_; }
-  void put(BoxBlock& block, int lane) const {
-    for (int i = 0; i < 3; ++i) block.side[i][lane] = low_[i], block.side[3 + i][lane] = high_[i];
-  }
-  void put(double* box) const {
-    for (int i = 0; i < 3; ++i) box[i] = low_[i], box[3 + i] = high_[i];
-  }
-
- private:
-  Four low_, high_;
-};
-
-REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock* out,
-                                double* all) {
-  CornerBox whole(corners[groups[0].corners[0][0]]);
-  for (int g = 0; g < count; ++g) {
-    CornerBox box(corners[groups[g].corners[0][0]]);
-    for (int t = 0; t < groups[g].count; ++t)
-      for (const std::uint16_t place : groups[g].corners[t]) box.add(corners[place]);
-    whole.add(box);
-    box.put(out[g / 8], g % 8);
-  }
-  whole.put(all);
+RowBox<double> box_at(const Corner& corner) {
+  RowBox<double> out;
+  read_row(corner.of, out.low);
+  out.high = out.low;
+  return out;
 }
 
-REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const Corner* corners, BoxBlock& out) {
+REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock<double>* out,
+                                Box<double>& all) {
+  RowBox<double> whole = box_at(corners[groups[0].corners[0][0]]);
+  for (int g = 0; g < count; ++g) {
+    RowBox<double> box = box_at(corners[groups[g].corners[0][0]]);
+    for (int t = 0; t < groups[g].count; ++t)
+      for (const std::uint16_t place : groups[g].corners[t]) box.merge(box_at(corners[place]));
+    whole.merge(box);
+    out[g / 8].put(g % 8, box);
+  }
+  all = box_of<double>(whole);
+}
+
+REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const Corner* corners, BoxBlock<double>& out) {
   for (int t = 0; t < group.count; ++t) {
-    CornerBox box(corners[group.corners[t][0]]);
-    box.add(corners[group.corners[t][1]]);
-    box.add(corners[group.corners[t][2]]);
-    box.put(out, t);
+    RowBox<double> box = box_at(corners[group.corners[t][0]]);
+    box.merge(box_at(corners[group.corners[t][1]]));
+    box.merge(box_at(corners[group.corners[t][2]]));
+    out.put(t, box);
   }
 }
 

@@ -119,7 +119,7 @@ void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& 
                  Target target) {
   const DefaultFloatEnvironment environment;
   const bool is_in_range = joints.largest < largest_box;
-  for (FlippedBox& b : boxes) std::fill(std::begin(b.of), std::end(b.of), is_in_range ? infinity : -infinity);
+  for (FlippedBox& b : boxes) b.set_all(is_in_range ? infinity : -infinity);
   if (!is_in_range) return;
   float matrix[9];
   for (int i = 0; i < 3; ++i) {

@@ -49,12 +49,12 @@ void ClusterBody::begin(const Posture& posture, const RigidTransform<double>& pl
   const SkinnedMesh& mesh = tree_.character().mesh;
   bool is_rigid = posture.size() == mesh.joints.size();
   are_joints_placed_ = false;  // if this throws, reach_ is no longer the frame's
-  const Box6 reach = is_rigid ? reach_.box(posture, placement, is_rigid) : no_box;
+  const Box<double> reach = is_rigid ? reach_.box(posture, placement, is_rigid) : Box<double>::empty();
   if (!is_rigid) check_posture(mesh, posture);
   posture_ = posture;
   placement_ = placement;
   reach_box_ = reach;
-  are_joints_placed_ = std::isfinite(reach[0]);
+  are_joints_placed_ = std::isfinite(reach.low[0]);
   are_floats_filled_ = false;
   poses_made_.begin(), fans_made_.begin(), clusters_made_.begin(), groups_made_.begin();
   nodes_bounded_ = clusters_skinned_ = corners_skinned_ = 0;
@@ -65,12 +65,12 @@ void ClusterBody::make_poses(std::span<const int> parts) {
     if (!poses_made_.is_made(part)) pose_packs_.make_part(part, posture_, pose_arrays_), poses_made_.mark(part);
 }
 
-const BoxBlock* ClusterBody::fan_boxes(int fan) {
+const BoxBlock<double>* ClusterBody::fan_boxes(int fan) {
   if (!fans_made_.is_made(fan)) bound_fan(fan);
   return &fan_blocks_[first_block_of_fan_[fan]];
 }
 
-const Box6& ClusterBody::fan_box(int fan) {
+const Box<double>& ClusterBody::fan_box(int fan) {
   if (!fans_made_.is_made(fan)) bound_fan(fan);
   return fan_boxes_[fan];
 }
@@ -79,31 +79,33 @@ void ClusterBody::bound_fan(int f) {
   const DefaultFloatEnvironment environment;
   const Fan& fan = tree_.fans()[f];
   const std::span<FlippedBox> flipped(flipped_.data(), fan.child_count);
-  const std::span<Box6> boxes(boxes_.data(), fan.child_count);
+  const std::span<Box<double>> boxes(boxes_.data(), fan.child_count);
   if (fan.reach.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
       !reach_.boxes(fan.reach, posture_, placement_, flipped, boxes))
     bound_by_control_points(fan, flipped, boxes);
-  BoxBlock* blocks = &fan_blocks_[first_block_of_fan_[f]];
-  Box6& whole = fan_boxes_[f] = no_box;
+  BoxBlock<double>* blocks = &fan_blocks_[first_block_of_fan_[f]];
+  Box<double>& whole = fan_boxes_[f] = Box<double>::empty();
   for (int i = 0; i < fan.child_count; ++i) {
-    for (int k = 0; k < 3; ++k)
-      whole[k] = std::min(whole[k], boxes[i][k]), whole[3 + k] = std::max(whole[3 + k], boxes[i][3 + k]);
+    whole.merge(boxes[i]);
     put_box(blocks, i, boxes[i]);
   }
   fans_made_.mark(f);
   nodes_bounded_ += fan.child_count;
 }
 
-void ClusterBody::bound_by_control_points(const Fan& fan, std::span<FlippedBox> flipped, std::span<Box6> boxes) {
+void ClusterBody::bound_by_control_points(const Fan& fan, std::span<FlippedBox> flipped, std::span<Box<double>> boxes) {
   make_poses(all_parts_);
   if (!are_floats_filled_) joints_.fill(pose_, skinning_), are_floats_filled_ = true;
   bound_boxes(fan.pieces, skinning_, joints_, pose_, placement_.rotation, flipped);
-  for (int i = 0; i < fan.child_count; ++i)
+  for (int i = 0; i < fan.child_count; ++i) {
+    boxes[i] = flipped[i].box();
     for (int k = 0; k < 3; ++k) {
-      const double low = flipped[i].of[k], high = -flipped[i].of[4 + k], at = placement_.translation[k];
+      double &low = boxes[i].low[k], &high = boxes[i].high[k];
+      const double at = placement_.translation[k];
       const double lost = 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
-      boxes[i][k] = low + at - lost, boxes[i][3 + k] = high + at + lost;
+      low = low + at - lost, high = high + at + lost;
     }
+  }
 }
 
 void ClusterBody::skin_cluster(int n) {
@@ -121,17 +123,17 @@ void ClusterBody::skin_cluster(int n) {
                               placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
                               placement_.translation[2]};
   kernels_.place(unplaced_.blocks.data(), cluster.corner_count / Lanes<double>::count, placement, out.corners.data());
-  kernels_.box_groups(&tree_.group(n, 0), cluster.group_count, out.corners.data(), out.groups.data(), out.box.data());
+  kernels_.box_groups(&tree_.group(n, 0), cluster.group_count, out.corners.data(), out.groups.data(), out.box);
   clusters_made_.mark(n);
   ++clusters_skinned_;
   corners_skinned_ += cluster.corner_count;
 }
 
-const BoxBlock& ClusterBody::triangle_boxes(int cluster, int g) {
+const BoxBlock<double>& ClusterBody::triangle_boxes(int cluster, int g) {
   const DefaultFloatEnvironment environment;
   const int at = tree_.clusters()[cluster].first_group + g;
   const Skinned& own = skinned(cluster);
-  BoxBlock& block = skinned_[cluster].triangles[g];
+  BoxBlock<double>& block = skinned_[cluster].triangles[g];
   if (!groups_made_.is_made(at)) {
     kernels_.box_triangles(tree_.group(cluster, g), own.corners.data(), block);
     groups_made_.mark(at);

@@ -24,19 +24,19 @@ class ClusterBody {
   const ClusterTree& tree() const { return tree_; }
 
   // A box in the world around all of it, from the joints alone; see Reach.
-  const Box6& reach() const { return reach_box_; }
+  const Box<double>& reach() const { return reach_box_; }
 
   // Boxes in the world around all vertices below: of a fan's children, in blocks, and of one of them.
-  const BoxBlock* fan_boxes(int fan);
-  Box6 child_box(int fan, int child) { return get_box(fan_boxes(fan), child); }
+  const BoxBlock<double>* fan_boxes(int fan);
+  Box<double> child_box(int fan, int child) { return get_box(fan_boxes(fan), child); }
   // Around all of a fan.
-  const Box6& fan_box(int fan);
+  const Box<double>& fan_box(int fan);
 
   // Boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of all of it.
-  const BoxBlock* group_boxes(int cluster) { return skinned(cluster).groups.data(); }
-  const Box6& cluster_box(int cluster) { return skinned(cluster).box; }
+  const BoxBlock<double>* group_boxes(int cluster) { return skinned(cluster).groups.data(); }
+  const Box<double>& cluster_box(int cluster) { return skinned(cluster).box; }
   // Around the triangles of a group.
-  const BoxBlock& triangle_boxes(int cluster, int group);
+  const BoxBlock<double>& triangle_boxes(int cluster, int group);
 
   // By place in the cluster, in the world: the very doubles that apply(placement, skin()) yields.
   const Corner* corners(int cluster) { return skinned(cluster).corners.data(); }
@@ -62,14 +62,14 @@ class ClusterBody {
   // What was skinned of a cluster; room for it is made when a query first gets there.
   struct Skinned {
     std::vector<Corner> corners;      // by place
-    std::vector<BoxBlock> groups;     // their boxes, in blocks
-    std::vector<BoxBlock> triangles;  // by group
-    Box6 box;
+    std::vector<BoxBlock<double>> groups;     // their boxes, in blocks
+    std::vector<BoxBlock<double>> triangles;  // by group
+    Box<double> box;
   };
 
   void make_poses(std::span<const int> parts);
   void bound_fan(int fan);
-  void bound_by_control_points(const Fan& fan, std::span<FlippedBox> flipped, std::span<Box6> boxes);
+  void bound_by_control_points(const Fan& fan, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
   void skin_cluster(int cluster);
   const Skinned& skinned(int cluster) {
     if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
@@ -83,7 +83,7 @@ class ClusterBody {
   const PosePacks pose_packs_;
   Posture posture_;
   RigidTransform<double> placement_;
-  Box6 reach_box_;
+  Box<double> reach_box_;
   SkinningPose<double> pose_;  // of what parts were made
   const SkinningPose<double>::Arrays pose_arrays_;
   FrameStamps poses_made_;                          // by part of pose_packs_
@@ -93,12 +93,12 @@ class ClusterBody {
   bool are_joints_placed_ = false, are_floats_filled_ = false;
   FrameStamps fans_made_, clusters_made_, groups_made_;
   std::vector<int> first_block_of_fan_;
-  std::vector<BoxBlock> fan_blocks_;
-  std::vector<Box6> fan_boxes_;
+  std::vector<BoxBlock<double>> fan_blocks_;
+  std::vector<Box<double>> fan_boxes_;
   SkinnedVertices unplaced_;         // of the cluster in work, in model space
   std::vector<Skinned> skinned_;     // by cluster
   std::vector<FlippedBox> flipped_;  // of the fan in work, and its boxes
-  std::vector<Box6> boxes_;
+  std::vector<Box<double>> boxes_;
   QueryRoom query_room_;
   long nodes_bounded_ = 0, clusters_skinned_ = 0, corners_skinned_ = 0;
 };

@@ -9,12 +9,6 @@
 namespace refitlab {
 namespace {
 
-bool are_apart(const Box6& a, const Box6& b) {
-  for (int i = 0; i < 3; ++i)
-    if (a[3 + i] < b[i] || b[3 + i] < a[i]) return true;
-  return false;
-}
-
 class ClusterTraversal {
  public:
   ClusterTraversal(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts)
@@ -34,11 +28,11 @@ class ClusterTraversal {
   // Which boxes of some blocks are not apart from a box. The list is on top of a common stack as long as this lives.
   class Hits {
    public:
-    Hits(ClusterTraversal& traversal, const BoxBlock* blocks, int count, const Box6& box)
+    Hits(ClusterTraversal& traversal, const BoxBlock<double>* blocks, int count, const Box<double>& box)
         : stack_(traversal.hits_), first_(stack_.size()) {
       traversal.counts_.ball_tests += count;
       stack_.resize(first_ + count);
-      count_ = traversal.kernels_.overlaps(blocks, count, box.data(), stack_.data() + first_);
+      count_ = traversal.kernels_.overlaps(blocks, count, box, stack_.data() + first_);
       stack_.resize(first_ + count_);
     }
     ~Hits() { stack_.resize(first_); }
@@ -55,28 +49,26 @@ class ClusterTraversal {
   bool is_done() const { return query_ == Query::yes_no && !found_.empty(); }
 
   // One node of the first body against those in a fan of the second.
-  void below_second(const FanChild& a, const Box6& box, int fan) {
+  void below_second(const FanChild& a, const Box<double>& box, int fan) {
     const Hits hits(*this, second_.fan_boxes(fan), second_.tree().fans()[fan].child_count, box);
     for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
       nodes(a, box, second_.tree().child(fan, hits[i]), second_.child_box(fan, hits[i]));
   }
-  void below_first(int fan, const FanChild& b, const Box6& box) {
+  void below_first(int fan, const FanChild& b, const Box<double>& box) {
     const Hits hits(*this, first_.fan_boxes(fan), first_.tree().fans()[fan].child_count, box);
     for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
       nodes(first_.tree().child(fan, hits[i]), first_.child_box(fan, hits[i]), b, box);
   }
 
-  static double extent(const Box6& b) { return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]); }
-
   // Two nodes whose boxes meet: the larger one is opened.
-  void nodes(const FanChild& a, const Box6& box_a, const FanChild& b, const Box6& box_b) {
+  void nodes(const FanChild& a, const Box<double>& box_a, const FanChild& b, const Box<double>& box_b) {
     if (a.fan < 0 && b.fan < 0) return clusters(a.cluster, b.cluster);
-    if (b.fan < 0 || (a.fan >= 0 && extent(box_a) >= extent(box_b))) below_first(a.fan, b, box_b);
+    if (b.fan < 0 || (a.fan >= 0 && box_a.extent() >= box_b.extent())) below_first(a.fan, b, box_b);
     else below_second(a, box_a, b.fan);
   }
 
   void clusters(int a, int b) {
-    const Box6 &box_a = first_.cluster_box(a), &box_b = second_.cluster_box(b);
+    const Box<double> &box_a = first_.cluster_box(a), &box_b = second_.cluster_box(b);
     if (are_apart(box_a, box_b)) return;
     pairs_.clear();
     const Hits groups_a(*this, first_.group_boxes(a), first_.tree().clusters()[a].group_count, box_b);

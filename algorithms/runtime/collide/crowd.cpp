@@ -10,35 +10,27 @@
 namespace refitlab {
 namespace {
 
-bool meet(const Box6& a, const Box6& b) {
-  for (int i = 0; i < 3; ++i)
-    if (!(a[i] <= b[i + 3] && b[i] <= a[i + 3])) return false;
-  return true;
-}
-
 // The axis along which the boxes' lower sides are spread most.
-int widest_axis(const std::vector<Box6>& boxes) {
-  int widest = 0;
-  double most = -1;
-  for (int i = 0; i < 3; ++i) {
-    const auto [low, high] = std::minmax_element(boxes.begin(), boxes.end(), [i](const Box6& a, const Box6& b) { return a[i] < b[i]; });
-    if ((*high)[i] - (*low)[i] > most) most = (*high)[i] - (*low)[i], widest = i;
-  }
-  return widest;
+int widest_axis(const std::vector<Box<double>>& boxes) {
+  Point3 least = boxes[0].low, greatest = least;
+  for (const auto& box : boxes) least = least.cwiseMin(box.low), greatest = greatest.cwiseMax(box.low);
+  int axis;
+  (greatest - least).maxCoeff(&axis);
+  return axis;
 }
 
 // The pairs of boxes that meet, each with the smaller index first, in increasing order: by a sweep along one axis
 // [Baraff 1992].
-std::vector<std::pair<int, int>> meeting(const std::vector<Box6>& boxes) {
+std::vector<std::pair<int, int>> meeting(const std::vector<Box<double>>& boxes) {
   std::vector<std::pair<int, int>> pairs;
   if (boxes.empty()) return pairs;
   const int axis = widest_axis(boxes);
   std::vector<int> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a][axis] < boxes[b][axis]; });
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a].low[axis] < boxes[b].low[axis]; });
   for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]][axis] <= boxes[order[i]][axis + 3]; ++j)
-      if (meet(boxes[order[i]], boxes[order[j]])) pairs.push_back(std::minmax(order[i], order[j]));
+    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].low[axis] <= boxes[order[i]].high[axis]; ++j)
+      if (!are_apart(boxes[order[i]], boxes[order[j]])) pairs.push_back(std::minmax(order[i], order[j]));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -76,7 +68,7 @@ Workers one_worker() {
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts,
                                  const Workers& workers) {
   const DefaultFloatEnvironment environment;
-  std::vector<Box6> boxes(bodies.size());
+  std::vector<Box<double>> boxes(bodies.size());
   for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->reach(); });
   const auto pairs = meeting(boxes);
   counts.pairs_of_boxes += static_cast<long>(pairs.size());

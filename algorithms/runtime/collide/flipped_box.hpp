@@ -1,20 +1,30 @@
 // FlippedBox: low and -high, each with an unused fourth, so that merging two boxes is one minimum.
 #pragma once
 
+#include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
+#include "algorithms/runtime/balls/box.hpp"
 
 namespace refitlab {
 
 struct alignas(32) FlippedBox {
   float of[8];
+
+  void set_all(float to) {  // infinity: the empty box; -infinity: everything
+    for (float& x : of) x = to;
+  }
+  Box<double> box() const { return {{of[0], of[1], of[2]}, {-of[4], -of[5], -of[6]}}; }
 };
 
-// Merges boxes, a lane each, into those that target says by lane. sides: the low and the -high of each lane, row by row
-// as in FlippedBox.
-template <int width>
-[[gnu::always_inline]] inline void merge_lanes(const float (&sides)[8][width], const int* target, FlippedBox* boxes) {
-  using Row = EightOf<float>::Row;
-  alignas(64) float rows[8 * width];
+// Merges boxes, a lane each, into those that target says by lane.
+template <class Pack>
+[[gnu::always_inline]] inline void merge_lanes(const Box<Pack>& lanes, const int* target, FlippedBox* boxes) {
+  constexpr int width = static_cast<int>(Pack::size());
+  alignas(64) float sides[8][width] = {}, rows[8 * width];
+  for (int i = 0; i < 3; ++i) {
+    lanes.low[i].copy_to(sides[i], std::experimental::vector_aligned);
+    Pack(-lanes.high[i]).copy_to(sides[4 + i], std::experimental::vector_aligned);
+  }
   if constexpr (width >= 8) {
     for (int block = 0; block < width; block += 8) {
       const float* from[8];
@@ -25,9 +35,11 @@ template <int width>
     for (int i = 0; i < 8 * width; ++i) rows[i] = sides[i % 8][i / 8];
   }
   for (int lane = 0; lane < width; ++lane) {
-    Row& of = *reinterpret_cast<Row*>(boxes[target[lane]].of);
-    const Row own = *reinterpret_cast<const Row*>(rows + 8 * lane);
-    of = own < of ? own : of;
+    float* const of = boxes[target[lane]].of;
+    Row<float, 8> own, merged;
+    read_row(rows + 8 * lane, own), read_row(of, merged);
+    merged = own < merged ? own : merged;
+    write_row(merged, of);
   }
 }
 

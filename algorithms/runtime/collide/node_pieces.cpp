@@ -18,10 +18,10 @@ Ball3<double> float_ball(const std::vector<Point3>& points) {
   return {center, float_above(radius * (1 + 1e-15))};
 }
 
-CenteredBox box_of(const std::vector<Point3>& points) {
-  Point3 low = points[0], high = points[0];
-  for (const Point3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  return {(low + high) / 2, (high - low) / 2};
+Box<double> box_of(const std::vector<Point3>& points) {
+  auto box = Box<double>::empty();
+  for (const Point3& p : points) box.merge(p);
+  return box;
 }
 
 NodePiece piece_of(const Character& c, int joint_set, const std::vector<int>& vertices, int target) {

@@ -5,18 +5,14 @@
 #include <vector>
 
 #include "algorithms/runtime/tree/character.hpp"
+#include "algorithms/runtime/balls/box.hpp"
 
 namespace refitlab {
-
-// A box along the axes.
-struct CenteredBox {
-  Point3 center, half;  // half its edges
-};
 
 struct NodePiece {
   int joint_set;
   Ball3<double> reference;  // around its vertices in the reference posture; its numbers are floats
-  CenteredBox box;          // likewise around them, but its numbers are doubles
+  Box<double> box;          // likewise around them, but its numbers are doubles
   std::vector<double> low;  // the least weights of its joints
   double rest;              // 1 - sum low, at least 0
   int target;               // the node's position in a list

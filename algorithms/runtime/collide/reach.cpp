@@ -15,8 +15,6 @@ namespace {
 // What float leaves of 1e-6 when it finds the squared length of a quaternion.
 constexpr float surely_rigid = 5e-7f, surely_not_rigid = 2e-6f;
 
-Box6 everything() { return {-infinite, -infinite, -infinite, infinite, infinite, infinite}; }
-
 }  // namespace
 
 Reach::Reach(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
@@ -114,7 +112,7 @@ void Reach::pack() {
 
 // A vertex is within its distance to the rotation center of the hull of the center's images, whatever the rotations.
 void Reach::add_about_centers(const Group& g, const Posture& posture, const Quaternion<double>& rotation,
-                              Box6& box) const {
+                              Box<double>& box) const {
   for (const int s : g.sets) {
     std::vector<RigidTransform<double>> transforms;
     for (const int j : sets_.joints(s)) transforms.push_back(posture[j]);
@@ -123,13 +121,14 @@ void Reach::add_about_centers(const Group& g, const Posture& posture, const Quat
       const Point3 image = apply(t, center), at = rotate(rotation, image);
       const double reach =
           (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost_of_reach) + lost_of_reach * norm(image);
-      for (int i = 0; i < 3; ++i)
-        box[i] = std::min(box[i], at[i] - reach), box[3 + i] = std::max(box[3 + i], at[i] + reach);
+      Box<double> about{at, at};
+      about.grow(reach);
+      box.merge(about);
     }
   }
 }
 
-Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
+Box<double> Reach::box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
   const DefaultFloatEnvironment environment;
   defect_.reset();
   ReachBounds bounds;
@@ -139,10 +138,10 @@ Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement,
   const float defect = bounds.high[3], squared_farthest = -bounds.low[3];
   const bool is_finite = squared_farthest < infinite;
   is_rigid = is_finite && defect <= surely_rigid;
-  if (!(is_finite && defect <= surely_not_rigid && is_bounded_)) return everything();
-  Box6 box{bounds.low[0], bounds.low[1], bounds.low[2], bounds.high[0], bounds.high[1], bounds.high[2]};
+  if (!(is_finite && defect <= surely_not_rigid && is_bounded_)) return Box<double>::everything();
+  Box<double> box{{bounds.low[0], bounds.low[1], bounds.low[2]}, {bounds.high[0], bounds.high[1], bounds.high[2]}};
   const auto add_unbounded = [&](int group) {
-    if (skinning_ == Skinning::dual_quaternion) box = everything();
+    if (skinning_ == Skinning::dual_quaternion) box = Box<double>::everything();
     else add_about_centers(groups_[group], posture, placement.rotation, box);
   };
   for (const int group : others_) add_unbounded(group);
@@ -150,21 +149,24 @@ Box6 Reach::box(const Posture& posture, const RigidTransform<double>& placement,
     for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1)
       add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
   lost_of_joints_ = lost_of_reach * most_joints_ * std::sqrt(static_cast<double>(squared_farthest));
-  for (int i = 0; i < 3; ++i) move(box[i], box[3 + i], placement.translation[i]);
+  move(box, placement.translation);
   return box;
 }
 
-void Reach::move(double& low, double& high, double at) const {
-  const double off = least_reach + lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
-  low += at - off, high += at + off;
+void Reach::move(Box<double>& box, const Point3& by) const {
+  for (int i = 0; i < 3; ++i) {
+    double &low = box.low[i], &high = box.high[i];
+    const double at = by[i];
+    const double off = least_reach + lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
+    low += at - off, high += at + off;
+  }
 }
 
 bool Reach::boxes(std::span<const ReachPiecePack> packs, const Posture& posture,
-                  const RigidTransform<double>& placement, std::span<FlippedBox> scratch, std::span<Box6> out,
+                  const RigidTransform<double>& placement, std::span<FlippedBox> scratch, std::span<Box<double>> out,
                   Target target) {
   const DefaultFloatEnvironment environment;
-  constexpr float none = std::numeric_limits<float>::infinity();
-  for (FlippedBox& b : scratch) std::fill(std::begin(b.of), std::end(b.of), none);
+  for (FlippedBox& b : scratch) b.set_all(std::numeric_limits<float>::infinity());
   if (!defect_) {
     defect_ = 0;
     for (const auto& joint : posture) defect_ = std::max(*defect_, std::abs(squared_norm(joint.rotation) - 1));
@@ -173,11 +175,10 @@ bool Reach::boxes(std::span<const ReachPiecePack> packs, const Posture& posture,
                                   packs.data(), static_cast<int>(packs.size()), strays(), off_of_reach(*defect_),
                                   scratch.data()))
     return false;
-  for (std::size_t i = 0; i < out.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      out[i][k] = scratch[i].of[k], out[i][3 + k] = -scratch[i].of[4 + k];
-      move(out[i][k], out[i][3 + k], placement.translation[k]);
-    }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = scratch[i].box();
+    move(out[i], placement.translation);
+  }
   return true;
 }
 

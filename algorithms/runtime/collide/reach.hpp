@@ -24,19 +24,19 @@ class Reach {
   // In the world, around all that apply(placement, skin()) yields. posture and placement are rigid, as check_posture
   // has it. Infinite where nothing is known: for dual quaternions more than half a turn apart, for numbers that are not
   // finite or beyond 1e15, and for rotations that are not of unit length.
-  Box6 box(const Posture& posture, const RigidTransform<double>& placement, Target target = best_target()) {
+  Box<double> box(const Posture& posture, const RigidTransform<double>& placement, Target target = best_target()) {
     bool is_rigid;
     return box(posture, placement, is_rigid, target);
   }
   // The same; is_rigid says that check_posture has nothing against the posture. If not, only check_posture knows.
-  Box6 box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid,
+  Box<double> box(const Posture& posture, const RigidTransform<double>& placement, bool& is_rigid,
            Target target = best_target());
 
   // Boxes in the world around the targets of packs, in the posture and placement of the last call of box, whose result
   // was finite. scratch and out are by target. False, and out is of no use, if nothing is known of one. Not for
   // Skinning::hejl, whose rotation centers these packs do not have.
   bool boxes(std::span<const ReachPiecePack> packs, const Posture& posture, const RigidTransform<double>& placement,
-             std::span<FlippedBox> scratch, std::span<Box6> out, Target target = best_target());
+             std::span<FlippedBox> scratch, std::span<Box<double>> out, Target target = best_target());
 
  private:
   // Joint-sets within one of them.
@@ -50,10 +50,10 @@ class Reach {
 
   std::vector<Group> make_groups() const;
   void pack();
-  void move(double& low, double& high, double at) const;
+  void move(Box<double>& box, const Point3& by) const;
   bool strays() const;
   void add_about_centers(const Group& group, const Posture& posture, const Quaternion<double>& rotation,
-                         Box6& box) const;
+                         Box<double>& box) const;
 
   const SkinnedMesh& mesh_;
   const JointSets& sets_;

@@ -1,9 +1,6 @@
 #include "algorithms/runtime/collide/reach_kernel.hpp"
 
-#include <cstring>
-
 #include "algorithms/runtime/collide/reach_lanes.hpp"
-#include "algorithms/runtime/packs/four.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
@@ -22,13 +19,13 @@ void place(const Joints<few>& joints, const double* rotation, Bounds& bounds) {
   for (int first = 0; first < joints.count; first += width) {
     const Transform joint = joints.lanes(first);
     const S off = abs(squared_norm(joint.rotation) - S(1)), squared = squared_norm(joint.translation);
-    bounds.low[3] = smaller(bounds.low[3], choose(squared < S(1e30f), S(-squared), S(-infinity)));
-    bounds.high[3] = larger(bounds.high[3], choose(off <= S(1), off, S(1)));
+    bounds.low[3] = min_of(bounds.low[3], choose(squared < S(1e30f), S(-squared), S(-infinity)));
+    bounds.high[3] = max_of(bounds.high[3], choose(off <= S(1), off, S(1)));
     joints.put_lanes(first, compose(placement, joint));
   }
 }
 
-// The lanes from first on: their bounds, and which of them are unbounded, to merge(low, high, is_unbounded). An
+// The lanes from first on: their bounds, and which of them are unbounded, to merge(box, is_unbounded). An
 // unbounded one is empty, from infinity to minus infinity. off: the share of A for what is off, see reach_kernel.hpp.
 template <int slots, bool strays, bool few, class Merge>
 [[gnu::always_inline]] inline void bound_lanes(const ReachPack& pack, int first, const Joints<few>& joints, float off,
@@ -40,7 +37,7 @@ template <int slots, bool strays, bool few, class Merge>
   for (int k = 0; k < slots; ++k) {
     const Transform joint = joints.of_lanes(pack.joint[k] + first);
     const Point at = apply(joint, f);
-    images.add(k, at, at, at);
+    images.add(k, at, {at, at});
     if constexpr (strays) rotations.add(k, joint.rotation);
   }
   S reach = load(pack.radius + first);
@@ -49,9 +46,9 @@ template <int slots, bool strays, bool few, class Merge>
     const S a = images.spread(load(pack.joint_count + first)) + load(pack.unsolved + first);
     reach = reach + choose(is_unbounded, S(-infinity), (stray_share(rotations.cosine()) + S(off)) * a);
   }
-  Point low, high;
-  for (int i = 0; i < 3; ++i) low[i] = images.low()[i] - reach, high[i] = images.high()[i] + reach;
-  merge(low, high, is_unbounded);
+  Box<S> box = images.box();
+  box.grow(reach);
+  merge(box, is_unbounded);
 }
 
 template <bool strays, bool few>
@@ -60,10 +57,10 @@ void add_all(const Joints<few>& joints, const ReachPack* packs, int pack_count, 
   for (int p = 0; p < pack_count; ++p) {
     unbounded[p] = 0;
     for (int first = 0; first < reach_lanes; first += width) {
-      const auto merge = [&](const Point& low, const Point& high, const typename S::mask_type& is_unbounded) {
+      const auto merge = [&](const Box<S>& box, const typename S::mask_type& is_unbounded) {
         for (int i = 0; i < 3; ++i) {
-          bounds.low[i] = smaller(bounds.low[i], low[i]);
-          bounds.high[i] = larger(bounds.high[i], high[i]);
+          bounds.low[i] = min_of(bounds.low[i], box.low[i]);
+          bounds.high[i] = max_of(bounds.high[i], box.high[i]);
         }
         if (any_of(is_unbounded))
           for (int lane = 0; lane < width; ++lane)
@@ -75,24 +72,27 @@ void add_all(const Joints<few>& joints, const ReachPack* packs, int pack_count, 
   }
 }
 
+template <bool least>
+Row<float, 4> further(const Row<float, 4>& a, const Row<float, 4>& b) {
+  return least ? min_of(a, b) : max_of(a, b);
+}
 // The least of each row's lanes, or the greatest.
 template <bool least>
 void fold(const S (&rows)[4], float* out) {
-  Four folded[4];
+  Row<float, 4> folded[4];
   for (int i = 0; i < 4; ++i) {
     alignas(64) float lanes[width];
     rows[i].copy_to(lanes, std::experimental::vector_aligned);
-    std::memcpy(&folded[i], lanes, sizeof(Four));
+    read_row(lanes, folded[i]);
     for (int lane = 4; lane < width; lane += 4) {
-      Four next;
-      std::memcpy(&next, lanes + lane, sizeof(Four));
-      folded[i] = (least ? next < folded[i] : next > folded[i]) ? next : folded[i];
+      Row<float, 4> next;
+      read_row(lanes + lane, next);
+      folded[i] = further<least>(folded[i], next);
     }
   }
   transpose(folded);
-  for (int i = 1; i < 4; ++i)
-    folded[0] = (least ? folded[i] < folded[0] : folded[i] > folded[0]) ? folded[i] : folded[0];
-  std::memcpy(out, &folded[0], sizeof(Four));
+  for (int i = 1; i < 4; ++i) folded[0] = further<least>(folded[0], folded[i]);
+  write_row(folded[0], out);
 }
 
 template <bool few>

@@ -7,6 +7,7 @@
 #include "algorithms/runtime/collide/reach_kernel.hpp"
 #include "algorithms/runtime/packs/look_up.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
+#include "algorithms/runtime/balls/box.hpp"
 #include "lemmas/b7_reach.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
@@ -23,8 +24,6 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float positive = 1e-5f;
 
 S load(const float* lanes) { return S(lanes, std::experimental::vector_aligned); }
-[[gnu::always_inline]] inline S smaller(const S& a, const S& b) { return std::experimental::min(a, b); }
-[[gnu::always_inline]] inline S larger(const S& a, const S& b) { return std::experimental::max(a, b); }
 
 // Number i of all joints is at numbers + i * room(). few: they are at most 32.
 template <bool few>
@@ -61,13 +60,14 @@ struct Joints {
  private:
   template <bool whole>
   [[gnu::always_inline]] void read_block(const double* posture, int first) const {
-    using Doubles = EightOf<double>::Row;
-    using Floats = EightOf<float>::Row;
+    using Floats = Row<float, 8>;
     Floats rows[8];
 #pragma GCC unroll 8
     for (int i = 0; i < 8; ++i) {
       const std::ptrdiff_t joint = whole || first + i < count ? first + i : count - 1;
-      rows[i] = __builtin_convertvector(*reinterpret_cast<const Doubles*>(posture + 8 * joint), Floats);
+      Row<double, 8> row;
+      read_row(posture + 8 * joint, row);
+      rows[i] = __builtin_convertvector(row, Floats);
     }
     transpose<float>(rows, numbers + first, room());
   }
@@ -86,9 +86,9 @@ class Rotations {
     if (k == 0) return;
     const S cosine = dot(of_[0], rotation);
     for (int i = 0; i < 4; ++i) of_[k][i] = choose(cosine < S(0), S(-rotation[i]), rotation[i]);
-    least_ = smaller(least_, abs(cosine));
+    least_ = min_of(least_, abs(cosine));
 #pragma GCC unroll 8
-    for (int l = 1; l < k; ++l) least_ = smaller(least_, dot(of_[l], of_[k]));
+    for (int l = 1; l < k; ++l) least_ = min_of(least_, dot(of_[l], of_[k]));
   }
   // Whether nothing is known of what blends them.
   auto are_far() const { return !(least_ > S(positive)); }
@@ -106,22 +106,22 @@ class Rotations {
 // What a lane's joints make of a point: a box around its images, and A.
 class Images {
  public:
-  [[gnu::always_inline]] void add(int k, const Point& image, const Point& low, const Point& high) {
+  [[gnu::always_inline]] void add(int k, const Point& image, const Box<S>& around) {
     if (k == 0) {
-      first_ = image, low_ = low, high_ = high;
+      first_ = image, box_ = around;
       return;
     }
-    for (int i = 0; i < 3; ++i) low_[i] = smaller(low_[i], low[i]), high_[i] = larger(high_[i], high[i]);
+    box_.merge(around);
     const Point y = image - first_;
     sum_ = sum_ + y;
     squares_ = squares_ + squared_norm(y);
   }
-  const Point& low() const { return low_; }
-  const Point& high() const { return high_; }
-  S spread(const S& joint_count) const { return root(larger(squared_spread_of_sums(joint_count, squares_, sum_), S(0))); }
+  const Box<S>& box() const { return box_; }
+  S spread(const S& joint_count) const { return root(max_of(squared_spread_of_sums(joint_count, squares_, sum_), S(0))); }
 
  private:
-  Point first_, low_, high_, sum_ = Point::Constant(S(0));
+  Point first_, sum_ = Point::Constant(S(0));
+  Box<S> box_;
   S squares_{0};
 };
 

@@ -23,15 +23,16 @@ void put_lane(ReachPack& pack, int lane, std::span<const int> joints, const Ball
 
 namespace {
 
-// As put_lane: the piece's box. to_prior: from its center.
-void put_box(ReachPiecePack& pack, int lane, int n, const CenteredBox& box, double to_prior) {
-  const double half_diagonal = box.half.norm();
+// As put_lane: the piece's box. prior: of its joint-set.
+void put_box(ReachPiecePack& pack, int lane, int n, const Box<double>& box, const Point3& prior) {
+  const Point3 center = box.center(), half = (box.high - box.low) / 2;
+  const double half_diagonal = half.norm(), to_prior = (center - prior).norm();
   for (int to = lane; to < reach_lanes; ++to) {
     for (int i = 0; i < 3; ++i) {
-      pack.box_center[i][to] = static_cast<float>(box.center[i]);
-      pack.half[i][to] = static_cast<float>(box.half[i]);
+      pack.box_center[i][to] = static_cast<float>(center[i]);
+      pack.half[i][to] = static_cast<float>(half[i]);
     }
-    pack.lost[to] = static_cast<float>(lost_of_reach * (n * box.center.norm() + half_diagonal));
+    pack.lost[to] = static_cast<float>(lost_of_reach * (n * center.norm() + half_diagonal));
     pack.spin[to] = static_cast<float>(std::sqrt(2.0 * n * (n - 1)) * half_diagonal * (1 + 1e-6));
     pack.box_unsolved[to] = static_cast<float>((to_prior + half_diagonal) * n / 64);
   }
@@ -55,7 +56,7 @@ std::vector<ReachPiecePack> make_reach_packs(const Character& c, std::span<const
     const auto joints = c.sets.joints(p.joint_set);
     const Point3 prior = center_prior(c.mesh, joints, Skinning::spherical);
     put_lane(packs.back().ball, lane, joints, p.reference, (p.reference.center - prior).norm(), p.target);
-    put_box(packs.back(), lane, static_cast<int>(joints.size()), p.box, (p.box.center - prior).norm());
+    put_box(packs.back(), lane, static_cast<int>(joints.size()), p.box, prior);
   }
   return packs;
 }

@@ -18,7 +18,7 @@ using Matrix = std::array<Point, 3>;
           Point(xz - wy, yz + wx, S(1) - (xx + yy))};
 }
 
-// The lanes from first on: a ball's and a box's bounds cut, to merge(low, high), and whether all are known.
+// The lanes from first on: a ball's and a box's bounds cut, to merge(box), and whether all are known.
 template <int slots, bool strays, bool few, class Merge>
 [[gnu::always_inline]] inline bool bound_lanes(const ReachPiecePack& pack, int first, const Joints<few>& joints,
                                                float off, const Merge& merge) {
@@ -30,15 +30,16 @@ template <int slots, bool strays, bool few, class Merge>
   for (int k = 0; k < slots; ++k) {
     const Transform joint = joints.of_lanes(pack.ball.joint[k] + first);
     const Matrix turn = matrix_of(joint.rotation);
-    Point at_f, at_middle, low, high;
+    Point at_f, at_middle;
+    Box<S> box;
     for (int i = 0; i < 3; ++i) {
       const S about = abs(turn[i][0]) * half[0] + abs(turn[i][1]) * half[1] + abs(turn[i][2]) * half[2];
       at_f[i] = dot(turn[i], f) + joint.translation[i];
       at_middle[i] = dot(turn[i], middle) + joint.translation[i];
-      low[i] = at_middle[i] - about, high[i] = at_middle[i] + about;
+      box.low[i] = at_middle[i] - about, box.high[i] = at_middle[i] + about;
     }
-    of_ball.add(k, at_f, at_f, at_f);
-    of_box.add(k, at_middle, low, high);
+    of_ball.add(k, at_f, {at_f, at_f});
+    of_box.add(k, at_middle, box);
     if constexpr (strays) rotations.add(k, joint.rotation);
   }
   S reach = load(pack.ball.radius + first), margin = load(pack.lost + first);
@@ -48,15 +49,13 @@ template <int slots, bool strays, bool few, class Merge>
     const S c = rotations.cosine(), share = stray_share(c) + S(off), n = load(pack.ball.joint_count + first);
     reach = reach + share * (of_ball.spread(n) + load(pack.ball.unsolved + first));
     // A of a vertex is at most that of the middle and what the turns add.
-    const S turned = load(pack.spin + first) * root(larger((S(1) - c) * (S(1) + c), S(0)));
+    const S turned = load(pack.spin + first) * root(max_of((S(1) - c) * (S(1) + c), S(0)));
     margin = margin + share * (of_box.spread(n) + load(pack.box_unsolved + first) + turned);
   }
-  Point low, high;
-  for (int i = 0; i < 3; ++i) {
-    low[i] = larger(of_ball.low()[i] - reach, of_box.low()[i] - margin);
-    high[i] = smaller(of_ball.high()[i] + reach, of_box.high()[i] + margin);
-  }
-  merge(low, high);
+  Box<S> cut = of_ball.box(), box = of_box.box();
+  cut.grow(reach), box.grow(margin);
+  for (int i = 0; i < 3; ++i) cut.low[i] = max_of(cut.low[i], box.low[i]), cut.high[i] = min_of(cut.high[i], box.high[i]);
+  merge(cut);
   return is_known;
 }
 
@@ -65,14 +64,7 @@ template <bool strays, bool few>
 bool merge_all(const Joints<few>& joints, const ReachPiecePack* packs, int pack_count, float off, FlippedBox* boxes) {
   for (const ReachPiecePack* pack = packs; pack != packs + pack_count; ++pack)
     for (int first = 0; first < reach_lanes; first += width) {
-      const auto merge = [&](const Point& low, const Point& high) {
-        alignas(64) float sides[8][width] = {};
-        for (int i = 0; i < 3; ++i) {
-          low[i].copy_to(sides[i], std::experimental::vector_aligned);
-          S(-high[i]).copy_to(sides[4 + i], std::experimental::vector_aligned);
-        }
-        merge_lanes(sides, pack->ball.target + first, boxes);
-      };
+      const auto merge = [&](const Box<S>& box) { merge_lanes(box, pack->ball.target + first, boxes); };
       const int slots = pack->ball.slot_count;
       if (!(slots <= 1   ? bound_lanes<1, strays>(*pack, first, joints, off, merge)
             : slots <= 2 ? bound_lanes<2, strays>(*pack, first, joints, off, merge)

@@ -1,26 +1,27 @@
-// Eight rows of eight numbers to eight columns: what brings a record a lane into packs, and back, without gathering
+// As many rows as a row has numbers, to as many columns: what brings a record a lane into packs, and back, without gathering
 // numbers one by one.
 #pragma once
 
+#include "algorithms/runtime/packs/row.hpp"
+
 namespace refitlab {
 
-template <class T>
-struct EightOf;
-template <>
-struct EightOf<float> {
-  typedef float Row __attribute__((vector_size(32), aligned(4)));
-};
-template <>
-struct EightOf<double> {
-  typedef double Row __attribute__((vector_size(64), aligned(8)));
-};
+// Row i becomes column i.
+inline void transpose(Row<float, 4> (&rows)[4]) {
+  using Four = Row<float, 4>;
+  const Four low = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5), high = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7);
+  const Four low2 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5), high2 = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
+  rows[0] = __builtin_shufflevector(low, low2, 0, 1, 4, 5);
+  rows[1] = __builtin_shufflevector(low, low2, 2, 3, 6, 7);
+  rows[2] = __builtin_shufflevector(high, high2, 0, 1, 4, 5);
+  rows[3] = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
+}
 
 // Pairs of rows, pairs of pairs, and halves change places.
 // to: eight rows, to_stride numbers apart, none of them one of from.
 template <class T>
-[[gnu::always_inline]] inline void transpose(const typename EightOf<T>::Row (&from)[8], T* to, int to_stride) {
-  using Row = typename EightOf<T>::Row;
-  Row a[8], b[8];
+[[gnu::always_inline]] inline void transpose(const Row<T, 8> (&from)[8], T* to, int to_stride) {
+  Row<T, 8> a[8], b[8];
 #pragma GCC unroll 4
   for (int i = 0; i < 8; i += 2) {
     a[i] = __builtin_shufflevector(from[i], from[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
@@ -33,18 +34,16 @@ template <class T>
   }
 #pragma GCC unroll 4
   for (int i = 0; i < 4; ++i) {
-    *reinterpret_cast<Row*>(to + i * to_stride) = __builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    *reinterpret_cast<Row*>(to + (i + 4) * to_stride) =
-        __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    write_row(__builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11), to + i * to_stride);
+    write_row(__builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15), to + (i + 4) * to_stride);
   }
 }
 
 // The rows wherever they lie.
 template <class T>
 [[gnu::always_inline]] inline void transpose(const T* const (&from)[8], T* to, int to_stride) {
-  using Row = typename EightOf<T>::Row;
-  Row rows[8];
-  for (int i = 0; i < 8; ++i) rows[i] = *reinterpret_cast<const Row*>(from[i]);
+  Row<T, 8> rows[8];
+  for (int i = 0; i < 8; ++i) read_row(from[i], rows[i]);
   transpose<T>(rows, to, to_stride);
 }
 

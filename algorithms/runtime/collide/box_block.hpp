@@ -1,0 +1,55 @@
+// BoxBlock: eight boxes, side by side as packs compare them with one box.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "algorithms/runtime/packs/pack.hpp"
+#include "algorithms/runtime/balls/box.hpp"
+
+namespace refitlab {
+
+template <class S>
+struct alignas(64) BoxBlock {
+  S side[6][8];  // low x, y, z, high x, y, z, by lane
+
+  template <class Point>
+  void put(int lane, const Box<S, Point>& box) {
+    for (int i = 0; i < 3; ++i) side[i][lane] = box.low[i], side[3 + i][lane] = box.high[i];
+  }
+  Box<S> get(int lane) const {
+    return {{side[0][lane], side[1][lane], side[2][lane]}, {side[3][lane], side[4][lane], side[5][lane]}};
+  }
+};
+
+// Of boxes in blocks.
+template <class S>
+void put_box(BoxBlock<S>* blocks, int i, const Box<S>& box) {
+  blocks[i / 8].put(i % 8, box);
+}
+template <class S>
+Box<S> get_box(const BoxBlock<S>* blocks, int i) {
+  return blocks[i / 8].get(i % 8);
+}
+
+// Which boxes of a block are not apart from a box: a byte a lane, the first lowest, 1 or 0.
+template <class S>
+[[gnu::always_inline]] inline std::uint64_t meeting(const BoxBlock<S>& block, const Box<S>& box) {
+  using P = Pack<S>;
+  constexpr int width = P::size() < 8 ? static_cast<int>(P::size()) : 8;
+  using Lanes = Pack<S, width>;
+  Box<Lanes> all;
+  for (int i = 0; i < 3; ++i) all.low[i] = Lanes(box.low[i]), all.high[i] = Lanes(box.high[i]);
+  alignas(64) bool meets[8];
+  for (int first = 0; first < 8; first += width) {
+    Box<Lanes> own;
+    for (int i = 0; i < 3; ++i) {
+      own.low[i] = Lanes(block.side[i] + first, std::experimental::vector_aligned);
+      own.high[i] = Lanes(block.side[3 + i] + first, std::experimental::vector_aligned);
+    }
+    (!are_apart(own, all)).copy_to(meets + first, std::experimental::element_aligned);
+  }
+  return std::bit_cast<std::uint64_t>(meets);
+}
+
+}  // namespace refitlab

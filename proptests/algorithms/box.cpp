@@ -1,0 +1,108 @@
+#include "algorithms/runtime/balls/box.hpp"
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "algorithms/runtime/collide/box_block.hpp"
+#include "algorithms/runtime/collide/flipped_box.hpp"
+#include "algorithms/model/model.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool same(const Box<double>& a, const Box<double>& b) { return a.low == b.low && a.high == b.high; }
+bool separates_nothing(const Box<double>& a, const Box<double>& b) { return !are_apart(a, b) && !are_apart(b, a); }
+
+// The box [0, 1]^3, moved by so much along an axis.
+Box<double> unit_box(int axis, double by) {
+  Box<double> box{Point3::Zero(), Point3::Ones()};
+  box.low[axis] += by, box.high[axis] += by;
+  return box;
+}
+
+// Around the same points, by rows of registers.
+template <class S>
+Box<double> by_rows(std::span<const Point3> points) {
+  auto box = RowBox<S>::empty();
+  for (const Point3& p : points) box.merge(Row<S, 4>{S(p[0]), S(p[1]), S(p[2]), S(99)});
+  box.grow(S(0.5));
+  return box_of<double>(box);
+}
+
+}  // namespace
+
+PROPTEST(box) {
+  const std::vector<Point3> points{{1, -2, 3}, {-4, 5, 0}, {2, 2, -6}};
+  t.example("around points: the least and the greatest coordinates; grown in all directions; in rows of registers too", {}, [=] {
+    auto box = Box<double>::empty();
+    const bool was_empty = box.is_empty();
+    for (const Point3& p : points) box.merge(p);
+    const Box<double> around = box;
+    box.grow(0.5);
+    return was_empty && !around.is_empty() && same(around, {{-4, -2, -6}, {2, 5, 3}}) &&
+           same(box, {{-4.5, -2.5, -6.5}, {2.5, 5.5, 3.5}}) && same(by_rows<float>(points), box) &&
+           same(by_rows<double>(points), box) && around.extent() == 22 && around.center() == Point3(-1, 1.5, -1.5) &&
+           around.edges() == Point3(6, 7, 9);
+  });
+  t.example("the empty box changes none that it is merged with, and everything swallows all; empty is what one axis lacks", {}, [] {
+    Box<double> box = unit_box(0, 0), all = Box<double>::everything();
+    box.merge(Box<double>::empty()), all.merge(box);
+    bool ok = same(box, unit_box(0, 0)) && same(all, Box<double>::everything()) && !all.is_empty();
+    for (int axis = 0; axis < 3; ++axis) {
+      Box<double> flat = unit_box(0, 0), gone = flat;
+      flat.high[axis] = flat.low[axis], gone.high[axis] = -1;
+      ok = ok && !flat.is_empty() && gone.is_empty() && are_apart(Box<double>::empty(), unit_box(axis, 0));
+    }
+    return ok;
+  });
+  t.example("a coordinate separates boxes, from either side, but not boxes that touch, and a NaN separates nothing", {}, [] {
+    bool ok = true;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double sign : {-1.0, 1.0}) {
+        const Box<double> box = unit_box(axis, 0);
+        ok = ok && separates_nothing(box, unit_box(axis, sign)) && are_apart(box, unit_box(axis, 1.25 * sign)) &&
+             separates_nothing(box, unit_box(axis, nan));
+      }
+    return ok;
+  });
+  t.example("a block keeps its boxes, and says by lane which meet another, in float and double", {}, [] {
+    const auto says = []<class S>(S) {
+      BoxBlock<S> blocks[2];
+      std::uint64_t expected = 0;
+      for (int i = 0; i < 16; ++i) put_box(blocks, i, box_of<S>(unit_box(i % 3, i % 5 - 2.0)));
+      bool ok = true;
+      for (int i = 0; i < 16; ++i) ok = ok && same(box_of<double>(get_box(blocks, i)), unit_box(i % 3, i % 5 - 2.0));
+      for (int i = 0; i < 8; ++i) expected |= std::uint64_t(std::abs(i % 5 - 2) < 2) << 8 * i;
+      return ok && meeting(blocks[0], box_of<S>(unit_box(0, 0))) == expected;
+    };
+    return says(1.0f) && says(1.0);
+  });
+  t.example("a flipped box is the union of the lanes that are merged into it", {}, [=] {
+    using P = Pack<float>;
+    constexpr int width = static_cast<int>(P::size());
+    FlippedBox boxes[2];
+    for (FlippedBox& b : boxes) b.set_all(std::numeric_limits<float>::infinity());
+    int target[width];
+    Box<double> expected[2] = {Box<double>::empty(), Box<double>::empty()};
+    Box<P> lanes;
+    for (int lane = 0; lane < width; ++lane) {
+      const Point3 p = points[lane % 3] * (1.0 + lane);
+      for (int i = 0; i < 3; ++i) lanes.low[i][lane] = float(p[i]), lanes.high[i][lane] = float(p[i] + i);
+      target[lane] = lane % 2;
+      expected[lane % 2].merge(Box<double>{p, p + Point3(0, 1, 2)});
+    }
+    merge_lanes(lanes, target, boxes);
+    const bool merged = same(boxes[0].box(), expected[0]) && same(boxes[1].box(), expected[1]);
+    boxes[0].set_all(-std::numeric_limits<float>::infinity());
+    return merged && same(boxes[0].box(), Box<double>::everything());
+  });
+}
+
+}  // namespace proptests
