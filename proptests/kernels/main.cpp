@@ -10,6 +10,7 @@
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/collide/triangles_meet.hpp"
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 
@@ -34,17 +35,17 @@ bool holds(const Box<double>& box, const Point3& p) {
 
 void check_target(const Character& c, const Posture& posture, Skinning skinning, Failures& failures) {
   const Target target = failures.target;
-  const SkinningPose<double> pose = make_skinning_pose(c.model, c.sets, posture, skinning);
-  const std::vector<Point3> vertices = skin(c.model, c.sets, pose, skinning);
+  const SkinningPose<double> pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+  const std::vector<Point3> vertices = skin(c.mesh, c.sets, pose, skinning);
 
   SkinningPose<double> packed_pose;
-  PosePacks(c.model, c.sets, skinning).make(posture, packed_pose, target);
-  failures.check(same(skin(c.model, c.sets, packed_pose, skinning), vertices), "a pose made in packs is another");
+  PosePacks(c.mesh, c.sets, skinning).make(posture, packed_pose, target);
+  failures.check(same(skin(c.mesh, c.sets, packed_pose, skinning), vertices), "a pose made in packs is another");
   std::vector<Point3> skinned(vertices.size());
-  PackedVertices(c.model, c.sets).skin_all(pose, skinning, skinned, target);
+  PackedVertices(c.mesh, c.sets).skin_all(pose, skinning, skinned, target);
   failures.check(same(skinned, vertices), "vertices skinned in packs are others");
 
-  const Box<double> reach = Reach(c.model, c.sets, skinning).box(posture, {}, target);
+  const Box<double> reach = Reach(c.mesh, c.sets, skinning).box(posture, {}, target);
   for (const Point3& v : vertices) failures.check(holds(reach, v), "a vertex is beyond the reach");
 
   std::vector<int> nodes(c.tree.nodes.size());
@@ -75,8 +76,8 @@ bool pairs_agree(const Character& c, const Posture& posture, Skinning skinning) 
   QueryCounts counts;
   auto found = collide(first, second, Query::full, counts);
   std::vector<TrianglePoints> moved, own;
-  const auto vertices = skin(c.model, c.sets, make_skinning_pose(c.model, c.sets, posture, skinning), skinning);
-  for (const Triangle& t : c.model.triangles) {
+  const auto vertices = skin(c.mesh, c.sets, make_skinning_pose(c.mesh, c.sets, posture, skinning), skinning);
+  for (const Triangle& t : c.mesh.triangles) {
     own.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
     moved.push_back({apply(beside, own.back()[0]), apply(beside, own.back()[1]), apply(beside, own.back()[2])});
   }
@@ -89,8 +90,8 @@ bool pairs_agree(const Character& c, const Posture& posture, Skinning skinning) 
 }  // namespace
 
 int main() {
-  const Character man(make_man(1034));
-  const Posture posture = man.model.clips[0].sample(0.3 * man.model.clips[0].duration);
+  const auto man = bake(make_man(1034));
+  const Posture posture = man.clips[0].sample(0.3 * man.clips[0].duration);
   int failed = 0;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
     for (const Target target : available_targets()) {
