@@ -16,17 +16,18 @@
 
 namespace refitlab {
 
+// The settings are those of a first look unless asked otherwise: all parts, all characters, in some minutes.
 struct Options {
   std::string effort = "default";
   std::vector<std::string> only, files;
   std::string models = "out/models", out = "out";
-  TightnessSettings tightness;
-  SpeedSettings speed;
-  VolumeSettings volumes;
-  RoundingSettings rounding;
-  CollisionSettings collisions{.frames = 6, .speed = {.seconds_per_run = 0.005, .repetitions = 3}};
-  TriangleGrowthSettings triangles{.speed = {.seconds_per_run = 0.01, .repetitions = 3}};
-  QuerySettings queries;
+  TightnessSettings tightness{.times_per_clip = 8};
+  SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
+  VolumeSettings volumes{.times_per_clip = 3, .nodes_per_level = 32, .speed = speed};
+  RoundingSettings rounding{.postures = 1, .vertices_per_node = 2, .speed = speed};
+  CollisionSettings collisions{.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 3}};
+  TriangleGrowthSettings triangles{.frames = 2, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
+  QuerySettings queries{.count = 2000};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const {

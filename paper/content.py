@@ -4,7 +4,7 @@ from formats import digits, escaped, power_of_ten, table, whole_number
 from report import growth, original
 from report.statistics import mean, span
 from report.tables import ALL, ResultError
-from report.verdicts import of_lemma, summed_up
+from report.verdicts import of_lemma, said_of_claims, summed_up
 
 MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
 SCENES = ["far", "near", "light", "heavy", "worst"]
@@ -112,7 +112,8 @@ def numbers(results):
                                           total(results, "rounding", quantity="float_misses"))
     verdicts = summed_up(results.rows("verdicts"))
     out["verdicts.refuted"] = whole_number(sum(v.refuted_after > 0 for v in verdicts))
-    out["verdicts.held"] = whole_number(sum(v.printed_cases + v.cases for v in verdicts))
+    out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
+    out["verdicts.held"] = whole_number(sum(sum(v.printed_claims) + sum(v.claims) for v in verdicts))
     return out
 
 
@@ -224,10 +225,10 @@ def verdict_table(results, lemmas):
         v = of_lemma(stem, results.select("verdicts", lemma=stem))
         if v.failed:
             raise ResultError(f"verdicts.csv: a test of {stem} failed")
-        as_printed = f"refuted after {v.refuted_after}" if v.refuted_after else f"holds ({whole_number(v.printed_cases)})" if v.printed_cases else ""
-        held = [whole_number(v.cases), f"{100 * v.degenerate:.0f}\\,\\%"] if v.cases else ["", ""]
+        as_printed = f"refuted after {v.refuted_after}" if v.refuted_after else f"holds ({said_of_claims(v.printed_claims)})" if v.printed_claims else ""
+        held = [said_of_claims(v.claims), f"{100 * v.degenerate:.0f}\\,\\%"] if v.claims else ["", ""]
         out.append([f"\\texttt{{{escaped(stem)}}}", as_printed, *held])
-    return table("llrr", ["statement", "as printed", "repaired or new: cases", "degenerate"], out)
+    return table("lllr", ["statement", "as printed", "repaired or new: holds in", "degenerate"], out)
 
 
 def tables(results, lemmas):

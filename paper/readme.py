@@ -27,7 +27,7 @@ def variants_block(results):
     missed = content.total(results, "tightness", quantity="misses", variant=lambda v: v in content.SPHERICAL)
     gains = content.batch_gains(results)
     return f"""\
-Measured on six characters with `experiments/run` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. Average radius
+Measured on six characters with `experiments/run --full` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. Average radius
 over that of the smallest ball of the deformed vertices, on the worst level of the worst clip: `spherical_repaired` {worst['spherical_repaired']},
 `control_mixed` {worst['control_mixed']}, `control_clusters` {worst['control_clusters']}; in a joint twisted by 170 degrees or more `control_mixed` has at most {twist} on a
 level. Cost of a sphere against `spherical_repaired` in the same run: `control_mixed` {from_to(content.cost_ratios(results, 'control_mixed'))},
@@ -51,7 +51,7 @@ def queries_block(results):
     heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
     heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
     return f"""\
-Two walking men of 8270 triangles, all touching pairs, microseconds a frame from posture to pairs (`experiments/run --only collisions growth`; commit
+Two walking men of 8270 triangles, all touching pairs, microseconds a frame from posture to pairs (`experiments/run --full`; commit
 {commit}, {cpu}, one thread; every pair set is checked against all pairs by brute force; Embree alone in the last three columns):
 
 | | {' | '.join(heads)} |

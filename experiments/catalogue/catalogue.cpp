@@ -5,7 +5,8 @@
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/verification/score.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "experiments/collisions/detector.hpp"
+#include "experiments/collisions/detectors.hpp"
+#include "experiments/rivals/rivals.hpp"
 #include "experiments/scenes/contenders.hpp"
 #include "experiments/tightness/measure.hpp"
 

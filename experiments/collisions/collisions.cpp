@@ -9,8 +9,10 @@
 #include <stdexcept>
 
 #include "algorithms/results/result_file.hpp"
+#include "experiments/collisions/detectors.hpp"
 #include "experiments/collisions/on_demand.hpp"
 #include "experiments/rivals/brute_force.hpp"
+#include "experiments/rivals/rivals.hpp"
 
 namespace refitlab {
 namespace {

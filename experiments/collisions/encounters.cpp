@@ -6,6 +6,7 @@
 
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/collisions/detectors.hpp"
 
 namespace refitlab {
 namespace {

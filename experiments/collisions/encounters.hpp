@@ -1,7 +1,7 @@
 // Encounters: scenes of two copies of a model that walk past each other, for collision queries (paper 5, Table 2).
 #pragma once
 
-#include "experiments/collisions/detector.hpp"
+#include "experiments/rivals/detector.hpp"
 #include "experiments/scenes/scenes.hpp"
 
 namespace refitlab {

@@ -1,7 +1,7 @@
 // The paper's query as detectors: spheres refitted on demand, by each contender.
 #pragma once
 
-#include "experiments/collisions/detector.hpp"
+#include "experiments/rivals/detector.hpp"
 
 namespace refitlab {
 

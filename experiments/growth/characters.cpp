@@ -134,7 +134,7 @@ std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings)
   const ClusterTree tree(man);
   std::vector<CharacterGrowth> rows;
   for (const int count : {10, 30, 100, 300, 1000}) {
-    std::cout << "[growth] " << count << " walking men in a square" << std::endl;
+    std::cout << "[growth] " << count << " walking men in a square; the last will be 1000" << std::endl;
     rows.push_back(measure(tree, man.clips[0], count, settings));
     const CharacterGrowth& r = rows.back();
     std::printf(

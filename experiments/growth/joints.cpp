@@ -62,7 +62,7 @@ JointGrowth measure(int joints, const SpeedSettings& speed) {
 std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings) {
   std::vector<JointGrowth> rows;
   for (const int joints : {10, 30, 100, 300, 1000}) {
-    std::cout << "[growth] a snake of " << joints << " joints" << std::endl;
+    std::cout << "[growth] a snake of " << joints << " joints; the last will have 1000" << std::endl;
     rows.push_back(measure(joints, settings));
     const JointGrowth& r = rows.back();
     std::printf("  %4d joint-sets, %3d nodes of many: %7.1f us in all, %7.1f from below; the root %7.1f us, %7.1f from below, %5.1f if the frame "

@@ -8,6 +8,7 @@
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/model/procedural/subdivide.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "experiments/collisions/detectors.hpp"
 
 namespace refitlab {
 namespace {
@@ -46,10 +47,12 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
   for (const char* name : detectors) kinds.push_back(&detector_kind(name));
 
   std::vector<TriangleGrowth> rows;
-  for (const Size& size : sizes(settings.up_to_a_million)) {
+  const auto all = sizes(settings.up_to_a_million);
+  int begun = 0;
+  for (const Size& size : all) {
     const auto man = bake(make(size));
     const int triangles = static_cast<int>(man.mesh.triangles.size());
-    std::cout << "[growth] " << man.mesh.name << ", " << man.sets.count() << " joint-sets" << std::endl;
+    std::cout << "[growth] " << man.mesh.name << ", " << man.sets.count() << " joint-sets (" << ++begun << "/" << all.size() << ")" << std::endl;
     for (const Encounter& scene : scenes) {
       PairLists expected;
       const auto first = detector_kind(reference).make(man);

@@ -12,7 +12,7 @@ namespace {
 using render::Scene;
 namespace palette = render::palette;
 
-constexpr int width = 480, height = 440;
+constexpr int caps_width = 480, caps_height = 440;
 const SquaredBall<double, 3> unit_sphere{{0, 0, 0}, 1};
 const Point3 above(0.35, 1, 0.25);  // where the caps are
 
@@ -36,7 +36,7 @@ struct Drawn {
   }
   void draw(PictureTable& pictures, const std::string& name) const {
     const auto camera = render::Camera::orthographic({1, 1.1, 4}, {0, 0, 0}, 3);
-    pictures.draw(scene, camera, {.width = width, .height = height}, {"caps", "", "", ""}, name + ".png", {}, labels);
+    pictures.draw(scene, camera, {.width = caps_width, .height = caps_height}, {"caps", "", "", ""}, name + ".png", {}, labels);
   }
 };
 

@@ -8,7 +8,7 @@
 namespace refitlab {
 namespace {
 
-constexpr int width = 480, height = 600;
+constexpr int failing_width = 480, failing_height = 600;
 
 class FailingPosture {
  public:
@@ -33,8 +33,8 @@ class FailingPosture {
   // Not from outside: from among the skin, where no light gets to.
   void draw(const render::Scene& scene, const std::vector<Point3>& framed, const Point3& from, bool from_outside,
             const std::string& what, const std::string& variant, int level, const std::vector<PictureNumber>& numbers) const {
-    pictures_.draw(scene, render::Camera::frame(framed, from, double(width) / height, 0.15),
-                   {.width = width, .height = height, .occlusion = from_outside},
+    pictures_.draw(scene, render::Camera::frame(framed, from, double(failing_width) / failing_height, 0.15),
+                   {.width = failing_width, .height = failing_height, .occlusion = from_outside},
                    {"failing", c_.mesh.name, posture_.name, variant, level}, c_.mesh.name + "_failing_" + what + ".png", numbers);
   }
 

@@ -7,7 +7,7 @@
 namespace refitlab {
 namespace {
 
-constexpr int width = 480, height = 600;
+constexpr int twist_width = 480, twist_height = 600;
 
 // A skin and the balls of the whole tree around it.
 struct Dressed {
@@ -30,7 +30,7 @@ std::vector<Dressed> dress(const AnimatedCharacter& c, const NamedPosture& postu
 render::Camera frame_all(const std::vector<Dressed>& all) {
   std::vector<Point3> points;
   for (const Dressed& d : all) points.insert(points.end(), d.vertices.begin(), d.vertices.end());
-  return render::Camera::frame(points, {0.55, 0.25, 1}, double(width) / height, 0.08);
+  return render::Camera::frame(points, {0.55, 0.25, 1}, double(twist_width) / twist_height, 0.08);
 }
 
 }  // namespace
@@ -41,7 +41,8 @@ void draw_twist(const AnimatedCharacter& c, const NamedPosture& posture, Picture
   const auto draw = [&](const Dressed& d, const render::Scene& scene, const std::string& figure, int level,
                         const std::vector<PictureNumber>& numbers) {
     const std::string what = level ? "level" + std::to_string(level) : "bare";
-    pictures.draw(scene, camera, {.width = width, .height = height}, {figure, c.mesh.name, posture.name, d.name, level},
+    pictures.draw(scene, camera, {.width = twist_width, .height = twist_height},
+                  {figure, c.mesh.name, posture.name, d.name, level},
                   c.mesh.name + "_" + d.name + "_" + what + ".png", numbers);
   };
 

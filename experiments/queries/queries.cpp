@@ -11,7 +11,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/verification/score.hpp"
 #include "algorithms/results/result_file.hpp"
-#include "experiments/parallel.hpp"
+#include "experiments/threads/parallel.hpp"
 
 namespace refitlab {
 namespace {

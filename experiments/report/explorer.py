@@ -27,8 +27,8 @@ def packed_models(results):
 
 
 def section(results, page):
-    """None if the page goes without it."""
+    """If the page goes without it, it says how to have it."""
     if page.explorer is None:
-        return None
+        return {"explorer": None}
     lines, left_out = packed_models(results)
     return {"lines": lines, "left_out": left_out, "explorer": Markup(page.explorer.read_text(encoding="utf-8"))}

@@ -2,7 +2,7 @@
 
 Each row has the commit, dirty flag, compiler, flags and processor that it comes from. A file is stale if what made it has
 changed since: any file of SOURCES, committed or not. All files must be of one commit, compiler and processor, and run.csv,
-which a run writes when it is done, must name them.
+which a run writes when it is done, must name them as of a full run.
 """
 import pathlib
 import subprocess
@@ -10,7 +10,7 @@ import subprocess
 from .tables import PROVENANCE, ResultError, Results
 
 RUN = ["CMakeLists.txt", "lemmas", "algorithms", "experiments/CMakeLists.txt", "experiments/main.cpp",
-       "experiments/parallel.hpp", "experiments/scenes"]
+       "experiments/threads", "experiments/scenes"]
 QUERIES = ["experiments/collisions", "experiments/rivals", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"]
 SOURCES = {
     "tightness": [*RUN, "experiments/tightness"],
@@ -85,8 +85,8 @@ class FitResults(Results):
         of_file = [row for row in self.rows("run") if row.file == f"{name}.csv"]
         if not of_file:
             self._complain(f"{self.path(name)}: is not of the last run ({self.path('run')} does not name it)")
-        elif of_file[0].effort == "quick":
-            self._complain(f"{self.path(name)}: is of a quick run")
+        elif of_file[0].effort != "full":
+            self._complain(f"{self.path(name)}: is not of a full run (experiments/run --full)")
         elif of_file[0].models != "default":
             self._complain(f"{self.path(name)}: is of other models than the default ones")
 

@@ -30,6 +30,17 @@ SECTIONS = [
     ("Generated queries", "queries", queries.section, ["queries"]),
 ]
 
+EFFORTS = {"quick": "a smoke run", "default": "a first look"}
+# Of experiments/options.cpp's full run beside the default one.
+FULL = ("experiments/run --full samples clips a dozen times more often, tries all detectors and up to a million triangles, and times twenty to fifty "
+        "times as long: two to three hours. The paper's numbers are of such a run.")
+
+
+def said_of_effort(results):
+    """What a longer run would add; nothing of a full run."""
+    effort = results.rows("run")[0].effort
+    return f"This is {EFFORTS[effort]}, with few postures and short timings. {FULL}" if effort in EFFORTS else ""
+
 
 @dataclass
 class Page:
@@ -68,7 +79,7 @@ def built(results, folder, explorer_page=None):
             errors.append(str(error))
             sections.append((title, Markup(env.get_template("error.html.j2").render(error=error))))
     html = env.get_template("page.html.j2").render(
-        sections=sections, provenance=page.provenance, absent=[row.model for row in results.rows("models") if row.found == "no"],
+        sections=sections, provenance=page.provenance, effort=said_of_effort(results), absent=[row.model for row in results.rows("models") if row.found == "no"],
         style=Markup((FOLDER / "page.css").read_text() + drawings.STYLE.read_text()),
         has_reference=(page.folder / "reference/index.html").exists())
     return html, errors

@@ -13,8 +13,8 @@ class Verdict:
     lemma: str
     failed: bool         # a test failed: then nothing is said
     refuted_after: int   # cases until the first counterexample to what is printed; 0: none was found
-    printed_cases: int   # in which what is printed held
-    cases: int           # in which what is repaired or goes beyond the paper held
+    printed_claims: list  # the cases in which each claim of what is printed held
+    claims: list         # the cases in which each claim of what is repaired or goes beyond the paper held
     degenerate: float    # the share of these that were degenerate
     number_types: list
     hypotheses: list     # without which a counterexample is found
@@ -25,11 +25,10 @@ def of_lemma(lemma, rows):
     statements = [r for r in rows if r.role == "statement"]
     printed = [r for r in statements if r.form == "printed"]
     repaired = [r for r in statements if r.form != "printed" and r.verdict == "holds"]
-    cases = sum(r.cases for r in repaired)
     return Verdict(lemma, any(r.verdict == "TEST FAILED" for r in rows),
                    min((r.cases for r in printed if r.verdict == "refuted"), default=0),
-                   sum(r.cases for r in printed if r.verdict == "holds"), cases,
-                   weighted_mean([r.degenerate_share for r in repaired], [r.cases for r in repaired]) if cases else 0,
+                   [r.cases for r in printed if r.verdict == "holds"], [r.cases for r in repaired],
+                   weighted_mean([r.degenerate_share for r in repaired], [r.cases for r in repaired]) if repaired else 0,
                    sorted({r.number_type for r in rows} - {""}), sorted({r.hypothesis for r in rows} - {""}))
 
 
@@ -41,16 +40,26 @@ def summed_up(rows):
     return [of_lemma(lemma, some) for lemma, some in sorted(by_lemma.items()) if any(r.role == "statement" for r in some)]
 
 
+def said_of_claims(cases):
+    """How many claims held, and in how many cases each; nothing of none."""
+    if not cases:
+        return ""
+    each = f"{min(cases)} to {max(cases)}" if min(cases) < max(cases) else f"{cases[0]}"
+    return f"{len(cases)} claims, {each} cases each" if len(cases) > 1 else f"1 claim, {each} cases"
+
+
 def said_of_printed(verdict):
     if verdict.failed:
         return "TEST FAILED"
-    return f"**refuted** after {verdict.refuted_after}" if verdict.refuted_after else f"holds ({verdict.printed_cases})" if verdict.printed_cases else ""
+    if verdict.refuted_after:
+        return f"**refuted** after {verdict.refuted_after}"
+    return f"holds ({said_of_claims(verdict.printed_claims)})" if verdict.printed_claims else ""
 
 
 def said_of_repaired(verdict):
     if verdict.failed:
         return "TEST FAILED"
-    return f"holds ({verdict.cases}, {100 * verdict.degenerate:.0f} % degenerate)" if verdict.cases else ""
+    return f"holds ({said_of_claims(verdict.claims)}, {100 * verdict.degenerate:.0f} % degenerate)" if verdict.claims else ""
 
 
 def markdown(verdicts):
@@ -75,5 +84,5 @@ def section(results, page):
     rows = results.rows("verdicts")
     commits = sorted({row.commit for row in rows})
     verdicts = summed_up(rows)
-    return {"verdicts": verdicts, "other_commits": [] if commits == [page.commit] else commits,
+    return {"verdicts": verdicts, "said_of_claims": said_of_claims, "other_commits": [] if commits == [page.commit] else commits,
             "pages": {v.lemma: f"reference/{v.lemma}.html" for v in verdicts if (page.folder / "reference" / f"{v.lemma}.html").exists()}}

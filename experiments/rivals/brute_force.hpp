@@ -1,7 +1,7 @@
 // The oracle: all pairs of triangles, slow and obvious.
 #pragma once
 
-#include "experiments/collisions/detector.hpp"
+#include "experiments/rivals/detector.hpp"
 
 namespace refitlab {
 

@@ -2,13 +2,15 @@
 // them, and has its candidates decided by triangles_meet.
 #pragma once
 
-#include "experiments/collisions/detector.hpp"
+#include "experiments/rivals/detector.hpp"
 
 namespace refitlab {
 
 std::vector<DetectorKind> rival_kinds();
 // Those that were found when this was configured.
 std::vector<DetectorKind> engine_kinds();
+// The engines that were not.
+std::vector<std::string> absent_engines();
 
 using Maker = std::unique_ptr<Detector>(const Character& character);
 Maker make_brown, make_aabb_tree, make_skin_all_simd, make_cgal_aabb;

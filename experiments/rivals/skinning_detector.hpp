@@ -4,7 +4,7 @@
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/batch/pose_packs.hpp"
 #include "algorithms/runtime/refit/frame_stamps.hpp"
-#include "experiments/collisions/detector.hpp"
+#include "experiments/rivals/detector.hpp"
 
 namespace refitlab {
 

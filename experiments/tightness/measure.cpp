@@ -3,7 +3,7 @@
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/methods/refit/deformed.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "experiments/parallel.hpp"
+#include "experiments/threads/parallel.hpp"
 #include "experiments/scenes/contenders.hpp"
 
 namespace refitlab {

@@ -10,7 +10,7 @@
 #include "algorithms/methods/refit/volume_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "experiments/parallel.hpp"
+#include "experiments/threads/parallel.hpp"
 #include "experiments/tightness/measure.hpp"
 
 namespace refitlab {

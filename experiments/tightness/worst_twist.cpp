@@ -5,7 +5,7 @@
 
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "experiments/parallel.hpp"
+#include "experiments/threads/parallel.hpp"
 #include "experiments/tightness/misses.hpp"
 
 namespace refitlab {

@@ -4,7 +4,7 @@
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_aabb {
 namespace {
 
 using namespace refitlab;
@@ -49,4 +49,4 @@ PROPTEST(aabb) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_aabb

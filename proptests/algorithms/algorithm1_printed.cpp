@@ -9,7 +9,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/refit_ladder.hpp"
 
-namespace proptests {
+namespace proptests::suite_algorithm1_printed {
 namespace {
 
 using namespace refitlab;
@@ -154,4 +154,4 @@ PROPTEST(algorithm1_printed) {
             {.form = "printed", .number_type = "float"}, [] { return share_not_a_number<float>(2, 0.1); });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_algorithm1_printed

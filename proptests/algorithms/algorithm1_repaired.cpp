@@ -5,7 +5,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/refit_ladder.hpp"
 
-namespace proptests {
+namespace proptests::suite_algorithm1_repaired {
 namespace {
 
 using namespace refitlab;
@@ -193,4 +193,4 @@ PROPTEST(algorithm1_repaired) {
       });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_algorithm1_repaired

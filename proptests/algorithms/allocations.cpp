@@ -10,7 +10,7 @@
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_allocations {
 namespace {
 
 using namespace refitlab;
@@ -86,4 +86,4 @@ PROPTEST(allocations) {
       });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_allocations

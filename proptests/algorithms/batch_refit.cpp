@@ -17,7 +17,7 @@
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_batch_refit {
 namespace {
 
 using namespace refitlab;
@@ -381,4 +381,4 @@ PROPTEST(batch_refit) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_batch_refit

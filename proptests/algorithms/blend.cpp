@@ -7,7 +7,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_blend {
 namespace {
 
 using namespace refitlab;
@@ -156,4 +156,4 @@ PROPTEST(blend) {
           });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_blend

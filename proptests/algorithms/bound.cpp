@@ -10,7 +10,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/bounds.hpp"
 
-namespace proptests {
+namespace proptests::suite_bound {
 namespace {
 
 using namespace refitlab;
@@ -189,4 +189,4 @@ PROPTEST(bound) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_bound

@@ -8,7 +8,7 @@
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_box_orientation {
 namespace {
 
 using namespace refitlab;
@@ -130,4 +130,4 @@ PROPTEST(box_orientation) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_box_orientation

@@ -14,7 +14,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_box_packs {
 namespace {
 
 using namespace refitlab;
@@ -230,4 +230,4 @@ PROPTEST(box_packs) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_box_packs

@@ -19,7 +19,7 @@
 #include "proptests/counterexamples/t3_smallest_ball_smallest_cap.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_case_twins {
 namespace {
 
 using namespace refitlab;
@@ -344,4 +344,4 @@ PROPTEST(cases) {
             check_twins);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_case_twins

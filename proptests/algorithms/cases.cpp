@@ -6,7 +6,7 @@
 #include "proptests/cases/statements.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_cases {
 namespace {
 
 using namespace refitlab;
@@ -242,4 +242,4 @@ PROPTEST(cases) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_cases

@@ -19,7 +19,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
-namespace proptests {
+namespace proptests::suite_certificate {
 namespace {
 
 using namespace refitlab;
@@ -646,4 +646,4 @@ PROPTEST(certificate) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_certificate

@@ -13,7 +13,7 @@
 #include "proptests/oracles/bounds.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
-namespace proptests {
+namespace proptests::suite_check {
 namespace {
 
 using namespace refitlab;
@@ -678,4 +678,4 @@ PROPTEST(check) {
   t.example("exit status and verdicts of files that are accepted, rejected and unreadable", {}, check_statuses);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_check

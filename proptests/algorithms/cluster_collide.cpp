@@ -14,7 +14,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 
-namespace proptests {
+namespace proptests::suite_cluster_collide {
 namespace {
 
 using namespace refitlab;
@@ -490,4 +490,4 @@ PROPTEST(cluster_collide) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_cluster_collide

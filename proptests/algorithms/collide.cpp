@@ -14,7 +14,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 
-namespace proptests {
+namespace proptests::suite_collide {
 namespace {
 
 using namespace refitlab;
@@ -209,4 +209,4 @@ PROPTEST(collide) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_collide

@@ -13,7 +13,7 @@
 #include "proptests/oracles/hull_of_balls.hpp"
 #include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 
-namespace proptests {
+namespace proptests::suite_control_hull {
 namespace {
 
 using namespace refitlab;
@@ -300,4 +300,4 @@ PROPTEST(control_hull) {
             {.number_type = "double"}, measure_tightness);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_control_hull

@@ -7,7 +7,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/corners.hpp"
 
-namespace proptests {
+namespace proptests::suite_corners {
 namespace {
 
 using namespace refitlab;
@@ -161,4 +161,4 @@ PROPTEST(corners) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_corners

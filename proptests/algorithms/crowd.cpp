@@ -13,7 +13,7 @@
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/workers_on_threads.hpp"
 
-namespace proptests {
+namespace proptests::suite_crowd {
 namespace {
 
 using namespace refitlab;
@@ -151,4 +151,4 @@ PROPTEST(crowd) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_crowd

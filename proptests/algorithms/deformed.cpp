@@ -8,7 +8,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
 
-namespace proptests {
+namespace proptests::suite_deformed {
 namespace {
 
 using namespace refitlab;
@@ -87,4 +87,4 @@ PROPTEST(deformed) {
           });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_deformed

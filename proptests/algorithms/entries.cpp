@@ -18,7 +18,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 
-namespace proptests {
+namespace proptests::suite_entries {
 namespace {
 
 using namespace refitlab;
@@ -84,7 +84,7 @@ class Truth {
  private:
   static bool holds(const Ball3<double>& ball, const Point3& p) {
     if (ball.radius == HUGE_VAL) return true;
-    return encloses<Rational, 3>({convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) == Verdict::holds;
+    return encloses(Ball<Rational, 3>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) == Verdict::holds;
   }
   const Character& character_;
   const SkinningPose<double> pose_;
@@ -197,4 +197,4 @@ PROPTEST(entries) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_entries

@@ -3,7 +3,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_errors {
 namespace {
 
 const std::vector<ListedError>& list() {
@@ -42,4 +42,4 @@ PROPTEST(errors) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_errors

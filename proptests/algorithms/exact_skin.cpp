@@ -8,7 +8,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_exact_skin {
 namespace {
 
 using namespace refitlab;
@@ -85,4 +85,4 @@ PROPTEST(exact_skin) {
           });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_exact_skin

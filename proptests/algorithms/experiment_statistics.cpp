@@ -6,7 +6,7 @@
 #include "experiments/tightness/levels.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_experiment_statistics {
 namespace {
 
 using namespace refitlab;
@@ -81,4 +81,4 @@ PROPTEST(experiment_statistics) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_experiment_statistics

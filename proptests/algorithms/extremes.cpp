@@ -18,7 +18,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 
-namespace proptests {
+namespace proptests::suite_extremes {
 namespace {
 
 using namespace refitlab;
@@ -256,4 +256,4 @@ PROPTEST(extremes) {
               [&] { return check_file(file); });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_extremes

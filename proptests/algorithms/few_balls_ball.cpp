@@ -8,7 +8,7 @@
 #include "proptests/oracles/smallest_ball.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_few_balls_ball {
 namespace {
 
 using namespace refitlab;
@@ -222,4 +222,4 @@ PROPTEST(few_balls_ball) {
       });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_few_balls_ball

@@ -7,7 +7,7 @@
 #include "proptests/oracles/smallest_ball.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_few_points_ball {
 namespace {
 
 using namespace refitlab;
@@ -200,4 +200,4 @@ PROPTEST(few_points_ball) {
             });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_few_points_ball

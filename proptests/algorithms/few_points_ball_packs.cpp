@@ -4,7 +4,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_few_points_ball_packs {
 namespace {
 
 using namespace refitlab;
@@ -110,4 +110,4 @@ PROPTEST(few_points_ball_packs) {
   properties<simd::fixed_size_simd<double, 8>, 3>(t, "eight lanes in R^3");
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_few_points_ball_packs

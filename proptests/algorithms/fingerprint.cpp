@@ -3,7 +3,7 @@
 
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_fingerprint {
 namespace {
 
 using refitlab::Fingerprint;
@@ -41,4 +41,4 @@ PROPTEST(fingerprint) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_fingerprint

@@ -8,7 +8,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_first_balls_ball {
 namespace {
 
 using namespace refitlab;
@@ -98,4 +98,4 @@ PROPTEST(first_balls_ball) {
             });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_first_balls_ball

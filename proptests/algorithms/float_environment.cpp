@@ -31,7 +31,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
 
-namespace proptests {
+namespace proptests::suite_float_environment {
 namespace {
 
 using namespace refitlab;
@@ -397,4 +397,4 @@ PROPTEST(float_environment) {
             [] { return are_the_same_in_all_modes(query_entries()); });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_float_environment

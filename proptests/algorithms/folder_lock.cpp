@@ -13,7 +13,7 @@
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_folder_lock {
 namespace {
 
 using namespace refitlab;
@@ -108,4 +108,4 @@ PROPTEST(folder_lock) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_folder_lock

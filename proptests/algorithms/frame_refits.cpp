@@ -15,7 +15,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_frame_refits {
 namespace {
 
 using namespace refitlab;
@@ -271,4 +271,4 @@ PROPTEST(frame_refits) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_frame_refits

@@ -6,7 +6,7 @@
 #include "proptests/fuzz/target.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_fuzz {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ PROPTEST(fuzz) {
   }
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_fuzz

@@ -5,7 +5,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_joint_sets {
 
 using namespace refitlab;
 
@@ -36,4 +36,4 @@ PROPTEST(joint_sets) {
           });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_joint_sets

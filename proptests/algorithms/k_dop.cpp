@@ -8,7 +8,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_k_dop {
 namespace {
 
 using namespace refitlab;
@@ -185,4 +185,4 @@ PROPTEST(k_dop) {
   t.holds("the 26-DOP is no larger than the 18-DOP", volumes, check_smaller<26, 18>);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_k_dop

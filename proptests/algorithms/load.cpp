@@ -15,7 +15,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/file_skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_load {
 namespace {
 
 using namespace refitlab;
@@ -514,4 +514,4 @@ PROPTEST(load) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_load

@@ -8,7 +8,7 @@
 #include "algorithms/runtime/packs/lanes.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_look_up {
 namespace {
 
 using namespace refitlab;
@@ -64,4 +64,4 @@ PROPTEST(look_up) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_look_up

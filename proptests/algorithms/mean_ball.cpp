@@ -7,7 +7,7 @@
 #include "proptests/oracles/smallest_ball.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_mean_ball {
 namespace {
 
 using namespace refitlab;
@@ -119,4 +119,4 @@ PROPTEST(mean_ball) {
             });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_mean_ball

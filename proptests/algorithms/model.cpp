@@ -8,7 +8,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_model {
 namespace {
 
 using namespace refitlab;
@@ -195,4 +195,4 @@ PROPTEST(model) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_model

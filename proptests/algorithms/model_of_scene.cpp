@@ -7,7 +7,7 @@
 
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_model_of_scene {
 namespace {
 
 using namespace refitlab;
@@ -143,4 +143,4 @@ PROPTEST(model_of_scene) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_model_of_scene

@@ -10,7 +10,7 @@
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_near_smallest_ball {
 namespace {
 
 using namespace refitlab;
@@ -138,4 +138,4 @@ PROPTEST(near_smallest_ball) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_near_smallest_ball

@@ -14,7 +14,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/polytope.hpp"
 
-namespace proptests {
+namespace proptests::suite_obb {
 namespace {
 
 using namespace refitlab;
@@ -236,4 +236,4 @@ PROPTEST(obb) {
   t.example("a turned box comes back from its corners", {.number_type = "double"}, finds_a_turned_box);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_obb

@@ -7,7 +7,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_pack {
 namespace {
 
 using namespace refitlab;
@@ -61,4 +61,4 @@ PROPTEST(pack) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_pack

@@ -10,7 +10,7 @@
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_packed_vertices {
 namespace {
 
 using namespace refitlab;
@@ -97,4 +97,4 @@ PROPTEST(packed_vertices) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_packed_vertices

@@ -2,7 +2,7 @@
 
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_pair_memory {
 namespace {
 
 using namespace refitlab;
@@ -50,4 +50,4 @@ PROPTEST(pair_memory) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_pair_memory

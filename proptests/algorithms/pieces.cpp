@@ -12,7 +12,7 @@
 #include "proptests/oracles/convex_combination.hpp"
 #include "proptests/oracles/corners.hpp"
 
-namespace proptests {
+namespace proptests::suite_pieces {
 namespace {
 
 using namespace refitlab;
@@ -360,4 +360,4 @@ PROPTEST(pieces) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_pieces

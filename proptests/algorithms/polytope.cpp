@@ -10,7 +10,7 @@
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_polytope {
 namespace {
 
 using namespace refitlab;
@@ -130,4 +130,4 @@ PROPTEST(polytope) {
             grows_by_its_surface);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_polytope

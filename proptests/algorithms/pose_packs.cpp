@@ -8,7 +8,7 @@
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_pose_packs {
 namespace {
 
 using namespace refitlab;
@@ -104,4 +104,4 @@ PROPTEST(pose_packs) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_pose_packs

@@ -13,7 +13,7 @@
 #include "algorithms/runtime/skinning/skinning_pose.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_procedural_models {
 namespace {
 
 using namespace refitlab;
@@ -392,4 +392,4 @@ PROPTEST(procedural_models) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_procedural_models

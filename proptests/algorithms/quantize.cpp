@@ -7,7 +7,7 @@
 #include "lemmas/exact/exact.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_quantize {
 namespace {
 
 using namespace refitlab;
@@ -122,4 +122,4 @@ PROPTEST(quantize) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_quantize

@@ -11,7 +11,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_queries {
 namespace {
 
 using namespace refitlab;
@@ -224,4 +224,4 @@ PROPTEST(queries) {
             });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_queries

@@ -9,7 +9,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_reach {
 namespace {
 
 using namespace refitlab;
@@ -260,4 +260,4 @@ PROPTEST(reach) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_reach

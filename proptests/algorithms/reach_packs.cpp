@@ -11,7 +11,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_reach_packs {
 namespace {
 
 using namespace refitlab;
@@ -335,4 +335,4 @@ PROPTEST(reach_packs) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_reach_packs

@@ -23,7 +23,7 @@ Ball3<Rational> all_of_space(const Vec<Rational, 3>&) {
 }
 }  // namespace refitlab
 
-namespace proptests {
+namespace proptests::suite_refit_dual_quaternion {
 namespace {
 
 using namespace refitlab;
@@ -354,4 +354,4 @@ PROPTEST(refit_dual_quaternion) {
             {.number_type = "double"}, measure_tightness);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_refit_dual_quaternion

@@ -17,7 +17,7 @@
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_refit_end_to_end {
 namespace {
 
 using namespace refitlab;
@@ -166,4 +166,4 @@ PROPTEST(refit_end_to_end) {
     });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_refit_end_to_end

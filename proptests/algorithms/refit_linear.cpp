@@ -4,7 +4,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/refit_ladder.hpp"
 
-namespace proptests {
+namespace proptests::suite_refit_linear {
 namespace {
 
 using namespace refitlab;
@@ -67,4 +67,4 @@ PROPTEST(refit_linear) {
       });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_refit_linear

@@ -9,7 +9,7 @@
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_result_table {
 namespace {
 
 using namespace refitlab;
@@ -185,4 +185,4 @@ PROPTEST(result_table) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_result_table

@@ -5,7 +5,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_rotation_bound_packs {
 namespace {
 
 using namespace refitlab;
@@ -79,4 +79,4 @@ PROPTEST(rotation_bound_packs) {
   properties<double>(t, "double");
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_rotation_bound_packs

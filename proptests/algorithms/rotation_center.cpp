@@ -6,7 +6,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/rotation_center.hpp"
 
-namespace proptests {
+namespace proptests::suite_rotation_center {
 namespace {
 
 using namespace refitlab;
@@ -134,4 +134,4 @@ PROPTEST(rotation_center) {
           });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_rotation_center

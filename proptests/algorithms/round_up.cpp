@@ -10,7 +10,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_round_up {
 namespace {
 
 using namespace refitlab;
@@ -102,4 +102,4 @@ PROPTEST(round_up) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_round_up

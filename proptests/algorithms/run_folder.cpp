@@ -13,7 +13,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_run_folder {
 namespace {
 
 using namespace refitlab;
@@ -168,4 +168,4 @@ PROPTEST(run_folder) {
       {}, interrupted_run_has_the_same_rows);
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_run_folder

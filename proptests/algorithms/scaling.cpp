@@ -16,7 +16,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_scaling {
 namespace {
 
 using namespace refitlab;
@@ -242,4 +242,4 @@ PROPTEST(scaling) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_scaling

@@ -3,7 +3,7 @@
 
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_sha256 {
 
 using refitlab::sha256;
 
@@ -22,4 +22,4 @@ PROPTEST(sha256) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_sha256

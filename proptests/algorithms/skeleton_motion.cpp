@@ -5,7 +5,7 @@
 
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_skeleton_motion {
 namespace {
 
 using namespace refitlab;
@@ -136,4 +136,4 @@ PROPTEST(skeleton_motion) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_skeleton_motion

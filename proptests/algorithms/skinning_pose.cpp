@@ -13,7 +13,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_skinning_pose {
 namespace {
 
 using namespace refitlab;
@@ -307,4 +307,4 @@ PROPTEST(skinning_pose) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_skinning_pose

@@ -5,7 +5,7 @@
 #include "proptests/oracles/smallest_ball.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_smallest_ball {
 namespace {
 
 using namespace refitlab;
@@ -158,4 +158,4 @@ PROPTEST(smallest_ball) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_smallest_ball

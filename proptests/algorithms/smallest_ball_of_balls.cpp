@@ -5,7 +5,7 @@
 #include "proptests/oracles/smallest_ball.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_smallest_ball_of_balls {
 namespace {
 
 using namespace refitlab;
@@ -114,4 +114,4 @@ PROPTEST(smallest_ball_of_balls) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_smallest_ball_of_balls

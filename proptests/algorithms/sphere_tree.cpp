@@ -12,7 +12,7 @@
 #include "proptests/oracles/corners.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
 
-namespace proptests {
+namespace proptests::suite_sphere_tree {
 namespace {
 
 using namespace refitlab;
@@ -248,4 +248,4 @@ PROPTEST(sphere_tree) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_sphere_tree

@@ -7,7 +7,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_subdivide {
 namespace {
 
 using namespace refitlab;
@@ -108,4 +108,4 @@ PROPTEST(subdivide) {
           });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_subdivide

@@ -5,7 +5,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
 
-namespace proptests {
+namespace proptests::suite_three_points_ball {
 namespace {
 
 using namespace refitlab;
@@ -68,4 +68,4 @@ PROPTEST(three_points_ball) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_three_points_ball

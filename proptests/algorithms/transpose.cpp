@@ -2,7 +2,7 @@
 
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_transpose {
 namespace {
 
 template <class T>
@@ -38,4 +38,4 @@ PROPTEST(transpose) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_transpose

@@ -7,7 +7,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 
-namespace proptests {
+namespace proptests::suite_triangles_filter {
 namespace {
 
 using namespace refitlab;
@@ -115,4 +115,4 @@ PROPTEST(triangles_filter) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_triangles_filter

@@ -5,7 +5,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 
-namespace proptests {
+namespace proptests::suite_triangles_meet {
 namespace {
 
 using namespace refitlab;
@@ -67,4 +67,4 @@ PROPTEST(triangles_meet) {
           });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_triangles_meet

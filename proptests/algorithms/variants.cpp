@@ -15,7 +15,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_variants {
 namespace {
 
 using namespace refitlab;
@@ -182,4 +182,4 @@ PROPTEST(variants) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_variants

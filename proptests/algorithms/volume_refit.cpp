@@ -12,7 +12,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/rational_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_volume_refit {
 namespace {
 
 using namespace refitlab;
@@ -151,4 +151,4 @@ PROPTEST(volume_refit) {
             {.number_type = "double"}, [] { return check_model(make_man()); });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_volume_refit

@@ -10,7 +10,7 @@
 #include "proptests/oracles/convex_combination.hpp"
 #include "proptests/oracles/corners.hpp"
 
-namespace proptests {
+namespace proptests::suite_weight_hull {
 namespace {
 
 using namespace refitlab;
@@ -155,4 +155,4 @@ PROPTEST(weight_hull) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_weight_hull

@@ -14,7 +14,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_write_whole {
 namespace {
 
 using namespace refitlab;
@@ -162,4 +162,4 @@ PROPTEST(write_whole) {
             });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_write_whole

@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_b1_rational_bezier_simplex {
 namespace {
 
 using namespace refitlab;
@@ -265,4 +265,4 @@ PROPTEST(b1_rational_bezier_simplex) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_b1_rational_bezier_simplex

@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_b2_control_hull_encloses {
 namespace {
 
 using namespace refitlab;
@@ -266,4 +266,4 @@ PROPTEST(b2_control_hull_encloses) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_b2_control_hull_encloses

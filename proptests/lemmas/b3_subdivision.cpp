@@ -10,7 +10,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_b3_subdivision {
 namespace {
 
 using namespace refitlab;
@@ -524,4 +524,4 @@ PROPTEST(b3_subdivision) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_b3_subdivision

@@ -11,7 +11,7 @@
 #include "proptests/oracles/skinning.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_b4_cap_fallback {
 namespace {
 
 using namespace refitlab;
@@ -307,4 +307,4 @@ PROPTEST(b4_cap_fallback) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_b4_cap_fallback

@@ -9,7 +9,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_b5_rotation_axis {
 namespace {
 
 using namespace refitlab;
@@ -268,4 +268,4 @@ PROPTEST(b5_rotation_axis) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_b5_rotation_axis

@@ -9,7 +9,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_b6_dual_quaternion_ball {
 namespace {
 
 using namespace refitlab;
@@ -246,4 +246,4 @@ PROPTEST(b6_dual_quaternion_ball) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_b6_dual_quaternion_ball

@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_b7_reach {
 namespace {
 
 using namespace refitlab;
@@ -382,4 +382,4 @@ PROPTEST(b7_reach) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_b7_reach

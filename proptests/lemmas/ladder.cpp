@@ -4,7 +4,7 @@
 #include "proptests/gen/rational.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_ladder {
 namespace {
 
 using namespace refitlab;
@@ -86,4 +86,4 @@ PROPTEST(ladder) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_ladder

@@ -9,7 +9,7 @@
 #include "proptests/oracles/nearest_on_surface.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_lemma1_cap_definitions {
 namespace {
 
 using namespace refitlab;
@@ -495,4 +495,4 @@ PROPTEST(lemma1_cap_definitions) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_lemma1_cap_definitions

@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/rotation.hpp"
 
-namespace proptests {
+namespace proptests::suite_lemma2_normalization {
 namespace {
 
 using namespace refitlab;
@@ -377,4 +377,4 @@ PROPTEST(lemma2_normalization) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_lemma2_normalization

@@ -8,7 +8,7 @@
 #include "proptests/oracles/nearest_on_surface.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_lemma3_sphere_surface_intersection {
 namespace {
 
 using namespace refitlab;
@@ -428,4 +428,4 @@ PROPTEST(lemma3_sphere_surface_intersection) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_lemma3_sphere_surface_intersection

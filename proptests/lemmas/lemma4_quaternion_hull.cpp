@@ -8,7 +8,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_lemma4_quaternion_hull {
 namespace {
 
 using namespace refitlab;
@@ -394,4 +394,4 @@ PROPTEST(lemma4_quaternion_hull) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_lemma4_quaternion_hull

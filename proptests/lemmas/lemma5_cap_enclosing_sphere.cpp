@@ -7,7 +7,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_lemma5_cap_enclosing_sphere {
 namespace {
 
 using namespace refitlab;
@@ -388,4 +388,4 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_lemma5_cap_enclosing_sphere

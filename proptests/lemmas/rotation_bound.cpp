@@ -11,7 +11,7 @@
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_rotation_bound {
 namespace {
 
 using namespace refitlab;
@@ -171,4 +171,4 @@ PROPTEST(rotation_bound) {
             });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_rotation_bound

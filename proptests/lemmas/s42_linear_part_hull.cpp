@@ -9,7 +9,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_s42_linear_part_hull {
 namespace {
 
 using namespace refitlab;
@@ -266,4 +266,4 @@ PROPTEST(s42_linear_part_hull) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_s42_linear_part_hull

@@ -7,7 +7,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_s43_distance_range {
 namespace {
 
 using namespace refitlab;
@@ -257,4 +257,4 @@ PROPTEST(s43_distance_range) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_s43_distance_range

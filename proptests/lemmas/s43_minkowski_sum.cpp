@@ -7,7 +7,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_s43_minkowski_sum {
 namespace {
 
 using namespace refitlab;
@@ -196,4 +196,4 @@ PROPTEST(s43_minkowski_sum) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_s43_minkowski_sum

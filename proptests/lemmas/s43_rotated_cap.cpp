@@ -8,7 +8,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_s43_rotated_cap {
 namespace {
 
 using namespace refitlab;
@@ -269,4 +269,4 @@ PROPTEST(s43_rotated_cap) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_s43_rotated_cap

@@ -10,7 +10,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_s43_whole_sphere_fallback {
 namespace {
 
 using namespace refitlab;
@@ -317,4 +317,4 @@ PROPTEST(s43_whole_sphere_fallback) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_s43_whole_sphere_fallback

@@ -9,7 +9,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_s44_joint_sets {
 namespace {
 
 using namespace refitlab;
@@ -362,4 +362,4 @@ PROPTEST(s44_joint_sets) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_s44_joint_sets

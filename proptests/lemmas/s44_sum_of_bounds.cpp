@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_s44_sum_of_bounds {
 namespace {
 
 using namespace refitlab;
@@ -329,4 +329,4 @@ PROPTEST(s44_sum_of_bounds) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_s44_sum_of_bounds

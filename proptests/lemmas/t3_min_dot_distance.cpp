@@ -7,7 +7,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_t3_min_dot_distance {
 namespace {
 
 using namespace refitlab;
@@ -174,4 +174,4 @@ PROPTEST(t3_min_dot_distance) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_t3_min_dot_distance

@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_t3_one_cap {
 namespace {
 
 using namespace refitlab;
@@ -283,4 +283,4 @@ PROPTEST(t3_one_cap) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_t3_one_cap

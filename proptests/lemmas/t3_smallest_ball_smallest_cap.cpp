@@ -9,7 +9,7 @@
 #include "proptests/oracles/nearest_point.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_t3_smallest_ball_smallest_cap {
 namespace {
 
 using namespace refitlab;
@@ -284,4 +284,4 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_t3_smallest_ball_smallest_cap

@@ -12,7 +12,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests {
+namespace proptests::suite_vocabulary {
 namespace {
 
 using namespace refitlab;
@@ -392,4 +392,4 @@ PROPTEST(vocabulary) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_vocabulary

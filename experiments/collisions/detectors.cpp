@@ -1,4 +1,4 @@
-#include "experiments/collisions/detector.hpp"
+#include "experiments/collisions/detectors.hpp"
 
 #include <stdexcept>
 
@@ -7,16 +7,6 @@
 #include "experiments/rivals/rivals.hpp"
 
 namespace refitlab {
-
-const char* name_of(Origin origin) {
-  switch (origin) {
-    case Origin::own: return "own";
-    case Origin::rival: return "rival";
-    case Origin::engine: return "engine";
-    case Origin::oracle: break;
-  }
-  return "oracle";
-}
 
 const std::vector<DetectorKind>& detector_kinds() {
   static const std::vector<DetectorKind> all = [] {

@@ -81,14 +81,4 @@ struct DetectorKind {
   double tolerated_share = 0;
 };
 
-// All there are: each contender that is sound for spherical blending, our clusters, the rivals, the engines that were found when this
-// was configured.
-const std::vector<DetectorKind>& detector_kinds();
-
-// The engines that were not.
-std::vector<std::string> absent_engines();
-
-// Throws std::invalid_argument for a name that is none of theirs.
-const DetectorKind& detector_kind(const std::string& name);
-
 }  // namespace refitlab

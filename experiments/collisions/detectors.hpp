@@ -1,0 +1,15 @@
+// The detectors that the collision experiment compares.
+#pragma once
+
+#include "experiments/rivals/detector.hpp"
+
+namespace refitlab {
+
+// All there are: each contender that is sound for spherical blending, our clusters, the rivals, the engines that were found when this
+// was configured.
+const std::vector<DetectorKind>& detector_kinds();
+
+// Throws std::invalid_argument for a name that is none of theirs.
+const DetectorKind& detector_kind(const std::string& name);
+
+}  // namespace refitlab
