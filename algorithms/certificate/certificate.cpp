@@ -1,36 +1,17 @@
 #include "algorithms/certificate/certificate.hpp"
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "algorithms/certificate/bound.hpp"
+#include "algorithms/certificate/exact_json.hpp"
 #include "algorithms/certificate/sha256.hpp"
+#include "algorithms/certificate/shares.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "lemmas/exact/exact.hpp"
 
 namespace refitlab {
 namespace {
 
 using nlohmann::json;
-
-json json_of(double x) {
-  if (!std::isfinite(x)) throw std::invalid_argument("certificate: a number is not finite");
-  return as_text(Rational(x));
-}
-
-template <int D>
-json json_of(const Vec<double, D>& v) {
-  json out = json::array();
-  for (int i = 0; i < D; ++i) out.push_back(json_of(v[i]));
-  return out;
-}
-
-json json_of(const Ball3<double>& ball) {
-  json out;
-  out["center"] = json_of(ball.center);
-  out["radius"] = json_of(ball.radius);
-  return out;
-}
 
 json json_of(const Bound& bound) {
   json out;
@@ -39,12 +20,12 @@ json json_of(const Bound& bound) {
     case Bound::By::all_rotations: out["by"] = "all_rotations"; break;
     case Bound::By::cap:
       out["by"] = "cap";
-      out["axis"] = json_of(bound.axis);
+      out["axis"] = exact_json(bound.axis);
       break;
     case Bound::By::reach:
       out["by"] = "reach";
-      out["axis"] = json_of(bound.axis);
-      out["center"] = json_of(bound.center);
+      out["axis"] = exact_json(bound.axis);
+      out["center"] = exact_json(bound.center);
       break;
     case Bound::By::halves:
       out["by"] = "halves";
@@ -55,30 +36,13 @@ json json_of(const Bound& bound) {
   return out;
 }
 
-json json_of(const JointSetPose<double>& pose, Skinning skinning) {
-  json out;
-  for (const auto& joint : pose.transforms) out["rotations"].push_back(json_of(joint.rotation));
-  switch (skinning) {
-    case Skinning::linear:
-      for (const auto& joint : pose.transforms) out["translations"].push_back(json_of(joint.translation));
-      break;
-    case Skinning::dual_quaternion:
-      for (const auto& dual : pose.duals) out["duals"].push_back(json_of(dual));
-      break;
-    default:
-      out["rotation_center"] = json_of(pose.rotation_center);
-      for (const auto& image : pose.center_images) out["center_images"].push_back(json_of(image));
-  }
-  return out;
-}
-
 json corners_of(const RefitNode<double>& node, const NodeJointSet& set) {
   json out;
   for (int k = 0; k < set.corner_count; ++k) {
     json weights;
     Rational sum(0);
     for (const double w : node.corner(set, k)) {
-      weights.push_back(json_of(w));
+      weights.push_back(exact_json(w));
       sum += Rational(w);
       if (w < 0) throw std::invalid_argument("certificate: the weight of a corner is negative");
     }
@@ -88,11 +52,57 @@ json corners_of(const RefitNode<double>& node, const NodeJointSet& set) {
   return out;
 }
 
-std::string canonical(const json& document) {
-  return document.dump(1, ' ', true, json::error_handler_t::replace) + "\n";
+// The reference ball holds the position, exactly.
+bool is_in(const Ball3<double>& ball, const Point3& position) {
+  Rational apart(0);
+  for (int i = 0; i < 3; ++i) {
+    const Rational step = Rational(position[i]) - Rational(ball.center[i]);
+    apart += step * step;
+  }
+  return apart <= Rational(ball.radius) * Rational(ball.radius);
 }
 
-const char* name_of(Skinning skinning) {
+std::vector<std::span<const double>> corner_rows(const RefitNode<double>& node, const NodeJointSet& set) {
+  std::vector<std::span<const double>> rows;
+  for (int k = 0; k < set.corner_count; ++k) rows.push_back(node.corner(set, k));
+  return rows;
+}
+
+json json_of(const CertifiedVertex& v, const RefitNode<double>& node, const std::string& about) {
+  json out{{"id", v.id}, {"position", exact_json(v.position)}, {"weights", exact_json(v.weights)}};
+  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+    const NodeJointSet& set = node.joint_sets[i];
+    if (set.joint_set != v.joint_set || !is_in(node.piece_reference(i), v.position)) continue;
+    const auto found = find_shares(corner_rows(node, set), v.weights);
+    if (!found) continue;
+    out["piece"] = i;
+    out["corners"] = found->places;
+    for (const Rational& share : found->shares) out["shares"].push_back(as_text(share));
+    return out;
+  }
+  throw NoProof(about + ": no piece holds vertex " + std::to_string(v.id));
+}
+
+}  // namespace
+
+json exact_json(const JointSetPose<double>& pose, std::span<const int> joints, Skinning skinning) {
+  json out{{"joints", joints}};
+  for (const auto& joint : pose.transforms) out["rotations"].push_back(exact_json(joint.rotation));
+  switch (skinning) {
+    case Skinning::linear:
+      for (const auto& joint : pose.transforms) out["translations"].push_back(exact_json(joint.translation));
+      break;
+    case Skinning::dual_quaternion:
+      for (const auto& dual : pose.duals) out["duals"].push_back(exact_json(dual));
+      break;
+    default:
+      out["rotation_center"] = exact_json(pose.rotation_center);
+      for (const auto& image : pose.center_images) out["center_images"].push_back(exact_json(image));
+  }
+  return out;
+}
+
+const char* certified_name(Skinning skinning) {
   switch (skinning) {
     case Skinning::linear: return "linear";
     case Skinning::dual_quaternion: return "dual_quaternion";
@@ -100,32 +110,34 @@ const char* name_of(Skinning skinning) {
   }
 }
 
-}  // namespace
-
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball,
-                        const std::string& about) {
+                        const CertifiedNode& of) {
   const DefaultFloatEnvironment environment;
   json document;
-  document["about"] = about;
-  document["ball"] = json_of(ball);
+  document["about"] = of.about;
+  document["ball"] = exact_json(ball);
   document["digest"] = "";
-  document["skinning"] = name_of(skinning);
+  document["model"] = of.model_digest;
+  document["node"] = of.number;
+  document["pose"] = of.pose_digest;
+  document["skinning"] = certified_name(skinning);
   std::map<int, std::size_t> numbers;  // of the joint-sets in use, in the document
   for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
     const NodeJointSet& set = node.joint_sets[i];
     const auto [number, is_new] = numbers.try_emplace(set.joint_set, numbers.size());
-    if (is_new) document["joint_sets"].push_back(json_of(node.pose[set.joint_set], skinning));
+    if (is_new) document["joint_sets"].push_back(exact_json(node.pose[set.joint_set], of.joints[set.joint_set], skinning));
     json piece;
     piece["corners"] = corners_of(node, set);
     piece["joint_set"] = number->second;
-    piece["reference"] = json_of(node.piece_reference(i));
+    piece["reference"] = exact_json(node.piece_reference(i));
     const auto bound = find_bound(node, i, skinning, ball);
     if (!bound)
-      throw NoProof(about + ": no proof that the ball holds piece " + std::to_string(i) + " of " +
+      throw NoProof(of.about + ": no proof that the ball holds piece " + std::to_string(i) + " of " +
                     std::to_string(node.joint_sets.size()));
     piece["bound"] = json_of(*bound);
     document["pieces"].push_back(piece);
   }
+  for (const CertifiedVertex& v : of.vertices) document["vertices"].push_back(json_of(v, node, of.about));
   document["digest"] = sha256(canonical(document));
   return canonical(document);
 }

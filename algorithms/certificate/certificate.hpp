@@ -1,24 +1,32 @@
 // Certificate: why a ball holds a node's vertices, as a document that anyone can check.
 //
-// It has the inputs of the refit (per joint-set the joints' quaternions and the center images, translations or dual parts;
-// per piece the reference ball and the corners), the ball, and for each piece how it is proved that the ball holds it
-// (bound.hpp). Every number is an exact fraction: a program in any language can check it without a rounding. One is
-// proptests/certificate/check, which shares no code with the refits; its first lines say what exactly is proved.
+// It has the node's vertices, each with its piece and how its weights are mixed of the piece's corners (shares.hpp), the
+// inputs of the refit (per joint-set the joints' quaternions and the center images, translations or dual parts; per piece
+// the reference ball and the corners), the ball, and for each piece how it is proved that the ball holds it (bound.hpp).
+// Every number is an exact fraction: a program in any language can check it without a rounding. One is
+// proptests/certificate/check, which shares no code with the refits; its first lines say what exactly is proved. Another is
+// lemmas/proofs/checker, which is itself proved.
 //
 // Format: JSON, its keys sorted, indented by one space, in ASCII, ended by a line feed:
 //   about        what it is of, for the reader: no part of the claim
 //   ball         {center: [x, y, z], radius}; a number is a string, "-3/8" or "5", of decimal digits
 //   digest       SHA-256 of the same text with "" for the digest: whatever is changed is noticed
-//   joint_sets   a list of {rotations: [[w, x, y, z]...], and by skinning center_images and rotation_center, translations,
-//                or duals}, lists by joint
+//   joint_sets   a list of {joints: their numbers in the model, rotations: [[w, x, y, z]...], and by skinning center_images
+//                and rotation_center, translations, or duals}, lists by joint
+//   model, pose  SHA-256 of their documents (documents.hpp)
+//   node         its number in the model's sphere tree
 //   pieces       a list of {joint_set: its index, reference: its ball, corners: a list of lists of weights by joint, bound}
 //   skinning     "spherical", "linear" or "dual_quaternion"
+//   vertices     a list of {id: in the model, piece: its index, position: [x, y, z], weights by joint, corners: indices of
+//                the piece's, shares: of these corners}; the weights are the corners times their shares, by the shares' sum
 // A bound is {by: "control"}, {by: "cap", axis}, {by: "all_rotations"}, {by: "reach", axis, center} or {by: "halves", edge:
 // [k, l], halves: [the bound with the middle in place of corner k, that in place of l]}.
 #pragma once
 
 #include <stdexcept>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "algorithms/runtime/tree/refit_node.hpp"
 
@@ -30,11 +38,27 @@ class NoProof : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+struct CertifiedVertex {
+  int id;         // in the model
+  Point3 position;
+  int joint_set;  // in the pose
+  std::span<const double> weights;  // by joint of it
+};
+
+// What a certificate says of its node beyond what a refit looks at.
+struct CertifiedNode {
+  std::string about;  // for the reader
+  int number;         // in the sphere tree
+  std::vector<CertifiedVertex> vertices;
+  std::vector<std::span<const int>> joints;  // by joint-set of the pose, their numbers in the model
+  std::string model_digest, pose_digest;     // SHA-256
+};
+
 // That the ball holds all that the skinning makes of the node's pieces, by whatever refit it was made. Hejl's skinning is
 // spherical. Takes milliseconds a piece, for exact arithmetic.
-// Throws NoProof; std::invalid_argument for a number that is not finite or weights that are negative or whose sum is not
-// 1 exactly: skinning by them is not what the proofs are about.
+// Throws NoProof, also for a vertex that no piece holds; std::invalid_argument for a number that is not finite or weights
+// that are negative or whose sum is not 1 exactly: skinning by them is not what the proofs are about.
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball,
-                        const std::string& about);
+                        const CertifiedNode& of);
 
 }  // namespace refitlab

@@ -1,11 +1,12 @@
 #include "experiments/certificates/certificates.hpp"
 
+#include <filesystem>
 #include <iostream>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/certificate/documents.hpp"
+#include "algorithms/certificate/sha256.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/bake/bake.hpp"
-#include "algorithms/certificate/certificate.hpp"
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/results/result_file.hpp"
 
 namespace refitlab {
@@ -31,6 +32,13 @@ std::pair<Posture, std::string> posture_of(const Model& model, const Certificate
   return {clip->sample(request.seconds), clip->name + " at " + format_number(request.seconds) + " s"};
 }
 
+// The certificate's name with another ending.
+std::string beside(const std::string& file, const char* ending) {
+  const std::string other = std::filesystem::path(file).replace_extension(ending).string();
+  if (other == file) throw std::invalid_argument(file + ": this ending is for what is written beside a certificate");
+  return other;
+}
+
 }  // namespace
 
 void write_certificate(const CertificateRequest& request, Model model) {
@@ -45,9 +53,15 @@ void write_certificate(const CertificateRequest& request, Model model) {
       "node " + std::to_string(request.node) + " of " + character.mesh.name + ", " + name + ", by " + variant.name;
   const auto pose = make_skinning_pose(character.mesh, character.sets, posture, variant.skinning);
   const auto node = character.refit_node(request.node, pose, variant.pieces);
-  write_whole(request.file, certificate(node, variant.skinning, variant.refit(node), about));
-  std::cout << "certificate of " << about << ": " << request.file << "\ncheck it: proptests/certificate/check "
-            << request.file << '\n';
+  const std::string model_file = beside(request.file, ".model"), pose_file = beside(request.file, ".pose");
+  const std::string model_text = model_document(character), pose_text = pose_document(character, pose, variant.skinning);
+  const CertifiedNode of = certified_node(character, request.node, about, sha256(model_text), sha256(pose_text));
+  const std::string text = certificate(node, variant.skinning, variant.refit(node), of);
+  write_whole(model_file, model_text);
+  write_whole(pose_file, pose_text);
+  write_whole(request.file, text);
+  std::cout << "certificate of " << about << ": " << request.file << "\ncheck it: proptests/certificate/check --against "
+            << model_file << " --pose " << pose_file << ' ' << request.file << '\n';
 }
 
 }  // namespace refitlab

@@ -15,7 +15,8 @@ struct CertificateRequest {
   std::string variant = "control_mixed";  // a sound one
 };
 
-// Writes the file whole or not at all and says what is in it. Throws std::invalid_argument for a node, clip, time or
+// Writes the file, and beside it the documents of the model and of the pose (algorithms/certificate/documents.hpp), with the
+// endings .model and .pose; each whole or not at all; and says what is in it. Throws std::invalid_argument for a node, clip, time or
 // variant that there is not, NoProof (algorithms/certificate) for a ball that is not proved to hold its vertices.
 void write_certificate(const CertificateRequest& request, Model model);
 

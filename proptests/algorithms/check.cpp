@@ -40,11 +40,14 @@ json piece(const json& corners, const json& reference, const json& bound) {
 }
 
 json document(const char* skinning, const json& rotations, const json& data, const json& pieces, const json& around) {
-  json set{{"rotations", nested(rotations)}};
+  json set{{"rotations", nested(rotations)}, {"joints", json::array()}};
+  for (std::size_t i = 0; i < set["rotations"].size(); ++i) set["joints"].push_back(i);
   if (skinning == std::string("linear")) set["translations"] = nested(data);
   else if (skinning == std::string("dual_quaternion")) set["duals"] = nested(data);
   else set["center_images"] = nested(data), set["rotation_center"] = origin;
-  return {{"about", ""}, {"ball", around}, {"joint_sets", alone(set)}, {"pieces", pieces.is_array() ? pieces : alone(pieces)}, {"skinning", skinning}};
+  return oracle::with_corner_vertices({{"about", ""}, {"ball", around}, {"joint_sets", alone(set)}, {"model", std::string(64, '0')},
+                                       {"node", 0}, {"pieces", pieces.is_array() ? pieces : alone(pieces)},
+                                       {"pose", std::string(64, 'f')}, {"skinning", skinning}});
 }
 
 json repeated(const json& item, std::size_t times) { return json(json::array_t(times, item)); }
@@ -150,6 +153,14 @@ struct Tight {
   json document;
 };
 
+// Vertices at the edge of their piece: on its sphere, of mixed corners, of the same one twice, of a share of 0.
+json with_vertices_at_edges(json document) {
+  document["vertices"][0]["position"] = point("2/3", "2/3", "-1/3");
+  document["vertices"][1].update({{"corners", {2, 0, 2}}, {"shares", {"1/2", "5", "9/2"}}, {"weights", {"1/2", "0", "1/2"}}});
+  document["vertices"][2].update({{"corners", {1, 2}}, {"shares", {"7", "0"}}, {"weights", {"0", "1", "0"}}});
+  return document;
+}
+
 // Each holds with equality, of a radius that is a fraction.
 std::vector<Tight> tight_documents() {
   std::vector<Tight> out;
@@ -174,6 +185,7 @@ std::vector<Tight> tight_documents() {
     json pieces = repeated(piece(units, small, control), 3);
     pieces[far]["reference"]["radius"] = "2";
     out.push_back({"pieces", document("linear", same, repeated(origin, 3), pieces, ball(origin, "2"))});
+    out.push_back({"vertices", with_vertices_at_edges(out.back().document)});
   }
   const json both = json::array({json::array({"1", "0"}), json::array({"0", "1"})}), two = repeated(origin, 2);
   const json turns = {{"1", "1/2", "0", "0"}, {"1", "-1/2", "0", "0"}};
@@ -187,6 +199,10 @@ std::vector<Tight> tight_documents() {
   out.push_back({"nothing but the reference", document("spherical", {unturned}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
   out.push_back({"halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
                                     {piece(both, small, halves(0, 1, control, all_rotations))}, ball(point("0", "5", "0"), "14"))});
+  json deep = all_rotations;  // as deep as halves may be
+  for (int depth = 0; depth < 32; ++depth) deep = halves(1, 0, all_rotations, deep);
+  out.push_back({"halves of halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
+                                              {piece(both, small, deep)}, ball(point("0", "5", "0"), "14"))});
   out.push_back({"other halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
                                           {piece(both, small, halves(1, 0, all_rotations, control))}, ball(point("0", "5", "0"), "14"))});
   return out;
@@ -293,8 +309,32 @@ std::vector<Broken> broken_documents() {
     with(at + "bound/by", "all_rotations", "no bound of this skinning");
     with(at + "bound/by", "halves", "no bound of this skinning");
   }
-  add_other_shapes(good, {"/ball/center", "/pieces/2/reference/center", "/joint_sets/0/rotations/2", "/joint_sets/0/translations/1"},
-                   {"", "/ball", "/joint_sets/0", "/pieces/0", "/pieces/2", "/pieces/1/reference", "/pieces/1/bound"}, out);
+  for (const std::string v : {"0", "1", "2"}) {
+    const std::string at = "/vertices/" + v + "/";
+    with(at + "piece", 3, "piece is none of them");
+    with(at + "piece", -1, "piece is none of them");
+    with(at + "corners/0", 3, "a share is of no corner");
+    with(at + "corners/0", -1, "a share is of no corner");
+    with(at + "corners", {0, 0}, "a share is of no corner");
+    with(at + "shares", {"1", "0"}, "a share is of no corner");
+    with(at + "shares", {"0"}, "the shares are not convex");
+    with(at + "shares", {"-1"}, "the shares are not convex");
+    with(at + "corners/0", 1, "the weights are not what the shares make");
+    with(at + "weights", {"1", "0"}, "the weights are not what the shares make");
+    with(at + "weights", {"1", "0", "0", "0"}, "the weights are not what the shares make");
+    with(at + "weights", {"1", "0", "1" + tiny}, "the weights are not what the shares make");
+    with(at + "weights", {"1" + std::string(379, '0') + "1" + tiny, "0", "0"}, "the weights are not what the shares make");
+    for (const int axis : {0, 1, 2}) {
+      json outside = origin;
+      outside[axis] = "-1" + std::string(379, '0') + "1" + tiny;
+      with(at + "position", outside, "the position is outside the reference ball");
+    }
+  }
+  json negative = good;  // shares of sum 1 that make the weights, one of them below 0
+  negative["vertices"][1]["corners"] = {0, 1, 1}, negative["vertices"][1]["shares"] = {"1", "1", "-1"};
+  out.push_back({"a share below 0", negative, "vertices[1]: the shares are not convex"});
+  add_other_shapes(good, {"/ball/center", "/vertices/1/position", "/pieces/2/reference/center", "/joint_sets/0/rotations/2", "/joint_sets/0/translations/1"},
+                   {"", "/ball", "/joint_sets/0", "/pieces/0", "/pieces/2", "/pieces/1/reference", "/pieces/1/bound", "/vertices/2"}, out);
   const auto alone_with = [&](const char* skinning, const json& bound) {
     return document(skinning, repeated(unturned, 3), repeated(skinning == std::string("spherical") ? origin : zero_dual, 3),
                     piece(units, small, bound), ball(origin, "1000"));
@@ -344,6 +384,9 @@ std::vector<Broken> broken_documents() {
     rigid("a cap behind", turned, cap(unturned), "not ahead");
     rigid("a reach behind", turned, reach(unturned, origin), "not ahead", "dual_quaternion");
   }
+  json deep = control;
+  for (int depth = 0; depth < 33; ++depth) deep = depth % 2 ? halves(0, 1, deep, control) : halves(0, 1, control, deep);
+  rigid("halves too deep", repeated(unturned, 3), deep, "has too many halves of halves");
   for (const int half : {0, 1}) {
     json bound = halves(0, 1, control, control);
     bound["halves"][half] = cap({"0", "1", "0", "0"});
@@ -392,9 +435,9 @@ Checked check_layouts() {
   const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
   const std::string text = sealed(good);
   std::string late = text;  // the keys in another order
-  const std::string about = " \"about\": \"\",\n", last = " \"skinning\": \"linear\"\n";
+  const std::string about = " \"about\": \"\",\n";
   late.erase(late.find(about), about.size());
-  late.replace(late.find(last), last.size(), " \"skinning\": \"linear\",\n \"about\": \"\"\n");
+  late.insert(late.find(" \"skinning\""), about);
   CheckedFolder folder;
   for (const std::string& other : Texts{text.substr(0, text.size() - 1), text + "\n", text + " ", " " + text, text + "\r\n", late,
                                         json::parse(text).dump() + "\n", json::parse(text).dump(2) + "\n", "[]\n", "[\n 1\n]\n", "\"x\"\n"})
@@ -432,7 +475,7 @@ Checked check_work() {
   list.push_back({"many pieces", pieces, work});
   json wide = with_corners("linear", 1, control);
   wide["pieces"][0]["corners"] = one_corner;
-  wide["joint_sets"][0] = {{"rotations", repeated(unturned, 900)}, {"translations", repeated(origin, 900)}};
+  wide["joint_sets"][0] = {{"joints", repeated(0, 900)}, {"rotations", repeated(unturned, 900)}, {"translations", repeated(origin, 900)}};
   json weights = repeated("0", 900);
   weights[0] = "1/1" + std::string(390, '0');
   wide["pieces"][0]["corners"] = repeated(weights, 40);
@@ -505,7 +548,9 @@ json of_sizes(const char* skinning, std::size_t joints, const std::vector<Sized>
   json weights = repeated("0", joints), pieces = json::array();
   weights[0] = "1";
   for (const Sized& s : sizes) pieces.push_back(piece(repeated(weights, s.corners), ball(origin, "1"), s.bound));
-  return document(skinning, repeated(unturned, joints), repeated(data, joints), pieces, ball(origin, "1"));
+  json out = document(skinning, repeated(unturned, joints), repeated(data, joints), pieces, ball(origin, "1"));
+  out["vertices"].erase(out["vertices"].begin() + 1, out["vertices"].end());
+  return out;
 }
 
 // With 6144 to 6399 bits a unit of work counts as 25^2, so that 800 of them are all that is allowed.
@@ -514,20 +559,20 @@ Checked check_work_edges() {
   const struct {
     const char* skinning;
     std::size_t joints;
-    std::vector<Sized> sizes;  // 800 in all: m n, (m + d - 1 choose d) for each bound
+    std::vector<Sized> sizes;  // 800 in all: m n, (m + d - 1 choose d) for each bound, 1 + n for a vertex
     json least;                // of two units for one joint and corner
   } sized[] = {
-      {"linear", 1, {{control, 400}}, control},
-      {"linear", 9, {{control, 80}}, control},
-      {"linear", 1, {{control, 100}, {control, 250}, {control, 50}}, control},
-      {"spherical", 1, {{control, 14}, {all_rotations, 113}}, all_rotations},
-      {"spherical", 1, {{all_rotations, 400}}, all_rotations},
-      {"spherical", 3, {{turned, 200}}, turned},
-      {"spherical", 1, {{halves(0, 1, control, control), 12}, {turned, 24}}, turned},
-      {"spherical", 1, {{halves(0, 1, turned, halves(0, 1, control, control)), 8}, {turned, 264}}, all_rotations},
-      {"dual_quaternion", 1, {{control, 37}, {reached, 30}}, control},
-      {"dual_quaternion", 1, {{reached, 400}}, reached},
-      {"dual_quaternion", 1, {{halves(0, 1, control, control), 26}, {reached, 23}}, reached},
+      {"linear", 1, {{control, 399}}, control},
+      {"linear", 9, {{control, 79}}, control},
+      {"linear", 1, {{control, 100}, {control, 250}, {control, 49}}, control},
+      {"spherical", 1, {{control, 14}, {all_rotations, 112}}, all_rotations},
+      {"spherical", 1, {{all_rotations, 399}}, all_rotations},
+      {"spherical", 3, {{turned, 199}}, turned},
+      {"spherical", 1, {{halves(0, 1, control, control), 12}, {turned, 23}}, turned},
+      {"spherical", 1, {{halves(0, 1, turned, halves(0, 1, control, control)), 8}, {turned, 263}}, all_rotations},
+      {"dual_quaternion", 1, {{control, 37}, {reached, 29}}, control},
+      {"dual_quaternion", 1, {{reached, 399}}, reached},
+      {"dual_quaternion", 1, {{halves(0, 1, control, control), 26}, {reached, 22}}, reached},
   };
   CheckedFolder folder;
   Texts expected;
@@ -546,6 +591,16 @@ Checked check_work_edges() {
       changed["pieces"][0]["reference"]["center"][2] = longer;
       add(changed, too_much);
     }
+  }
+  // Vertices of 1 + 2 * 3 units for three shares of two weights; the piece has 2 + 1.
+  json listed = of_sizes("linear", 2, {{control, 1}});
+  json vertex = listed["vertices"][0];
+  vertex["corners"] = {0, 0, 0}, vertex["shares"] = {"1", "1", "1"};
+  listed["vertices"] = repeated(vertex, 113);  // 794
+  for (const int more : {1, 2}) {
+    vertex["corners"].erase(0), vertex["shares"].erase(0);
+    listed["vertices"].push_back(vertex);  // of 5 units, then of 3
+    add(with_denominators(listed, 6144), more == 1 ? little : too_much);
   }
   const json one = with_corners("linear", 1, control);
   add(with_denominators(one, 8192), little), add(with_denominators(one, 8193), "the common denominator has more than 8192 bits");

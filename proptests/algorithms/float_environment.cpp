@@ -13,7 +13,7 @@
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
-#include "algorithms/certificate/certificate.hpp"
+#include "algorithms/certificate/documents.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/model/procedural/subdivide.hpp"
@@ -249,7 +249,8 @@ std::vector<Entry> query_entries() {
   entries.push_back({"certificate", [](const World& w, Bytes& out) {
                        const auto& variant = default_variant(Skinning::spherical);
                        const auto node = w.character.refit_node(1, w.pose, variant.pieces);
-                       out.add(certificate(node, Skinning::spherical, w.balls[1], "a snake"));
+                       out.add(certificate(node, Skinning::spherical, w.balls[1], certified_node(w.character, 1, "a snake", "", "")));
+                       out.add(model_document(w.character)), out.add(pose_document(w.character, w.pose, Skinning::spherical));
                      }});
   entries.push_back({"make_refit_query, score", [](const World& w, Bytes& out) {
                        out.add(as_text(make_refit_query(1, 4).reference.radius));

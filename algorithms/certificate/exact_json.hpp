@@ -1,0 +1,44 @@
+// Numbers as exact fractions in JSON, and JSON in its one canonical form.
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "algorithms/verification/refit_query.hpp"  // as_text
+#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab {
+
+// "-3/8" or "5". Throws std::invalid_argument for a number that is not finite.
+inline nlohmann::json exact_json(double x) {
+  if (!std::isfinite(x)) throw std::invalid_argument("certificate: a number is not finite");
+  return as_text(Rational(x));
+}
+inline nlohmann::json exact_json(std::span<const double> numbers) {
+  nlohmann::json out = nlohmann::json::array();
+  for (const double x : numbers) out.push_back(exact_json(x));
+  return out;
+}
+template <int D>
+nlohmann::json exact_json(const Vec<double, D>& v) {
+  return exact_json(std::span<const double>(v.data(), D));
+}
+inline nlohmann::json exact_json(const Ball3<double>& ball) {
+  return {{"center", exact_json(ball.center)}, {"radius", exact_json(ball.radius)}};
+}
+// A joint-set in a pose, with the numbers of its joints in the model and what the skinning reads.
+nlohmann::json exact_json(const JointSetPose<double>& pose, std::span<const int> joints, Skinning skinning);
+
+// "spherical" for Hejl's too.
+const char* certified_name(Skinning skinning);
+
+// Keys sorted, indented by one space, in ASCII, ended by a line feed.
+inline std::string canonical(const nlohmann::json& document) {
+  return document.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace refitlab

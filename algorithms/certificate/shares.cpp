@@ -1,0 +1,53 @@
+#include "algorithms/certificate/shares.hpp"
+
+#include <CGAL/Gmpzf.h>
+#include <CGAL/QP_functions.h>
+#include <CGAL/QP_models.h>
+
+#include <algorithm>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+Rational as_rational(const CGAL::Gmpzf& x) {
+  CGAL::Gmpz power(1);
+  mpz_mul_2exp(power.mpz(), power.mpz(), static_cast<mp_bitcnt_t>(std::abs(x.exp())));
+  return x.exp() < 0 ? Rational(x.man(), power) : Rational(x.man() * power);
+}
+
+// The same proportions in whole numbers without a common divisor.
+void make_whole(std::vector<Rational>& shares) {
+  CGAL::Gmpz multiple(1), divisor(0);
+  for (const Rational& s : shares) mpz_lcm(multiple.mpz(), multiple.mpz(), s.denominator().mpz());
+  for (Rational& s : shares) {
+    s *= multiple;
+    mpz_gcd(divisor.mpz(), divisor.mpz(), s.numerator().mpz());
+  }
+  for (Rational& s : shares) s /= divisor;
+}
+
+}  // namespace
+
+std::optional<Shares> find_shares(const std::vector<std::span<const double>>& corners, std::span<const double> weights) {
+  const DefaultFloatEnvironment environment;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    if (std::ranges::equal(corners[k], weights)) return Shares{{k}, {1}};
+  CGAL::Quadratic_program<double> program(CGAL::EQUAL, true, 0, false, 0);  // A x = b, x >= 0, any such x
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    for (std::size_t k = 0; k < corners.size(); ++k) program.set_a(static_cast<int>(k), static_cast<int>(i), corners[k][i]);
+    program.set_b(static_cast<int>(i), weights[i]);
+  }
+  for (std::size_t k = 0; k < corners.size(); ++k) program.set_c(static_cast<int>(k), 0);
+  const auto solution = CGAL::solve_nonnegative_linear_program(program, CGAL::Gmpzf());
+  if (solution.is_infeasible()) return {};
+  Shares out;
+  std::size_t k = 0;
+  for (auto x = solution.variable_numerators_begin(); x != solution.variable_numerators_end(); ++x, ++k)
+    if (*x != CGAL::Gmpzf(0)) out.places.push_back(k), out.shares.push_back(as_rational(*x));
+  make_whole(out.shares);
+  return out;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,22 @@
+// Shares: that weights are a convex combination of the corners of a piece, as numbers that anyone can check.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lemmas/exact/exact.hpp"
+
+namespace refitlab {
+
+// The weights are sum_k shares[k] corners[places[k]] / sum_k shares[k]. The shares are whole numbers above 0.
+struct Shares {
+  std::vector<std::size_t> places;
+  std::vector<Rational> shares;
+};
+
+// At most as many as there are weights; one for a corner. Nothing if the weights are outside the hull of the corners: both
+// are taken exactly. corners: rows of as many finite numbers as there are weights.
+std::optional<Shares> find_shares(const std::vector<std::span<const double>>& corners, std::span<const double> weights);
+
+}  // namespace refitlab

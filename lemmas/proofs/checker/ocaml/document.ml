@@ -1,0 +1,185 @@
+(* Certificates, models and poses from JSON: exactly the members that the format has (algorithms/certificate). *)
+module Integer = Z
+module Rational = Q
+open Canonical
+open Checker
+
+let most_digits, most_bits, most_work, most_halvings = 400, 8192, 500_000, 32
+
+let int = function `Int i when abs i < 1_000_000_000 -> i | _ -> raise (Rejected "no integer of at most 9 digits")
+let index v = let i = int v in require (i >= 0) "an index is below 0"; i
+let text = function `String s -> s | _ -> raise (Rejected "no text")
+let list read = function `List (_ :: _ as l) -> List.map read l | _ -> raise (Rejected "no list of something")
+
+(* The values of an object that has these keys, sorted, and no others. *)
+let members keys = function
+  | `Assoc l when List.map fst l = keys -> List.map snd l
+  | _ -> raise (Rejected ("an object has not the members " ^ String.concat ", " keys))
+
+let digest v =
+  let s = text v in
+  require (String.length s = 64 && String.for_all (fun c -> (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f')) s) "no SHA-256";
+  s
+
+(* --- Fractions. What is read says how long the numbers are. --- *)
+
+type lengths = { mutable scale : Integer.t; mutable all : Rational.t list }
+
+let number lengths v =
+  let s = text v in
+  let is_negative = s <> "" && s.[0] = '-' in
+  let unsigned = if is_negative then String.sub s 1 (String.length s - 1) else s in
+  let above, below = match String.index_opt unsigned '/' with
+    | None -> unsigned, "1"
+    | Some i -> String.sub unsigned 0 i, String.sub unsigned (i + 1) (String.length unsigned - i - 1) in
+  let is_decimal d =
+    d <> "" && String.length d <= most_digits && String.for_all (fun c -> c >= '0' && c <= '9') d in
+  require (is_decimal above && is_decimal below && below.[0] <> '0') "no fraction of at most 400 digits each";
+  let q = Rational.make (Integer.of_string above) (Integer.of_string below) in
+  let q = if is_negative then Rational.neg q else q in
+  let num, den = Rational.num q, Rational.den q in
+  if not (Integer.divisible lengths.scale den) then begin
+    lengths.scale <- Integer.lcm lengths.scale den;
+    require (Integer.numbits lengths.scale <= most_bits) "the common denominator has more than 8192 bits"
+  end;
+  lengths.all <- q :: lengths.all;
+  let twos = Integer.trailing_zeros den in
+  if Integer.equal den (Integer.shift_left Integer.one twos) then Dyadic (num, Integer.of_int (-twos))
+  else Fraction { qnum = num; qden = den }
+
+let vec n v = match list (number n) v with [ vx; vy; vz ] -> { vx; vy; vz } | _ -> raise (Rejected "no point")
+let quat n v = match list (number n) v with
+  | [ qw; qx; qy; qz ] -> { qw; qx; qy; qz } | _ -> raise (Rejected "no quaternion")
+let sphere n v = match members [ "center"; "radius" ] v with
+  | [ c; r ] -> { middle = vec n c; reach = number n r } | _ -> assert false
+
+(* --- Joint-sets and bounds, by skinning --- *)
+
+let joint_set n skinning v = match skinning with
+  | "spherical" -> (match members [ "center_images"; "joints"; "rotation_center"; "rotations" ] v with
+      | [ images; joints; center; q ] -> list int joints, Spherical (list (quat n) q, list (vec n) images, vec n center)
+      | _ -> assert false)
+  | "dual_quaternion" -> (match members [ "duals"; "joints"; "rotations" ] v with
+      | [ d; joints; q ] -> list int joints, Dual_quaternion (list (quat n) q, list (quat n) d)
+      | _ -> assert false)
+  | "linear" -> (match members [ "joints"; "rotations"; "translations" ] v with
+      | [ joints; q; t ] -> list int joints, Linear (list (quat n) q, list (vec n) t)
+      | _ -> assert false)
+  | _ -> raise (Rejected "skinning is none that is known")
+
+(* (m + d - 1 choose d) *)
+let terms m d =
+  let m = Integer.of_int m in
+  let up k = Integer.add m (Integer.of_int k) in
+  match d with
+  | 1 -> m
+  | 2 -> Integer.(div (mul m (up 1)) (of_int 2))
+  | _ -> Integer.(div (mul (mul m (up 1)) (up 2)) (of_int 6))
+
+(* The bound, and the terms that it has for m corners. *)
+let rec bound n skinning m halvings v =
+  let by = match v with `Assoc l -> (match List.assoc_opt "by" l with Some b -> text b | None -> "") | _ -> "" in
+  let alone b d = ignore (members [ "by" ] v); b, terms m d in
+  match skinning, by with
+  | "linear", "control" -> alone Control 1
+  | "spherical", "control" -> alone Control 3
+  | "dual_quaternion", "control" -> alone Control 2
+  | "spherical", "all_rotations" -> alone All_rotations 1
+  | "spherical", "cap" -> (match members [ "axis"; "by" ] v with
+      | [ axis; _ ] -> Cap (quat n axis), terms m 1 | _ -> assert false)
+  | "dual_quaternion", "reach" -> (match members [ "axis"; "by"; "center" ] v with
+      | [ axis; _; center ] -> Reach (quat n axis, vec n center), terms m 1 | _ -> assert false)
+  | ("spherical" | "dual_quaternion"), "halves" ->
+      require (halvings < most_halvings) "too many halves of halves";
+      (match members [ "by"; "edge"; "halves" ] v with
+       | [ _; edge; halves ] -> (match list index edge, list (bound n skinning m (halvings + 1)) halves with
+           | [ k; l ], [ (a, i); (b, j) ] -> Halves (k, l, a, b), Integer.(add (terms m 1) (add i j))
+           | _ -> raise (Rejected "no halves"))
+       | _ -> assert false)
+  | _ -> raise (Rejected "no bound of this skinning")
+
+(* --- Certificates --- *)
+
+type certificate_file = {
+  about : string; of_model : string; of_pose : string; skinning : string; number_of_node : int; ids : int list;
+  sets_of_joints : int list list; document : number certificate }
+
+let piece n skinning v = match members [ "bound"; "corners"; "joint_set"; "reference" ] v with
+  | [ b; c; s; r ] ->
+      let corners = list (list (number n)) c in
+      let m = List.length corners in
+      let why, cost = bound n skinning m 0 b in
+      { set_of_piece = index s; reference = sphere n r; corners; why },
+      Integer.(add cost (mul (of_int m) (of_int (List.length (List.hd corners)))))
+  | _ -> assert false
+
+let vertex n v = match members [ "corners"; "id"; "piece"; "position"; "shares"; "weights" ] v with
+  | [ corners; id; piece; position; shares; weights ] ->
+      let shares = list (number n) shares and weights = list (number n) weights in
+      (int id, { piece_of_vertex = index piece; position = vec n position; weights; places = list index corners; shares }),
+      Integer.of_int (1 + (List.length shares * List.length weights))
+  | _ -> assert false
+
+let require_little_work lengths costs =
+  let bits = Integer.numbits lengths.scale in
+  let length q = Integer.numbits (Rational.num q) + Integer.numbits (Integer.divexact lengths.scale (Rational.den q)) in
+  let longest = List.fold_left (fun most q -> max most (length q)) 0 lengths.all in
+  let factor = Integer.of_int (1 + ((bits + longest) / 512)) in
+  let work = Integer.(mul (List.fold_left add zero costs) (mul factor factor)) in
+  require (Integer.leq work (Integer.of_int most_work)) "the proofs take too much work"
+
+let keys = [ "about"; "ball"; "digest"; "joint_sets"; "model"; "node"; "pieces"; "pose"; "skinning"; "vertices" ]
+
+let certificate file =
+  let value = parse file in
+  match members keys value with
+  | [ about; ball; (`String _ as said); joint_sets; model; node; pieces; pose; skinning; vertices ] ->
+      require (Sha256.to_hex (Sha256.string (with_text "digest" "" file)) = text said) "the digest is another one's";
+      let n = { scale = Integer.one; all = [] } in
+      let skinning = text skinning in
+      let enclosing = sphere n ball in
+      let joints, joint_sets = List.split (list (joint_set n skinning) joint_sets) in
+      let pieces, piece_costs = List.split (list (piece n skinning) pieces) in
+      let listed, vertex_costs = List.split (list (vertex n) vertices) in
+      require_little_work n (piece_costs @ vertex_costs);
+      let ids, vertices = List.split listed in
+      { about = text about; of_model = digest model; of_pose = digest pose; skinning; number_of_node = int node; ids;
+        sets_of_joints = joints; document = { enclosing; joint_sets; pieces; vertices } }
+  | _ -> raise (Rejected "the digest is no text")
+
+(* --- Models and poses --- *)
+
+type model_file = { name : string; model_digest : string; model : number model }
+type pose_file = { pose_digest : string; pose_skinning : string; sets : (int list, number joint_set) Hashtbl.t }
+
+let hash file = Sha256.to_hex (Sha256.string file)
+
+(* Vertices are numbered from 0 in files and from 1 in the proofs. *)
+let vertex_number id = require (id >= 0) "the number of a vertex is below 0"; Integer.of_int (id + 1)
+
+let model file = match members [ "name"; "nodes"; "triangles"; "vertices" ] (parse file) with
+  | [ name; nodes; triangles; vertices ] ->
+      let n = { scale = Integer.one; all = [] } in
+      let triangle v = match list int v with
+        | [ a; b; c ] -> (vertex_number a, vertex_number b), vertex_number c
+        | _ -> raise (Rejected "a triangle has not three vertices") in
+      let triangles = list triangle triangles in
+      let last = List.length triangles in
+      let node v = match list int v with
+        | [ first; count ] when first >= 0 && count > 0 && first + count <= last -> first, count
+        | _ -> raise (Rejected "a node has triangles that are not there") in
+      let point v = match members [ "joints"; "position"; "weights" ] v with
+        | [ joints; position; weights ] ->
+            { place = vec n position; influences = list int joints; masses = list (number n) weights }
+        | _ -> assert false in
+      { name = text name; model_digest = hash file;
+        model = { points = list point vertices; triangles; nodes = list node nodes } }
+  | _ -> assert false
+
+let pose file = match members [ "joint_sets"; "skinning" ] (parse file) with
+  | [ joint_sets; skinning ] ->
+      let n = { scale = Integer.one; all = [] } in
+      let sets = Hashtbl.create 100 in
+      List.iter (fun (joints, set) -> Hashtbl.replace sets joints set) (list (joint_set n (text skinning)) joint_sets);
+      { pose_digest = hash file; pose_skinning = text skinning; sets }
+  | _ -> assert false

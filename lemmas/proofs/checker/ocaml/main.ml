@@ -1,0 +1,69 @@
+(* check [--against MODEL [--pose POSE]] FILE_OR_FOLDER...: what proptests/certificate/check does, by the program that is
+   extracted from the proofs. Its verdicts are the same; the sentences after them need not be. *)
+open Canonical
+open Document
+
+let most_bytes = 1 lsl 24
+
+let read path = let file = open_in_bin path in
+  Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
+
+(* What the proofs say of the model; that it is the one meant is said by its digest. *)
+let require_of_model (c : certificate_file) (m : model_file) =
+  require (c.of_model = m.model_digest) "the model is another one";
+  require (c.number_of_node >= 0) "node is none of the model's";
+  let numbers = List.map vertex_number c.ids in
+  require
+    (Checker.check_exactly_against m.model
+       { stated = c.document; node = c.number_of_node; numbers; joints = c.sets_of_joints })
+    "a vertex of the node is left out, or is not as the model has it"
+
+let require_of_pose (c : certificate_file) (p : pose_file) =
+  require (c.of_pose = p.pose_digest && c.skinning = p.pose_skinning) "the pose is another one";
+  List.iter2 (fun joints set ->
+      require (Hashtbl.find_opt p.sets joints = Some set) "a joint-set is not as the pose has it")
+    c.sets_of_joints c.document.joint_sets
+
+(* The exit status, the verdict and the reason. *)
+let judge model pose path =
+  try
+    require (Unix.((stat path).st_kind = S_REG)) "Not a regular file";
+    require (Unix.((stat path).st_size <= most_bytes)) "the file has more than 16777216 bytes";
+    let text = read path in
+    try
+      let c = certificate text in
+      (match model with
+       | None -> require (Checker.check_exactly c.document) "a piece or a vertex is not proved"
+       | Some m -> require_of_model c m);
+      Option.iter (require_of_pose c) pose;
+      0, "accepted", Printf.sprintf "%d %s pieces, said to be %s" (List.length c.document.pieces) c.skinning (string_of c.about)
+    with Rejected reason -> 1, "rejected", reason | Stack_overflow -> 1, "rejected", "nested too deeply"
+  with
+  | Rejected "Not a regular file" -> 2, "unreadable", "Not a regular file"
+  | Rejected reason -> 1, "rejected", reason
+  | Sys_error reason -> 2, "unreadable", string_of reason
+  | Unix.Unix_error (error, _, _) -> 2, "unreadable", Unix.error_message error
+
+let files path =
+  if Sys.file_exists path && Sys.is_directory path then
+    match List.filter (fun f -> Filename.check_suffix f ".json") (List.sort compare (Array.to_list (Sys.readdir path))) with
+    | [] -> [ path ]
+    | found -> List.map (Filename.concat path) found
+  else [ path ]
+
+let say verdict path reason = Printf.printf "%s: %s: %s\n" verdict (string_of path) reason
+
+let () =
+  let bound_to reader path =
+    try Some (reader (read path)) with
+    | Rejected reason | Sys_error reason -> say "unreadable" path (string_of reason); exit 2 in
+  let model, pose, arguments = match List.tl (Array.to_list Sys.argv) with
+    | "--against" :: m :: "--pose" :: p :: rest -> bound_to Document.model m, bound_to Document.pose p, rest
+    | "--against" :: m :: rest -> bound_to Document.model m, None, rest
+    | rest -> None, None, rest in
+  if arguments = [] then prerr_endline "usage: check [--against MODEL [--pose POSE]] FILE_OR_FOLDER...";
+  let status = List.fold_left (fun worst path ->
+      let failed, verdict, reason = judge model pose path in
+      say verdict path reason;
+      max worst failed) (if arguments = [] then 2 else 0) (List.concat_map files arguments) in
+  exit status

@@ -1,0 +1,357 @@
+(* About the checker over any exact numbers: a certificate that it accepts claims what is true. *)
+From Coq Require Import List Reals Lra Lia Bool PeanoNat.
+Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
+Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.b3_subdivision.
+Require Import Refitlab.b4_cap_fallback Refitlab.b6_dual_quaternion_ball Refitlab.t3_one_cap.
+Require Import Refitlab.s41_corners_span Refitlab.s42_linear_part_hull.
+Require Import Refitlab.checker.certificate Refitlab.checker.check Refitlab.checker.exact Refitlab.checker.bounds.
+Import ListNotations.
+
+(* --- The tables are those of all pairs and triples --- *)
+
+Lemma triples_of_row {X Y Z} (pair : X -> X -> Y) (triple : X -> X -> X -> Y -> Y -> Y -> Z) a xs :
+  triples_of triple a (row pair a xs) (rows pair xs) =
+  indices2 (fun b c => triple a b c (pair a b) (pair b c) (pair a c)) xs.
+Proof.
+  assert (M : forall b ys, map (fun both : (X * Y) * (X * Y) =>
+      triple a b (fst (fst both)) (pair a b) (snd (snd both)) (snd (fst both))) (combine (row pair a ys) (row pair b ys)) =
+    map (fun c => triple a b c (pair a b) (pair b c) (pair a c)) ys).
+  { intros b ys. unfold row. induction ys as [|c ys IH]; cbn; [reflexivity|]. now rewrite IH. }
+  induction xs as [|b xs IH]; [reflexivity|]. cbn [rows triples_of indices2].
+  change (row pair a (b :: xs)) with ((b, pair a b) :: row pair a xs) at 1. cbn [triples_of].
+  change ((b, pair a b) :: row pair a xs) with (row pair a (b :: xs)). rewrite M, IH. reflexivity.
+Qed.
+Lemma triples_of_rows {X Y Z} (pair : X -> X -> Y) (triple : X -> X -> X -> Y -> Y -> Y -> Z) xs :
+  triples triple (rows pair xs) = indices3 (fun a b c => triple a b c (pair a b) (pair b c) (pair a c)) xs.
+Proof.
+  induction xs as [|a xs IH]; [reflexivity|]. cbn [rows triples].
+  change (match row pair a (a :: xs) with (b, _) :: _ => _ | [] => [] end) with
+    (triples_of triple a (row pair a (a :: xs)) (rows pair (a :: xs))).
+  rewrite triples_of_row, IH. cbn [indices2 indices3]. now rewrite <- !app_comm_cons, app_assoc.
+Qed.
+
+Lemma indices2_transfer {X Y Z W} (f : X -> X -> Z) (g : Y -> Y -> W) (h : X -> Y) (P : Z -> Prop) (Q : W -> Prop) xs :
+  (forall a b, P (f a b) -> Q (g (h a) (h b))) -> Forall P (indices2 f xs) -> Forall Q (indices2 g (map h xs)).
+Proof.
+  intros I. induction xs as [|a xs IH]; cbn [indices2 map]; [constructor|]. rewrite !Forall_cons_iff, !Forall_app.
+  intros (A & B & C). repeat split; auto. rewrite map_map. apply Forall_map. apply -> Forall_map in B.
+  eapply Forall_impl; [|exact B]. auto.
+Qed.
+Lemma indices3_transfer {X Y Z W} (f : X -> X -> X -> Z) (g : Y -> Y -> Y -> W) (h : X -> Y) (P : Z -> Prop) (Q : W -> Prop) xs :
+  (forall a b c, P (f a b c) -> Q (g (h a) (h b) (h c))) -> Forall P (indices3 f xs) -> Forall Q (indices3 g (map h xs)).
+Proof.
+  intros I. induction xs as [|a xs IH]; cbn [indices3 map]; [constructor|]. rewrite !Forall_cons_iff, !Forall_app.
+  intros (A & B & C & D). repeat split; auto.
+  - rewrite map_map. apply Forall_map. apply -> Forall_map in B. eapply Forall_impl; [|exact B]. auto.
+  - revert C. apply indices2_transfer. auto.
+Qed.
+(* All entries of the rows of pairs are those of degree 2. *)
+Lemma rows_all {X Y} (pair : X -> X -> Y) (test : Y -> bool) xs :
+  forallb (forallb (fun entry => test (snd entry))) (rows pair xs) = true -> Forall (fun y => test y = true) (indices2 pair xs).
+Proof.
+  induction xs as [|a xs IH]; cbn [rows forallb indices2]; [constructor|]. rewrite !andb_true_iff. intros [A B].
+  unfold row in A. cbn [map forallb snd] in A. apply andb_true_iff in A as [A C].
+  apply Forall_cons; [exact A|]. apply Forall_app. split; [|now apply IH].
+  apply Forall_map, Forall_forall. rewrite forallb_forall in C. intros b I.
+  apply (C (b, pair a b)). apply in_map_iff. now exists b.
+Qed.
+
+Lemma turned_swap (a b : quat R) (x : vec R) : turned a x b = turned b x a.
+Proof. vring. Qed.
+Lemma mixed_is_turned a b x : mixed a b x = turned a x b.
+Proof. unfold mixed. rewrite (turned_swap b a). vec_field. Qed.
+
+Section Soundness.
+Context {T : Type} {n : Num T} (value : T -> R) {ex : Exact value}.
+Notation vmap := (vmap value). Notation qmap := (qmap value).
+Definition smap (p : quat T * vec T) : quat R * vec R := (qmap (fst p), vmap (snd p)).
+Definition dmap (p : quat T * quat T) : quat R * quat R := (qmap (fst p), qmap (snd p)).
+
+Hint Rewrite (value_zero (Exact := ex)) (value_one (Exact := ex)) (value_half (Exact := ex)) (value_add (Exact := ex))
+  (value_sub (Exact := ex)) (value_mul (Exact := ex)) (value_two value) (value_max value) (value_qdot value)
+  (value_qnorm2 value) (value_vnorm2 value) (vmap_add value) (vmap_sub value) (vmap_scale value) (qmap_add value)
+  (qmap_sub value) (qmap_scale value) (qmap_mul value) (qmap_conj value) (qmap_pure value) (vmap_im value)
+  (vmap_turned value) (vmap_zero value) (qmap_zero value) : values.
+
+(* --- Bounds --- *)
+
+Lemma check_inside_sound c s point : check_inside c s point = true ->
+  point_inside (vmap c) (value s) (vmap (fst point), value (snd point)).
+Proof.
+  unfold check_inside, point_inside. rewrite andb_true_iff. intros [A B]. apply (leb_sound value) in A, B.
+  autorewrite with values in A, B. cbn [fst snd]. apply norm_le. split; assumption.
+Qed.
+Lemma check_ball_inside_sound f r2 c s : check_ball_inside f r2 c s = true ->
+  ball_is_inside (vmap f) (value r2) (vmap c) (value s).
+Proof.
+  unfold check_ball_inside, ball_is_inside. rewrite !andb_true_iff. intros [[A B] C]. apply (leb_sound value) in A, B, C.
+  autorewrite with values in A, B, C. cbv zeta. repeat split; lra.
+Qed.
+
+Lemma spherical_control_sound x c s xs :
+  check_spherical x c s Control xs = true -> all_blends (spherical_good (vmap x) (vmap c) (value s)) (map smap xs).
+Proof.
+  cbn [check_spherical]. rewrite andb_true_iff. intros [_ H]. apply spherical_control_good.
+  unfold spherical_control_points in H. rewrite triples_of_rows in H. unfold spherical_points.
+  rewrite forallb_forall in H. apply Forall_forall in H.
+  revert H. apply indices3_transfer. intros a b d I. apply check_inside_sound in I.
+  unfold spherical_control_point, spherical_pair in I. cbn [fst snd] in I. autorewrite with values in I.
+  unfold spherical_point, smap. rewrite !mixed_is_turned. revert I.
+  generalize (turned (qmap (fst a)) (vmap x) (qmap (fst b))) (turned (qmap (fst b)) (vmap x) (qmap (fst d)))
+    (turned (qmap (fst a)) (vmap x) (qmap (fst d))) (dot (qmap (fst a)) (qmap (fst b))) (dot (qmap (fst b)) (qmap (fst d)))
+    (dot (qmap (fst a)) (qmap (fst d))) (vmap (snd a)) (vmap (snd b)) (vmap (snd d)). clear.
+  unfold point_inside. cbn [fst snd]. intros tab tbd tad ab bd ad ra rb rd I.
+  replace (1 / 3 *: (tab + tbd + tad) + 1 / 3 *: (bd *: ra + ad *: rb + ab *: rd) - ((ab + bd + ad) / 3) *: vmap c)%V with
+    (1 / 3 *: (tab + tbd + tad + (bd *: ra + ad *: rb + ab *: rd) - (ab + bd + ad)%R *: vmap c))%V by vec_field.
+  rewrite norm_scale by lra. lra.
+Qed.
+Lemma dual_control_sound x c s xs :
+  check_dual x c s Control xs = true -> all_blends (dual_good (vmap x) (vmap c) (value s)) (map dmap xs).
+Proof.
+  cbn [check_dual]. intros H. apply dual_control_good.
+  apply (rows_all (dual_control_point x) (fun y => ltb zero (snd y) && check_inside c s y)) in H.
+  unfold dual_points. revert H. apply indices2_transfer. intros a b I. apply andb_true_iff in I as [_ I].
+  apply check_inside_sound in I. unfold dual_control_point in I. cbn [fst snd] in I. autorewrite with values in I.
+  unfold dual_point, dmap. now rewrite mixed_is_turned.
+Qed.
+
+(* The least of the lower bounds is one of each. *)
+Lemma squared_cap_cosine_sound a qs : (forall q, In q qs -> 0 < dot (qmap q) (qmap a)) ->
+  0 <= value (squared_cap_cosine a qs) <= 1 /\
+  forall q, In q qs -> in_cone (qmap a) (value (squared_cap_cosine a qs)) (qmap q).
+Proof.
+  intros A. unfold squared_cap_cosine.
+  assert (B : forall q, In q qs -> let k := value (below (mul (qdot q a) (qdot q a)) (mul (qnorm2 q) (qnorm2 a))) in
+    0 <= k /\ k * (norm2 (qmap q) * norm2 (qmap a)) <= dot (qmap q) (qmap a) * dot (qmap q) (qmap a)).
+  { intros q I. specialize (A q I).
+    assert (N : 0 < norm2 (qmap q) * norm2 (qmap a)) by (pose proof (cauchy (qmap q) (qmap a)); nra).
+    pose proof (value_below (Exact := ex) (mul (qdot q a) (qdot q a)) (mul (qnorm2 q) (qnorm2 a))) as E.
+    autorewrite with values in E. apply E; nra. }
+  induction qs as [|q qs IH]; cbn [map fold_right].
+  - autorewrite with values. split; [lra|intros q []].
+  - destruct IH as [[L U] C]; [intros p I; apply A; now right|intros p I; apply B; now right|].
+    destruct (B q (or_introl eq_refl)) as [K0 K]. specialize (A q (or_introl eq_refl)).
+    set (m := fold_right minb one _) in *. set (k := below _ _) in *. rewrite (value_min value).
+    split; [split; [now apply Rmin_glb|eapply Rle_trans; [apply Rmin_r|exact U]]|].
+    assert (W : forall p t, in_cone (qmap a) t p -> Rmin (value k) (value m) <= t -> in_cone (qmap a) (Rmin (value k) (value m)) p).
+    { intros p t [D E] M. split; [exact D|]. eapply Rle_trans; [|exact E]. apply Rmult_le_compat_r; auto.
+      apply Rmult_le_pos; apply norm2_nonneg. }
+    intros p [<-|I].
+    + apply W with (value k); [|apply Rmin_l]. split; [lra|exact K].
+    + apply W with (value m); [now apply C|apply Rmin_r].
+Qed.
+
+Lemma spherical_cap_sound x c s a xs :
+  check_spherical x c s (Cap a) xs = true -> all_blends (spherical_good (vmap x) (vmap c) (value s)) (map smap xs).
+Proof.
+  cbn [check_spherical]. rewrite andb_true_iff, !forallb_forall. intros [A C].
+  assert (P : forall p, In p xs -> 0 < dot (qmap (fst p)) (qmap a)).
+  { intros p I. apply A, (ltb_sound value) in I. now autorewrite with values in I. }
+  destruct xs as [|x0 xs0]. { intros z (u & U & _). now apply convex_not_empty in U. }
+  set (xs := x0 :: xs0) in *.
+  destruct (squared_cap_cosine_sound a (map fst xs)) as [K F].
+  { intros q I. apply in_map_iff in I as (p & <- & I). now apply P. }
+  set (k := squared_cap_cosine a (map fst xs)) in *.
+  apply (cap_good _ _ _ (qmap a) (value k)); auto.
+  - intros Z. specialize (P x0 (or_introl eq_refl)). rewrite Z, dot_zero_r in P. lra.
+  - intros p I. apply in_map_iff in I as (p' & <- & I). apply F, in_map, I.
+  - intros p I. apply in_map_iff in I as (p' & <- & I). apply C, check_ball_inside_sound in I.
+    autorewrite with values in I. exact I.
+Qed.
+Lemma spherical_all_sound x c s xs :
+  check_spherical x c s All_rotations xs = true -> all_blends (spherical_good (vmap x) (vmap c) (value s)) (map smap xs).
+Proof.
+  cbn [check_spherical]. rewrite forallb_forall. intros C. apply all_rotations_good. intros p I.
+  apply in_map_iff in I as (p' & <- & I). apply C, check_ball_inside_sound in I. autorewrite with values in I.
+  apply ball_is_inside_norm in I; [exact I|apply norm2_nonneg].
+Qed.
+Lemma dual_reach_sound x c s a f xs :
+  check_dual x c s (Reach a f) xs = true -> all_blends (dual_good (vmap x) (vmap c) (value s)) (map dmap xs).
+Proof.
+  cbn [check_dual]. rewrite forallb_forall. intros C. apply (reach_good _ _ _ (qmap a) (vmap f)). intros p I.
+  apply in_map_iff in I as (p' & <- & I). apply C, andb_true_iff in I as [A B].
+  apply (ltb_sound value) in A. apply check_ball_inside_sound in B. unfold reach_error in B.
+  autorewrite with values in A, B. split; assumption.
+Qed.
+
+Lemma middle_of_sound {X Y} {lx : Lin T X} {ly : Lin R Y} (f : X -> Y) i j xs : keeps_sums value f ->
+  f (middle_of i j xs) = lscale (1 / 2) (ladd (nth i (map f xs) lzero) (nth j (map f xs) lzero)).
+Proof. intros (Z & A & S). unfold middle_of. now rewrite S, A, (value_half (Exact := ex)), <- Z, !map_nth. Qed.
+Lemma map_set_nth {X Y} (f : X -> Y) k y xs : map f (set_nth k y xs) = set_nth k (f y) (map f xs).
+Proof. revert k; induction xs as [|x xs IH]; intros [|k]; cbn; auto. now rewrite IH. Qed.
+Lemma check_bound_sound {X Y} {lx : Lin T X} {ly : Lin R Y} {ey : Euclid Y} (f : X -> Y) (good : Y -> Prop) step :
+  keeps_sums value f -> (forall b xs, step b xs = true -> all_blends good (map f xs)) ->
+  forall b xs, check_bound step b xs = true -> all_blends good (map f xs).
+Proof.
+  intros F H b. induction b as [| | | |i j b1 IH1 b2 IH2]; intros xs; cbn [check_bound]; try apply H.
+  rewrite !andb_true_iff, !Nat.ltb_lt. intros [[[I J] A] B]. apply IH1 in A. apply IH2 in B.
+  rewrite map_set_nth, (middle_of_sound f) in A, B by exact F.
+  apply (halves_good good (map f xs) i j); rewrite ?map_length; auto.
+Qed.
+Lemma spherical_sound x c s b xs : check_bound (check_spherical x c s) b xs = true ->
+  all_blends (spherical_good (vmap x) (vmap c) (value s)) (map smap xs).
+Proof.
+  apply check_bound_sound.
+  { exact (pair_keeps_sums value qmap vmap (qmap_keeps_sums value) (vmap_keeps_sums value)). }
+  clear b xs. intros [|a| |a f|k l b1 b2] ys H; try discriminate.
+  - now apply spherical_control_sound.
+  - now apply spherical_cap_sound with a.
+  - now apply spherical_all_sound.
+Qed.
+Lemma dual_sound x c s b xs : check_bound (check_dual x c s) b xs = true ->
+  all_blends (dual_good (vmap x) (vmap c) (value s)) (map dmap xs).
+Proof.
+  apply check_bound_sound.
+  { exact (pair_keeps_sums value qmap qmap (qmap_keeps_sums value) (qmap_keeps_sums value)). }
+  clear b xs. intros [|a| |a f|k l b1 b2] ys H; try discriminate.
+  - now apply dual_control_sound.
+  - now apply dual_reach_sound with a f.
+Qed.
+
+(* --- Pieces --- *)
+
+Lemma check_corners_sound joints data ws : check_corners joints data ws = true ->
+  data = joints /\ forall w, In w ws -> Forall (Rle 0) (map value w).
+Proof.
+  unfold check_corners. rewrite andb_true_iff, Nat.eqb_eq, forallb_forall. intros [D W]. split; [exact D|]. intros w I.
+  apply W in I. unfold check_weights in I. rewrite !andb_true_iff, forallb_forall in I. destruct I as [[_ I] _].
+  apply Forall_map, Forall_forall. intros x X. apply I, (leb_sound value) in X. now rewrite (value_zero (Exact := ex)) in X.
+Qed.
+
+Lemma joint_images_map qs ts p :
+  map vmap (joint_images qs ts p) = joint_images (map qmap qs) (map vmap ts) (vmap p).
+Proof.
+  unfold joint_images. revert ts; induction qs as [|q qs IH]; intros [|t ts]; cbn [combine map]; try reflexivity.
+  f_equal; [|apply IH]. cbn [fst snd]. unfold joint_image.
+  repeat rewrite ?(vmap_add value), ?(vmap_scale value), ?(vmap_cross value), ?(vmap_im value), ?(value_add (Exact := ex)),
+    ?(value_one (Exact := ex)). reflexivity.
+Qed.
+Lemma growths_map qs : map value (map growth qs) = map linear_growth (map qmap qs).
+Proof.
+  rewrite !map_map. apply map_ext. intros q. unfold growth, linear_growth. cbv zeta. autorewrite with values. reflexivity.
+Qed.
+
+(* Corners that are chosen, and what they make of something that is combined. *)
+Lemma chosen_in_hull {X} {l : Lin R X} {e : Euclid X} (f : list R -> X) (all chosen : list (list R)) u :
+  (forall w, In w chosen -> In w all) -> convex (length chosen) u -> in_hull (map f all) (comb u (map f chosen)).
+Proof.
+  intros I U. apply convex_set_comb; [apply hull_convex|now rewrite map_length|].
+  apply Forall_map, Forall_forall. intros w W. apply hull_point, in_map, I, W.
+Qed.
+
+(* What a piece that is checked says of weights that are a combination of some of its corners. *)
+Lemma check_piece_sound sets b p : check_piece sets b p = true ->
+  exists js, nth_error sets (set_of_piece p) = Some js /\
+  forall chosen u w v, (forall c, In c chosen -> In c (map (map value) (corners p))) -> convex (length chosen) u ->
+  (forall i, nth i w 0 = comb u (map (fun c => nth i c 0) chosen)) ->
+  in_ball (as_ball (sphere_map value (reference p))) v -> is_skinned (joint_set_map value js) w ->
+  in_ball (as_ball (sphere_map value b)) (skin (joint_set_map value js) w v).
+Proof.
+  unfold check_piece. rewrite andb_true_iff. intros [R0 H]. destruct (nth_error sets (set_of_piece p)) as [js|]; [|discriminate].
+  exists js. split; [reflexivity|]. intros chosen u w v Ch U Q V S. unfold in_ball in *. cbn [as_ball center radius sphere_map middle reach] in *.
+  assert (Sub : value (sub (reach b) (reach (reference p))) = value (reach b) - value (reach (reference p)))
+    by apply value_sub.
+  destruct js as [qs images rotation_center|qs ds|qs ts]; cbn [joint_set_map skin is_skinned] in *; rewrite !andb_true_iff in H.
+  - destruct H as [_ H]. apply spherical_sound in H. rewrite (vmap_sub value), Sub in H.
+    set (f := fun w => (comb w (map qmap qs), comb w (map vmap images)) : quat R * vec R).
+    assert (E : map smap (map (fun w => (comb w qs, comb w images)) (corners p)) = map f (map (map value) (corners p))).
+    { rewrite !map_map. apply map_ext. intros c. unfold smap, f. cbn [fst snd].
+      now rewrite (comb_map value _ c qs (qmap_keeps_sums value)), (comb_map value _ c images (vmap_keeps_sums value)). }
+    rewrite E in H.
+    assert (B : comb u (map f chosen) = f w).
+    { rewrite comb_pair, !map_map. unfold f. cbn [fst snd]. now rewrite !(swap_sums u chosen w). }
+    pose proof (chosen_in_hull f _ chosen u Ch U) as Z. rewrite B in Z. apply H in Z.
+    unfold skin_spherical. exact (spherical_ball _ _ _ _ _ v (f w) Z V S).
+  - destruct H as [_ H]. apply dual_sound in H. rewrite Sub in H.
+    set (f := fun w => (comb w (map qmap qs), comb w (map qmap ds)) : quat R * quat R).
+    assert (E : map dmap (map (fun w => (comb w qs, comb w ds)) (corners p)) = map f (map (map value) (corners p))).
+    { rewrite !map_map. apply map_ext. intros c. unfold dmap, f. cbn [fst snd].
+      now rewrite !(comb_map value _ c _ (qmap_keeps_sums value)). }
+    rewrite E in H.
+    assert (B : comb u (map f chosen) = f w).
+    { rewrite comb_pair, !map_map. unfold f. cbn [fst snd]. now rewrite !(swap_sums u chosen w). }
+    pose proof (chosen_in_hull f _ chosen u Ch U) as Z. rewrite B in Z. apply H in Z.
+    unfold skin_dual. exact (dual_ball _ _ _ _ v (f w) Z V S).
+  - destruct H as [C H]. apply check_corners_sound in C as [L W]. destruct (why p); try discriminate.
+    rewrite (swap_sums u chosen w _ Q). unfold corner_images.
+    apply (convex_set_comb (in_ball (Ball (vmap (middle b)) (value (reach b))))); [apply ball_convex|now rewrite map_length|].
+    apply Forall_map, Forall_forall. intros c I. apply Ch, in_map_iff in I as (c' & <- & I).
+    unfold check_linear in H. rewrite forallb_forall in H. specialize (H c' I). specialize (W c' I).
+    apply check_ball_inside_sound, ball_is_inside_norm in H; rewrite (value_zero (Exact := ex)) in *; [|lra].
+    rewrite sqrt_0, (comb_map value _ c' _ (vmap_keeps_sums value)), joint_images_map in H.
+    rewrite (value_sub (Exact := ex)), (value_mul (Exact := ex)), (comb_map value _ c' _ (value_keeps_sums value)), growths_map in H.
+    unfold in_ball. cbn [center radius].
+    assert (D := images_difference (map qmap qs) (map vmap ts) (map value c') (vmap (middle (reference p))) v W).
+    rewrite !map_length in D. specialize (D L).
+    set (iv := comb (map value c') (joint_images (map qmap qs) (map vmap ts) v)) in *.
+    set (ip := comb (map value c') (joint_images (map qmap qs) (map vmap ts) (vmap (middle (reference p))))) in *.
+    pose proof (norm_triangle iv ip (vmap (middle b))).
+    assert (G : 0 <= comb (map value c') (map linear_growth (map qmap qs))).
+    { rewrite <- (Rmult_0_l (sum (map value c'))) at 1. clear - W. revert W. generalize (map value c') as l, (map qmap qs) as m.
+      induction l as [|a l IH]; intros [|q m] W; cbn [map comb sum fold_right]; try (cbn; lra).
+      apply Forall_cons_iff in W as [A W]. specialize (IH m W). cbn [ladd lscale lin_num add mul ops_R].
+      pose proof (linear_growth_nonneg q). rewrite Rmult_0_l in *. nra. }
+    nra.
+Qed.
+
+(* --- Vertices --- *)
+
+Lemma nth_map_value w i : value (nth i w zero) = nth i (map value w) 0.
+Proof. rewrite <- (value_zero (Exact := ex)). now rewrite map_nth. Qed.
+
+Lemma check_vertex_sound ps v : check_vertex ps v = true ->
+  exists p chosen u, nth_error ps (piece_of_vertex v) = Some p /\
+  (forall c, In c chosen -> In c (map (map value) (corners p))) /\ convex (length chosen) u /\
+  (forall i, nth i (map value (weights v)) 0 = comb u (map (fun c => nth i c 0) chosen)) /\
+  (0 <= value (reach (reference p)) -> in_ball (as_ball (sphere_map value (reference p))) (vmap (position v))).
+Proof.
+  unfold check_vertex. destruct (nth_error ps (piece_of_vertex v)) as [p|]; [|discriminate]. cbv zeta.
+  set (chosen := map (fun k => nth k (corners p) []) (places v)). set (total := sum_of (shares v)).
+  rewrite !andb_true_iff, !forallb_forall, Nat.eqb_eq. intros [[[[[[B K] L] P] S] C] Q].
+  apply (ltb_sound value) in S. rewrite (value_zero (Exact := ex)) in S. pose proof (inv_pos _ S) as I.
+  exists p, (map (map value) chosen), (map (Rmult (/ value total)) (map value (shares v))). split; [reflexivity|].
+  assert (Pos : Forall (Rle 0) (map value (shares v))).
+  { apply Forall_map, Forall_forall. intros x X. apply P, (leb_sound value) in X. now rewrite (value_zero (Exact := ex)) in X. }
+  split; [|split; [|split]].
+  - intros c X. apply in_map_iff in X as (w & <- & X). apply in_map. unfold chosen in X.
+    apply in_map_iff in X as (k & <- & X). apply nth_In, Nat.ltb_lt, K, X.
+  - split; [|split].
+    + unfold chosen. rewrite !map_length. exact L.
+    + apply scale_nonneg; [lra|exact Pos].
+    + rewrite sum_scale, <- (value_sum value). fold total. apply Rinv_l. lra.
+  - intros i. rewrite comb_scale, map_map. destruct (Nat.lt_ge_cases i (length (weights v))) as [J|J].
+    + assert (E : In i (seq 0 (length (weights v)))) by (apply in_seq; lia). apply Q, (eqb_sound value) in E.
+      rewrite (value_mul (Exact := ex)), (comb_map value _ _ _ (value_keeps_sums value)), nth_map_value, map_map in E.
+      rewrite (map_ext _ (fun w => nth i (map value w) 0)) in E by (intros; apply nth_map_value).
+      rewrite <- E. cbn [lscale lin_num mul ops_R]. field. lra.
+    + rewrite nth_overflow by (now rewrite map_length).
+      assert (Z : map (fun w => nth i (map value w) 0) chosen = repeat 0 (length chosen)).
+      { clear - C J. induction chosen as [|w chosen IH]; cbn [map repeat length]; [reflexivity|].
+        rewrite IH by (intros x X; apply C; now right).
+        specialize (C w (or_introl eq_refl)). apply Nat.eqb_eq in C. rewrite nth_overflow; [reflexivity|].
+        rewrite map_length. lia. }
+      rewrite Z, comb_same by (unfold chosen; rewrite !map_length; exact L). cbn. ring.
+  - intros R0. apply (leb_sound value) in B. autorewrite with values in B. unfold in_ball.
+    cbn [as_ball sphere_map middle reach center radius]. apply norm_le. split; [exact R0|exact B].
+Qed.
+
+(* --- The certificate --- *)
+
+Lemma check_is_sound (c : certificate T) : check c = true -> claim (certificate_map value c).
+Proof.
+  unfold check. rewrite andb_true_iff, !forallb_forall. intros [P V].
+  split; [intros v I|intros p I]; cbn [certificate_map vertices pieces] in I;
+    apply in_map_iff in I as (x & <- & I).
+  - specialize (V x I). destruct (check_vertex_sound (pieces c) x V) as (p & chosen & u & N & Ch & U & Q & B).
+    apply nth_error_In in N as In_p. specialize (P p In_p). pose proof P as P'.
+    destruct (check_piece_sound (joint_sets c) (enclosing c) p P') as (js & J & H).
+    exists (joint_set_map value js). split.
+    + unfold set_at. cbn [certificate_map pieces joint_sets vertex_map piece_of_vertex].
+      rewrite (map_nth_error _ _ _ N). cbn [piece_map set_of_piece]. now apply map_nth_error.
+    + intros S. apply (H chosen u); auto. apply B. unfold check_piece in P. apply andb_true_iff in P as [P _].
+      apply (leb_sound value) in P. now rewrite (value_zero (Exact := ex)) in P.
+  - specialize (P x I). destruct (check_piece_sound (joint_sets c) (enclosing c) x P) as (js & J & H).
+    exists (joint_set_map value js). split; [now apply map_nth_error|].
+    intros w v (u & U & Q) B S. apply (H (map (map value) (corners x)) u); auto.
+Qed.
+End Soundness.

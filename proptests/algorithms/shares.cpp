@@ -1,0 +1,94 @@
+// Shares: whatever is a mixture of corners has shares that make it, and nothing else has.
+#include "algorithms/certificate/shares.hpp"
+
+#include <random>
+
+#include "algorithms/bake/weight_hull.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests {
+namespace {
+
+using namespace refitlab;
+using Row = std::vector<double>;
+
+constexpr int grains = 1 << 24;
+
+// n weights, multiples of 2^-24 of sum 1; some of them 0 now and then.
+Row random_weights(std::mt19937& random, std::size_t n) {
+  std::vector<int> cuts{0, grains};
+  const int step = std::array{1, grains / 4}[std::uniform_int_distribution<int>(0, 1)(random)];
+  for (std::size_t i = 1; i < n; ++i) cuts.push_back(std::uniform_int_distribution<int>(0, grains / step)(random) * step);
+  std::sort(cuts.begin(), cuts.end());
+  Row out;
+  for (std::size_t i = 0; i < n; ++i) out.push_back(double(cuts[i + 1] - cuts[i]) / grains);
+  std::shuffle(out.begin(), out.end(), random);
+  return out;
+}
+
+std::vector<std::span<const double>> spans(const std::vector<Row>& rows) { return {rows.begin(), rows.end()}; }
+
+// The shares are above 0, without a common divisor, as few as there are weights, and make the weights exactly.
+bool make(const Shares& s, const std::vector<Row>& corners, const Row& weights) {
+  if (s.places.empty() || s.places.size() != s.shares.size() || s.places.size() > weights.size()) return false;
+  Rational sum(0);
+  CGAL::Gmpz divisor(0);
+  for (const Rational& share : s.shares) {
+    if (share <= 0 || share.denominator() != 1) return false;
+    sum += share;
+    mpz_gcd(divisor.mpz(), divisor.mpz(), share.numerator().mpz());
+  }
+  if (divisor != 1) return false;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    Rational mixed(0);
+    for (std::size_t k = 0; k < s.places.size(); ++k) mixed += s.shares[k] * Rational(corners.at(s.places[k])[i]);
+    if (mixed != sum * Rational(weights[i])) return false;
+  }
+  return true;
+}
+
+void check_hulls() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const std::size_t n = *rc::gen::inRange<std::size_t>(1, 8), m = *rc::gen::inRange<std::size_t>(1, 20);
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < m; ++k) rows.push_back(random_weights(random, n));
+  const std::vector<Row> corners = weight_corners(spans(rows));
+  RC_CLASSIFY(corners.size() < n, "degenerate");
+  for (const Row& w : rows) {
+    const auto found = find_shares(spans(corners), w);
+    RC_ASSERT(found && make(*found, corners, w));
+  }
+  // Without it, a row that is beyond all others in some direction is outside.
+  std::vector<Row> others = rows;
+  const Row direction = random_weights(random, n);
+  const auto along = [&](const Row& w) {
+    Rational out(0);
+    for (std::size_t i = 0; i < n; ++i) out += Rational(w[i]) * Rational(direction[i]);
+    return out;
+  };
+  const auto farthest = std::max_element(others.begin(), others.end(), [&](const Row& a, const Row& b) { return along(a) < along(b); });
+  const Row removed = *farthest;
+  std::erase_if(others, [&](const Row& w) { return along(w) == along(removed); });
+  if (!others.empty()) RC_ASSERT(!find_shares(spans(others), removed));
+}
+
+}  // namespace
+
+PROPTEST(shares) {
+  t.holds("weights have shares of the corners that hold them, exactly, and none of corners that do not",
+          {.number_type = "double against rational", .cases = 200}, check_hulls);
+  t.example("a corner is itself; a mixture of two has their shares in whole numbers", {}, [] {
+    const std::vector<Row> corners{{1, 0}, {0.25, 0.75}};
+    const auto corner = find_shares(spans(corners), corners[1]), mixed = find_shares(spans(corners), Row{0.5, 0.5});
+    return corner->places == std::vector<std::size_t>{1} && corner->shares == std::vector<Rational>{1} &&
+           mixed->places == std::vector<std::size_t>{0, 1} && mixed->shares == std::vector<Rational>{1, 2};
+  });
+  t.example("weights one grain beyond an edge have none", {}, [] {
+    const std::vector<Row> corners{{0.5, 0.5, 0}, {0.5, 0, 0.5}};
+    const double grain = 0x1p-24;
+    return find_shares(spans(corners), Row{0.5, 0.25, 0.25}) && !find_shares(spans(corners), Row{0.5 - grain, 0.25 + grain, 0.25}) &&
+           !find_shares(spans(corners), Row{0.5, 0.5 + grain, -grain});
+  });
+}
+
+}  // namespace proptests
