@@ -237,4 +237,5 @@ Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Ve
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: algorithms/runtime/collide/reach_lanes.hpp, experiments/drawings/control_hulls.cpp.
+// Used by: c8_any_posture; algorithms/runtime/collide/reach_lanes.hpp, experiments/drawings/control_hulls.cpp,
+// experiments/drawings/motion.cpp.

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "algorithms/verification/refit_query.hpp"  // as_text
+#include "lemmas/exact/exact.hpp"  // as_text
 #include "algorithms/runtime/skinning/skinning_pose.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 

@@ -15,6 +15,7 @@ const std::vector<Drawing> &drawings_of_lemmas();
 const std::vector<Drawing> &drawings_of_sections();
 const std::vector<Drawing> &drawings_of_one_cap();
 const std::vector<Drawing> &drawings_of_control_hulls();
+const std::vector<Drawing> &drawings_of_motion();
 
 // All of them.
 std::vector<Drawing> all_drawings();

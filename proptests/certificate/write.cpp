@@ -40,7 +40,7 @@ class Writer {
     return {kind, static_cast<int>(2 + pick(11)), static_cast<int>(3 + pick(6)), static_cast<int>(1 + pick(4)), static_cast<unsigned>(random_())};
   }
 
-  Posture some_posture(const Character& c) {
+  Posture some_posture(const AnimatedCharacter& c) {
     if (!c.clips.empty() && pick(2)) {
       const Clip& clip = c.clips[pick(c.clips.size())];
       return clip.sample(clip.duration * std::uniform_real_distribution<double>(0, 1)(random_));
@@ -49,7 +49,7 @@ class Writer {
   }
 
   // Of one posture, by all skinnings.
-  void write_some(const Character& c) {
+  void write_some(const AnimatedCharacter& c) {
     const Posture posture = some_posture(c);
     const std::string model = model_document(c);
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {

@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <numbers>
 
+#include "lemmas/a1_affine_image.hpp"
+#include "lemmas/a2_two_phase_skinning.hpp"
+#include "lemmas/a3_morph_displacement.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b2_control_hull_encloses.hpp"
 #include "lemmas/b3_subdivision.hpp"
@@ -12,6 +15,14 @@
 #include "lemmas/b5_rotation_axis.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/b7_reach.hpp"
+#include "lemmas/c1_chord_bound.hpp"
+#include "lemmas/c2_channel_motion.hpp"
+#include "lemmas/c3_normalized_motion.hpp"
+#include "lemmas/c4_chain_motion.hpp"
+#include "lemmas/c5_skinned_motion.hpp"
+#include "lemmas/c6_interval_hull.hpp"
+#include "lemmas/c7_crossfade.hpp"
+#include "lemmas/c8_any_posture.hpp"
 #include "lemmas/lemma1_cap_definitions.hpp"
 #include "lemmas/lemma2_normalization.hpp"
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"

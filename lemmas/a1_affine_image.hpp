@@ -1,0 +1,166 @@
+// Beyond the paper: what an affine map makes of a ball, a box, and the hull of balls: joints that scale and shear.
+//
+// Statement. Let C x = A x + b, and s^2 the greatest sum of absolute values in a row of A^T A. Then
+// (i) C carries the ball about c of radius r into that about C c of radius s r. If the columns of A are at right angles, as of a
+//   rotation behind a scale along axes, no smaller radius will do;
+// (ii) a box about c with the half extents e into that about C c with |A| e, and no smaller box about C c will do; and a slab
+//   {x : low <= (n, x) <= high} holds an image just if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the point;
+// (iii) a point within r of the hull of points p_k to within s r of the hull of the C p_k. So a control hull may be carried.
+// (iv) Linear blending by any affine C_i, v' = sum w_i C_i v, stays in any convex set that holds all C_i v.
+//
+// Replaces: section 3, where joints are rigid.
+// Notation: A -> columns, b -> offset, s^2 -> squared_stretch, e -> half.
+//
+// Proof. ||A d||^2 = (d, A^T A d), and the greatest eigenvalue of a symmetric matrix is at most its greatest row sum; A^T A is
+// diagonal if columns are at right angles. (ii) |(A d)_i| <= sum |A_ij| |d_j|, with equality at a corner; (n, C x) = (A^T n, x) + (n,
+// b). (iii) C of a convex combination is that of the images, and C(p + d) = C p + A d. (iv) v' is a convex combination.
+#pragma once
+
+#include <array>
+
+#include "lemmas/vocabulary/sphere.hpp"
+#include "lemmas/vocabulary/squared_ball.hpp"
+#include "lemmas/vocabulary/weights.hpp"
+
+namespace refitlab {
+
+template <class S>
+struct AffineMap {
+  std::array<Vec<S, 3>, 3> columns;
+  Vec<S, 3> offset;
+};
+
+template <class S>
+Vec<S, 3> turned_by(const AffineMap<S>& map, const Vec<S, 3>& x) {
+  return map.columns[0] * x[0] + map.columns[1] * x[1] + map.columns[2] * x[2];
+}
+template <class S>
+Vec<S, 3> apply(const AffineMap<S>& map, const Vec<S, 3>& x) {
+  return turned_by(map, x) + map.offset;
+}
+
+template <class S>
+S absolute(const S& x) {
+  return max_of(x, S(-x));
+}
+
+// s^2.
+template <class S>
+S squared_stretch(const AffineMap<S>& map) {
+  S greatest(0);
+  for (const auto& row : map.columns) {
+    S sum(0);
+    for (const auto& column : map.columns) sum = sum + absolute<S>(dot(row, column));
+    greatest = max_of(greatest, sum);
+  }
+  return greatest;
+}
+
+// (i), by squared radii: the root is left to the caller.
+template <class S>
+SquaredBall<S, 3> image_of_ball(const AffineMap<S>& map, const SquaredBall<S, 3>& ball) {
+  return {apply(map, ball.center), squared_stretch(map) * ball.squared_radius};
+}
+
+// A box by its middle and its half extents.
+template <class S>
+struct HalfBox {
+  Vec<S, 3> center, half;
+};
+
+// (ii).
+template <class S>
+HalfBox<S> image_of_box(const AffineMap<S>& map, const HalfBox<S>& box) {
+  HalfBox<S> out{apply(map, box.center), Vec<S, 3>::Constant(S(0))};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) out.half[i] = out.half[i] + absolute<S>(map.columns[j][i]) * box.half[j];
+  return out;
+}
+
+// (ii): A^T n, in whose slabs the points of the images' slabs are.
+template <class S>
+Vec<S, 3> direction_before(const AffineMap<S>& map, const Vec<S, 3>& direction) {
+  return {dot(map.columns[0], direction), dot(map.columns[1], direction), dot(map.columns[2], direction)};
+}
+
+// --- Hypotheses ---
+
+template <class S>
+Verdict encloses(const HalfBox<S>& box, const Vec<S, 3>& x) {
+  Verdict v = Verdict::holds;
+  for (int i = 0; i < 3; ++i) v &= less_equal(absolute<S>(x[i] - box.center[i]), box.half[i]);
+  return v;
+}
+
+// Of (iii): weights of the point's place in the hull, and what is added to it.
+template <class S>
+Verdict is_near_points(std::span<const S> w, const Vec<S, 3>& beside, const S& squared_radius) {
+  return is_convex(w) & less_equal(squared_norm(beside), squared_radius);
+}
+
+// --- Conclusion ---
+
+// The witness: the image, and how far it is from the center's.
+template <class S>
+struct CarriedPoint {
+  Verdict verdict;
+  Vec<S, 3> image, beside;
+};
+
+// Independent check, row by row: beside is A d, and the image is the center's and beside.
+template <class S>
+Verdict is_carried(const AffineMap<S>& map, const SquaredBall<S, 3>& ball, const Vec<S, 3>& point,
+                   const CarriedPoint<S>& witness) {
+  Verdict v = less_equal(squared_norm(witness.beside), S(squared_stretch(map) * ball.squared_radius));
+  for (int i = 0; i < 3; ++i) {
+    S row(0), center = map.offset[i];
+    for (int j = 0; j < 3; ++j) {
+      row = row + map.columns[j][i] * (point[j] - ball.center[j]);
+      center = center + map.columns[j][i] * ball.center[j];
+    }
+    v &= equal(witness.beside[i], row) & equal(witness.image[i], S(center + row));
+  }
+  return v;
+}
+
+template <class S>
+CarriedPoint<S> ball_is_carried(const AffineMap<S>& map, const SquaredBall<S, 3>& ball, const Vec<S, 3>& point) {
+  const Vec<S, 3> image = apply(map, point);
+  return {encloses(image_of_ball(map, ball), image), image, image - apply(map, ball.center)};
+}
+
+template <class S>
+Verdict box_is_carried(const AffineMap<S>& map, const HalfBox<S>& box, const Vec<S, 3>& point) {
+  return encloses(image_of_box(map, box), apply(map, point));
+}
+
+// (iii): the image of the point is as near to that combination of the images.
+template <class S>
+Verdict hull_is_carried(const AffineMap<S>& map, std::span<const Vec<S, 3>> points, std::span<const S> w,
+                        const Vec<S, 3>& beside, const S& squared_radius) {
+  Vec<S, 3> of_images = apply(map, points[0]) * w[0];
+  for (std::size_t k = 1; k < w.size(); ++k) of_images = of_images + apply(map, points[k]) * w[k];
+  const Vec<S, 3> image = apply<S>(map, combine<S, 3>(w, points) + beside);
+  return less_equal(squared_distance(image, of_images), S(squared_stretch(map) * squared_radius));
+}
+
+// (iv): sum w_i C_i v.
+template <class S>
+Vec<S, 3> linear_blend(std::span<const AffineMap<S>> maps, std::span<const S> w, const Vec<S, 3>& v) {
+  Vec<S, 3> sum = apply(maps[0], v) * w[0];
+  for (std::size_t i = 1; i < w.size(); ++i) sum = sum + apply(maps[i], v) * w[i];
+  return sum;
+}
+
+// --- Erratum: as if joints were rigid ---
+
+// The radius of a rigid joint, which a scale leaves.
+template <class S>
+Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>& ball, const Vec<S, 3>& point) {
+  return encloses(SquaredBall<S, 3>{apply(map, ball.center), ball.squared_radius}, apply(map, point));
+}
+
+}  // namespace refitlab
+
+// Sources: none.
+// Used by: a2_two_phase_skinning, a3_morph_displacement; experiments/drawings/motion.cpp.
