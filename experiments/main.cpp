@@ -9,7 +9,7 @@
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/pictures/cap_figure.hpp"
-#include "experiments/pictures/encounter_figures.hpp"
+#include "experiments/pictures/scenario_figures.hpp"
 #include "experiments/pictures/failing_figure.hpp"
 #include "experiments/pictures/twist_figures.hpp"
 #include "experiments/resume/resume.hpp"
@@ -35,7 +35,7 @@ struct ModelResults {
 };
 
 // The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
-void draw_pictures(const AnimatedCharacter& character, const NamedPosture& twist, const std::shared_future<NamedPosture>& worst,
+void draw_pictures(const AnimatedCharacter& character, const NamedPose& twist, const std::shared_future<NamedPose>& worst,
                    std::size_t index, std::size_t models, PictureTable& pictures) {
   if (index == 0) {
     draw_twist(character, twist, pictures);
@@ -53,7 +53,7 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
             << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
   const std::string identity = identify(model), of_model = " of " + model.name;
   const auto character = bake(std::move(model));
-  const NamedPosture twist = figure_twist(character);
+  const NamedPose twist = figure_twist(character);
   // Seconds of work: done when first asked for, which a resumed run may never do.
   const auto worst = std::async(std::launch::deferred, worst_twist, std::cref(character)).share();
   draw_pictures(character, twist, worst, index, models, pictures);

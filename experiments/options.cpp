@@ -16,7 +16,7 @@ void measure_quickly(Options& o) {
   o.tightness = {.times_per_clip = 5};
   o.speed = speed;
   o.volumes = {.times_per_clip = 2, .nodes_per_level = 32, .speed = speed};
-  o.rounding = {.postures = 1, .vertices_per_node = 1, .speed = speed};
+  o.rounding = {.poses = 1, .vertices_per_node = 1, .speed = speed};
   o.collisions = {.frames = 2, .speed = once, .first_model_only = true};
   o.triangles = {.frames = 2, .speed = once};
   o.queries.count = 1000;
@@ -29,7 +29,7 @@ void measure_fully(Options& o) {
   o.tightness = {.times_per_clip = 100};
   o.speed = speed;
   o.volumes = {.times_per_clip = 20, .nodes_per_level = 128, .speed = {.seconds_per_run = 0.05, .repetitions = 7}};
-  o.rounding = {.postures = 20, .vertices_per_node = 8, .speed = {.seconds_per_run = 0.05, .repetitions = 7}};
+  o.rounding = {.poses = 20, .vertices_per_node = 8, .speed = {.seconds_per_run = 0.05, .repetitions = 7}};
   o.collisions = {.frames = 50, .speed = {.seconds_per_run = 0.05, .repetitions = 5}, .all_detectors = true};
   o.triangles = {.frames = 20, .up_to_a_million = true, .speed = {.seconds_per_run = 0.1, .repetitions = 5}};
   o.queries.count = 50000;

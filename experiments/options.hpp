@@ -8,7 +8,7 @@
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/triangles.hpp"
-#include "experiments/queries/queries.hpp"
+#include "experiments/synthetic/queries.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/timing.hpp"
 #include "experiments/tightness/tightness.hpp"
@@ -24,7 +24,7 @@ struct Options {
   TightnessSettings tightness{.times_per_clip = 8};
   SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
   VolumeSettings volumes{.times_per_clip = 3, .nodes_per_level = 32, .speed = speed};
-  RoundingSettings rounding{.postures = 1, .vertices_per_node = 2, .speed = speed};
+  RoundingSettings rounding{.poses = 1, .vertices_per_node = 2, .speed = speed};
   CollisionSettings collisions{.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 3}};
   TriangleGrowthSettings triangles{.frames = 2, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
   QuerySettings queries{.count = 2000};

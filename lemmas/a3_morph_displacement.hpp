@@ -10,7 +10,7 @@
 // (iv) If the m_k move within M_k (lemmas/vocabulary/motion.hpp), v moves within the sum of M_k times ||d_k||, besides its own size.
 // Everything behind it (control hulls, trees, clusters, chains of joints) takes the displaced ball for the reference ball.
 //
-// Replaces: section 3, where the reference posture is one.
+// Replaces: section 3, where the reference pose is one.
 // Notation: m -> weights, c_k and r_k -> displacements.
 //
 // Proof. d_k = c_k + y_k with ||y_k|| <= r_k, and m_k d_k = n_k c_k + (m_k - n_k) c_k + m_k y_k. The extremes of a product of two
@@ -148,7 +148,7 @@ Verdict stays_in_ball_of_ranges(const MorphedVertex<S>& vertex, const Ball3<S>& 
   return encloses(displaced_ball(reference, displacements, ranges, lengths), displaced(vertex, weights));
 }
 
-// --- Erratum: the reference posture's ball ---
+// --- Erratum: the reference pose's ball ---
 
 // What a refit that does not know of morph targets takes.
 template <class S>

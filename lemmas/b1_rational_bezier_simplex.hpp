@@ -93,7 +93,7 @@ struct LinearBlend {
   static constexpr int degree = 1;
   std::vector<Vec<S, 3>> images;  // p_k
 
-  std::size_t corner_count() const { return images.size(); }
+  std::size_t weight_vertex_count() const { return images.size(); }
   ScaledPoint<S> at(std::span<const S> u) const { return {combine<S, 3>(u, images), S(1)}; }
   ControlPoint<S> control_point(const std::vector<std::size_t>& index) const { return {index, images[index[0]], S(1)}; }
 };
@@ -106,7 +106,7 @@ struct DualQuaternionBlend {
   std::vector<Quaternion<S>> duals;      // d_k = t_k q_k / 2 for the rotation q_k and then a translation t_k
   Vec<S, 3> point;
 
-  std::size_t corner_count() const { return rotations.size(); }
+  std::size_t weight_vertex_count() const { return rotations.size(); }
   ScaledPoint<S> at(std::span<const S> u) const {
     const BlendedDuals<S> blend{combine<S, 4>(u, rotations), combine<S, 4>(u, duals)};
     return {scaled_motion(blend, point), squared_norm(blend.rotation)};
@@ -126,7 +126,7 @@ struct SphericalBlend {
   std::vector<Vec<S, 3>> center_images;  // r'_k
   Vec<S, 3> x;                           // p - r_c
 
-  std::size_t corner_count() const { return rotations.size(); }
+  std::size_t weight_vertex_count() const { return rotations.size(); }
   ScaledPoint<S> at(std::span<const S> u) const {
     const Quaternion<S> q = combine<S, 4>(u, rotations);
     const S length = squared_norm(q);
@@ -217,8 +217,8 @@ Verdict agrees_at(const Blend& blend, const std::vector<ControlPoint<S>>& points
 template <class Blend, class S = typename Blend::Number>
 Verdict is_bezier_simplex(const Blend& blend, const std::vector<ControlPoint<S>>& points) {
   Verdict v = Verdict::holds;
-  for_each_index(blend.corner_count(), Blend::degree, [&](const std::vector<std::size_t>& index) {
-    std::vector<S> u(blend.corner_count(), S(0));
+  for_each_index(blend.weight_vertex_count(), Blend::degree, [&](const std::vector<std::size_t>& index) {
+    std::vector<S> u(blend.weight_vertex_count(), S(0));
     for (const std::size_t k : index) u[k] = u[k] + S(1) / S(Blend::degree);
     v &= agrees_at<Blend, S>(blend, points, u);
   });
@@ -230,7 +230,7 @@ Verdict is_bezier_simplex(const Blend& blend, const std::vector<ControlPoint<S>>
 template <class Blend, class S = typename Blend::Number>
 std::vector<ControlPoint<S>> control_points(const Blend& blend) {
   std::vector<ControlPoint<S>> points;
-  for_each_index(blend.corner_count(), Blend::degree,
+  for_each_index(blend.weight_vertex_count(), Blend::degree,
                  [&](const std::vector<std::size_t>& index) { points.push_back(blend.control_point(index)); });
   return points;
 }

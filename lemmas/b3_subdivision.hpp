@@ -77,7 +77,7 @@ SphericalBlend<S> half_of(const SphericalBlend<S>& blend, const Half& half) {
 
 template <class S>
 Verdict halving_hypotheses(const SphericalBlend<S>& blend, const Half& half, std::span<const S> u) {
-  const std::size_t m = blend.corner_count();
+  const std::size_t m = blend.weight_vertex_count();
   return verdict_of(half.kept < m && half.replaced < m && half.kept != half.replaced && u.size() == m) & is_convex(u);
 }
 
@@ -95,7 +95,7 @@ struct HalfPoint {
 template <class S>
 Verdict is_same_blend(const SphericalBlend<S>& a, std::span<const S> u, const SphericalBlend<S>& b,
                       std::span<const S> v) {
-  Verdict same = verdict_of(a.corner_count() == u.size() && b.corner_count() == v.size());
+  Verdict same = verdict_of(a.weight_vertex_count() == u.size() && b.weight_vertex_count() == v.size());
   if (same == Verdict::fails) return same;
   const Quaternion<S> p = combine<S, 4>(u, a.rotations), q = combine<S, 4>(v, b.rotations);
   const Vec<S, 3> r = combine<S, 3>(u, a.center_images), t = combine<S, 3>(v, b.center_images);
@@ -173,7 +173,7 @@ Verdict sizes_bound(const SphericalBlend<S>& blend, const SimplexSizes<S>& sizes
   Verdict v = less_equal(squared_norm(blend.x), sq(sizes.arm)) & less_equal(S(0), sizes.arm) &
               less_equal(S(0), sizes.rotation_spread) & less_equal(S(0), sizes.center_spread) &
               less_equal(S(0), sizes.rotation_length);
-  for (std::size_t k = 0; k < blend.corner_count(); ++k) {
+  for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) {
     v &= less_equal(squared_norm(blend.rotations[k]), sq(sizes.rotation_length));
     for (std::size_t l = 0; l < k; ++l)
       v &= less_equal(squared_distance(blend.rotations[k], blend.rotations[l]), sq(sizes.rotation_spread)) &
@@ -222,7 +222,7 @@ Verdict is_control_point_distance(const SphericalBlend<S>& blend, const std::vec
 template <class S>
 ControlPointDistance<S> control_point_is_near(const SphericalBlend<S>& blend, const std::vector<std::size_t>& index,
                                               const SimplexSizes<S>& sizes) {
-  auto u = middle_weights<S>(index, blend.corner_count());
+  auto u = middle_weights<S>(index, blend.weight_vertex_count());
   const ControlPoint<S> point = blend.control_point(index);
   const ScaledPoint<S> surface = blend.at(u);
   ControlPointDistance<S> out{Verdict::undecided, std::move(u),

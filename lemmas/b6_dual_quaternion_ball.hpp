@@ -52,7 +52,7 @@ template <class S>
 SquaredBall<S, 3> dual_quaternion_ball(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis,
                                        const Vec<S, 3>& center) {
   S greatest(0);
-  for (std::size_t k = 0; k < blend.corner_count(); ++k)
+  for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k)
     greatest = max_of(greatest, squared_reach<S>({blend.rotations[k], blend.duals[k]}, blend.point, axis, center));
   return {center, greatest * squared_norm(axis)};
 }
@@ -102,7 +102,7 @@ ReachedImage<S> dual_quaternion_ball_encloses(const DualQuaternionBlend<S>& blen
                                               const Vec<S, 3>& center, std::span<const S> u) {
   const ScaledPoint<S> at = blend.at(u);
   ReachedImage<S> out{Verdict::undecided, at.numerator / at.denominator, Quaternion<S>::Constant(S(0))};
-  for (std::size_t k = 0; k < blend.corner_count(); ++k) out.reach = out.reach + reach_at(blend, k, center) * u[k];
+  for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) out.reach = out.reach + reach_at(blend, k, center) * u[k];
   out.verdict = encloses(dual_quaternion_ball(blend, axis, center), out.image);
   return out;
 }
@@ -120,4 +120,4 @@ Verdict reach_is_distance(const DualQuaternionBlend<S>& blend, std::size_t k, co
 }  // namespace refitlab
 
 // Sources: none; for the blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"].
-// Used by: b7_reach; algorithms/certificate/bound.cpp, algorithms/runtime/refit/dual_quaternion.hpp.
+// Used by: b7_motion_bound; algorithms/certificate/bound.cpp, algorithms/runtime/refit/dual_quaternion.hpp.

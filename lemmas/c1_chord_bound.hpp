@@ -9,7 +9,7 @@
 //   A path there and back reaches it.
 // Where f has a kink (i) says nothing, and where it jumps nothing is said: intervals end there.
 //
-// Replaces: nothing in the paper, which bounds one posture at a time. Engines take the hull of a few moments.
+// Replaces: nothing in the paper, which bounds one pose at a time. Engines take the hull of a few moments.
 // Notation: f -> curve, h -> duration, s -> share, c -> on_chord, k -> bend, M -> acceleration, L -> speed.
 //
 // Proof. (i) For any vector e, let g(s) = (e, f - c) + M ||e|| s (1 - s) h^2 / 2. g' is continuous and g'' <= 0 but for

@@ -8,7 +8,7 @@
 // (iv) if p is a convex combination of p_k, and a any vector but 0, then ||p|| >= min_k (p_k, a) / ||a||.
 // Where none of them is positive p may vanish, and there is no bound: near 0 a blend turns as fast as it wants to.
 //
-// Replaces: nothing in the paper, which bounds one posture at a time.
+// Replaces: nothing in the paper, which bounds one pose at a time.
 // Notation: p -> blend, m -> least, L and A -> motion, c -> cosine. 2/sqrt(3) is rounded up to 37/32, exact in binary.
 //
 // Proof. Let n = ||p||, p' = y q + x e with unit e perpendicular to q, so x^2 + y^2 = ||p'||^2 and n q' = x e. With b the part of

@@ -11,7 +11,7 @@
 // at most d from the joint's origin, its own frame's. So speed and acceleration are sums over ancestors, of the turn of each
 // times the length of the chain below it, and of its own translation. A hinge that turns at one speed reaches them.
 //
-// Replaces: nothing in the paper, which bounds one posture at a time.
+// Replaces: nothing in the paper, which bounds one pose at a time.
 // Notation: t, q, s -> translation, rotation, scale; A, b -> linear, offset.
 //
 // Proof. y -> q y q* is linear in either q, a scale in s and in y, so a link's image has the derivatives that Leibniz' rule

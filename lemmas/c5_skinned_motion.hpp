@@ -11,10 +11,10 @@
 // What all joints do alike may be left out: if C_k = C D_k with rigid transforms, (i) to (iii) hold for the D_k in the
 // frame of C, and v' moves within A M + b, M what they say and A, b of C. A vertex of one joint is then bounded as in c4.
 // Where no m > 0 is known (ii) leaves the hull of the C_k r, blown up by d, at all times, and (iii) leaves nothing: a blend
-// that vanishes carries a vertex as far as wanted (b6_dual_quaternion_ball). A center that is chosen anew in each posture
-// may jump, and then so does v'; b7_reach bounds it from the C_k v.
+// that vanishes carries a vertex as far as wanted (b6_dual_quaternion_ball). A center that is chosen anew in each pose
+// may jump, and then so does v'; b7_motion_bound bounds it from the C_k v.
 //
-// Replaces: nothing in the paper, which bounds one posture at a time.
+// Replaces: nothing in the paper, which bounds one pose at a time.
 // Notation: x_k -> images, q_k -> rotations, w -> weights, f -> center of the dual blend, r -> pivot, m -> least.
 //
 // Proof. (i) A convex combination with constant weights has derivatives that are the same combination. (ii) R_q x = Im(q x g*)

@@ -13,7 +13,7 @@
 // c6_interval_hull the slack of a box of times and weights from its eight corners. A point that is held by both clips' bounds
 // may leave their hull in between.
 //
-// Replaces: nothing in the paper. Engines take bounds of both clips, or of the reference posture, blown up by a guess.
+// Replaces: nothing in the paper. Engines take bounds of both clips, or of the reference pose, blown up by a guess.
 // Notation: p, q -> first, second; c -> cosine, g -> gap, 1 - w_0 or w_1 -> share.
 //
 // Proof. (i) and the length in (ii) by a look: ||(1 - w) p + w q||^2 is least at halves, or greater. (iii) In w it is a circle's

@@ -1,6 +1,6 @@
 // Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the corners.
 //
-// Statement. Let W' be the hull of the corners c_1 ... c_m (s41_corners_span) and let r_1 ... r_n be points of R^d.
+// Statement. Let W' be the hull of the corners c_1 ... c_m (s41_weight_vertices_span) and let r_1 ... r_n be points of R^d.
 // With r'_k = sum_i c_ki r_i, {sum_i w_i r_i : w in W'} = CH(r'_1, ..., r'_m). Any d: the paper uses it for the images
 // C_{j_i} r_c of the rotation center (d = 3, Equation 5) and for the quaternions q_i (d = 4, section 4.3).
 //
@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "lemmas/s41_corners_span.hpp"
+#include "lemmas/s41_weight_vertices_span.hpp"
 
 namespace refitlab {
 
@@ -32,7 +32,7 @@ std::vector<Vec<S, D>> corner_images(const Corners<S>& corners, std::span<const 
 template <class S, int D>
 Verdict linear_part_hull_hypotheses(const WeightBounds<S>& bounds, const Corners<S>& corners,
                                     std::span<const Vec<S, D>> points) {
-  return verdict_of(points.size() == bounds.low.size()) & corners_span_hypotheses(bounds, corners);
+  return verdict_of(points.size() == bounds.low.size()) & weight_vertices_span_hypotheses(bounds, corners);
 }
 
 // --- Witnesses and their checks ---
@@ -80,7 +80,7 @@ template <class S, int D>
 LinearPartPoint<S, D> linear_part_in_hull(const WeightBounds<S>& bounds, const Corners<S>& corners,
                                           std::span<const Vec<S, D>> points, const std::vector<S>& w) {
   const Vec<S, D> blend = combine<S, D>(w, points);
-  auto span = corners_span(bounds, corners, w);
+  auto span = weight_vertices_span(bounds, corners, w);
   if (span.coefficients.empty()) return {span.verdict, blend, {}};
   const auto images = corner_images(corners, points);
   const Verdict v = span.verdict & is_hull_point<S, D>(images, blend, span.coefficients);

@@ -11,16 +11,16 @@ SCENES = ["far", "near", "light", "heavy", "worst"]
 GROWN_SCENES = ["near", "light", "heavy"]
 SPHERICAL = {  # as the tables call the variants of spherical blending
     "spherical_repaired": "repaired",
-    "spherical_exact": "repaired, smallest balls",
-    "control_exact": "control points, a ball a node",
-    "control_sets_exact": "control points, a ball a joint-set",
+    "spherical_miniball": "repaired, smallest balls",
+    "control_miniball": "control points, a ball a node",
+    "control_sets_miniball": "control points, a ball a joint-set",
     "control_mixed": "control points or vertices (default)",
-    "control_clusters": "control points, clusters",
+    "control_many_pieces": "control points, clusters",
 }
 PRINTED = {
     "spherical_printed": "as printed",
     "spherical_printed_signed": "as printed, skinning's signs",
-    "spherical_printed_exact": "as printed, skinning's signs, smallest balls",
+    "spherical_printed_miniball": "as printed, skinning's signs, smallest balls",
     "linear_under_spherical": "linear refit, spherical skin",
 }
 
@@ -28,8 +28,8 @@ PRINTED = {
 # --- Single quantities ---
 
 def worst_ratio(results, variant, kind="clip", **where):
-    """The largest average ratio to the optimal radius, over models, postures of this kind and levels."""
-    return max(results.values("tightness", variant=variant, quantity="ratio_to_optimal", posture_kind=kind, **where))
+    """The largest average ratio to the optimal radius, over models, poses of this kind and levels."""
+    return max(results.values("tightness", variant=variant, quantity="ratio_to_optimal", pose_kind=kind, **where))
 
 
 def total(results, file, **where):
@@ -45,7 +45,7 @@ def time_of(results, scene, detector, query="full", quantity="us_per_frame"):
 
 
 def grown_time(results, triangles, scene, detector):
-    return results.number("triangle_growth", triangles=triangles, posture=scene, variant=detector, quantity="us_per_frame")
+    return results.number("triangle_growth", triangles=triangles, pose=scene, variant=detector, quantity="us_per_frame")
 
 
 def largest_growth(results):
@@ -76,10 +76,10 @@ def numbers(results):
     out = {}
     for row in original.table1()[:2]:
         out[f"original.level{row['level']:.0f}"] = f"{row['spherical'] / row['optimal']:.2f}"
-    for variant in ["spherical_repaired", "spherical_exact", "control_mixed", "control_clusters"]:
+    for variant in ["spherical_repaired", "spherical_miniball", "control_mixed", "control_many_pieces"]:
         out[f"worst.{variant}"] = digits(worst_ratio(results, variant))
     out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", "twist"))
-    for variant in ["control_mixed", "control_clusters", "linear"]:
+    for variant in ["control_mixed", "control_many_pieces", "linear"]:
         out[f"cost.{variant}.least"], out[f"cost.{variant}.most"] = (digits(v, 2) for v in span(cost_ratios(results, variant)))
     sound = [*SPHERICAL, "linear", "linear_mixed", "dual_quaternion_mixed"]
     out["sound.misses"] = whole_number(total(results, "tightness", quantity="misses", variant=lambda v: v in sound))
@@ -101,9 +101,9 @@ def numbers(results):
             out[f"exponent.{detector}.{scene}"] = f"${digits(growth.triangle_exponent(results, scene, detector), 2)}$"
     joints, sets = max(results.distinct("joint_growth", "joints")), results.values("joint_growth", variant="own", quantity="joint_sets")
     out["joints.sets"] = whole_number(max(sets))
-    for name, variant, quantity in [("own", "own", "ns_of_root"), ("below", "from_below", "ns_of_root_from_known")]:
+    for name, variant, quantity in [("own", "own", "ns_of_root"), ("below", "through_descendants", "ns_of_root_from_known")]:
         out[f"joints.{name}"] = digits(results.number("joint_growth", joints=joints, variant=variant, quantity=quantity) / 1000, 2)
-    out["joints.ratio"] = digits(results.number("joint_growth", joints=joints, variant="from_below", quantity="root_ratio_to_optimal"))
+    out["joints.ratio"] = digits(results.number("joint_growth", joints=joints, variant="through_descendants", quantity="root_ratio_to_optimal"))
     men = max(results.distinct("character_growth", "characters"))
     us, contacts = (results.number("character_growth", characters=men, variant="clusters", quantity=q) for q in ("us_per_frame", "contacts"))
     out["crowd.men"], out["crowd.ms"], out["crowd.contacts"] = whole_number(men), digits(us / 1000, 2), whole_number(contacts)
@@ -119,11 +119,11 @@ def numbers(results):
 
 # --- Tables ---
 
-def tightness_table(results, model, posture):
+def tightness_table(results, model, pose):
     variants = [*SPHERICAL, "bottom_up"]
     names = {**SPHERICAL, "bottom_up": "skinned, bottom-up"}
     levels = [1, 2, 3, 4, 6, 8, 10, 12]
-    rows = [[names[v], *(f"{results.number('tightness', model=model, posture=posture, variant=v, level=l, quantity='ratio_to_optimal'):.2f}"
+    rows = [[names[v], *(f"{results.number('tightness', model=model, pose=pose, variant=v, level=l, quantity='ratio_to_optimal'):.2f}"
                          for l in levels)] for v in variants]
     return table("l" + "r" * len(levels), ["", *map(str, levels)], rows)
 
@@ -145,7 +145,7 @@ def misses_table(results):
     for variant, name in PRINTED.items():
         cells = [name]
         for kind in ("clip", "twist"):
-            balls, misses, undefined = (total(results, "tightness", variant=variant, quantity=q, posture_kind=kind)
+            balls, misses, undefined = (total(results, "tightness", variant=variant, quantity=q, pose_kind=kind)
                                         for q in ("nodes", "misses", "undefined"))
             cells += [f"{100 * misses / balls:.2g}\\,\\%", f"{100 * undefined / balls:.2g}\\,\\%"]
         rows.append(cells)
@@ -174,7 +174,7 @@ def batch_table(results):
 
 def volumes_table(results):
     def average(variant, quantity):
-        return mean(results.values("volumes", variant=variant, quantity=quantity, posture_kind="clip", level=lambda l: l in (3, 4, 5, 6)))
+        return mean(results.values("volumes", variant=variant, quantity=quantity, pose_kind="clip", level=lambda l: l in (3, 4, 5, 6)))
     names = {"aabb": "axis-aligned box", "obb": "oriented box", "dop14": "14-DOP", "dop18": "18-DOP", "dop26": "26-DOP"}
     rows = []
     for variant, name in names.items():
@@ -241,18 +241,18 @@ def tables(results, lemmas):
 
 # --- Data of plots: columns set apart by spaces ---
 
-def tightness_plot(results, model, posture):
+def tightness_plot(results, model, pose):
     variants = [*SPHERICAL, "bottom_up"]
-    levels = sorted(results.distinct("tightness", "level", model=model, posture=posture, variant="control_mixed"))
+    levels = sorted(results.distinct("tightness", "level", model=model, pose=pose, variant="control_mixed"))
     lines = ["level " + " ".join(variants)]
     for level in levels:
         lines.append(f"{level} " + " ".join(str(results.number(
-            "tightness", model=model, posture=posture, variant=v, level=level, quantity="ratio_to_optimal")) for v in variants))
+            "tightness", model=model, pose=pose, variant=v, level=level, quantity="ratio_to_optimal")) for v in variants))
     return "\n".join(lines) + "\n"
 
 
 def growth_plot(results, scene):
-    detectors = ["clusters", "spherical_repaired", "control_mixed_from_below", "skin_all_simd", "embree"]
+    detectors = ["clusters", "spherical_repaired", "control_mixed_through_descendants", "skin_all_simd", "embree"]
     sizes = sorted(results.distinct("triangle_growth", "triangles"))
     lines = ["triangles " + " ".join(detectors)]
     lines += [f"{n} " + " ".join(str(grown_time(results, n, scene, d)) for d in detectors) for n in sizes]
@@ -263,7 +263,7 @@ def pareto_plot(results, model):
     """Cost of each variant in the model's twist and its tightness in the walk, mean over the levels."""
     lines = ["cost ratio label"]
     for variant in SPHERICAL:
-        ratio = mean(results.values("tightness", model=model, posture="walk", variant=variant, quantity="ratio_to_optimal"))
+        ratio = mean(results.values("tightness", model=model, pose="walk", variant=variant, quantity="ratio_to_optimal"))
         cost = results.number("speed", model=model, variant=variant, level=ALL, quantity="ratio_to_repaired")
         lines.append(f"{cost} {ratio} {variant.replace('_', '-')}")
     return "\n".join(lines) + "\n"

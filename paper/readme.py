@@ -22,16 +22,16 @@ def commit_of(results, *files):
 
 def variants_block(results):
     commit = commit_of(results, "tightness", "speed", "collision", "batch_speed")
-    worst = {v: digits(content.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_clusters")}
+    worst = {v: digits(content.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_many_pieces")}
     twist = digits(content.worst_ratio(results, "control_mixed", "twist"))
     missed = content.total(results, "tightness", quantity="misses", variant=lambda v: v in content.SPHERICAL)
     gains = content.batch_gains(results)
     return f"""\
 Measured on six characters with `experiments/run --full` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. Average radius
 over that of the smallest ball of the deformed vertices, on the worst level of the worst clip: `spherical_repaired` {worst['spherical_repaired']},
-`control_mixed` {worst['control_mixed']}, `control_clusters` {worst['control_clusters']}; in a joint twisted by 170 degrees or more `control_mixed` has at most {twist} on a
+`control_mixed` {worst['control_mixed']}, `control_many_pieces` {worst['control_many_pieces']}; in a joint twisted by 170 degrees or more `control_mixed` has at most {twist} on a
 level. Cost of a sphere against `spherical_repaired` in the same run: `control_mixed` {from_to(content.cost_ratios(results, 'control_mixed'))},
-`control_clusters` {from_to(content.cost_ratios(results, 'control_clusters'))}. Where anything is near, queries refit {from_to(content.fewer_spheres(results))} times fewer spheres
+`control_many_pieces` {from_to(content.cost_ratios(results, 'control_many_pieces'))}. Where anything is near, queries refit {from_to(content.fewer_spheres(results))} times fewer spheres
 with `control_mixed`. In batches of SIMD packs (`algorithms/runtime/batch`), all spheres of a tree by Algorithm 1 repaired cost 1/{min(gains):.0f} to
 1/{max(gains):.0f} of the same one by one.
 """
@@ -51,7 +51,7 @@ def queries_block(results):
     heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
     heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
     return f"""\
-Two walking men of 8270 triangles, all touching pairs, microseconds a frame from posture to pairs (`experiments/run --full`; commit
+Two walking men of 8270 triangles, all touching pairs, microseconds a frame from pose to pairs (`experiments/run --full`; commit
 {commit}, {cpu}, one thread; every pair set is checked against all pairs by brute force; Embree alone in the last three columns):
 
 | | {' | '.join(heads)} |

@@ -11,7 +11,7 @@ namespace {
 PieceOptions options_of(Pieces kind) {
   switch (kind) {
     case Pieces::mixed: return {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2};
-    case Pieces::clusters: return {.most_pieces = most_clusters};
+    case Pieces::many: return {.most_pieces = many_pieces};
     default: return {};
   }
 }

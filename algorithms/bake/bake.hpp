@@ -1,4 +1,4 @@
-// Baking: all that refits and queries need of a skinned mesh, made once, before any posture.
+// Baking: all that refits and queries need of a skinned mesh, made once, before any pose.
 #pragma once
 
 #include <initializer_list>
@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-inline constexpr std::initializer_list<Pieces> all_pieces{Pieces::joint_sets, Pieces::mixed, Pieces::clusters};
+inline constexpr std::initializer_list<Pieces> all_pieces{Pieces::joint_sets, Pieces::mixed, Pieces::many};
 
 // mesh is valid (see SkinnedMesh). pieces: the descriptions that the refits to come ask for (RefitVariant::pieces). Takes some
 // thirty microseconds a triangle. Throws std::invalid_argument for triangles_per_leaf < 1.

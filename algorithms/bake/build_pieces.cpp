@@ -74,7 +74,7 @@ class NodeClusters {
 
   std::vector<Cluster> of(const TreeNode& node, std::span<const int> vertices) const {
     const Clustering clustering(mesh_, sets_, node.reference.radius);
-    const int most = std::max(options_.most_pieces, static_cast<int>(options_.pieces_per_joint_set * node.joint_set_count));
+    const int most = std::max(options_.most_pieces, static_cast<int>(options_.pieces_per_joint_set * node.piece_count));
     std::map<int, std::vector<int>> by_set;
     for (const int v : vertices) by_set[sets_.of_vertex(v)].push_back(v);
     const auto less = [](const Cluster& a, const Cluster& b) { return a.spread < b.spread; };
@@ -100,7 +100,7 @@ class NodeClusters {
   Corners corners_of(const Cluster& c) const {
     std::vector<std::span<const double>> weights;
     for (const int v : c.vertices) weights.push_back(sets_.weights(v));
-    return weight_corners(weights);
+    return weight_polytope(weights);
   }
 
   bool is_better_as_vertices(const Cluster& c, const Corners& corners) const {
@@ -115,7 +115,7 @@ class NodeClusters {
 };
 
 // Those that touch the smallest ball of all come first, the others stay in order.
-void order_by_support(std::span<NodeJointSet> pieces, const std::vector<Ball3<double>>& references) {
+void order_by_support(std::span<NodePiece> pieces, const std::vector<Ball3<double>>& references) {
   std::vector<Ball3<double>> balls;
   for (const auto& piece : pieces) balls.push_back(references[piece.reference]);
   const auto smallest = few_balls_ball(balls);
@@ -132,14 +132,14 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
   const DefaultFloatEnvironment environment;
   PieceTable table;
   // In the order of the leaves, so that what a node lists lies close together.
-  std::vector<NodeJointSet> listed(mesh.vertices.size(), {-1, 0, 1, 0});  // by vertex
+  std::vector<NodePiece> listed(mesh.vertices.size(), {-1, 0, 1, 0});  // by vertex
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     if (tree.nodes[n].child_count > 0) continue;
     for (const int v : vertices[static_cast<int>(n)]) {
       if (listed[v].joint_set >= 0) continue;
       const auto weights = sets.weights(v);
-      listed[v] = {sets.of_vertex(v), static_cast<int>(table.corner_weights.size()), 1, static_cast<int>(table.references.size())};
-      table.corner_weights.insert(table.corner_weights.end(), weights.begin(), weights.end());
+      listed[v] = {sets.of_vertex(v), static_cast<int>(table.weight_vertices.size()), 1, static_cast<int>(table.references.size())};
+      table.weight_vertices.insert(table.weight_vertices.end(), weights.begin(), weights.end());
       table.references.push_back({mesh.vertices[v], 0});
     }
   }
@@ -154,10 +154,10 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
         for (const int v : c.vertices) table.pieces.push_back(listed[v]);
         continue;
       }
-      table.pieces.push_back({c.joint_set, static_cast<int>(table.corner_weights.size()), static_cast<int>(corners.size()),
+      table.pieces.push_back({c.joint_set, static_cast<int>(table.weight_vertices.size()), static_cast<int>(corners.size()),
                          static_cast<int>(table.references.size())});
       table.references.push_back(c.ball);
-      for (const auto& corner : corners) table.corner_weights.insert(table.corner_weights.end(), corner.begin(), corner.end());
+      for (const auto& corner : corners) table.weight_vertices.insert(table.weight_vertices.end(), corner.begin(), corner.end());
     }
     order_by_support({table.pieces.data() + table.first.back(), table.pieces.size() - table.first.back()}, table.references);
   }

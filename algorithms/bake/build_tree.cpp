@@ -9,7 +9,7 @@
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 
 namespace refitlab {
 namespace {
@@ -101,7 +101,7 @@ class Builder {
     const BinaryNode& b = binary_[binary];
     return {.reference = b.ball, .parent = parent, .first_child = 0, .child_count = 0, .level = level,
             .first_triangle = b.first_triangle, .triangle_count = b.triangle_count, .first_vertex = 0, .vertex_count = 0,
-            .first_joint_set = 0, .joint_set_count = 0};
+            .first_piece = 0, .piece_count = 0};
   }
 
   void add_leaf_vertices(TreeNode& leaf) {
@@ -123,12 +123,12 @@ class Builder {
         b.high[i] = std::max(b.high[i], w[i]);
       }
     }
-    node.first_joint_set = static_cast<int>(tree_.joint_sets.size());
-    node.joint_set_count = static_cast<int>(bounds.size());
+    node.first_piece = static_cast<int>(tree_.pieces.size());
+    node.piece_count = static_cast<int>(bounds.size());
     for (const auto& [set, b] : bounds) {
-      const auto corners = corners_or_simplex(b);
-      tree_.joint_sets.push_back({set, static_cast<int>(tree_.corner_weights.size()), static_cast<int>(corners.size())});
-      for (const auto& c : corners) tree_.corner_weights.insert(tree_.corner_weights.end(), c.begin(), c.end());
+      const auto corners = weight_vertices_or_simplex(b);
+      tree_.pieces.push_back({set, static_cast<int>(tree_.weight_vertices.size()), static_cast<int>(corners.size())});
+      for (const auto& c : corners) tree_.weight_vertices.insert(tree_.weight_vertices.end(), c.begin(), c.end());
     }
   }
 

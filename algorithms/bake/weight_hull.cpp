@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 
 namespace refitlab {
 namespace {
@@ -69,7 +69,7 @@ std::vector<Row> extreme_rows(const std::vector<std::span<const double>>& weight
   }
 }
 
-std::vector<Row> weight_corners(const std::vector<std::span<const double>>& weights) {
+std::vector<Row> weight_polytope(const std::vector<std::span<const double>>& weights) {
   const DefaultFloatEnvironment environment;
   auto hull = extreme_rows(weights);
   WeightBounds<double> bounds{{weights[0].begin(), weights[0].end()}, {weights[0].begin(), weights[0].end()}};
@@ -78,7 +78,7 @@ std::vector<Row> weight_corners(const std::vector<std::span<const double>>& weig
       bounds.low[i] = std::min(bounds.low[i], w[i]);
       bounds.high[i] = std::max(bounds.high[i], w[i]);
     }
-  auto box = corners_or_simplex(bounds);
+  auto box = weight_vertices_or_simplex(bounds);
   return hull.size() <= box.size() ? std::move(hull) : std::move(box);
 }
 

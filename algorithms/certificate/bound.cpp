@@ -2,7 +2,7 @@
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
-#include "algorithms/runtime/skinning/convert_pose.hpp"
+#include "algorithms/runtime/skinning/convert_palette.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
@@ -49,8 +49,8 @@ struct SphericalClaim {
   Ball3<Rational> target;
 
   template <class S>
-  static BlendedJoints<S> blend(const JointSetPose<S>& pose, std::span<const S> w) {
-    return blend_joints(pose, w);
+  static BlendedJoints<S> blend(const PaletteEntry<S>& palette, std::span<const S> w) {
+    return blend_joints(palette, w);
   }
   static Corner middle(const Corner& a, const Corner& b) {
     return {SphericalPiece<Rational>::middle(a.exact, b.exact), SphericalPiece<double>::middle(a.rounded, b.rounded)};
@@ -112,8 +112,8 @@ struct DualQuaternionClaim {
   Ball3<Rational> target;
 
   template <class S>
-  static BlendedDuals<S> blend(const JointSetPose<S>& pose, std::span<const S> w) {
-    return blend_duals(pose, w);
+  static BlendedDuals<S> blend(const PaletteEntry<S>& palette, std::span<const S> w) {
+    return blend_duals(palette, w);
   }
   static Corner middle(const Corner& a, const Corner& b) {
     return {DualQuaternionPiece<Rational>::middle(a.exact, b.exact),
@@ -183,15 +183,15 @@ std::optional<Bound> search(const Claim& claim, const std::vector<typename Claim
 }
 
 // A joint whose quaternion q is not of unit length maps by M = ||q||^2 R_q + 1 - ||q||^2, which makes a vector longer.
-bool linear_holds(const JointSetPose<Rational>& pose, const std::vector<std::vector<Rational>>& corners,
+bool linear_holds(const PaletteEntry<Rational>& palette, const std::vector<std::vector<Rational>>& corners,
                   const Ball3<Rational>& reference, const Ball3<Rational>& ball) {
   for (const auto& w : corners) {
     Rational growth(0);
     for (std::size_t i = 0; i < w.size(); ++i) {
-      const Rational n = squared_norm(pose.transforms[i].rotation);
+      const Rational n = squared_norm(palette.transforms[i].rotation);
       growth += w[i] * (n + abs(Rational(1 - n)));
     }
-    const Ball3<Rational> image{blend_linear<Rational>(pose, w, reference.center), reference.radius * growth};
+    const Ball3<Rational> image{blend_linear<Rational>(palette, w, reference.center), reference.radius * growth};
     if (encloses(ball, image) != Verdict::holds) return false;
   }
   return true;
@@ -202,12 +202,12 @@ bool linear_holds(const JointSetPose<Rational>& pose, const std::vector<std::vec
 std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning,
                                 const Ball3<double>& ball) {
   const DefaultFloatEnvironment environment;
-  const NodeJointSet& set = node.joint_sets[piece];
-  const JointSetPose<double> rounded = node.pose[set.joint_set];
-  const OwnedJointSetPose<Rational> owned = convert<Rational>(rounded);
-  const JointSetPose<Rational> pose = owned;
+  const NodePiece& set = node.pieces[piece];
+  const PaletteEntry<double> rounded = node.palette[set.joint_set];
+  const OwnedPaletteEntry<Rational> owned = convert<Rational>(rounded);
+  const PaletteEntry<Rational> palette = owned;
   std::vector<std::vector<Rational>> corners;
-  for (int k = 0; k < set.corner_count; ++k) {
+  for (int k = 0; k < set.weight_vertex_count; ++k) {
     const auto w = node.corner(set, k);
     corners.emplace_back(w.begin(), w.end());
   }
@@ -215,8 +215,8 @@ std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece
   const Ball3<Rational> reference = as_exact(node.piece_reference(piece)), around = as_exact(ball);
   const auto searched = [&]<class Claim>(const Claim& claim) {
     std::vector<typename Claim::Corner> blends;
-    for (int k = 0; k < set.corner_count; ++k)
-      blends.push_back({Claim::template blend<Rational>(pose, corners[k]), Claim::blend(rounded, node.corner(set, k))});
+    for (int k = 0; k < set.weight_vertex_count; ++k)
+      blends.push_back({Claim::template blend<Rational>(palette, corners[k]), Claim::blend(rounded, node.corner(set, k))});
     return search(claim, blends, most_halvings_tried);
   };
   // Rigid blends carry the reference ball to within its radius of where they carry its center.
@@ -224,10 +224,10 @@ std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece
   if (target.radius < 0) return {};
   switch (skinning) {
     case Skinning::linear:
-      if (linear_holds(pose, corners, reference, around)) return Bound{By::control};
+      if (linear_holds(palette, corners, reference, around)) return Bound{By::control};
       return {};
     case Skinning::dual_quaternion: return searched(DualQuaternionClaim{reference.center, target});
-    default: return searched(SphericalClaim{reference.center - pose.rotation_center, target});
+    default: return searched(SphericalClaim{reference.center - palette.rotation_center, target});
   }
 }
 

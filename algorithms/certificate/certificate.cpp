@@ -36,9 +36,9 @@ json json_of(const Bound& bound) {
   return out;
 }
 
-json corners_of(const RefitNode<double>& node, const NodeJointSet& set) {
+json corners_of(const RefitNode<double>& node, const NodePiece& set) {
   json out;
-  for (int k = 0; k < set.corner_count; ++k) {
+  for (int k = 0; k < set.weight_vertex_count; ++k) {
     json weights;
     Rational sum(0);
     for (const double w : node.corner(set, k)) {
@@ -62,16 +62,16 @@ bool is_in(const Ball3<double>& ball, const Point3& position) {
   return apart <= Rational(ball.radius) * Rational(ball.radius);
 }
 
-std::vector<std::span<const double>> corner_rows(const RefitNode<double>& node, const NodeJointSet& set) {
+std::vector<std::span<const double>> corner_rows(const RefitNode<double>& node, const NodePiece& set) {
   std::vector<std::span<const double>> rows;
-  for (int k = 0; k < set.corner_count; ++k) rows.push_back(node.corner(set, k));
+  for (int k = 0; k < set.weight_vertex_count; ++k) rows.push_back(node.corner(set, k));
   return rows;
 }
 
 json json_of(const CertifiedVertex& v, const RefitNode<double>& node, const std::string& about) {
   json out{{"id", v.id}, {"position", exact_json(v.position)}, {"weights", exact_json(v.weights)}};
-  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
-    const NodeJointSet& set = node.joint_sets[i];
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+    const NodePiece& set = node.pieces[i];
     if (set.joint_set != v.joint_set || !is_in(node.piece_reference(i), v.position)) continue;
     const auto found = find_shares(corner_rows(node, set), v.weights);
     if (!found) continue;
@@ -85,19 +85,19 @@ json json_of(const CertifiedVertex& v, const RefitNode<double>& node, const std:
 
 }  // namespace
 
-json exact_json(const JointSetPose<double>& pose, std::span<const int> joints, Skinning skinning) {
+json exact_json(const PaletteEntry<double>& palette, std::span<const int> joints, Skinning skinning) {
   json out{{"joints", joints}};
-  for (const auto& joint : pose.transforms) out["rotations"].push_back(exact_json(joint.rotation));
+  for (const auto& joint : palette.transforms) out["rotations"].push_back(exact_json(joint.rotation));
   switch (skinning) {
     case Skinning::linear:
-      for (const auto& joint : pose.transforms) out["translations"].push_back(exact_json(joint.translation));
+      for (const auto& joint : palette.transforms) out["translations"].push_back(exact_json(joint.translation));
       break;
     case Skinning::dual_quaternion:
-      for (const auto& dual : pose.duals) out["duals"].push_back(exact_json(dual));
+      for (const auto& dual : palette.duals) out["duals"].push_back(exact_json(dual));
       break;
     default:
-      out["rotation_center"] = exact_json(pose.rotation_center);
-      for (const auto& image : pose.center_images) out["center_images"].push_back(exact_json(image));
+      out["rotation_center"] = exact_json(palette.rotation_center);
+      for (const auto& image : palette.center_images) out["center_images"].push_back(exact_json(image));
   }
   return out;
 }
@@ -122,10 +122,10 @@ std::string certificate(const RefitNode<double>& node, Skinning skinning, const 
   document["pose"] = of.pose_digest;
   document["skinning"] = certified_name(skinning);
   std::map<int, std::size_t> numbers;  // of the joint-sets in use, in the document
-  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
-    const NodeJointSet& set = node.joint_sets[i];
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+    const NodePiece& set = node.pieces[i];
     const auto [number, is_new] = numbers.try_emplace(set.joint_set, numbers.size());
-    if (is_new) document["joint_sets"].push_back(exact_json(node.pose[set.joint_set], of.joints[set.joint_set], skinning));
+    if (is_new) document["joint_sets"].push_back(exact_json(node.palette[set.joint_set], of.joints[set.joint_set], skinning));
     json piece;
     piece["corners"] = corners_of(node, set);
     piece["joint_set"] = number->second;
@@ -133,7 +133,7 @@ std::string certificate(const RefitNode<double>& node, Skinning skinning, const 
     const auto bound = find_bound(node, i, skinning, ball);
     if (!bound)
       throw NoProof(of.about + ": no proof that the ball holds piece " + std::to_string(i) + " of " +
-                    std::to_string(node.joint_sets.size()));
+                    std::to_string(node.pieces.size()));
     piece["bound"] = json_of(*bound);
     document["pieces"].push_back(piece);
   }

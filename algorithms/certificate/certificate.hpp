@@ -13,7 +13,7 @@
 //   digest       SHA-256 of the same text with "" for the digest: whatever is changed is noticed
 //   joint_sets   a list of {joints: their numbers in the model, rotations: [[w, x, y, z]...], and by skinning center_images
 //                and rotation_center, translations, or duals}, lists by joint
-//   model, pose  SHA-256 of their documents (documents.hpp)
+//   model, palette  SHA-256 of their documents (documents.hpp)
 //   node         its number in the model's sphere tree
 //   pieces       a list of {joint_set: its index, reference: its ball, corners: a list of lists of weights by joint, bound}
 //   skinning     "spherical", "linear" or "dual_quaternion"
@@ -41,7 +41,7 @@ class NoProof : public std::runtime_error {
 struct CertifiedVertex {
   int id;         // in the model
   Point3 position;
-  int joint_set;  // in the pose
+  int joint_set;  // in the palette
   std::span<const double> weights;  // by joint of it
 };
 
@@ -50,7 +50,7 @@ struct CertifiedNode {
   std::string about;  // for the reader
   int number;         // in the sphere tree
   std::vector<CertifiedVertex> vertices;
-  std::vector<std::span<const int>> joints;  // by joint-set of the pose, their numbers in the model
+  std::vector<std::span<const int>> joints;  // by joint-set of the palette, their numbers in the model
   std::string model_digest, pose_digest;     // SHA-256
 };
 

@@ -20,11 +20,11 @@ std::string model_document(const Character& character) {
   return canonical(document);
 }
 
-std::string pose_document(const Character& character, const SkinningPose<double>& pose, Skinning skinning) {
+std::string pose_document(const Character& character, const SkinningPalette<double>& palette, Skinning skinning) {
   const DefaultFloatEnvironment environment;
   json document{{"skinning", certified_name(skinning)}};
   for (int s = 0; s < character.sets.count(); ++s)
-    document["joint_sets"].push_back(exact_json(pose[s], character.sets.joints(s), skinning));
+    document["joint_sets"].push_back(exact_json(palette[s], character.sets.joints(s), skinning));
   return canonical(document);
 }
 

@@ -1,4 +1,4 @@
-// Documents: the model and the pose that certificates are bound to, as plain text that anyone can read and compare.
+// Documents: the model and the palette that certificates are bound to, as plain text that anyone can read and compare.
 //
 // Format: JSON, its keys sorted, indented by one space, in ASCII, ended by a line feed; a number is a string as in
 // certificate.hpp, an index is an integer. Its digest is the SHA-256 of all of its bytes. A model has
@@ -6,7 +6,7 @@
 //   nodes        by node of the sphere tree, [first, count] of its triangles
 //   triangles    [a, b, c], indices of vertices, in the order of the tree's leaves
 //   vertices     a list of {joints: the numbers of those that influence it, in increasing order, position: [x, y, z], weights}
-// and a pose has
+// and a palette has
 //   joint_sets   all of the model's, as in a certificate
 //   skinning     as in a certificate
 #pragma once
@@ -20,7 +20,7 @@ namespace refitlab {
 
 // Throws std::invalid_argument for a number that is not finite.
 std::string model_document(const Character& character);
-std::string pose_document(const Character& character, const SkinningPose<double>& pose, Skinning skinning);
+std::string pose_document(const Character& character, const SkinningPalette<double>& palette, Skinning skinning);
 
 // The vertices of a node, and which documents they are of (by digest).
 CertifiedNode certified_node(const Character& character, int node, const std::string& about,

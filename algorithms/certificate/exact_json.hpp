@@ -8,7 +8,7 @@
 #include <string>
 
 #include "lemmas/exact/exact.hpp"  // as_text
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {
@@ -30,8 +30,8 @@ nlohmann::json exact_json(const Vec<double, D>& v) {
 inline nlohmann::json exact_json(const Ball3<double>& ball) {
   return {{"center", exact_json(ball.center)}, {"radius", exact_json(ball.radius)}};
 }
-// A joint-set in a pose, with the numbers of its joints in the model and what the skinning reads.
-nlohmann::json exact_json(const JointSetPose<double>& pose, std::span<const int> joints, Skinning skinning);
+// A joint-set in a palette, with the numbers of its joints in the model and what the skinning reads.
+nlohmann::json exact_json(const PaletteEntry<double>& palette, std::span<const int> joints, Skinning skinning);
 
 // "spherical" for Hejl's too.
 const char* certified_name(Skinning skinning);

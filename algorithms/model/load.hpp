@@ -9,7 +9,7 @@ namespace refitlab {
 
 // The model in a file.
 //
-// All meshes become one skin, in the posture that the first skinned mesh rests in (see mesh_binding.hpp), with the
+// All meshes become one skin, in the pose that the first skinned mesh rests in (see mesh_binding.hpp), with the
 // constant scale of the skin matrices multiplied in (and, where all of them mirror, mirrored in x). Polygons are
 // triangulated; vertices of equal position and equal weights become one, whatever their normals, texture coordinates
 // and colours, so that seams do not split the skin. Dropped: points and lines, triangles with two corners in one

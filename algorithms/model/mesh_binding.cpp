@@ -75,7 +75,7 @@ class Binder {
     return found == joints_.end() ? -1 : static_cast<int>(found - joints_.begin());
   }
 
-  // The frame of a node, to the reference posture, as it is in the file relative to the nearest joint.
+  // The frame of a node, to the reference pose, as it is in the file relative to the nearest joint.
   Eigen::Matrix4d rest_frame(int node) const {
     int nearest = -1;
     for (int n = node; n >= 0 && nearest < 0; n = tree_.nodes()[n].parent) nearest = joint_of_node(n);
@@ -84,7 +84,7 @@ class Binder {
     return (globals_[j.node] * j.offset).inverse() * globals_[node];
   }
 
-  // From the mesh's frame to the reference posture, by a bone that another mesh has used, or else by its first.
+  // From the mesh's frame to the reference pose, by a bone that another mesh has used, or else by its first.
   Eigen::Matrix4d placement(const std::vector<int>& nodes, const std::vector<Eigen::Matrix4d>& offsets,
                             const std::vector<Eigen::Vector4d>& box) const {
     std::size_t b = 0;

@@ -1,4 +1,4 @@
-// The meshes of a model file, each in its place in one reference posture, and the joints that move them.
+// The meshes of a model file, each in its place in one reference pose, and the joints that move them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// A mesh in its place: its vertices, moved by placement, are in the frame of the reference posture.
+// A mesh in its place: its vertices, moved by placement, are in the frame of the reference pose.
 struct BoundMesh {
   const aiMesh* mesh;
   Eigen::Matrix4d placement;
@@ -22,8 +22,8 @@ struct BoundScene {
 
 // Finds joints for all meshes of the tree that have triangles.
 //
-// The reference posture is the one that the first skinned mesh rests in. A mesh whose offset matrices, of joints that
-// others have used, are in another frame is moved to the reference posture; where no one placement makes all of them
+// The reference pose is the one that the first skinned mesh rests in. A mesh whose offset matrices, of joints that
+// others have used, are in another frame is moved to the reference pose; where no one placement makes all of them
 // agree, a node gets a joint for each offset. A skinned mesh that shares no joint, and a mesh without bones, are placed
 // as the nodes of the file have them relative to the nearest ancestor that is a joint (or else to the first joint);
 // the node of a mesh without bones becomes a joint.

@@ -91,7 +91,7 @@ class Skin {
   std::map<Key, int> known_;
 };
 
-// Moves the constant factor of the skin matrices (see skeleton_motion.hpp) into the reference posture.
+// Moves the constant factor of the skin matrices (see skeleton_motion.hpp) into the reference pose.
 void factor_out(const Eigen::Matrix4d& factor, BoundSkeleton& skeleton, std::vector<BoundMesh>& meshes) {
   const Eigen::Matrix4d back = factor.inverse();
   for (BoundJoint& joint : skeleton.joints) joint.offset = joint.offset * back;
@@ -140,7 +140,7 @@ Model model_of_scene(const aiScene& scene, const std::string& file) {
     for (const double time : key_times(motion, max_checked_times))
       model.rigidity_defect = std::max(model.rigidity_defect, pose(*skeleton, motion, time).rigidity_defect);
     model.clips.push_back({motion.name, motion.duration,
-                           [skeleton, motion](double time) { return pose(*skeleton, motion, time).posture; }});
+                           [skeleton, motion](double time) { return pose(*skeleton, motion, time).pose; }});
   }
   validate(model);
   return model;

@@ -59,7 +59,7 @@ std::string reason_against(const Eigen::Matrix3d& m) {
     text << "the skin matrix mirrors";
   else
     text << "the skin matrix scales by " << s[1];
-  text << " (relative to the other joints in the first posture); only rotations with one constant scale are supported";
+  text << " (relative to the other joints in the first pose); only rotations with one constant scale are supported";
   return text.str();
 }
 
@@ -108,9 +108,9 @@ PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double t
     }
     const Eigen::Quaterniond turn = Eigen::Quaterniond(nearest_rotation(m)).normalized();
     Quaternion<double> q(turn.w(), turn.x(), turn.y(), turn.z());
-    const double side = joint.parent < 0 ? q[0] : dot(q, out.posture[joint.parent].rotation);
+    const double side = joint.parent < 0 ? q[0] : dot(q, out.pose[joint.parent].rotation);
     if (side < 0) q = -q;
-    out.posture.push_back({q, matrices[j].topRightCorner<3, 1>()});
+    out.pose.push_back({q, matrices[j].topRightCorner<3, 1>()});
     out.rigidity_defect = std::max(out.rigidity_defect, defect);
   }
   return out;

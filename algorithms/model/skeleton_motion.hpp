@@ -1,7 +1,7 @@
 // The skeleton of a model file in motion: a tree of nodes, tracks of keys, and the skin matrices that they give.
 //
 // Skin matrix of joint j at time t: M_j(t) = (global transform of its node at t) * (its offset matrix). If it is R K
-// and a translation, with one K = s diag(+-1, 1, 1) for all joints and times, then K belongs to the reference posture:
+// and a translation, with one K = s diag(+-1, 1, 1) for all joints and times, then K belongs to the reference pose:
 // vertices are multiplied by K, offset matrices by its inverse, and M_j is the rigid C_j. Matrices act on columns;
 // lengths in units of the file, times in seconds.
 #pragma once
@@ -28,7 +28,7 @@ struct BoundJoint {
   std::string name;
   int node;
   int parent;              // joint
-  Eigen::Matrix4d offset;  // from the frame of the reference posture to that of the node
+  Eigen::Matrix4d offset;  // from the frame of the reference pose to that of the node
 };
 
 template <class Value>
@@ -59,7 +59,7 @@ struct BoundSkeleton {
 };
 
 struct PosedSkeleton {
-  Posture posture;
+  Pose pose;
   double rigidity_defect;  // the largest over the joints
 };
 

@@ -5,20 +5,20 @@
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
-#include "algorithms/runtime/skinning/convert_pose.hpp"
+#include "algorithms/runtime/skinning/convert_palette.hpp"
 
 namespace refitlab {
 
-ExactSkin::ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning)
-    : mesh_(mesh), sets_(sets), pose_(pose), skinning_(skinning), quick_(mesh.vertices.size()),
+ExactSkin::ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning)
+    : mesh_(mesh), sets_(sets), palette_(palette), skinning_(skinning), quick_(mesh.vertices.size()),
       exact_(mesh.vertices.size()) {}
 
 template <class S>
 Vec<S, 3> ExactSkin::skinned(int vertex) const {
-  const OwnedJointSetPose<S> pose = convert<S>(pose_[sets_.of_vertex(vertex)]);
+  const OwnedPaletteEntry<S> palette = convert<S>(palette_[sets_.of_vertex(vertex)]);
   std::vector<S> weights;
   for (const double w : sets_.weights(vertex)) weights.push_back(S(w));
-  return blend<S>(skinning_, pose, weights, convert<S>(mesh_.vertices[vertex]));
+  return blend<S>(skinning_, palette, weights, convert<S>(mesh_.vertices[vertex]));
 }
 
 const Vec<Rational, 3>& ExactSkin::exact(int vertex) {

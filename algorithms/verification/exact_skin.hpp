@@ -1,6 +1,6 @@
-// ExactSkin: the vertices of one posture as exact arithmetic skins them, to check balls against.
+// ExactSkin: the vertices of one pose as exact arithmetic skins them, to check balls against.
 //
-// The numbers of a pose (quaternions, rotation centers, images of the centers, dual parts) are taken as they stand. Equation
+// The numbers of a palette (quaternions, rotation centers, images of the centers, dual parts) are taken as they stand. Equation
 // (1) and the dual quaternions' divide by the squared norm, so their rotations are exact although quaternions in double
 // are not quite of unit length; in linear blending the slight stretch of such rotations is part of what is skinned.
 #pragma once
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "lemmas/exact/interval.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
@@ -18,8 +18,8 @@ namespace refitlab {
 
 class ExactSkin {
  public:
-  // model, sets and pose outlive this.
-  ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning);
+  // model, sets and palette outlive this.
+  ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning);
 
   // The vertex in rationals, computed when first asked for.
   const Vec<Rational, 3>& exact(int vertex);
@@ -34,7 +34,7 @@ class ExactSkin {
 
   const SkinnedMesh& mesh_;
   const JointSets& sets_;
-  const SkinningPose<double>& pose_;
+  const SkinningPalette<double>& palette_;
   const Skinning skinning_;
   // The vertex is within error of about.
   struct Enclosure {

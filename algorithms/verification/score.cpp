@@ -6,14 +6,14 @@
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 
 namespace refitlab {
 namespace {
 
 template <class S>
-OwnedJointSetPose<S> lift_pose(const OwnedJointSetPose<Rational>& pose) {
-  OwnedJointSetPose<S> out{lift<S>(pose.transforms), lift<S>(pose.rotation_center), lift<S>(pose.center_images), {}};
+OwnedPaletteEntry<S> lift_palette(const OwnedPaletteEntry<Rational>& palette) {
+  OwnedPaletteEntry<S> out{lift<S>(palette.transforms), lift<S>(palette.rotation_center), lift<S>(palette.center_images), {}};
   place_duals(out);
   return out;
 }
@@ -55,37 +55,37 @@ Containment is_held(const Ball3<double>& ball, const Ball3<S>& image) {
 
 }  // namespace
 
-QueryNodes::QueryNodes(const RefitQuery& query) : reference_(lift<double>(query.reference)) {
+CaseNodes::CaseNodes(const SyntheticCase& query) : reference_(lift<double>(query.reference)) {
   const DefaultFloatEnvironment environment;
   constexpr int halvings = 2;
-  for (const QuerySet& set : query.sets) {
-    const int number = static_cast<int>(pose_.size());
-    pose_.push_back(lift_pose<double>(set.pose));
+  for (const SyntheticSet& set : query.sets) {
+    const int number = static_cast<int>(palette_.size());
+    palette_.push_back(lift_palette<double>(set.palette));
     const auto add = [&](Pieces pieces, const std::vector<RationalWeights>& corners) {
       if (corners.empty()) return;
       Description& d = descriptions_[static_cast<int>(pieces)];
-      d.pieces.push_back({number, static_cast<int>(d.corner_weights.size()), static_cast<int>(corners.size()),
+      d.pieces.push_back({number, static_cast<int>(d.weight_vertices.size()), static_cast<int>(corners.size()),
                           static_cast<int>(d.pieces.size())});
       if (pieces != Pieces::node) d.references.push_back(lift<double>(set.reference));
       for (const auto& corner : corners)
-        for (const Rational& w : corner) d.corner_weights.push_back(lift<double>(w));
+        for (const Rational& w : corner) d.weight_vertices.push_back(lift<double>(w));
     };
     add(Pieces::node, set.corners);
     add(Pieces::joint_sets, set.corners);
     add(Pieces::mixed, set.corners);  // a query has no vertices to list
     std::vector<WeightBounds<Rational>> boxes;
     halve(set.bounds, halvings, boxes);
-    for (const auto& box : boxes) add(Pieces::clusters, *enumerate_corners(box, std::size_t(-1) / 2));
+    for (const auto& box : boxes) add(Pieces::many, *enumerate_weight_vertices(box, std::size_t(-1) / 2));
   }
 }
 
-SkinnedQuery::SkinnedQuery(const RefitQuery& query, Skinning skinning) : skinning_(skinning) {
+SkinnedCase::SkinnedCase(const SyntheticCase& query, Skinning skinning) : skinning_(skinning) {
   const DefaultFloatEnvironment environment;
-  for (const QuerySet& set : query.sets) weights_.push_back(sampled_weights(set));
+  for (const SyntheticSet& set : query.sets) weights_.push_back(sampled_weights(set));
   for (std::size_t z = 0; z < query.sets.size(); ++z) {
-    const QuerySet& set = query.sets[z];
-    size_ = std::max(size_, norm(lift<double>(set.pose.rotation_center)));
-    for (const auto& image : set.pose.center_images) size_ = std::max(size_, norm(lift<double>(image)));
+    const SyntheticSet& set = query.sets[z];
+    size_ = std::max(size_, norm(lift<double>(set.palette.rotation_center)));
+    for (const auto& image : set.palette.center_images) size_ = std::max(size_, norm(lift<double>(image)));
     const auto& [p, r] = set.reference;
     for (const RationalWeights& w : weights_[z]) {
       const auto add = [&](const Vec<Rational, 3>& vertex, const Rational& radius) {
@@ -106,16 +106,16 @@ SkinnedQuery::SkinnedQuery(const RefitQuery& query, Skinning skinning) : skinnin
 }
 
 template <class S>
-Ball3<S> SkinnedQuery::skinned(const Target& target) const {
-  const OwnedJointSetPose<S> pose = lift_pose<S>(target.set->pose);
+Ball3<S> SkinnedCase::skinned(const Target& target) const {
+  const OwnedPaletteEntry<S> palette = lift_palette<S>(target.set->palette);
   const std::vector<S> w = lift<S>(*target.weights);
   const Vec<S, 3> v = lift<S>(target.vertex);
-  return {blend<S>(skinning_, pose, w, v), lift<S>(target.radius)};
+  return {blend<S>(skinning_, palette, w, v), lift<S>(target.radius)};
 }
 
-QueryScore SkinnedQuery::score(const Ball3<double>& ball) {
+CaseScore SkinnedCase::score(const Ball3<double>& ball) {
   const DefaultFloatEnvironment environment;
-  QueryScore out;
+  CaseScore out;
   if (skinning_ == Skinning::dual_quaternion && ball.center.allFinite() && ball.radius == HUGE_VAL)
     return {.unbounded = true};
   if (!(ball.center.allFinite() && std::isfinite(ball.radius) && ball.radius >= 0))
@@ -138,7 +138,7 @@ QueryScore SkinnedQuery::score(const Ball3<double>& ball) {
   return out;
 }
 
-double SkinnedQuery::smallest_radius() const {
+double SkinnedCase::smallest_radius() const {
   const DefaultFloatEnvironment environment;
   std::vector<Ball3<double>> images;
   for (const Target& target : targets_) {

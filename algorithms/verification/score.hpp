@@ -3,43 +3,43 @@
 
 #include <optional>
 
-#include "algorithms/verification/refit_query.hpp"
+#include "algorithms/verification/synthetic_case.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "lemmas/exact/ladder.hpp"
 
 namespace refitlab {
 
 // A query in double as the input of a refit, in each of the descriptions that variants ask for.
-class QueryNodes {
+class CaseNodes {
  public:
-  explicit QueryNodes(const RefitQuery& query);
+  explicit CaseNodes(const SyntheticCase& query);
 
   // joint_sets: a ball for each joint-set. clusters: with its weight box halved at the widest weight, twice.
   RefitNode<double> node(Pieces pieces) const {
     const Description& d = descriptions_[static_cast<int>(pieces)];
-    return {reference_, d.pieces, d.corner_weights.data(), pose_, d.references};
+    return {reference_, d.pieces, d.weight_vertices.data(), palette_, d.references};
   }
 
  private:
   struct Description {
-    std::vector<NodeJointSet> pieces;
+    std::vector<NodePiece> pieces;
     std::vector<Ball3<double>> references;  // empty: the node's
-    std::vector<double> corner_weights;
+    std::vector<double> weight_vertices;
   };
   Ball3<double> reference_;
-  SkinningPose<double> pose_;
+  SkinningPalette<double> palette_;
   Description descriptions_[4];
 };
 
 // Of a miss that rounding explains, relative to the size of the coordinates.
-inline constexpr double query_tolerance = 1e-12;
+inline constexpr double synthetic_tolerance = 1e-12;
 
-struct QueryScore {
+struct CaseScore {
   bool undefined = false;  // not a number, or of negative radius: misses everything
   bool unbounded = false;  // all of space: what dual quaternions need where a blend may vanish
   bool misses = false;     // some vertex is outside, decided exactly
   double worst_miss = 0;   // how far, relative to the size of the coordinates; 1 if undefined
-  bool misses_beyond_tolerance() const { return worst_miss > query_tolerance; }
+  bool misses_beyond_tolerance() const { return worst_miss > synthetic_tolerance; }
 };
 
 // What one kind of skinning makes of a query at its sampled weights.
@@ -47,21 +47,21 @@ struct QueryScore {
 // Spherical and by dual quaternions: the image of S_z is a ball, [image of its center, its radius], so holding it is
 // holding all vertices of S_z with these weights. Linear: the images of the center of S_z and of the six ends of its
 // axes stand for it.
-class SkinnedQuery {
+class SkinnedCase {
  public:
   // skinning: not Hejl's, which needs a skeleton. The query must outlive this.
-  SkinnedQuery(const RefitQuery& query, Skinning skinning);
+  SkinnedCase(const SyntheticCase& query, Skinning skinning);
 
   // The ball's numbers are taken as they are. Each comparison is made in intervals of doubles, then of 60 digits, then
   // in rationals, until it is decided.
-  QueryScore score(const Ball3<double>& ball);
+  CaseScore score(const Ball3<double>& ball);
 
   // The radius of the smallest ball of all sampled images, up to rounding.
   double smallest_radius() const;
 
  private:
   struct Target {
-    const QuerySet* set;
+    const SyntheticSet* set;
     const RationalWeights* weights;
     Vec<Rational, 3> vertex;
     Rational radius;
@@ -75,7 +75,7 @@ class SkinnedQuery {
   Skinning skinning_;
   std::vector<std::vector<RationalWeights>> weights_;  // by joint-set
   std::vector<Target> targets_;
-  double size_ = 0;  // of the posture: the longest of the rotation centers and their images
+  double size_ = 0;  // of the pose: the longest of the rotation centers and their images
 };
 
 }  // namespace refitlab

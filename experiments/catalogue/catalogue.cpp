@@ -6,8 +6,8 @@
 #include "algorithms/verification/score.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/detectors.hpp"
-#include "experiments/rivals/rivals.hpp"
-#include "experiments/scenes/contenders.hpp"
+#include "experiments/baselines/baselines.hpp"
+#include "experiments/scenes/methods.hpp"
 #include "experiments/tightness/measure.hpp"
 
 namespace refitlab {
@@ -25,7 +25,7 @@ struct Comparison {
   std::string description;
 };
 
-// What is measured and is no contender.
+// What is measured and is no method.
 const std::vector<Comparison>& comparisons() {
   static const std::vector<Comparison> all{
       {"reference", "reference", Skinning::spherical, ""},
@@ -56,7 +56,7 @@ void write_variants(const std::string& path) {
       file.add({at->name, at->role, name_of(at->skinning), "yes", "no", at->description});
       continue;
     }
-    const Contender& c = contender(column);
+    const Method& c = method(column);
     const RefitVariant& v = *c.variant;
     file.add({c.name, "refit", name_of(v.skinning), yes_no(v.sound),
               yes_no(c.stands_alone() && &v == &default_variant(v.skinning)), c.description});
@@ -75,7 +75,7 @@ void write_detectors(const std::string& path) {
 void write_constants(const std::string& path) {
   ResultFile file({"constant", "value", "unit"});
   file.add({"miss_tolerance", format_number(miss_tolerance), "1"});
-  file.add({"query_tolerance", format_number(query_tolerance), "size of the coordinates"});
+  file.add({"synthetic_tolerance", format_number(synthetic_tolerance), "size of the coordinates"});
   file.write(path);
 }
 

@@ -13,7 +13,7 @@ namespace refitlab {
 void write_models(const DefaultModels& models, const std::vector<std::string>& packed, const std::string& path);
 
 // variants.csv: what the tightness experiment measures, in the report's order. role: "refit" for a variant, "reference" for the
-// balls of the reference posture, "optimal" for the smallest balls, "comparison" for the rest.
+// balls of the reference pose, "optimal" for the smallest balls, "comparison" for the rest.
 void write_variants(const std::string& path);
 
 // detectors.csv: what finds touching triangles, in the report's order, and the engines that were not found.

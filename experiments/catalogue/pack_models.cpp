@@ -26,7 +26,7 @@ void check(const Model& model, const Model& unpacked) {
            });
   }
   for (std::size_t i = 0; same && i < model.clips.size(); ++i) {
-    const Posture a = model.clips[i].sample(model.clips[i].duration),
+    const Pose a = model.clips[i].sample(model.clips[i].duration),
                   b = unpacked.clips[i].sample(model.clips[i].duration);
     for (std::size_t j = 0; same && j < a.size(); ++j)
       same = near(apply(a[j], model.joints[j].origin), apply(b[j], unpacked.joints[j].origin));

@@ -22,13 +22,13 @@ const Clip* find_clip(const Model& model, const std::string& name) {
   throw std::invalid_argument(model.name + ": no clip named '" + name + "'" + known);
 }
 
-// A posture and its name in a sentence.
-std::pair<Posture, std::string> posture_of(const Model& model, const CertificateRequest& request) {
+// A pose and its name in a sentence.
+std::pair<Pose, std::string> pose_of(const Model& model, const CertificateRequest& request) {
   const Clip* clip = find_clip(model, request.clip);
-  if (!clip) return {reference_posture(model), "the reference posture"};
+  if (!clip) return {reference_pose(model), "the reference pose"};
   if (!(request.seconds >= 0 && request.seconds <= clip->duration))
     throw std::invalid_argument(model.name + ", clip " + clip->name + ": it takes " + format_number(clip->duration) +
-                                " s, without a posture at " + format_number(request.seconds) + " s");
+                                " s, without a pose at " + format_number(request.seconds) + " s");
   return {clip->sample(request.seconds), clip->name + " at " + format_number(request.seconds) + " s"};
 }
 
@@ -43,7 +43,7 @@ std::string beside(const std::string& file, const char* ending) {
 
 void write_certificate(const CertificateRequest& request, Model model) {
   const RefitVariant& variant = compared_variant(request.variant);
-  const auto [posture, name] = posture_of(model, request);
+  const auto [pose, name] = pose_of(model, request);
   const auto character = bake(std::move(model));
   const auto nodes = character.tree.nodes.size();
   if (request.node < 0 || static_cast<std::size_t>(request.node) >= nodes)
@@ -51,10 +51,10 @@ void write_certificate(const CertificateRequest& request, Model model) {
                                 std::to_string(nodes - 1));
   const std::string about =
       "node " + std::to_string(request.node) + " of " + character.mesh.name + ", " + name + ", by " + variant.name;
-  const auto pose = make_skinning_pose(character.mesh, character.sets, posture, variant.skinning);
-  const auto node = character.refit_node(request.node, pose, variant.pieces);
+  const auto palette = make_skinning_palette(character.mesh, character.sets, pose, variant.skinning);
+  const auto node = character.refit_node(request.node, palette, variant.pieces);
   const std::string model_file = beside(request.file, ".model"), pose_file = beside(request.file, ".pose");
-  const std::string model_text = model_document(character), pose_text = pose_document(character, pose, variant.skinning);
+  const std::string model_text = model_document(character), pose_text = pose_document(character, palette, variant.skinning);
   const CertifiedNode of = certified_node(character, request.node, about, sha256(model_text), sha256(pose_text));
   const std::string text = certificate(node, variant.skinning, variant.refit(node), of);
   write_whole(model_file, model_text);

@@ -10,7 +10,7 @@ class Clusters : public CountingDetector {
   explicit Clusters(const Character& character)
       : tree_(character), first_(tree_, Skinning::spherical), second_(tree_, Skinning::spherical) {}
 
-  void pose(const EncounterFrame& frame) override {
+  void palette(const ScenarioFrame& frame) override {
     keep_frame();
     first_.begin(frame.first, frame.first_at);
     second_.begin(frame.second, frame.second_at);

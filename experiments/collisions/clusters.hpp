@@ -1,7 +1,7 @@
 // The fast query as a detector: boxes from the joints alone above, skinned clusters below.
 #pragma once
 
-#include "experiments/rivals/detector.hpp"
+#include "experiments/baselines/detector.hpp"
 
 namespace refitlab {
 

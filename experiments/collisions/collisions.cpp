@@ -11,8 +11,8 @@
 #include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/detectors.hpp"
 #include "experiments/collisions/on_demand.hpp"
-#include "experiments/rivals/brute_force.hpp"
-#include "experiments/rivals/rivals.hpp"
+#include "experiments/baselines/brute_force.hpp"
+#include "experiments/baselines/baselines.hpp"
 
 namespace refitlab {
 namespace {
@@ -44,12 +44,12 @@ long differing(std::vector<TrianglePair> found, const std::vector<TrianglePair>&
 }
 
 // The least of two passes counts, so that what else runs on the machine hardly does.
-StageTimes time_stages(Detector& detector, const Encounter& e, Query query) {
+StageTimes time_stages(Detector& detector, const Scenario& e, Query query) {
   StageTimes means{};
-  for (const EncounterFrame& frame : e.frames) {
+  for (const ScenarioFrame& frame : e.frames) {
     StageTimes least;
     for (int pass = 0; pass < 2; ++pass) {
-      const StageTimes now{microseconds([&] { detector.pose(frame); }), microseconds([&] { detector.skin(); }),
+      const StageTimes now{microseconds([&] { detector.palette(frame); }), microseconds([&] { detector.skin(); }),
                            microseconds([&] { detector.refit(); }), microseconds([&] { detector.query(query); })};
       for (std::size_t s = 0; s < now.size(); ++s) least[s] = pass == 0 ? now[s] : std::min(least[s], now[s]);
     }
@@ -59,7 +59,7 @@ StageTimes time_stages(Detector& detector, const Encounter& e, Query query) {
 }
 
 // Once through, with everything counted and checked.
-CollisionResult count(const AnimatedCharacter& c, const Encounter& e, Query query, const DetectorKind& kind,
+CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query, const DetectorKind& kind,
                       const PairLists& expected) {
   CollisionResult out{c.mesh.name, e.name, kind.name, kind.origin, query};
   const double n = static_cast<double>(e.frames.size());
@@ -95,10 +95,10 @@ CollisionResult count(const AnimatedCharacter& c, const Encounter& e, Query quer
 }
 
 // The oracle's own row, for its pairs and its time.
-CollisionResult ask_oracle(const AnimatedCharacter& c, const Encounter& e, Skinning skinning, PairLists& pairs) {
+CollisionResult ask_oracle(const AnimatedCharacter& c, const Scenario& e, Skinning skinning, PairLists& pairs) {
   CollisionResult out{c.mesh.name, e.name, "brute_force", Origin::oracle, Query::full};
   const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.mesh.triangles.size());
-  for (const EncounterFrame& frame : e.frames) {
+  for (const ScenarioFrame& frame : e.frames) {
     out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.mesh, c.sets, frame, skinning)); }) / n;
     out.pairs += static_cast<double>(pairs.back().size()) / n;
   }
@@ -108,14 +108,14 @@ CollisionResult ask_oracle(const AnimatedCharacter& c, const Encounter& e, Skinn
 }
 
 // The scenes like those in which the paper compares with linear blending.
-bool is_in_table_2(const Encounter& e) { return e.name == "light" || e.name == "worst"; }
+bool is_in_table_2(const Scenario& e) { return e.name == "light" || e.name == "worst"; }
 
 void print(const std::vector<CollisionResult>& results) {
   std::printf("%s, %s, %s: means of a frame\n", results[0].model.c_str(), results[0].scene.c_str(),
               name_of(results[0].query));
   for (const CollisionResult& r : results)
     std::printf(
-        "  %-32s %7.1f pairs %9.1f us (pose %6.1f skinning %6.1f refit %8.1f query %8.1f) %7.3f of the fastest engine "
+        "  %-32s %7.1f pairs %9.1f us (palette %6.1f skinning %6.1f refit %8.1f query %8.1f) %7.3f of the fastest engine "
         "%7.3f of skin_all_simd "
         "%10.1f volume tests %8.1f nodes refitted %8.1f triangle tests\n",
         r.detector.c_str(), r.pairs, r.us_per_frame, r.stages_us[0], r.stages_us[1], r.stages_us[2], r.stages_us[3],
@@ -126,7 +126,7 @@ void print(const std::vector<CollisionResult>& results) {
 
 const char* name_of(Query query) { return query == Query::full ? "full" : "yes/no"; }
 
-std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Encounter& e, Query query,
+std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Scenario& e, Query query,
                                      const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
                                      const SpeedSettings& speed) {
   std::vector<CollisionResult> results;
@@ -136,7 +136,7 @@ std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Encounter
     const std::shared_ptr<Detector> detector = kind->make(c);
     detector->pairs(e.frames[0], query);  // engines build their trees in the first frame
     timed.push_back({kind->name, static_cast<int>(e.frames.size()), [detector, &e, query] {
-                       for (const EncounterFrame& frame : e.frames) detector->pairs(frame, query);
+                       for (const ScenarioFrame& frame : e.frames) detector->pairs(frame, query);
                      }});
   }
   const auto times = ns_per_item(timed, speed);
@@ -165,7 +165,7 @@ std::vector<CollisionResult> run_collisions(const AnimatedCharacter& c, const Co
   for (const std::string& engine : absent_engines())
     std::cout << "[collisions] absent: " << engine << ", which was not found at configure time\n";
   std::cout << "[collisions] " << c.mesh.name << ": looking for the distances of the scenes" << std::endl;
-  for (const Encounter& e : encounters(c, settings.frames)) {
+  for (const Scenario& e : scenarios(c, settings.frames)) {
     std::cout << "[collisions] " << c.mesh.name << ", " << e.name << ": " << e.frames.size()
               << " frames by brute force" << std::endl;
     PairLists expected, expected_of_linear;
@@ -184,7 +184,7 @@ std::vector<CollisionResult> run_collisions(const AnimatedCharacter& c, const Co
 }
 
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "scene", "query", "origin"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "scene", "query", "origin"});
   for (const CollisionResult& r : results) {
     const std::string scene = r.scene + ", " + name_of(r.query);
     const auto add = [&](const std::string& level, const char* quantity, double value, const char* unit) {

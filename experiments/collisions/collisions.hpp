@@ -3,13 +3,13 @@
 
 #include <array>
 
-#include "experiments/collisions/encounters.hpp"
+#include "experiments/collisions/scenarios.hpp"
 #include "experiments/speed/timing.hpp"
 
 namespace refitlab {
 
 struct CollisionSettings {
-  int frames = 100;  // of each encounter
+  int frames = 100;  // of each scenario
   SpeedSettings speed;
   bool all_detectors = false;  // the minor ones too
   bool first_model_only = false;
@@ -19,7 +19,7 @@ struct CollisionSettings {
 inline constexpr const char* stage_names[] = {"pose", "skinning", "refit", "query"};
 using StageTimes = std::array<double, std::size(stage_names)>;
 
-// Means over the frames of an encounter.
+// Means over the frames of an scenario.
 struct CollisionResult {
   std::string model, scene, detector;
   Origin origin;
@@ -27,7 +27,7 @@ struct CollisionResult {
   long differing_pairs = 0;  // in all frames, of detectors that may (DetectorKind::tolerated_share)
   double pairs = 0, volume_tests = 0, triangle_tests = 0, nodes_refitted = 0, vertices_skinned = 0;
   std::vector<double> share_refitted;  // by level - 1, of both trees' balls; where the detector refits on demand
-  double us_per_frame = 0;             // from postures to pairs
+  double us_per_frame = 0;             // from poses to pairs
   StageTimes stages_us{};              // the same in stages, of passes by themselves
   // Of the time, to: the fastest engine here, skin_all_simd, spherical_repaired.
   double ratio_to_engine = 0, ratio_to_skin_all = 0, ratio_to_repaired = 0;
@@ -36,13 +36,13 @@ struct CollisionResult {
 // By frame, sorted.
 using PairLists = std::vector<std::vector<TrianglePair>>;
 
-// The given detectors in an encounter. Throws std::logic_error that names the detector and the frame if it finds other
+// The given detectors in an scenario. Throws std::logic_error that names the detector and the frame if it finds other
 // pairs than expected or, asked for one, none of these, beyond what its kind is let.
-std::vector<CollisionResult> measure(const AnimatedCharacter& character, const Encounter& encounter, Query query,
+std::vector<CollisionResult> measure(const AnimatedCharacter& character, const Scenario& scenario, Query query,
                                      const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
                                      const SpeedSettings& speed);
 
-// The detectors in all encounters of the character, full and yes/no, against brute force.
+// The detectors in all scenarios of the character, full and yes/no, against brute force.
 std::vector<CollisionResult> run_collisions(const AnimatedCharacter& character, const CollisionSettings& settings);
 
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path);

@@ -1,11 +1,11 @@
 // The detectors that the collision experiment compares.
 #pragma once
 
-#include "experiments/rivals/detector.hpp"
+#include "experiments/baselines/detector.hpp"
 
 namespace refitlab {
 
-// All there are: each contender that is sound for spherical blending, our clusters, the rivals, the engines that were found when this
+// All there are: each method that is sound for spherical blending, our clusters, the baselines, the engines that were found when this
 // was configured.
 const std::vector<DetectorKind>& detector_kinds();
 

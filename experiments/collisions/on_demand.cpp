@@ -1,19 +1,19 @@
 #include "experiments/collisions/on_demand.hpp"
 
-#include "experiments/scenes/contenders.hpp"
+#include "experiments/scenes/methods.hpp"
 
 namespace refitlab {
 namespace {
 
 class OnDemand : public CountingDetector {
  public:
-  OnDemand(const Character& character, const Contender& contender)
-      : first_(character, *contender.variant, contender.options),
-        second_(character, *contender.variant, contender.options) {
+  OnDemand(const Character& character, const Method& method)
+      : first_(character, *method.variant, method.options),
+        second_(character, *method.variant, method.options) {
     counts_.refitted_by_level.resize(character.tree.level_count());
   }
 
-  void pose(const EncounterFrame& frame) override {
+  void palette(const ScenarioFrame& frame) override {
     keep_frame();
     first_.begin(frame.first);
     second_.begin(frame.second);
@@ -40,12 +40,12 @@ class OnDemand : public CountingDetector {
 };
 
 // The paper's refit, the default one, by itself and from below, and the tightest.
-bool is_major(const Contender& c) {
+bool is_major(const Method& c) {
   return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" ||
-         c.name == "control_clusters";
+         c.name == "control_many_pieces";
 }
 
-DetectorKind kind_of(const Contender& c) {
+DetectorKind kind_of(const Method& c) {
   return {c.name, c.description, Origin::own,
           [&c](const Character& character) { return std::make_unique<OnDemand>(character, c); }, !is_major(c)};
 }
@@ -54,12 +54,12 @@ DetectorKind kind_of(const Contender& c) {
 
 std::vector<DetectorKind> on_demand_kinds() {
   std::vector<DetectorKind> kinds;
-  for (const Contender& c : contenders())  // queries go top-down: what takes the children first has nothing to take
+  for (const Method& c : methods())  // queries go top-down: what takes the children first has nothing to take
     if (c.variant->sound && c.variant->skinning == Skinning::spherical && !c.options.children_first)
       kinds.push_back(kind_of(c));
   return kinds;
 }
 
-DetectorKind linear_on_demand() { return kind_of(contender("linear")); }
+DetectorKind linear_on_demand() { return kind_of(method("linear")); }
 
 }  // namespace refitlab

@@ -1,7 +1,7 @@
-// The paper's query as detectors: spheres refitted on demand, by each contender.
+// The paper's query as detectors: spheres refitted on demand, by each method.
 #pragma once
 
-#include "experiments/rivals/detector.hpp"
+#include "experiments/baselines/detector.hpp"
 
 namespace refitlab {
 

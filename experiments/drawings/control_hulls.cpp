@@ -2,7 +2,7 @@
 #include "experiments/drawings/common.hpp"
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b5_rotation_axis.hpp"
-#include "lemmas/b7_reach.hpp"
+#include "lemmas/b7_motion_bound.hpp"
 
 namespace refitlab::drawings {
 namespace {
@@ -117,7 +117,7 @@ const std::vector<Drawing> &drawings_of_control_hulls() {
                                         {"b6_dual_quaternion_ball", b6,
                                          "The way of a vertex under dual quaternions, and the ball about its "
                                          "middle, from the two joints alone."},
-                                        {"b7_reach", b7,
+                                        {"b7_motion_bound", b7,
                                          "From the images of a point by two joints alone: the hull of these "
                                          "balls holds the way of the dual quaternion "
                                          "blend."}};

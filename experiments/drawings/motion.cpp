@@ -3,18 +3,18 @@
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/a2_two_phase_skinning.hpp"
 #include "lemmas/a3_morph_displacement.hpp"
-#include "lemmas/b7_reach.hpp"
+#include "lemmas/b7_motion_bound.hpp"
 #include "lemmas/c5_skinned_motion.hpp"
 #include "lemmas/c6_interval_hull.hpp"
 #include "lemmas/c7_crossfade.hpp"
-#include "lemmas/c8_any_posture.hpp"
+#include "lemmas/c8_any_pose.hpp"
 
 namespace refitlab::drawings {
 namespace {
 
 constexpr int steps = 60;
 
-// A curve over [0, 1], its chord, and how far from it the bound lets it stray.
+// A curve over [0, 1], its chord, and how far from it the bound lets it deviation.
 template <class Curve>
 void draw_near_chord(Plane &p, const Curve &at, double slack) {
   std::vector<Point> curve;
@@ -186,7 +186,7 @@ const std::vector<Drawing> &drawings_of_motion() {
        "A hand turns from key to key: it leaves the box of the keys (a line here), and stays in that of the interval."},
       {"c7_crossfade", c7,
        "The same joint in two clips, and what lies between: the way of the hand as the weight fades, and its bound."},
-      {"c8_any_posture", c8, "An arm in three postures, and the ball that holds it in all: its reach."},
+      {"c8_any_pose", c8, "An arm in three poses, and the ball that holds it in all: its reach."},
       {"a1_affine_image", a1,
        "A ball, its image under a scale with shear, and the ball that is said to hold it (dashed)."},
       {"a2_two_phase_skinning", a2,

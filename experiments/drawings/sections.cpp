@@ -1,5 +1,5 @@
 // The drawings of what the paper's section 4 says without a number.
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 #include "experiments/drawings/common.hpp"
 #include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/s43_minkowski_sum.hpp"
@@ -23,7 +23,7 @@ std::vector<Point> around_their_middle(std::vector<Point> points) {
 void s41(Plane &p) {
   p.path("line", {in_triangle({1, 0, 0}), in_triangle({0, 1, 0}), in_triangle({0, 0, 1})}, true);
   std::vector<Point> corners;
-  for (const auto &c : corners_or_simplex(box)) corners.push_back(in_triangle(c));
+  for (const auto &c : weight_vertices_or_simplex(box)) corners.push_back(in_triangle(c));
   p.path("hull", around_their_middle(corners), true);
   for (const Point &c : corners) p.dot("dot_in", c);
   p.text(in_triangle({1, 0, 0}), "w1 = 1"), p.text(in_triangle({0, 1, 0}), "w2 = 1"),
@@ -32,7 +32,7 @@ void s41(Plane &p) {
 
 std::vector<Point> deformed_centers() { return {{0, 0}, {1.6, 0.2}, {0.7, 1.3}}; }
 std::vector<Point> corner_images_of_box() {
-  return corner_images<double, 2>(corners_or_simplex(box), deformed_centers());
+  return corner_images<double, 2>(weight_vertices_or_simplex(box), deformed_centers());
 }
 void s42(Plane &p) {
   p.path("line", deformed_centers(), true);
@@ -92,7 +92,7 @@ void s44_joint_sets(Plane &p) {
 
 const std::vector<Drawing> &drawings_of_sections() {
   static const std::vector<Drawing> all{
-      {"s41_corners_span", s41,
+      {"s41_weight_vertices_span", s41,
        "The weights of three joints as points of a triangle: what the bounds "
        "admit (filled), and its corners."},
       {"s42_linear_part_hull", s42,

@@ -12,15 +12,15 @@ using namespace refitlab;
 const RefitVariant& variant = default_variant(Skinning::spherical);
 
 // Each frame, on demand: a node is refitted only when the ray reaches it.
-int leaves_hit(const Character& character, int node, const SkinningPose<double>& pose, const Point3& from, const Point3& direction) {
-  const Ball3<double> ball = variant.refit(character.refit_node(node, pose, variant.pieces));
+int leaves_hit(const Character& character, int node, const SkinningPalette<double>& palette, const Point3& from, const Point3& direction) {
+  const Ball3<double> ball = variant.refit(character.refit_node(node, palette, variant.pieces));
   const Point3 to_center = ball.center - from;
   const double along = dot(to_center, direction);
   if (along < 0 || squared_norm<double, 3>(to_center - direction * along) > sq(ball.radius)) return 0;
   const TreeNode& n = character.tree.nodes[node];
   int hits = n.child_count == 0;
   for (int child = n.first_child; child < n.first_child + n.child_count; ++child)
-    hits += leaves_hit(character, child, pose, from, direction);
+    hits += leaves_hit(character, child, palette, from, direction);
   return hits;
 }
 
@@ -28,10 +28,10 @@ int main(int argc, char** argv) try {
   // Once, when the character is loaded: the sphere tree and what the refit looks at.
   const auto character = bake(argc > 1 ? load_model(argv[1]) : make_man());
   const Clip& walk = character.clips[0];
-  // Your engine's joint transforms go here: a rotation and a translation for each joint, from the reference posture.
-  const Posture posture = walk.sample(walk.duration / 4);
-  const auto pose = make_skinning_pose(character.mesh, character.sets, posture, variant.skinning);
-  const int hits = leaves_hit(character, 0, pose, {0, 1.2, 5}, {0, 0, -1});
+  // Your engine's joint transforms go here: a rotation and a translation for each joint, from the reference pose.
+  const Pose pose = walk.sample(walk.duration / 4);
+  const auto palette = make_skinning_palette(character.mesh, character.sets, pose, variant.skinning);
+  const int hits = leaves_hit(character, 0, palette, {0, 1.2, 5}, {0, 0, -1});
   std::printf("a ray at the chest reaches %d leaves of %zu nodes\n", hits, character.tree.nodes.size());
 } catch (const std::exception& e) {
   std::fprintf(stderr, "engine_refit: %s\n", e.what());

@@ -16,37 +16,37 @@ namespace {
 
 constexpr int snake_joints = 24;
 
-Posture posture_of(const Model& model, const ExplorerSettings& s) {
+Pose pose_of(const Model& model, const ExplorerSettings& s) {
   if (s.joint < 0 || s.joint >= static_cast<int>(model.joints.size())) throw std::invalid_argument("no such joint");
-  Posture posture = reference_posture(model);
+  Pose pose = reference_pose(model);
   if (!s.clip.empty()) {
     const auto clip =
         std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == s.clip; });
     if (clip == model.clips.end()) throw std::invalid_argument("no clip named '" + s.clip + "'");
-    posture = clip->sample(std::clamp(s.time, 0., clip->duration));
+    pose = clip->sample(std::clamp(s.time, 0., clip->duration));
   }
-  return twisted(model, std::move(posture), s.joint, s.twist);
+  return twisted(model, std::move(pose), s.joint, s.twist);
 }
 
-// A skinning of the posture, and the smallest balls of the level's nodes under it.
+// A skinning of the pose, and the smallest balls of the level's nodes under it.
 struct Frame {
-  SkinningPose<double> pose;
+  SkinningPalette<double> palette;
   std::vector<Point3> vertices;
   std::vector<double> optimal_radii;
 };
 
 class LevelView {
  public:
-  LevelView(const AnimatedCharacter& character, const Posture& posture, int level)
-      : c_(character), posture_(posture), nodes_(nodes_of_level(character.tree, level)) {}
+  LevelView(const AnimatedCharacter& character, const Pose& pose, int level)
+      : c_(character), pose_(pose), nodes_(nodes_of_level(character.tree, level)) {}
 
   const std::vector<int>& nodes() const { return nodes_; }
 
   const Frame& frame(Skinning skinning) {
     if (const auto known = frames_.find(skinning); known != frames_.end()) return known->second;
     Frame& f = frames_[skinning];
-    f.pose = make_skinning_pose(c_.mesh, c_.sets, posture_, skinning);
-    f.vertices = skin(c_.mesh, c_.sets, f.pose, skinning);
+    f.palette = make_skinning_palette(c_.mesh, c_.sets, pose_, skinning);
+    f.vertices = skin(c_.mesh, c_.sets, f.palette, skinning);
     std::vector<Point3> points;
     for (const int node : nodes_) {
       points.clear();
@@ -59,7 +59,7 @@ class LevelView {
   std::vector<Ball3<double>> balls(const RefitVariant& variant) {
     const Frame& f = frame(variant.skinning);
     std::vector<Ball3<double>> out;
-    for (const int node : nodes_) out.push_back(variant.refit(c_.refit_node(node, f.pose, variant.pieces)));
+    for (const int node : nodes_) out.push_back(variant.refit(c_.refit_node(node, f.palette, variant.pieces)));
     return out;
   }
 
@@ -80,7 +80,7 @@ class LevelView {
 
  private:
   const AnimatedCharacter& c_;
-  const Posture& posture_;
+  const Pose& pose_;
   std::vector<int> nodes_;
   std::map<Skinning, Frame> frames_;
 };
@@ -105,7 +105,7 @@ std::vector<std::string> Explorer::models() const {
 
 const std::vector<std::string>& compared_variants() {
   static const std::vector<std::string> names{
-      "linear",       "spherical_printed", "spherical_printed_signed", "spherical_repaired", "spherical_exact",
+      "linear",       "spherical_printed", "spherical_printed_signed", "spherical_repaired", "spherical_miniball",
       "control_mean", "control_mixed"};
   return names;
 }
@@ -120,14 +120,14 @@ const AnimatedCharacter& Explorer::character(const std::string& model) {
 ExplorerView Explorer::view(const ExplorerSettings& s) {
   const AnimatedCharacter& c = character(s.model);
   const RefitVariant& chosen = compared_variant(s.variant);
-  const Posture posture = posture_of(c.mesh, s);
-  LevelView level(c, posture, std::clamp(s.level, 1, c.tree.level_count()));
+  const Pose pose = pose_of(c.mesh, s);
+  LevelView level(c, pose, std::clamp(s.level, 1, c.tree.level_count()));
 
   ExplorerView view;
   view.level_count = c.tree.level_count();
   view.vertices = level.frame(chosen.skinning).vertices;
-  for (std::size_t j = 0; j < posture.size(); ++j) view.joints.push_back(apply(posture[j], c.mesh.joints[j].origin));
-  view.axis = rotate<double>(posture[s.joint].rotation, bone_axis(c.mesh, s.joint));
+  for (std::size_t j = 0; j < pose.size(); ++j) view.joints.push_back(apply(pose[j], c.mesh.joints[j].origin));
+  view.axis = rotate<double>(pose[s.joint].rotation, bone_axis(c.mesh, s.joint));
   view.balls = level.balls(chosen);
   view.ball = std::clamp(s.ball, 0, static_cast<int>(view.balls.size()) - 1);
   view.ball_vertices = static_cast<int>(c.vertices[level.nodes()[view.ball]].size());

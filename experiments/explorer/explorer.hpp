@@ -1,4 +1,4 @@
-// Explorer: what the report's interactive page shows of a character: one posture, one level of its tree, every variant.
+// Explorer: what the report's interactive page shows of a character: one pose, one level of its tree, every variant.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace refitlab {
 
 struct ExplorerSettings {
   std::string model, variant;  // by name; the variant's skinning is that of the vertices
-  std::string clip;            // empty: the reference posture
+  std::string clip;            // empty: the reference pose
   double time = 0;             // of the clip, in seconds; beyond its ends they are taken
   int joint = 0;
-  double twist = 0;  // of the joint about its bone, in radians, before the clip's posture
+  double twist = 0;  // of the joint about its bone, in radians, before the clip's pose
   int level = 1;     // of the tree, from 1 (the root); beyond the last it is the last
   int ball = 0;      // the one of the level that is looked at closely; beyond the last it is the last
 };

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double postures_per_second = 24, most_steps = 120;
+constexpr double poses_per_second = 24, most_steps = 120;
 constexpr double weight_unit = 1. / (1 << 24);
 
 template <class T>
@@ -35,29 +35,29 @@ void add(std::vector<float>& to, const auto& from) {
 
 json pack_clip(const Clip& clip) {
   const int steps =
-      std::clamp(static_cast<int>(std::ceil(clip.duration * postures_per_second)), 1, static_cast<int>(most_steps));
+      std::clamp(static_cast<int>(std::ceil(clip.duration * poses_per_second)), 1, static_cast<int>(most_steps));
   std::vector<float> numbers;
   for (int i = 0; i <= steps; ++i)
     for (const auto& c : clip.sample(clip.duration * i / steps)) add(numbers, c.rotation), add(numbers, c.translation);
-  return {{"name", clip.name}, {"duration", clip.duration}, {"postures", binary(numbers)}};
+  return {{"name", clip.name}, {"duration", clip.duration}, {"poses", binary(numbers)}};
 }
 
 Clip unpack_clip(const json& j, std::size_t joints) {
-  const auto numbers = list<float>(j.at("postures"));
-  std::vector<Posture> postures(numbers.size() / std::max<std::size_t>(1, 7 * joints), Posture(joints));
-  if (postures.empty()) throw ModelError("packed model", "clip", "it has no postures");
+  const auto numbers = list<float>(j.at("poses"));
+  std::vector<Pose> poses(numbers.size() / std::max<std::size_t>(1, 7 * joints), Pose(joints));
+  if (poses.empty()) throw ModelError("packed model", "clip", "it has no poses");
   const float* at = numbers.data();
-  for (Posture& posture : postures)
-    for (auto& c : posture) {
+  for (Pose& pose : poses)
+    for (auto& c : pose) {
       for (int i = 0; i < 4; ++i) c.rotation[i] = *at++;
       for (int i = 0; i < 3; ++i) c.translation[i] = *at++;
       c.rotation /= c.rotation.norm();
     }
   const double duration = j.at("duration");
-  const auto steps = static_cast<double>(postures.size() - 1);
-  return {j.at("name"), duration, [postures, duration, steps](double t) {
+  const auto steps = static_cast<double>(poses.size() - 1);
+  return {j.at("name"), duration, [poses, duration, steps](double t) {
             const double step = duration > 0 ? std::round(steps * t / duration) : 0;
-            return postures[static_cast<std::size_t>(std::clamp(step, 0., steps))];
+            return poses[static_cast<std::size_t>(std::clamp(step, 0., steps))];
           }};
 }
 

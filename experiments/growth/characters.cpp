@@ -34,18 +34,18 @@ class Square {
     for (int i = 0; i < count; ++i) {
       const double turn = angle(random), start = share(random), x = place(random), z = place(random);
       for (int f = 0; f < frames; ++f) {
-        postures_[f].push_back(walk.sample(std::fmod(start + f / 30.0 / walk.duration, 1.0) * walk.duration));
+        poses_[f].push_back(walk.sample(std::fmod(start + f / 30.0 / walk.duration, 1.0) * walk.duration));
         const double ahead = 1.2 * f / 30;  // metres, at walking speed
         placements_[f].push_back({{std::cos(turn / 2), 0, std::sin(turn / 2), 0},
                                   {x + ahead * std::sin(turn), 0, z + ahead * std::cos(turn)}});
       }
     }
   }
-  const std::vector<Posture>& postures(int frame) const { return postures_[frame]; }
+  const std::vector<Pose>& poses(int frame) const { return poses_[frame]; }
   const std::vector<RigidTransform<double>>& placements(int frame) const { return placements_[frame]; }
 
  private:
-  std::vector<Posture> postures_[frames];
+  std::vector<Pose> poses_[frames];
   std::vector<RigidTransform<double>> placements_[frames];
 };
 
@@ -68,7 +68,7 @@ class Crowd {
     }
   }
   std::vector<Contact> frame(int f, Query query, CrowdCounts& counts, const Workers& workers) {
-    for (std::size_t i = 0; i < list_.size(); ++i) list_[i]->begin(square_.postures(f)[i], square_.placements(f)[i]);
+    for (std::size_t i = 0; i < list_.size(); ++i) list_[i]->begin(square_.poses(f)[i], square_.placements(f)[i]);
     return collide_all(list_, query, counts, workers);
   }
   void all_frames(Query query, const Workers& workers) {
@@ -102,17 +102,17 @@ CharacterGrowth measure(const ClusterTree& tree, const Clip& walk, int count, co
   CharacterGrowth out{.characters = count};
   crowd.count(out);
 
-  const PosePacks poses(man.mesh, man.sets, Skinning::spherical);
+  const PalettePacks poses(man.mesh, man.sets, Skinning::spherical);
   const PackedVertices vertices(man.mesh, man.sets);
-  SkinningPose<double> pose;
+  SkinningPalette<double> palette;
   std::vector<Point3> skinned(man.mesh.vertices.size());
   std::vector<Timed> timed{{"full", frames, [&] { crowd.all_frames(Query::full, one_worker()); }},
                            {"yes_no", frames, [&] { crowd.all_frames(Query::yes_no, one_worker()); }},
                            {"skin_all", frames, [&] {
                               for (int f = 0; f < frames; ++f)
-                                for (const Posture& posture : square.postures(f)) {
-                                  poses.make(posture, pose);
-                                  vertices.skin_all(pose, Skinning::spherical, skinned);
+                                for (const Pose& pose : square.poses(f)) {
+                                  poses.make(pose, palette);
+                                  vertices.skin_all(palette, Skinning::spherical, skinned);
                                   benchmark::DoNotOptimize(skinned.data());
                                 }
                             }}};
@@ -148,7 +148,7 @@ std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings)
 }
 
 void write_character_growth(const std::vector<CharacterGrowth>& rows, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "characters"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "characters"});
   for (const CharacterGrowth& r : rows) {
     const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
       file.add({"character_growth", std::to_string(r.characters) + " men", "walk", variant, "all", quantity,

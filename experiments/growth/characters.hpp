@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// Means over the frames. Times are of one frame, in us, of everything from postures and placements to pairs of
+// Means over the frames. Times are of one frame, in us, of everything from poses and placements to pairs of
 // triangles.
 struct CharacterGrowth {
   int characters = 0;
@@ -18,7 +18,7 @@ struct CharacterGrowth {
   double clusters_skinned = 0;  // share of all
   double full = 0, yes_no = 0;
   double full_on_two_threads = 0;  // 0 where threads are not to be had
-  double skin_all = 0;             // only to pose and skin all of them, in packs: less than any detector that does so
+  double skin_all = 0;             // only to palette and skin all of them, in packs: less than any detector that does so
 };
 
 // 10 to 1000 characters, each with two square metres.

@@ -13,47 +13,47 @@
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "experiments/scenes/contenders.hpp"
+#include "experiments/scenes/methods.hpp"
 
 namespace refitlab {
 namespace {
 
 JointGrowth measure(int joints, const SpeedSettings& speed) {
   const auto snake = bake(make_snake(joints));
-  const Contender& below = contender(default_variant(Skinning::spherical).name + "_from_below");
+  const Method& below = method(default_variant(Skinning::spherical).name + "_through_descendants");
   const RefitVariant& variant = *below.variant;
-  const auto pose = make_skinning_pose(snake.mesh, snake.sets, snake.clips[0].sample(0.5), variant.skinning);
+  const auto palette = make_skinning_palette(snake.mesh, snake.sets, snake.clips[0].sample(0.5), variant.skinning);
   std::vector<int> many;
   for (std::size_t n = 0; n < snake.tree.nodes.size(); ++n)
-    if (snake.tree.nodes[n].joint_set_count > below.options.most_joint_sets && snake.tree.nodes[n].child_count > 0)
+    if (snake.tree.nodes[n].piece_count > below.options.most_joint_sets && snake.tree.nodes[n].child_count > 0)
       many.push_back(static_cast<int>(n));
 
-  FrameRefits own(snake, variant), from_below(snake, variant, below.options);
+  FrameRefits own(snake, variant), through_descendants(snake, variant, below.options);
   std::vector<Timed> timed;
-  for (auto& [name, frame] : {std::pair("own", &own), std::pair("from_below", &from_below)}) {
-    timed.push_back({std::string(name) + "_root", 1, [&pose, frame = frame] {
-                       frame->begin(pose);
+  for (auto& [name, frame] : {std::pair("own", &own), std::pair("through_descendants", &through_descendants)}) {
+    timed.push_back({std::string(name) + "_root", 1, [&palette, frame = frame] {
+                       frame->begin(palette);
                        benchmark::DoNotOptimize((*frame)[0]);
                      }});
     if (!many.empty())
-      timed.push_back({name, 1, [&pose, &many, frame = frame] {
-                         frame->begin(pose);
+      timed.push_back({name, 1, [&palette, &many, frame = frame] {
+                         frame->begin(palette);
                          for (const int n : many) benchmark::DoNotOptimize((*frame)[n]);
                        }});
   }
-  from_below.begin(pose);
-  from_below.refit_all();
+  through_descendants.begin(palette);
+  through_descendants.refit_all();
   std::vector<Ball3<double>> front;
-  for (const int n : from_below.front(0)) front.push_back(from_below[n]);
+  for (const int n : through_descendants.cut(0)) front.push_back(through_descendants[n]);
   if (!front.empty()) timed.push_back({"known", 1, [&front] { benchmark::DoNotOptimize(few_balls_ball(front)); }});
   const auto times = ns_per_item(timed, speed);
   const auto time = [&](const char* name) { return times.count(name) ? median(times.at(name)) : 0.0; };
-  JointGrowth out{joints, snake.sets.count(), static_cast<int>(many.size()), time("own"), time("from_below"), time("own_root"),
+  JointGrowth out{joints, snake.sets.count(), static_cast<int>(many.size()), time("own"), time("through_descendants"), time("own_root"),
                   time("from_below_root"), time("known"), 0, 0};
-  const auto deformed = skin(snake.mesh, snake.sets, pose, variant.skinning);
+  const auto deformed = skin(snake.mesh, snake.sets, palette, variant.skinning);
   const double optimal = as_ball(smallest_ball<double, 3>(deformed)).radius;
   out.root_ratio = own[0].radius / optimal;
-  out.root_ratio_from_below = from_below[0].radius / optimal;
+  out.root_ratio_from_below = through_descendants[0].radius / optimal;
   return out;
 }
 
@@ -66,30 +66,30 @@ std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings) {
     rows.push_back(measure(joints, settings));
     const JointGrowth& r = rows.back();
     std::printf("  %4d joint-sets, %3d nodes of many: %7.1f us in all, %7.1f from below; the root %7.1f us, %7.1f from below, %5.1f if the frame "
-                "knows its front; %.3f and %.3f times optimal\n", r.joint_sets, r.many, r.own / 1000, r.from_below / 1000, r.own_root / 1000,
+                "knows its front; %.3f and %.3f times optimal\n", r.pieces, r.many, r.own / 1000, r.through_descendants / 1000, r.own_root / 1000,
                 r.root_from_below / 1000, r.root_from_known / 1000, r.root_ratio, r.root_ratio_from_below);
   }
   return rows;
 }
 
 void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "joints"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "joints"});
   for (const JointGrowth& r : rows) {
     const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
       file.add({"joint_growth", "snake of " + std::to_string(r.joints) + " joints", "wave", variant, "all", quantity, format_number(value), unit,
                 std::to_string(r.joints)});
     };
-    add("own", "joint_sets", r.joint_sets, "1");
+    add("own", "joint_sets", r.pieces, "1");
     add("own", "nodes_of_many_joint_sets", r.many, "1");
     if (r.many > 0) {
       add("own", "ns_of_nodes_of_many", r.own, "ns");
-      add("from_below", "ns_of_nodes_of_many", r.from_below, "ns");
-      add("from_below", "ns_of_root_from_known", r.root_from_known, "ns");
+      add("through_descendants", "ns_of_nodes_of_many", r.through_descendants, "ns");
+      add("through_descendants", "ns_of_root_from_known", r.root_from_known, "ns");
     }
     add("own", "ns_of_root", r.own_root, "ns");
-    add("from_below", "ns_of_root", r.root_from_below, "ns");
+    add("through_descendants", "ns_of_root", r.root_from_below, "ns");
     add("own", "root_ratio_to_optimal", r.root_ratio, "1");
-    add("from_below", "root_ratio_to_optimal", r.root_ratio_from_below, "1");
+    add("through_descendants", "root_ratio_to_optimal", r.root_ratio_from_below, "1");
   }
   file.write(path);
 }

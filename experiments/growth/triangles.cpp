@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* scene_names[] = {"near", "light", "heavy"};
 constexpr const char* reference = "skin_all_simd";
-constexpr const char* detectors[] = {"clusters", "spherical_repaired", "control_mixed", "control_mixed_from_below", reference,
+constexpr const char* detectors[] = {"clusters", "spherical_repaired", "control_mixed", "control_mixed_through_descendants", reference,
                                      "embree"};
 
 // Made with so many triangles, and then subdivided so many times.
@@ -39,8 +39,8 @@ Model make(const Size& size) {
 }  // namespace
 
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings) {
-  std::vector<Encounter> scenes;
-  for (Encounter& e : encounters(bake(make_man()), settings.frames))
+  std::vector<Scenario> scenes;
+  for (Scenario& e : scenarios(bake(make_man()), settings.frames))
     if (std::find(std::begin(scene_names), std::end(scene_names), e.name) != std::end(scene_names))
       scenes.push_back(std::move(e));
   std::vector<const DetectorKind*> kinds;
@@ -53,10 +53,10 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
     const auto man = bake(make(size));
     const int triangles = static_cast<int>(man.mesh.triangles.size());
     std::cout << "[growth] " << man.mesh.name << ", " << man.sets.count() << " joint-sets (" << ++begun << "/" << all.size() << ")" << std::endl;
-    for (const Encounter& scene : scenes) {
+    for (const Scenario& scene : scenes) {
       PairLists expected;
       const auto first = detector_kind(reference).make(man);
-      for (const EncounterFrame& frame : scene.frames) {
+      for (const ScenarioFrame& frame : scene.frames) {
         expected.push_back(first->pairs(frame, Query::full));
         std::sort(expected.back().begin(), expected.back().end());
       }
@@ -71,7 +71,7 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
 }
 
 void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "triangles"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "triangles"});
   for (const TriangleGrowth& r : rows) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
       file.add(

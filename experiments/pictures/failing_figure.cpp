@@ -10,23 +10,23 @@ namespace {
 
 constexpr int failing_width = 480, failing_height = 600;
 
-class FailingPosture {
+class FailingPose {
  public:
-  FailingPosture(const AnimatedCharacter& c, const NamedPosture& posture, PictureTable& pictures)
+  FailingPose(const AnimatedCharacter& c, const NamedPose& pose, PictureTable& pictures)
       : c_(c),
         pictures_(pictures),
-        posture_(posture),
-        pose_(make_skinning_pose(c.mesh, c.sets, posture_.posture, Skinning::spherical)),
-        vertices_(skin(c.mesh, c.sets, pose_, Skinning::spherical)),
+        pose_(pose),
+        palette_(make_skinning_palette(c.mesh, c.sets, pose_.pose, Skinning::spherical)),
+        vertices_(skin(c.mesh, c.sets, palette_, Skinning::spherical)),
         nodes_(nodes_of_level(c.tree, 0)),
-        balls_(refit_all(c, compared_variant("spherical_printed"), pose_)),
+        balls_(refit_all(c, compared_variant("spherical_printed"), palette_)),
         misses_(find_misses(c, nodes_, balls_, vertices_)),
         node_(coarsest_failure()) {}
 
   void draw() const {
     whole();
     if (node_ < 0) return;
-    for (const char* name : {"spherical_printed", "spherical_repaired", "control_clusters"}) near(compared_variant(name));
+    for (const char* name : {"spherical_printed", "spherical_repaired", "control_many_pieces"}) near(compared_variant(name));
   }
 
  private:
@@ -35,7 +35,7 @@ class FailingPosture {
             const std::string& what, const std::string& variant, int level, const std::vector<PictureNumber>& numbers) const {
     pictures_.draw(scene, render::Camera::frame(framed, from, double(failing_width) / failing_height, 0.15),
                    {.width = failing_width, .height = failing_height, .occlusion = from_outside},
-                   {"failing", c_.mesh.name, posture_.name, variant, level}, c_.mesh.name + "_failing_" + what + ".png", numbers);
+                   {"failing", c_.mesh.name, pose_.name, variant, level}, c_.mesh.name + "_failing_" + what + ".png", numbers);
   }
 
   void whole() const {
@@ -91,7 +91,7 @@ class FailingPosture {
   }
 
   Ball3<double> ball_by(const RefitVariant& variant) const {
-    return variant.refit(c_.refit_node(node_, pose_, variant.pieces));
+    return variant.refit(c_.refit_node(node_, palette_, variant.pieces));
   }
 
   // All near pictures show the same place: that of the repaired ball, which is the widest.
@@ -117,8 +117,8 @@ class FailingPosture {
 
   const AnimatedCharacter& c_;
   PictureTable& pictures_;
-  const NamedPosture& posture_;
-  const SkinningPose<double> pose_;
+  const NamedPose& pose_;
+  const SkinningPalette<double> palette_;
   const std::vector<Point3> vertices_;
   const std::vector<int> nodes_;
   const std::vector<Ball3<double>> balls_;
@@ -128,8 +128,8 @@ class FailingPosture {
 
 }  // namespace
 
-void draw_failing(const AnimatedCharacter& character, const NamedPosture& worst, PictureTable& pictures) {
-  FailingPosture(character, worst, pictures).draw();
+void draw_failing(const AnimatedCharacter& character, const NamedPose& worst, PictureTable& pictures) {
+  FailingPose(character, worst, pictures).draw();
 }
 
 }  // namespace refitlab

@@ -14,7 +14,7 @@ namespace refitlab {
 
 // What a picture is of. level: of the tree; 0 for a picture that is of none.
 struct PictureSubject {
-  std::string figure, model, posture, variant;
+  std::string figure, model, pose, variant;
   int level = 0;
 };
 
@@ -46,7 +46,7 @@ class PictureTable {
  private:
   std::string folder_;
   bool empty_ = true;
-  ResultFile pictures_{{"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "figure", "file"}};
+  ResultFile pictures_{{"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "figure", "file"}};
   ResultFile labels_{{"file", "label", "x", "y"}};
 };
 

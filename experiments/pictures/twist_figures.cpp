@@ -16,13 +16,13 @@ struct Dressed {
   std::vector<Ball3<double>> balls;
 };
 
-std::vector<Dressed> dress(const AnimatedCharacter& c, const NamedPosture& posture) {
+std::vector<Dressed> dress(const AnimatedCharacter& c, const NamedPose& pose) {
   std::vector<Dressed> out{{"reference", c.mesh.vertices, {}}};
   for (const TreeNode& n : c.tree.nodes) out[0].balls.push_back(n.reference);
-  for (const char* name : {"linear", "spherical_printed", "spherical_repaired", "control_clusters"}) {
+  for (const char* name : {"linear", "spherical_printed", "spherical_repaired", "control_many_pieces"}) {
     const RefitVariant& variant = compared_variant(name);
-    const auto pose = make_skinning_pose(c.mesh, c.sets, posture.posture, variant.skinning);
-    out.push_back({variant.name, skin(c.mesh, c.sets, pose, variant.skinning), refit_all(c, variant, pose)});
+    const auto palette = make_skinning_palette(c.mesh, c.sets, pose.pose, variant.skinning);
+    out.push_back({variant.name, skin(c.mesh, c.sets, palette, variant.skinning), refit_all(c, variant, palette)});
   }
   return out;
 }
@@ -35,14 +35,14 @@ render::Camera frame_all(const std::vector<Dressed>& all) {
 
 }  // namespace
 
-void draw_twist(const AnimatedCharacter& c, const NamedPosture& posture, PictureTable& pictures) {
-  const auto all = dress(c, posture);
+void draw_twist(const AnimatedCharacter& c, const NamedPose& pose, PictureTable& pictures) {
+  const auto all = dress(c, pose);
   const render::Camera camera = frame_all(all);
   const auto draw = [&](const Dressed& d, const render::Scene& scene, const std::string& figure, int level,
                         const std::vector<PictureNumber>& numbers) {
     const std::string what = level ? "level" + std::to_string(level) : "bare";
     pictures.draw(scene, camera, {.width = twist_width, .height = twist_height},
-                  {figure, c.mesh.name, posture.name, d.name, level},
+                  {figure, c.mesh.name, pose.name, d.name, level},
                   c.mesh.name + "_" + d.name + "_" + what + ".png", numbers);
   };
 

@@ -6,8 +6,8 @@
 
 namespace refitlab {
 
-// The bare skin in the reference posture and in the given one, under linear and under spherical blending; then the
+// The bare skin in the reference pose and in the given one, under linear and under spherical blending; then the
 // balls of levels 4 and 6, by each variant. Files: MODEL_VARIANT_bare.png and MODEL_VARIANT_level4.png.
-void draw_twist(const AnimatedCharacter& character, const NamedPosture& posture, PictureTable& pictures);
+void draw_twist(const AnimatedCharacter& character, const NamedPose& pose, PictureTable& pictures);
 
 }  // namespace refitlab

@@ -11,7 +11,7 @@ CLASS = [
     ("1:10", "From a cap of rotations to a ball of points", "The angle doubles; and when nothing but the whole sphere will do.",
      ["s43_rotated_cap", "s43_distance_range", "s43_whole_sphere_fallback"]),
     ("1:25", "Weights", "A box of weights has corners, and what is linear in the weights is in the hull of what the corners make.",
-     ["s41_corners_span", "s42_linear_part_hull", "s43_minkowski_sum"]),
+     ["s41_weight_vertices_span", "s42_linear_part_hull", "s43_minkowski_sum"]),
     ("1:40", "Beyond the paper", "Blending is a rational Bezier simplex: one hull of control points for everything.",
      ["b1_rational_bezier_simplex", "b2_control_hull_encloses"]),
     ("1:55", "An exercise to take home", "Plant an error of your own that is not in proptests/mutants/list.toml. Does a test die? If none does: is the error one that no test can see, or is a test missing?", []),
@@ -20,9 +20,9 @@ CLASS = [
 FURTHER = [
     ("All joint-sets of a node", ["s44_sum_of_bounds", "s44_joint_sets"]),
     ("Simplifications that are theorems", ["t3_min_dot_distance", "t3_one_cap", "t3_smallest_ball_smallest_cap", "rotation_bound"]),
-    ("Beyond the paper, on", ["b3_subdivision", "b4_cap_fallback", "b5_rotation_axis", "b6_dual_quaternion_ball", "b7_reach"]),
+    ("Beyond the paper, on", ["b3_subdivision", "b4_cap_fallback", "b5_rotation_axis", "b6_dual_quaternion_ball", "b7_motion_bound"]),
     ("Bounds over time", ["c1_chord_bound", "c2_channel_motion", "c3_normalized_motion", "c4_chain_motion", "c5_skinned_motion", "c6_interval_hull", "c7_crossfade",
-                          "c8_any_posture"]),
+                          "c8_any_pose"]),
     ("Joints that scale, vertices that are displaced", ["a1_affine_image", "a2_two_phase_skinning", "a3_morph_displacement"]),
 ]
 
@@ -81,11 +81,11 @@ it gets a column of its own. A new table gets a schema in <code>experiments/repo
 
 ROUNDING = """
 <section><p>The lemmas hold over the reals; the refits run in <code>double</code>. Every ball carries a slack that makes up for all rounding: of the
-refit, and of the skinning it is compared with. It is derived before any number is known, from elementary bounds and a few lengths of the posture:
+refit, and of the skinning it is compared with. It is derived before any number is known, from elementary bounds and a few lengths of the pose:
 the derivation is the comment of this file, and its numbers are constants that the refits use.</p>
-[[include algorithms/runtime/skinning/pose_rounding.hpp]]</section>
+[[include algorithms/runtime/skinning/palette_rounding.hpp]]</section>
 <section><h2>What checks it</h2><p>Gappa proves each elementary bound, by component and at unit length (<code>proptests/gappa</code>); the suite
-<code>pose_rounding</code> puts the code's own constants in place of <code>BOUND</code>, and asks that three quarters of them are not proved. That they hold at
+<code>palette_rounding</code> puts the code's own constants in place of <code>BOUND</code>, and asks that three quarters of them are not proved. That they hold at
 any length, and compose as the comment says, is compared with running error bounds of the very templates: the allowance must be enough, and at least half
 of it must be used by some case, so that a lost factor of two shows. At last, vertices are skinned in exact rationals, and no ball may miss one by the last bit.</p>
 [[include proptests/gappa/rotate_scaled.g]]

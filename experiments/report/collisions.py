@@ -4,8 +4,8 @@ from .plots import BarPanels, BarRow
 from .tables import ALL
 
 QUERIES = {"full": "Full: all pairs", "yes/no": "Yes/no: until the first pair"}
-ORIGINS = {"own": "on demand", "rival": "skins everything", "engine": "engine", "oracle": "oracle"}
-COLORS = {"own": 1, "rival": 2, "engine": 0, "oracle": 6}  # in the order of the plots' colours
+ORIGINS = {"own": "on demand", "baseline": "skins everything", "engine": "engine", "oracle": "oracle"}
+COLORS = {"own": 1, "baseline": 2, "engine": 0, "oracle": 6}  # in the order of the plots' colours
 STAGES = ["pose", "skinning", "refit", "query"]
 COUNTS = ["vertices_skinned", "nodes_refitted", "volume_tests", "triangle_tests"]
 TABLE_2 = {"lbs": "linear", "sbs": "spherical_repaired", "bottom_up": "brown"}

@@ -11,7 +11,7 @@ from .tables import PROVENANCE, ResultError, Results
 
 RUN = ["CMakeLists.txt", "lemmas", "algorithms", "experiments/CMakeLists.txt", "experiments/main.cpp",
        "experiments/threads", "experiments/scenes"]
-QUERIES = ["experiments/collisions", "experiments/rivals", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"]
+QUERIES = ["experiments/collisions", "experiments/baselines", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"]
 SOURCES = {
     "tightness": [*RUN, "experiments/tightness"],
     "volumes": [*RUN, "experiments/tightness", "experiments/speed"],

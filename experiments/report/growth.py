@@ -9,7 +9,7 @@ FITTED_CROWDS = 3      # the largest numbers of characters
 
 def triangle_times(results, scene, detector):
     """(triangles, us a frame), in ascending order."""
-    return sorted((r.triangles, r.value) for r in results.select("triangle_growth", posture=scene, variant=detector, quantity="us_per_frame"))
+    return sorted((r.triangles, r.value) for r in results.select("triangle_growth", pose=scene, variant=detector, quantity="us_per_frame"))
 
 
 def triangle_exponent(results, scene, detector):
@@ -19,19 +19,19 @@ def triangle_exponent(results, scene, detector):
 def triangles_section(results, page):
     detectors = results.distinct("triangle_growth", "variant")
     scenes = []
-    for scene in results.distinct("triangle_growth", "posture"):
+    for scene in results.distinct("triangle_growth", "pose"):
         lines = [Line(d, triangle_times(results, scene, d)) for d in detectors]
         scenes.append({"name": scene, "plot": Plot(scene, "triangles", "us a frame", lines, log_x=True, log_y=True).svg(),
                        "rows": [(line.label, [us for _, us in line.points], triangle_exponent(results, scene, line.label)) for line in lines],
-                       "pairs": [r.value for r in sorted(results.select("triangle_growth", posture=scene, variant=detectors[0], quantity="pairs"),
+                       "pairs": [r.value for r in sorted(results.select("triangle_growth", pose=scene, variant=detectors[0], quantity="pairs"),
                                                          key=lambda r: r.triangles)]})
     return {"scenes": scenes, "numbers": sorted(results.distinct("triangle_growth", "triangles"))}
 
 
 # --- Joints ---
 
-JOINT_LINES = [("by itself", "own", "ns_of_root"), ("from below, asked first", "from_below", "ns_of_root"),
-               ("from a known front", "from_below", "ns_of_root_from_known")]
+JOINT_LINES = [("by itself", "own", "ns_of_root"), ("from below, asked first", "through_descendants", "ns_of_root"),
+               ("from a known front", "through_descendants", "ns_of_root_from_known")]
 
 
 def joint_times(results, variant, quantity):
@@ -41,7 +41,7 @@ def joint_times(results, variant, quantity):
 
 def joint_exponent(results):
     """Of the root's cost from a known front."""
-    return fitted_exponent([p for p in joint_times(results, "from_below", "ns_of_root_from_known") if p[0] in FITTED_JOINTS])
+    return fitted_exponent([p for p in joint_times(results, "through_descendants", "ns_of_root_from_known") if p[0] in FITTED_JOINTS])
 
 
 def joints_section(results, page):
@@ -50,11 +50,11 @@ def joints_section(results, page):
     for joints in results.distinct("joint_growth", "joints"):
         def of(variant, quantity):
             return results.number_or_none("joint_growth", joints=joints, variant=variant, quantity=quantity)
-        ns = [("own", "ns_of_nodes_of_many"), ("from_below", "ns_of_nodes_of_many"), ("own", "ns_of_root"), ("from_below", "ns_of_root"),
-              ("from_below", "ns_of_root_from_known")]
+        ns = [("own", "ns_of_nodes_of_many"), ("through_descendants", "ns_of_nodes_of_many"), ("own", "ns_of_root"), ("through_descendants", "ns_of_root"),
+              ("through_descendants", "ns_of_root_from_known")]
         rows.append({"joints": joints, "sets": round(of("own", "joint_sets")), "many": round(of("own", "nodes_of_many_joint_sets")),
                      "us": [(of(*which) or 0) / 1000 for which in ns],
-                     "ratios": [of(variant, "root_ratio_to_optimal") for variant in ("own", "from_below")]})
+                     "ratios": [of(variant, "root_ratio_to_optimal") for variant in ("own", "through_descendants")]})
     return {"exponent": joint_exponent(results), "rows": rows,
             "plot": Plot("the root's ball", "joints", "us", lines, log_x=True, log_y=True).svg()}
 

@@ -39,7 +39,7 @@ FULL = ("experiments/run --full samples clips a dozen times more often, tries al
 def said_of_effort(results):
     """What a longer run would add; nothing of a full run."""
     effort = results.rows("run")[0].effort
-    return f"This is {EFFORTS[effort]}, with few postures and short timings. {FULL}" if effort in EFFORTS else ""
+    return f"This is {EFFORTS[effort]}, with few poses and short timings. {FULL}" if effort in EFFORTS else ""
 
 
 @dataclass

@@ -13,11 +13,11 @@ IN_SPACE = {
     "figure4_printed": "Where Lemma 5 fails: the angle is beyond 90°, and the printed ball (vermillion) leaves out the apex.",
     "figure4_repaired": "Repaired: the ball of such a cap is that of the whole sphere.",
 }
-BARE = {"reference": "reference posture", "linear": "linear blending: candy-wrappers", "spherical_repaired": "spherical blending"}
-DRESSED = {"reference": "reference posture, smallest balls", "linear": "linear blending, [Kavan and Zara 2005a]",
+BARE = {"reference": "reference pose", "linear": "linear blending: candy-wrappers", "spherical_repaired": "spherical blending"}
+DRESSED = {"reference": "reference pose, smallest balls", "linear": "linear blending, [Kavan and Zara 2005a]",
            "spherical_printed": "spherical blending, Algorithm 1 as printed", "spherical_repaired": "spherical blending, Algorithm 1 repaired",
-           "control_clusters": "spherical blending, the tightest (control_clusters)"}
-NEAR = {"spherical_printed": "as printed", "spherical_repaired": "repaired", "control_clusters": "the tightest, control_clusters"}
+           "control_many_pieces": "spherical blending, the tightest (control_many_pieces)"}
+NEAR = {"spherical_printed": "as printed", "spherical_repaired": "repaired", "control_many_pieces": "the tightest, control_many_pieces"}
 
 
 @dataclass
@@ -25,7 +25,7 @@ class Picture:
     """A PNG file of the table: its rows say what of, its numbers what was counted, its labels where words stand (pixels)."""
     file: str
     model: str
-    posture: str
+    pose: str
     variant: str
     level: object
     numbers: dict
@@ -70,7 +70,7 @@ def captioned(pictures, caption):
 
 def twist_bare(pictures, default):
     return Figure(f"{pictures[0].model}: two ways to blend (the paper's Figure 1)",
-                  f"The posture is “{pictures[0].posture}”. Linear blending averages matrices: where joints turn far apart the skin collapses, "
+                  f"The pose is “{pictures[0].pose}”. Linear blending averages matrices: where joints turn far apart the skin collapses, "
                   "the candy-wrapper. Spherical blending averages rotations.", captioned(pictures, lambda p: BARE[p.variant]))
 
 
@@ -90,7 +90,7 @@ def failing(pictures, default):
         return f"{NEAR[p.variant]}: a ball of level {p.level}, radius {p.numbers['radius']:.3g}{end}"
     ends = ": its balls leave vertices outside." if pictures[0].count("balls_that_miss") else ": no ball misses a vertex in it."
     return Figure(f"{pictures[0].model}: where the printed algorithm fails",
-                  f"The {pictures[0].posture} (of 4 angles of each joint the worst for Algorithm 1 as printed)" + ends, captioned(pictures, caption), columns=4,
+                  f"The {pictures[0].pose} (of 4 angles of each joint the worst for Algorithm 1 as printed)" + ends, captioned(pictures, caption), columns=4,
                   legend=[("missing", "the printed ball, and vertices outside their ball"),
                           ("without", "vertices whose “ball” has a negative radius or is no number"), ("holding", "balls that hold all their vertices")])
 
@@ -101,7 +101,7 @@ def caps(pictures, default):
                   captioned(pictures, lambda p: IN_SPACE[p.file.removesuffix(".png")]), phone_columns=1)
 
 
-def encounter(title, text):
+def scenario(title, text):
     def make(pictures, default):
         def caption(p):
             if p.level == ALL:
@@ -116,10 +116,10 @@ def encounter(title, text):
 
 FIGURES = {
     "twist_bare": twist_bare, "twist_balls": twist_balls, "failing": failing, "caps": caps,
-    "walking": encounter("two pass each other (the paper's Figure 6)", lambda p:
+    "walking": scenario("two pass each other (the paper's Figure 6)", lambda p:
                          "A query refits a sphere only when it gets there; the deeper, the fewer of a level. (In the paper’s frame it refitted 19 % of "
                          f"level 5 and 9 % of level 6, of a tree of nine levels; this one has {p.count('tree_levels')}.)"),
-    "walk_through": encounter("two in one place (the paper's Figure 7)", lambda p:
+    "walk_through": scenario("two in one place (the paper's Figure 7)", lambda p:
                               "The worst case, as when they walk through each other: far more triangles touch than in practice."),
 }
 
@@ -131,7 +131,7 @@ def pictures_of(results, folder):
         labels.setdefault(row.file, []).append(row)
     for row in results.rows("pictures"):
         of_figure = found.setdefault(row.figure, {})
-        picture = of_figure.setdefault(row.file, Picture(row.file, row.model, row.posture, row.variant, row.level, {}, labels.get(row.file, [])))
+        picture = of_figure.setdefault(row.file, Picture(row.file, row.model, row.pose, row.variant, row.level, {}, labels.get(row.file, [])))
         picture.numbers[row.quantity] = row.value
     for picture in (p for of_figure in found.values() for p in of_figure.values()):
         try:

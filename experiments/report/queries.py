@@ -6,8 +6,8 @@ NOT_ALWAYS = ["looseness_mean", "looseness_median", "looseness_max", "ns_per_ref
 
 def section(results, page):
     rows = []
-    for variant in results.distinct("queries", "variant", posture="all"):
-        row = {q: results.number("queries", variant=variant, posture="all", quantity=q) for q in QUANTITIES}
-        row |= {q: results.number_or_none("queries", variant=variant, posture="all", quantity=q) for q in NOT_ALWAYS}
+    for variant in results.distinct("queries", "variant", pose="all"):
+        row = {q: results.number("queries", variant=variant, pose="all", quantity=q) for q in QUANTITIES}
+        row |= {q: results.number_or_none("queries", variant=variant, pose="all", quantity=q) for q in NOT_ALWAYS}
         rows.append({"variant": variant, **row})
-    return {"rows": rows, "count": round(rows[0]["queries"]), "tolerance": results.constant("query_tolerance")}
+    return {"rows": rows, "count": round(rows[0]["queries"]), "tolerance": results.constant("synthetic_tolerance")}

@@ -2,11 +2,11 @@
 from dataclasses import dataclass
 
 from .plots import Line, Plot
-from .statistics import is_on_front, mean, span
+from .statistics import is_on_cut, mean, span
 from .tables import ALL
 
-BY_LEVEL = ["spherical_repaired", "control_exact", "control_sets_exact", "control_mixed", "control_clusters"]
-TIGHTEST = "control_clusters"
+BY_LEVEL = ["spherical_repaired", "control_miniball", "control_sets_miniball", "control_mixed", "control_many_pieces"]
+TIGHTEST = "control_many_pieces"
 
 
 @dataclass
@@ -16,10 +16,10 @@ class Price:
     skinning: str
     ns_per_sphere: float      # over the whole tree
     ratio_to_repaired: float
-    mean_ratio: float         # of average radius / optimal, over all levels and posture sets
+    mean_ratio: float         # of average radius / optimal, over all levels and pose sets
     worst_ratio: float        # of these the largest
     misses: int               # balls with a vertex outside
-    on_front: bool = False    # no other variant of this skinning is as cheap and has a smaller worst_ratio
+    on_cut: bool = False    # no other variant of this skinning is as cheap and has a smaller worst_ratio
 
 
 def prices(results, model):
@@ -35,7 +35,7 @@ def prices(results, model):
                              round(sum(r.value for r in results.find("tightness", model=model, variant=row.variant, quantity="misses")))))
     out.sort(key=lambda price: price.ns_per_sphere)
     for price in out:
-        price.on_front = is_on_front((price.ns_per_sphere, price.worst_ratio),
+        price.on_cut = is_on_cut((price.ns_per_sphere, price.worst_ratio),
                                      [(p.ns_per_sphere, p.worst_ratio) for p in out if p.skinning == price.skinning])
     return out
 
@@ -44,7 +44,7 @@ def price_plot(model, all_prices):
     spherical = [p for p in all_prices if p.skinning == "spherical"]
     return Plot(f"{model}, spherical blending", "ns per sphere", "average radius / Optimal: worst level",
                 [Line(p.variant, [(p.ns_per_sphere, p.worst_ratio)]) for p in spherical], log_x=True,
-                front=[(p.ns_per_sphere, p.worst_ratio) for p in spherical if p.on_front]).svg()
+                front=[(p.ns_per_sphere, p.worst_ratio) for p in spherical if p.on_cut]).svg()
 
 
 def level_plot(results, model):
@@ -61,8 +61,8 @@ def summary(variant, of_models):
 
 
 def section(results, page):
-    return {"rows": [{"model": r.model, "posture": r.posture, "variant": r.variant, "ns": r.value,
-                      "ratio": results.number("speed", model=r.model, posture=r.posture, variant=r.variant, level=ALL,
+    return {"rows": [{"model": r.model, "pose": r.pose, "variant": r.variant, "ns": r.value,
+                      "ratio": results.number("speed", model=r.model, pose=r.pose, variant=r.variant, level=ALL,
                                               quantity="ratio_to_repaired")}
                      for r in results.select("speed", quantity="ns_per_sphere", level=ALL)]}
 
@@ -71,14 +71,14 @@ def pareto_section(results, page):
     of_models = {model: prices(results, model) for model in results.distinct("speed", "model")}
     default = results.default_variant()
     return {"prices": of_models, "price_plot": price_plot, "level_plot": lambda model: level_plot(results, model),
-            "default": summary(default, of_models), "from_below": summary(f"{default}_from_below", of_models),
+            "default": summary(default, of_models), "through_descendants": summary(f"{default}_through_descendants", of_models),
             "tightest": summary(TIGHTEST, of_models)}
 
 
 def batch_section(results, page):
     rows = []
     for r in results.select("batch_speed", unit="ns"):
-        where = {"model": r.model, "posture": r.posture, "variant": r.variant}
+        where = {"model": r.model, "pose": r.pose, "variant": r.variant}
         rows.append({**where, "operation": r.operation, "method": r.method, "ns": r.value,
                      "ratio": results.number("batch_speed", quantity="ratio_to_scalar", **where),
                      "to_linear": results.number_or_none("batch_speed", quantity="ratio_to_linear", **where)})

@@ -40,7 +40,7 @@ def fitted_exponent(points):
     return (n * xy - x * y) / (n * xx - x * x)
 
 
-def is_on_front(point, points):
+def is_on_cut(point, points):
     """Whether no other (cost, ratio) costs as little and has a smaller ratio."""
     cost, ratio = point
     return not any(c <= cost and r < ratio for c, r in points)

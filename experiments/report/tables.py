@@ -1,6 +1,6 @@
 """Tables of results: CSV files in long form, read into typed rows.
 
-A row is a value of one quantity, in a unit, with what it is of: experiment, model, posture, variant, level and, by file, what
+A row is a value of one quantity, in a unit, with what it is of: experiment, model, pose, variant, level and, by file, what
 else a reader needs to know of it. What the report wants to know of a row is a column: nothing is parsed out of a name.
 """
 import csv
@@ -50,14 +50,14 @@ def one_of(*allowed):
 
 
 yes_no = one_of("yes", "no")
-posture_kind = one_of("clip", "twist", "worst_twist")
+pose_kind = one_of("clip", "twist", "worst_twist")
 skinning = one_of("linear", "spherical", "dual_quaternion")
-LONG = {"experiment": text, "model": text, "posture": text, "variant": text, "level": level, "quantity": text,
+LONG = {"experiment": text, "model": text, "pose": text, "variant": text, "level": level, "quantity": text,
         "value": number, "unit": one_of(*UNITS)}
-ORIGIN = one_of("own", "rival", "engine", "oracle")
+ORIGIN = one_of("own", "baseline", "engine", "oracle")
 SCHEMAS = {
-    "tightness": {**LONG, "posture_kind": posture_kind, "postures": count},
-    "volumes": {**LONG, "posture_kind": posture_kind, "postures": count},
+    "tightness": {**LONG, "pose_kind": pose_kind, "poses": count},
+    "volumes": {**LONG, "pose_kind": pose_kind, "poses": count},
     "speed": LONG,
     "batch_speed": {**LONG, "operation": text, "method": text},
     "collision": {**LONG, "scene": text, "query": one_of("full", "yes/no"), "origin": ORIGIN},

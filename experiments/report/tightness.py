@@ -6,16 +6,16 @@ from . import original
 from .plots import Line, Plot
 from .statistics import span
 
-PLOTTED = ["spherical_printed_signed", "spherical_repaired", "control_exact", "control_sets_exact", "control_mixed",
-           "control_clusters", "bottom_up"]
+PLOTTED = ["spherical_printed_signed", "spherical_repaired", "control_miniball", "control_sets_miniball", "control_mixed",
+           "control_many_pieces", "bottom_up"]
 
 
 @dataclass
-class PostureSet:
-    """What was measured of a model in one posture, or in the sampled times of a clip."""
+class PoseSet:
+    """What was measured of a model in one pose, or in the sampled times of a clip."""
     model: str
-    posture: str
-    postures: int  # how many were sampled
+    pose: str
+    poses: int  # how many were sampled
     levels: dict   # by variant, then level, then quantity
 
     def ratios(self, variant):
@@ -29,13 +29,13 @@ class PostureSet:
         return {**out, "worst_miss": max(cell.get("worst_miss", 0) for cell in cells)}
 
 
-def posture_sets(results):
+def pose_sets(results):
     """In the order of the file."""
     sets = {}
     for row in results.rows("tightness"):
-        key = row.model, row.posture
+        key = row.model, row.pose
         if key not in sets:
-            sets[key] = PostureSet(row.model, row.posture, row.postures, defaultdict(lambda: defaultdict(dict)))
+            sets[key] = PoseSet(row.model, row.pose, row.poses, defaultdict(lambda: defaultdict(dict)))
         sets[key].levels[row.variant][row.level][row.quantity] = row.value
     return list(sets.values())
 
@@ -47,14 +47,14 @@ def conclusion(sets, variant):
             "misses": sum(m["misses"] for m in all_levels), "nodes": sum(m["nodes"] for m in all_levels)}
 
 
-def plot(posture_set):
-    lines = [Line(variant, posture_set.ratios(variant)) for variant in PLOTTED]
+def plot(pose_set):
+    lines = [Line(variant, pose_set.ratios(variant)) for variant in PLOTTED]
     lines.append(Line("the paper, on its creature", list(enumerate(original.ratios_to_optimal(), 1)), dashed=True, color="ink"))
-    return Plot(f"{posture_set.model}, {posture_set.posture}", "level of the tree", "average radius / Optimal", lines).svg()
+    return Plot(f"{pose_set.model}, {pose_set.pose}", "level of the tree", "average radius / Optimal", lines).svg()
 
 
 def section(results, page):
-    sets, variants = posture_sets(results), results.rows("variants")
+    sets, variants = pose_sets(results), results.rows("variants")
     optimal = {level: ratio for level, ratio in enumerate(original.ratios_to_optimal(), 1)}
     models = {}
     for s in sets:

@@ -9,7 +9,7 @@
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/growth/triangles.hpp"
-#include "experiments/queries/queries.hpp"
+#include "experiments/synthetic/queries.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
@@ -32,8 +32,8 @@ inline auto fields(VolumeSettings& v) {
   return std::tie(times, nodes, speed);
 }
 inline auto fields(RoundingSettings& v) {
-  auto& [postures, vertices, speed, seed] = v;
-  return std::tie(postures, vertices, speed, seed);
+  auto& [poses, vertices, speed, seed] = v;
+  return std::tie(poses, vertices, speed, seed);
 }
 inline auto fields(CollisionSettings& v) {
   auto& [frames, speed, all, first] = v;
@@ -53,16 +53,16 @@ inline auto fields(LevelTightness& v) {
   return std::tie(nodes, undefined, least, greatest, sum, optimal, misses, worst);
 }
 inline auto fields(TightnessResult& v) {
-  auto& [model, posture, kind, postures, tightness] = v;
-  return std::tie(model, posture, kind, postures, tightness);
+  auto& [model, pose, kind, poses, tightness] = v;
+  return std::tie(model, pose, kind, poses, tightness);
 }
 inline auto fields(SpeedResult& v) {
-  auto& [model, posture, variant, level, ns, ratio] = v;
-  return std::tie(model, posture, variant, level, ns, ratio);
+  auto& [model, pose, variant, level, ns, ratio] = v;
+  return std::tie(model, pose, variant, level, ns, ratio);
 }
 inline auto fields(BatchSpeed& v) {
-  auto& [model, posture, what, how, item, ns, ratio, to_linear] = v;
-  return std::tie(model, posture, what, how, item, ns, ratio, to_linear);
+  auto& [model, pose, what, how, item, ns, ratio, to_linear] = v;
+  return std::tie(model, pose, what, how, item, ns, ratio, to_linear);
 }
 inline auto fields(BallSpeed& v) {
   auto& [clouds, space, variant, points, ns, ratio] = v;
@@ -73,12 +73,12 @@ inline auto fields(LevelVolumes& v) {
   return std::tie(nodes, misses, size, optimal, ball, solid, ratio);
 }
 inline auto fields(VolumeResult& v) {
-  auto& [model, posture, kind, postures, volumes] = v;
-  return std::tie(model, posture, kind, postures, volumes);
+  auto& [model, pose, kind, poses, volumes] = v;
+  return std::tie(model, pose, kind, poses, volumes);
 }
 inline auto fields(VolumeCost& v) {
-  auto& [model, posture, kind, variant, ns, ratio] = v;
-  return std::tie(model, posture, kind, variant, ns, ratio);
+  auto& [model, pose, kind, variant, ns, ratio] = v;
+  return std::tie(model, pose, kind, variant, ns, ratio);
 }
 inline auto fields(VolumeResults& v) {
   auto& [tightness, costs] = v;

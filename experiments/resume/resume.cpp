@@ -20,7 +20,7 @@ void add_clip(Fingerprint& print, const Clip& clip) {
         add_numbers(print, c.rotation);
         add_numbers(print, c.translation);
       }
-    } catch (const ModelError& e) {  // a posture that no experiment need come across
+    } catch (const ModelError& e) {  // a pose that no experiment need come across
       print.add(std::string_view(e.what()));
     }
 }

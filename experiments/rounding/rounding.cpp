@@ -17,19 +17,19 @@
 namespace refitlab {
 namespace {
 
-std::vector<Posture> sampled_postures(const AnimatedCharacter& c, int count) {
-  std::vector<Posture> out;
+std::vector<Pose> sampled_poses(const AnimatedCharacter& c, int count) {
+  std::vector<Pose> out;
   const auto clips = static_cast<int>(c.clips.size());
-  if (clips == 0) return {reference_posture(c.mesh)};
+  if (clips == 0) return {reference_pose(c.mesh)};
   for (int i = 0; i < count; ++i) {
     const Clip& clip = c.clips[i % clips];
-    const double share = (i / clips + 0.3718) / ((count + clips - 1) / clips);  // no key times, where postures are simple
+    const double share = (i / clips + 0.3718) / ((count + clips - 1) / clips);  // no key times, where poses are simple
     out.push_back(clip.sample(share * clip.duration));
   }
   return out;
 }
 
-// One variant's checks in one posture after the other.
+// One variant's checks in one pose after the other.
 class VariantChecks {
  public:
   VariantChecks(const AnimatedCharacter& c, const RefitVariant& variant, const RoundingSettings& settings)
@@ -37,10 +37,10 @@ class VariantChecks {
     result_.model = c.mesh.name, result_.variant = variant.name;
   }
 
-  void add(const SkinningPose<double>& pose, std::span<const Point3> skinned, ExactSkin& exact) {
+  void add(const SkinningPalette<double>& palette, std::span<const Point3> skinned, ExactSkin& exact) {
     for (std::size_t i = 0; i < c_.tree.nodes.size(); ++i) {
       const int n = static_cast<int>(i);
-      const RefitNode<double> node = c_.refit_node(n, pose, variant_.pieces);
+      const RefitNode<double> node = c_.refit_node(n, palette, variant_.pieces);
       const Ball3<double> ball = variant_.refit(node), bare = variant_.refit_as_computed(node);
       const Ball3<float> small = rounded_outward(ball);
       const Ball3<double> of_floats{small.center.cast<double>(), small.radius};
@@ -83,11 +83,11 @@ class VariantChecks {
 };
 
 // Of all nodes, with the slack over without.
-double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const SkinningPose<double>& pose, const SpeedSettings& settings) {
+double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const SkinningPalette<double>& palette, const SpeedSettings& settings) {
   const auto all_nodes = [&](Refit refit) {
-    return [&c, &variant, &pose, refit] {
+    return [&c, &variant, &palette, refit] {
       for (std::size_t n = 0; n < c.tree.nodes.size(); ++n)
-        benchmark::DoNotOptimize(refit(c.refit_node(static_cast<int>(n), pose, variant.pieces)));
+        benchmark::DoNotOptimize(refit(c.refit_node(static_cast<int>(n), palette, variant.pieces)));
     };
   };
   const int count = static_cast<int>(c.tree.nodes.size());
@@ -98,26 +98,26 @@ double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const Sk
 
 }  // namespace
 
-std::vector<RoundingResult> run_rounding(const AnimatedCharacter& c, const NamedPosture& timed, const RoundingSettings& settings) {
-  const auto postures = sampled_postures(c, settings.postures);
+std::vector<RoundingResult> run_rounding(const AnimatedCharacter& c, const NamedPose& timed, const RoundingSettings& settings) {
+  const auto poses = sampled_poses(c, settings.poses);
   std::vector<RoundingResult> results;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
     std::vector<VariantChecks> checks;
     std::vector<const RefitVariant*> variants;
     for (const RefitVariant& v : compared_variants())
       if (v.sound && v.skinning == skinning) variants.push_back(&v), checks.emplace_back(c, v, settings);
-    for (std::size_t i = 0; i < postures.size(); ++i) {
-      std::cout << "\r[rounding] " << c.mesh.name << ", " << variants.size() << " variants, posture " << i + 1 << " of "
-                << postures.size() << "   " << std::flush;
-      const auto pose = make_skinning_pose(c.mesh, c.sets, postures[i], skinning);
-      const auto skinned = skin(c.mesh, c.sets, pose, skinning);
-      ExactSkin exact(c.mesh, c.sets, pose, skinning);
-      for (VariantChecks& v : checks) v.add(pose, skinned, exact);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      std::cout << "\r[rounding] " << c.mesh.name << ", " << variants.size() << " variants, pose " << i + 1 << " of "
+                << poses.size() << "   " << std::flush;
+      const auto palette = make_skinning_palette(c.mesh, c.sets, poses[i], skinning);
+      const auto skinned = skin(c.mesh, c.sets, palette, skinning);
+      ExactSkin exact(c.mesh, c.sets, palette, skinning);
+      for (VariantChecks& v : checks) v.add(palette, skinned, exact);
     }
-    const auto pose = make_skinning_pose(c.mesh, c.sets, timed.posture, skinning);
+    const auto palette = make_skinning_palette(c.mesh, c.sets, timed.pose, skinning);
     for (std::size_t v = 0; v < variants.size(); ++v) {
       results.push_back(checks[v].result());
-      results.back().cost = cost_of(c, *variants[v], pose, settings.speed);
+      results.back().cost = cost_of(c, *variants[v], palette, settings.speed);
     }
   }
   std::cout << '\n';
@@ -129,7 +129,7 @@ std::vector<RoundingResult> run_rounding(const AnimatedCharacter& c, const Named
 }
 
 void write_rounding(const std::vector<RoundingResult>& results, const RoundingSettings& settings, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit"});
   for (const RoundingResult& r : results) {
     const auto add = [&](const char* quantity, double value) {
       file.add({"rounding", r.model, "all", r.variant, "all", quantity, format_number(value), "1"}, settings.seed);

@@ -12,7 +12,7 @@
 namespace refitlab {
 
 struct RoundingSettings {
-  int postures = 6;           // of all clips together
+  int poses = 6;           // of all clips together
   int vertices_per_node = 4;  // the one that comes out farthest from the center, and others at random
   SpeedSettings speed;
   std::uint64_t seed = 2006;
@@ -23,13 +23,13 @@ struct RoundingResult {
   // Of vertices against balls, exactly: all of them; those outside the ball, outside the same rounded to float, and outside
   // the ball without the slack.
   long checks = 0, misses = 0, float_misses = 0, misses_as_computed = 0;
-  // What the slack, and what rounding to float after it, adds to the radius; relative to it, median over nodes and postures.
+  // What the slack, and what rounding to float after it, adds to the radius; relative to it, median over nodes and poses.
   double inflation = 0, float_inflation = 0;
-  double cost = 0;  // processor time with the slack over that without, in one posture
+  double cost = 0;  // processor time with the slack over that without, in one pose
 };
 
 // Every sound variant. Progress on stdout.
-std::vector<RoundingResult> run_rounding(const AnimatedCharacter& character, const NamedPosture& timed, const RoundingSettings& settings);
+std::vector<RoundingResult> run_rounding(const AnimatedCharacter& character, const NamedPose& timed, const RoundingSettings& settings);
 
 void write_rounding(const std::vector<RoundingResult>& results, const RoundingSettings& settings, const std::string& path);
 

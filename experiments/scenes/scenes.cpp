@@ -34,22 +34,22 @@ DefaultModels default_models(const std::string& folder) {
   return out;
 }
 
-std::vector<PostureSet> posture_sets(const AnimatedCharacter& character, int times_per_clip) {
-  std::vector<PostureSet> out;
+std::vector<PoseSet> pose_sets(const AnimatedCharacter& character, int times_per_clip) {
+  std::vector<PoseSet> out;
   for (const Clip& clip : character.clips) {
-    PostureSet set{clip.name, {}};
+    PoseSet set{clip.name, {}};
     for (int i = 0; i < times_per_clip; ++i)
-      set.postures.push_back(clip.sample(clip.duration * i / std::max(1, times_per_clip - 1)));
+      set.poses.push_back(clip.sample(clip.duration * i / std::max(1, times_per_clip - 1)));
     out.push_back(std::move(set));
   }
   return out;
 }
 
-NamedPosture figure_twist(const AnimatedCharacter& character) {
+NamedPose figure_twist(const AnimatedCharacter& character) {
   for (const Clip& clip : character.clips)
     if (clip.name == "twist") return {"full twist", clip.sample(clip.duration)};
   const int joint = twist_joint(character.mesh);
-  return {character.mesh.joints[joint].name + " twisted by 170 degrees", twist_posture(character.mesh, joint, 170 * std::numbers::pi / 180)};
+  return {character.mesh.joints[joint].name + " twisted by 170 degrees", twist_pose(character.mesh, joint, 170 * std::numbers::pi / 180)};
 }
 
 }  // namespace refitlab

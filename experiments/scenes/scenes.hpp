@@ -1,4 +1,4 @@
-// Scenes: the models and postures that every experiment shares, defined once.
+// Scenes: the models and poses that every experiment shares, defined once.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace refitlab {
 
-// One or more postures that are reported together: the sampled times of a clip, or a single one.
-struct PostureSet {
+// One or more poses that are reported together: the sampled times of a clip, or a single one.
+struct PoseSet {
   std::string name;
-  std::vector<Posture> postures;
-  std::string kind = "clip";  // or that of a NamedPosture
+  std::vector<Pose> poses;
+  std::string kind = "clip";  // or that of a NamedPose
 };
 
 // The two procedural models and the real ones found in folder, by file name; absent: the real ones that are not there.
@@ -27,14 +27,14 @@ Model load_named(const std::string& path);
 DefaultModels default_models(const std::string& folder);
 
 // Every clip at this many times, evenly spread from start to end.
-std::vector<PostureSet> posture_sets(const AnimatedCharacter& character, int times_per_clip);
+std::vector<PoseSet> pose_sets(const AnimatedCharacter& character, int times_per_clip);
 
-struct NamedPosture {
+struct NamedPose {
   std::string name;
-  Posture posture;
+  Pose pose;
   std::string kind = "twist";  // "twist": figure_twist; "worst_twist"
 };
-// The posture of the paper's Figure 5: the end of the clip "twist" if the model has one, else a neck turned by 170 degrees.
-NamedPosture figure_twist(const AnimatedCharacter& character);
+// The pose of the paper's Figure 5: the end of the clip "twist" if the model has one, else a neck turned by 170 degrees.
+NamedPose figure_twist(const AnimatedCharacter& character);
 
 }  // namespace refitlab

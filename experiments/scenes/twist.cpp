@@ -25,7 +25,7 @@ Point3 bone_axis(const SkinnedMesh& model, int joint) {
   return axis.norm() > 0 ? Point3(axis.normalized()) : Point3::UnitY();
 }
 
-Posture twisted(const SkinnedMesh& model, Posture posture, int joint, double radians) {
+Pose twisted(const SkinnedMesh& model, Pose pose, int joint, double radians) {
   const Point3 axis = bone_axis(model, joint) * std::sin(radians / 2);
   const Point3& origin = model.joints[joint].origin;
   RigidTransform<double> turn;
@@ -35,13 +35,13 @@ Posture twisted(const SkinnedMesh& model, Posture posture, int joint, double rad
   for (std::size_t j = 0; j < model.joints.size(); ++j) {  // parents come first
     const int parent = model.joints[j].parent;
     below[j] = static_cast<int>(j) == joint || (parent >= 0 && below[parent]);
-    if (below[j]) posture[j] = compose(posture[j], turn);
+    if (below[j]) pose[j] = compose(pose[j], turn);
   }
-  return posture;
+  return pose;
 }
 
-Posture twist_posture(const SkinnedMesh& model, int joint, double radians) {
-  return twisted(model, reference_posture(model), joint, radians);
+Pose twist_pose(const SkinnedMesh& model, int joint, double radians) {
+  return twisted(model, reference_pose(model), joint, radians);
 }
 
 int twist_joint(const SkinnedMesh& model) {

@@ -5,15 +5,15 @@
 
 namespace refitlab {
 
-// The unit vector along the joint's bone in the reference posture: from its origin towards the mean of its children's,
+// The unit vector along the joint's bone in the reference pose: from its origin towards the mean of its children's,
 // or away from its parent's where it has none.
 Point3 bone_axis(const SkinnedMesh& model, int joint);
 
-// Turns one joint and all below it about the joint's bone axis as it is in the reference posture, before the posture.
-Posture twisted(const SkinnedMesh& model, Posture posture, int joint, double radians);
+// Turns one joint and all below it about the joint's bone axis as it is in the reference pose, before the pose.
+Pose twisted(const SkinnedMesh& model, Pose pose, int joint, double radians);
 
-// The same from the reference posture.
-Posture twist_posture(const SkinnedMesh& model, int joint, double radians);
+// The same from the reference pose.
+Pose twist_pose(const SkinnedMesh& model, int joint, double radians);
 
 // The joint whose twist shows the paper's Figure 5: a neck, else a head, spine or wrist by name, else the one in the
 // middle of the hierarchy.

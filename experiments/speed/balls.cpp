@@ -165,7 +165,7 @@ std::vector<BallSpeed> run_ball_speed(const SpeedSettings& settings) {
 }
 
 void write_ball_speed(const std::vector<BallSpeed>& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit"});
   for (const BallSpeed& r : results) {
     const std::string points = std::to_string(r.points);
     file.add({"ball_speed", r.clouds, r.space, r.variant, points, "ns", format_number(r.ns), "ns"}, seed);

@@ -25,30 +25,30 @@ const Kind kinds[] = {{"linear", Skinning::linear}, {"spherical", Skinning::sphe
 
 class BatchExperiment {
  public:
-  BatchExperiment(const AnimatedCharacter& c, const NamedPosture& posture, const SpeedSettings& settings)
-      : c_(c), posture_(posture), settings_(settings), packed_(c.mesh, c.sets), batch_(c.tree, c.sets) {}
+  BatchExperiment(const AnimatedCharacter& c, const NamedPose& pose, const SpeedSettings& settings)
+      : c_(c), pose_(pose), settings_(settings), packed_(c.mesh, c.sets), batch_(c.tree, c.sets) {}
 
   std::vector<BatchSpeed> run() {
     for (const Kind& kind : kinds) skin(kind);
     for (const Kind& kind : {kinds[0], kinds[1]}) refit(kind);
     compare_refits();
-    pose();
+    palette();
     return std::move(results_);
   }
 
  private:
   void skin(const Kind& kind) {
-    const auto pose = pose_of(kind);
-    const auto expected = refitlab::skin(c_.mesh, c_.sets, pose, kind.skinning);
+    const auto palette = palette_of(kind);
+    const auto expected = refitlab::skin(c_.mesh, c_.sets, palette, kind.skinning);
     std::vector<Point3> out(expected.size());
     std::vector<Timed> timed{{"scalar", size_of(expected), [&] {
-                                benchmark::DoNotOptimize(refitlab::skin(c_.mesh, c_.sets, pose, kind.skinning));
+                                benchmark::DoNotOptimize(refitlab::skin(c_.mesh, c_.sets, palette, kind.skinning));
                               }}};
     for (const Target target : available_targets()) {
-      packed_.skin_all(pose, kind.skinning, out, target);
+      packed_.skin_all(palette, kind.skinning, out, target);
       if (out != expected) fail("skinning, " + kind.name + ", is not bit-identical", name_of(target));
       timed.push_back({name_of(target), size_of(expected), [&, target] {
-                         packed_.skin_all(pose, kind.skinning, out, target);
+                         packed_.skin_all(palette, kind.skinning, out, target);
                          benchmark::DoNotOptimize(out.data());
                        }});
     }
@@ -56,25 +56,25 @@ class BatchExperiment {
   }
 
   void refit(const Kind& kind) {
-    const auto pose = pose_of(kind);
+    const auto palette = palette_of(kind);
     const bool is_linear = kind.skinning == Skinning::linear;
     const RefitVariant& variant = compared_variant(is_linear ? "linear" : "spherical_repaired");
     std::vector<Timed> timed{{"scalar", size_of(c_.tree.nodes), [&] {
                                 for (int n = 0; n < size_of(c_.tree.nodes); ++n)
-                                  benchmark::DoNotOptimize(variant.refit(c_.tree.refit_node(n, pose)));
+                                  benchmark::DoNotOptimize(variant.refit(c_.tree.refit_node(n, palette)));
                               }}};
     const auto refit_all = [&, is_linear](Target target) -> const PackedBalls& {
-      return is_linear ? batch_.linear(pose, target) : batch_.spherical(pose, target);
+      return is_linear ? batch_.linear(palette, target) : batch_.spherical(palette, target);
     };
     for (const Target target : available_targets()) {
       const PackedBalls& balls = refit_all(target);
-      require_no_miss(kind, [&](int n) { return balls[n]; }, pose, name_of(target));
+      require_no_miss(kind, [&](int n) { return balls[n]; }, palette, name_of(target));
       timed.push_back({name_of(target), size_of(c_.tree.nodes), [&, target] { benchmark::DoNotOptimize(refit_all(target)[0]); }});
     }
     NodeRefit one(c_.tree, c_.sets);
-    one.begin(pose);
+    one.begin(palette);
     if (!is_linear) {
-      require_no_miss(kind, [&](int n) { return one(n); }, pose, "node by node");
+      require_no_miss(kind, [&](int n) { return one(n); }, palette, "node by node");
       timed.push_back({"node_by_node", size_of(c_.tree.nodes), [&] {
                          for (int n = 0; n < size_of(c_.tree.nodes); ++n) benchmark::DoNotOptimize(one(n));
                        }});
@@ -82,18 +82,18 @@ class BatchExperiment {
     measure("refit_" + kind.name, "sphere", timed);
   }
 
-  void pose() {
-    SkinningPose<double> pose;
+  void palette() {
+    SkinningPalette<double> palette;
     const auto prepare = [&] {
-      make_skinning_pose(c_.mesh, c_.sets, posture_.posture, Skinning::spherical, pose);
-      benchmark::DoNotOptimize(pose.size());
+      make_skinning_palette(c_.mesh, c_.sets, pose_.pose, Skinning::spherical, palette);
+      benchmark::DoNotOptimize(palette.size());
     };
-    measure("skinning_pose", "joint_set", {{"scalar", c_.sets.count(), prepare}});
+    measure("skinning_palette", "joint_set", {{"scalar", c_.sets.count(), prepare}});
   }
 
   template <class Balls>
-  void require_no_miss(const Kind& kind, const Balls& balls, const SkinningPose<double>& pose, const std::string& how) const {
-    const auto deformed = refitlab::skin(c_.mesh, c_.sets, pose, kind.skinning);
+  void require_no_miss(const Kind& kind, const Balls& balls, const SkinningPalette<double>& palette, const std::string& how) const {
+    const auto deformed = refitlab::skin(c_.mesh, c_.sets, palette, kind.skinning);
     for (int n = 0; n < size_of(c_.tree.nodes); ++n) {
       const Ball3<float> ball = balls(n);
       for (const int v : c_.vertices[n])
@@ -105,7 +105,7 @@ class BatchExperiment {
   void measure(const std::string& what, const std::string& item, const std::vector<Timed>& timed) {
     const auto times = ns_per_item(timed, settings_);
     for (const Timed& t : timed) {
-      results_.push_back({c_.mesh.name, posture_.name, what, t.name, item, median(times.at(t.name)),
+      results_.push_back({c_.mesh.name, pose_.name, what, t.name, item, median(times.at(t.name)),
                           median_ratio(times.at(t.name), times.at("scalar")), 0});
       const BatchSpeed& r = results_.back();
       std::printf("  %-22s %-9s %8.2f ns per %s, 1/%.1f of scalar\n", what.c_str(), r.how.c_str(), r.ns, item.c_str(), 1 / r.ratio);
@@ -119,8 +119,8 @@ class BatchExperiment {
         if (r.item == "sphere" && linear.what == "refit_linear" && linear.how == r.how) r.to_linear = r.ns / linear.ns;
   }
 
-  SkinningPose<double> pose_of(const Kind& kind) const {
-    return make_skinning_pose(c_.mesh, c_.sets, posture_.posture, kind.skinning);
+  SkinningPalette<double> palette_of(const Kind& kind) const {
+    return make_skinning_palette(c_.mesh, c_.sets, pose_.pose, kind.skinning);
   }
   template <class T>
   static int size_of(const std::vector<T>& list) {
@@ -131,7 +131,7 @@ class BatchExperiment {
   }
 
   const AnimatedCharacter& c_;
-  const NamedPosture& posture_;
+  const NamedPose& pose_;
   const SpeedSettings settings_;
   PackedVertices packed_;
   BatchRefit batch_;
@@ -140,16 +140,16 @@ class BatchExperiment {
 
 }  // namespace
 
-std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& c, const NamedPosture& posture, const SpeedSettings& settings) {
-  std::cout << "[speed] in batches: " << c.mesh.name << ", " << posture.name << std::endl;
-  return BatchExperiment(c, posture, settings).run();
+std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& c, const NamedPose& pose, const SpeedSettings& settings) {
+  std::cout << "[speed] in batches: " << c.mesh.name << ", " << pose.name << std::endl;
+  return BatchExperiment(c, pose, settings).run();
 }
 
 void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "operation", "method"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "operation", "method"});
   for (const BatchSpeed& r : results) {
     const auto add = [&](const std::string& quantity, double value, const char* unit) {
-      file.add({"batch_speed", r.model, r.posture, r.what + "_" + r.how, "all", quantity, format_number(value), unit, r.what, r.how});
+      file.add({"batch_speed", r.model, r.pose, r.what + "_" + r.how, "all", quantity, format_number(value), unit, r.what, r.how});
     };
     add("ns_per_" + r.item, r.ns, "ns");
     add("ratio_to_scalar", r.ratio, "1");

@@ -1,4 +1,4 @@
-// The batch experiment: skinning, refitting a whole tree and preparing a pose in SIMD packs, against one vertex, node or
+// The batch experiment: skinning, refitting a whole tree and preparing a palette in SIMD packs, against one vertex, node or
 // joint-set after the other in double.
 #pragma once
 
@@ -11,8 +11,8 @@
 namespace refitlab {
 
 struct BatchSpeed {
-  std::string model, posture;
-  std::string what;    // "skin_linear", ..., "refit_linear", "refit_spherical", "skinning_pose"
+  std::string model, pose;
+  std::string what;    // "skin_linear", ..., "refit_linear", "refit_spherical", "skinning_palette"
   std::string how;     // "scalar", a target of packs, or "node_by_node": NodeRefit
   std::string item;    // that ns is for: "vertex", "sphere", "joint_set"
   double ns;           // median over the repetitions
@@ -22,7 +22,7 @@ struct BatchSpeed {
 
 // By every target that there is. Throws std::logic_error if a batch's result is wrong: skinned vertices not bit-identical,
 // a ball that misses a vertex.
-std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& character, const NamedPosture& posture, const SpeedSettings& settings);
+std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& character, const NamedPose& pose, const SpeedSettings& settings);
 
 // All results as out/results/batch_speed.csv.
 void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path);

@@ -10,15 +10,15 @@
 namespace refitlab {
 
 struct SpeedResult {
-  std::string model, posture, variant;
+  std::string model, pose, variant;
   int level;                    // 0: all of them
   double ns_per_sphere;         // median over the repetitions
   double ratio_to_repaired;     // median over the repetitions of the ratio to spherical_repaired in the same repetition
 };
 
-// Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the posture, and, a
+// Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the pose, and, a
 // tenth as long, those of each level; the frame's joint-set data given. Unsound balls are refused by construction: the variants are those whose enclosure is tested.
-std::vector<SpeedResult> run_speed(const AnimatedCharacter& character, const NamedPosture& posture, const SpeedSettings& settings);
+std::vector<SpeedResult> run_speed(const AnimatedCharacter& character, const NamedPose& pose, const SpeedSettings& settings);
 
 // All results as out/results/speed.csv.
 void write_speed(const std::vector<SpeedResult>& results, const std::string& path);

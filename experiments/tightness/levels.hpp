@@ -1,13 +1,13 @@
-// What is counted of one level of a tree: numbers that are merged over postures and models.
+// What is counted of one level of a tree: numbers that are merged over poses and models.
 #pragma once
 
 #include <algorithm>
 
 namespace refitlab {
 
-// Of one variant's balls on one level, over the postures of a set.
+// Of one variant's balls on one level, over the poses of a set.
 struct LevelTightness {
-  long nodes = 0;                     // balls seen: nodes of the level times postures
+  long nodes = 0;                     // balls seen: nodes of the level times poses
   long undefined = 0;                 // of them not a number or of negative radius; left out of the radii
   double radius_min = 1e300, radius_max = 0, radius_sum = 0;
   double optimal_sum = 0;             // of the optimal radii of the same balls
@@ -27,7 +27,7 @@ struct LevelTightness {
   }
 };
 
-// Of one variant's volumes on one level, over the postures of a set.
+// Of one variant's volumes on one level, over the poses of a set.
 struct LevelVolumes {
   long nodes = 0;   // volumes seen
   long misses = 0;  // of them with a deformed vertex outside, by more than rounding

@@ -4,7 +4,7 @@
 #include "algorithms/methods/refit/deformed.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/threads/parallel.hpp"
-#include "experiments/scenes/contenders.hpp"
+#include "experiments/scenes/methods.hpp"
 
 namespace refitlab {
 namespace {
@@ -20,22 +20,22 @@ double excess(const Ball3<double>& ball, std::span<const int> vertices, std::spa
   return std::sqrt(far) - ball.radius;
 }
 
-// One posture: the balls of every column are measured against the vertices that they claim to bound.
-class PostureMeasurement {
+// One pose: the balls of every column are measured against the vertices that they claim to bound.
+class PoseMeasurement {
  public:
-  PostureMeasurement(const AnimatedCharacter& c, const Posture& posture)
-      : c_(c), posture_(posture), tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {}
+  PoseMeasurement(const AnimatedCharacter& c, const Pose& pose)
+      : c_(c), pose_(pose), tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {}
 
   Tightness all() {
     const Frame& spherical = frame(Skinning::spherical);
     std::vector<Ball3<double>> reference;
     for (const TreeNode& n : c_.tree.nodes) reference.push_back(n.reference);
     add("reference", reference, spherical, false);
-    for (const Contender& contender : contenders()) {
-      const Frame& own = frame(contender.variant->skinning);
-      const auto balls = refit_all(c_, contender, own.pose);
-      add(contender.name, balls, own, true);
-      if (contender.name == "linear") add("linear_under_spherical", balls, spherical, true);
+    for (const Method& method : methods()) {
+      const Frame& own = frame(method.variant->skinning);
+      const auto balls = refit_all(c_, method, own.palette);
+      add(method.name, balls, own, true);
+      if (method.name == "linear") add("linear_under_spherical", balls, spherical, true);
     }
     add("bottom_up", refit_bottom_up(c_.tree, spherical.deformed), spherical, true);
     add("optimal", spherical.optimal, spherical, true);
@@ -46,7 +46,7 @@ class PostureMeasurement {
 
  private:
   struct Frame {
-    SkinningPose<double> pose;
+    SkinningPalette<double> palette;
     std::vector<Point3> deformed;
     std::vector<Ball3<double>> optimal;
   };
@@ -55,8 +55,8 @@ class PostureMeasurement {
   const Frame& frame(Skinning s) {
     if (const auto known = frames_.find(s); known != frames_.end()) return known->second;
     Frame& f = frames_[s];
-    f.pose = make_skinning_pose(c_.mesh, c_.sets, posture_, s);
-    f.deformed = skin(c_.mesh, c_.sets, f.pose, s);
+    f.palette = make_skinning_palette(c_.mesh, c_.sets, pose_, s);
+    f.deformed = skin(c_.mesh, c_.sets, f.palette, s);
     f.optimal = optimal_balls(c_.tree, c_.vertices, f.deformed);
     return f;
   }
@@ -86,7 +86,7 @@ class PostureMeasurement {
   }
 
   const AnimatedCharacter& c_;
-  const Posture& posture_;
+  const Pose& pose_;
   const double tolerance_;
   std::map<Skinning, Frame> frames_;
   Tightness out_;
@@ -96,7 +96,7 @@ class PostureMeasurement {
 
 std::vector<std::string> tightness_columns() {
   std::vector<std::string> columns{"reference"};
-  for (const Contender& c : contenders()) {
+  for (const Method& c : methods()) {
     columns.push_back(c.name);
     if (c.name == "linear") columns.push_back("linear_under_spherical");
   }
@@ -105,9 +105,9 @@ std::vector<std::string> tightness_columns() {
   return columns;
 }
 
-Tightness measure_tightness(const AnimatedCharacter& character, const PostureSet& set) {
-  std::vector<Tightness> parts(set.postures.size());
-  parallel_for(set.postures.size(), [&](std::size_t i) { parts[i] = PostureMeasurement(character, set.postures[i]).all(); });
+Tightness measure_tightness(const AnimatedCharacter& character, const PoseSet& set) {
+  std::vector<Tightness> parts(set.poses.size());
+  parallel_for(set.poses.size(), [&](std::size_t i) { parts[i] = PoseMeasurement(character, set.poses[i]).all(); });
   Tightness total = std::move(parts[0]);
   for (std::size_t i = 1; i < parts.size(); ++i)  // in order, so that sums do not depend on the threads
     for (auto& [column, levels] : total)

@@ -13,12 +13,12 @@ namespace refitlab {
 
 using Tightness = std::map<std::string, std::vector<LevelTightness>>;  // by variant, by level - 1
 
-// The columns of the experiment in the order of the report: "reference", every contender, "linear_under_spherical"
+// The columns of the experiment in the order of the report: "reference", every method, "linear_under_spherical"
 // (the linear refit against spherically skinned vertices), "bottom_up", "optimal", "optimal_linear" and
 // "optimal_dual_quaternion".
 std::vector<std::string> tightness_columns();
 
-// All variants in all postures of the set, on all processors.
-Tightness measure_tightness(const AnimatedCharacter& character, const PostureSet& postures);
+// All variants in all poses of the set, on all processors.
+Tightness measure_tightness(const AnimatedCharacter& character, const PoseSet& poses);
 
 }  // namespace refitlab

@@ -1,4 +1,4 @@
-// The tightness experiment: Table 1 for every model and posture, with what each variant misses.
+// The tightness experiment: Table 1 for every model and pose, with what each variant misses.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace refitlab {
 
 struct TightnessResult {
-  std::string model, posture, posture_kind;  // posture_kind: "clip", "twist" or "worst_twist"
-  int postures;                              // how many were sampled
+  std::string model, pose, pose_kind;  // pose_kind: "clip", "twist" or "worst_twist"
+  int poses;                              // how many were sampled
   Tightness tightness;
 };
 
@@ -18,8 +18,8 @@ struct TightnessSettings {
   int times_per_clip = 50;
 };
 
-// Runs all clips of one model, and these postures, with progress on stdout, and prints its tables.
-std::vector<TightnessResult> run_tightness(const AnimatedCharacter& character, const std::vector<NamedPosture>& postures,
+// Runs all clips of one model, and these poses, with progress on stdout, and prints its tables.
+std::vector<TightnessResult> run_tightness(const AnimatedCharacter& character, const std::vector<NamedPose>& poses,
                                            const TightnessSettings& settings);
 
 // All results as out/results/tightness.csv.

@@ -50,9 +50,9 @@ std::vector<int> some_nodes(const SphereTree& tree, int per_level) {
 
 using Volumes = std::map<std::string, std::vector<LevelVolumes>>;
 
-Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const Posture& posture) {
-  const auto pose = make_skinning_pose(c.mesh, c.sets, posture, Skinning::spherical);
-  const auto deformed = skin(c.mesh, c.sets, pose, Skinning::spherical);
+Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const Pose& pose) {
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose, Skinning::spherical);
+  const auto deformed = skin(c.mesh, c.sets, palette, Skinning::spherical);
   const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
   const RefitVariant& balls = compared_variant(ball_variant);
   Volumes out;
@@ -61,10 +61,10 @@ Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const
   for (const int n : nodes) {
     points.clear();
     for (const int v : c.vertices[n]) points.push_back({deformed[v], 0.0});
-    const Ball3<double> ball = balls.refit(c.refit_node(n, pose, balls.pieces));
+    const Ball3<double> ball = balls.refit(c.refit_node(n, palette, balls.pieces));
     for (const VolumeVariant& variant : volume_variants()) {
       LevelVolumes& level = out[variant.name][c.tree.nodes[n].level - 1];
-      const Volume volume = variant.refit(c.refit_node(n, pose, variant.pieces));
+      const Volume volume = variant.refit(c.refit_node(n, palette, variant.pieces));
       ++level.nodes;
       level.misses += !holds_all(volume, points, tolerance);
       level.size_sum += size_of(volume);
@@ -78,9 +78,9 @@ Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const
   return out;
 }
 
-Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const PostureSet& set) {
-  std::vector<Volumes> parts(set.postures.size());
-  parallel_for(parts.size(), [&](std::size_t i) { parts[i] = measure(c, nodes, set.postures[i]); });
+Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const PoseSet& set) {
+  std::vector<Volumes> parts(set.poses.size());
+  parallel_for(parts.size(), [&](std::size_t i) { parts[i] = measure(c, nodes, set.poses[i]); });
   Volumes total = std::move(parts[0]);
   for (std::size_t i = 1; i < parts.size(); ++i)  // in order, so that sums do not depend on the threads
     for (auto& [variant, levels] : total)
@@ -89,14 +89,14 @@ Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const
 }
 
 void print_table(const VolumeResult& r) {
-  std::printf("\n%s, %s (%d posture%s): size / the same volume of the deformed vertices; volume / the ball's\n",
-              r.model.c_str(), r.posture.c_str(), r.postures, r.postures == 1 ? "" : "s");
+  std::printf("\n%s, %s (%d pose%s): size / the same volume of the deformed vertices; volume / the ball's\n",
+              r.model.c_str(), r.pose.c_str(), r.poses, r.poses == 1 ? "" : "s");
   std::printf("%5s %7s", "level", "nodes");
   for (const VolumeVariant& variant : volume_variants()) std::printf(" | %-13s", variant.name.c_str());
   std::printf("\n");
   const std::size_t levels = r.volumes.begin()->second.size();
   for (std::size_t l = 0; l < levels; ++l) {
-    std::printf("%5zu %7ld", l + 1, r.volumes.begin()->second[l].nodes / r.postures);
+    std::printf("%5zu %7ld", l + 1, r.volumes.begin()->second[l].nodes / r.poses);
     for (const VolumeVariant& variant : volume_variants()) {
       const LevelVolumes& level = r.volumes.at(variant.name)[l];
       std::printf(" | %6.3f %6.3f", level.ratio_to_optimal(), level.volume_to_ball());
@@ -109,14 +109,14 @@ void print_table(const VolumeResult& r) {
   std::printf("  volumes that miss a vertex: %ld of %ld\n", misses, nodes);
 }
 
-std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPosture& posture, const SpeedSettings& settings) {
-  const auto pose = make_skinning_pose(c.mesh, c.sets, posture.posture, Skinning::spherical);
+std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPose& pose, const SpeedSettings& settings) {
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose.pose, Skinning::spherical);
   const int count = static_cast<int>(c.tree.nodes.size());
   std::vector<Timed> timed;
   const auto add = [&](const auto& variant) {
-    timed.push_back({variant.name, count, [&c, &pose, &variant, count] {
+    timed.push_back({variant.name, count, [&c, &palette, &variant, count] {
                        for (int n = 0; n < count; ++n)
-                         benchmark::DoNotOptimize(variant.refit(c.refit_node(n, pose, variant.pieces)));
+                         benchmark::DoNotOptimize(variant.refit(c.refit_node(n, palette, variant.pieces)));
                      }});
   };
   add(compared_variant(ball_variant));
@@ -125,7 +125,7 @@ std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPos
   std::vector<VolumeCost> out;
   for (const Timed& refit : timed) {
     const auto& own = times.at(refit.name);
-    out.push_back({c.mesh.name, posture.name, posture.kind, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
+    out.push_back({c.mesh.name, pose.name, pose.kind, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
     std::printf("  %-26s %8.1f ns per node, %6.2f times %s\n", refit.name.c_str(), out.back().ns_per_node,
                 out.back().ratio_to_ball, ball_variant);
   }
@@ -134,31 +134,31 @@ std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPos
 
 }  // namespace
 
-void run_volumes(const AnimatedCharacter& c, const NamedPosture& posture, const VolumeSettings& settings,
+void run_volumes(const AnimatedCharacter& c, const NamedPose& pose, const VolumeSettings& settings,
                  VolumeResults& results) {
-  auto sets = posture_sets(c, settings.times_per_clip);
-  sets.push_back({posture.name, {posture.posture}, posture.kind});
+  auto sets = pose_sets(c, settings.times_per_clip);
+  sets.push_back({pose.name, {pose.pose}, pose.kind});
   const std::vector<int> nodes = some_nodes(c.tree, settings.nodes_per_level);
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    const int postures = static_cast<int>(sets[i].postures.size());
+    const int poses = static_cast<int>(sets[i].poses.size());
     std::cout << "[volumes] " << c.mesh.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
-              << postures << " postures" << std::endl;
-    results.tightness.push_back({c.mesh.name, sets[i].name, sets[i].kind, postures, measure(c, nodes, sets[i])});
+              << poses << " poses" << std::endl;
+    results.tightness.push_back({c.mesh.name, sets[i].name, sets[i].kind, poses, measure(c, nodes, sets[i])});
     print_table(results.tightness.back());
   }
-  const auto costs = measure_costs(c, posture, settings.speed);
+  const auto costs = measure_costs(c, pose, settings.speed);
   results.costs.insert(results.costs.end(), costs.begin(), costs.end());
 }
 
 void write_volumes(const VolumeResults& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "posture", "variant", "level", "quantity", "value", "unit", "posture_kind", "postures"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "pose_kind", "poses"});
   for (const VolumeResult& r : results.tightness)
     for (const auto& column : r.volumes)
       for (std::size_t l = 0; l < column.second.size(); ++l) {
         const LevelVolumes& level = column.second[l];
         const auto add = [&](const char* quantity, double value, const char* unit) {
-          file.add({"volumes", r.model, r.posture, column.first, std::to_string(l + 1), quantity, format_number(value),
-                    unit, r.posture_kind, std::to_string(r.postures)});
+          file.add({"volumes", r.model, r.pose, column.first, std::to_string(l + 1), quantity, format_number(value),
+                    unit, r.pose_kind, std::to_string(r.poses)});
         };
         add("size_avg", level.size_avg(), "model unit");
         // What is a single point has no ratio.
@@ -170,8 +170,8 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
       }
   for (const VolumeCost& cost : results.costs) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"volumes", cost.model, cost.posture, cost.variant, "all", quantity, format_number(value), unit,
-                cost.posture_kind, "1"});
+      file.add({"volumes", cost.model, cost.pose, cost.variant, "all", quantity, format_number(value), unit,
+                cost.pose_kind, "1"});
     };
     add("ns_per_node", cost.ns_per_node, "ns");
     add("ratio_to_ball", cost.ratio_to_ball, "1");

@@ -16,14 +16,14 @@
 namespace refitlab {
 
 struct VolumeResult {
-  std::string model, posture, posture_kind;
-  int postures;                                              // how many were sampled
+  std::string model, pose, pose_kind;
+  int poses;                                              // how many were sampled
   std::map<std::string, std::vector<LevelVolumes>> volumes;  // by variant, by level - 1
 };
 
 // What refitting a node to a variant's volume costs, on average over all nodes of the tree.
 struct VolumeCost {
-  std::string model, posture, posture_kind, variant;
+  std::string model, pose, pose_kind, variant;
   double ns_per_node;    // median over the repetitions
   double ratio_to_ball;  // the same of the ratio to control_mixed, which is in the list too
 };
@@ -39,8 +39,8 @@ struct VolumeResults {
   std::vector<VolumeCost> costs;
 };
 
-// All clips and the posture of one model, with progress and tables on stdout, appended to results.
-void run_volumes(const AnimatedCharacter& character, const NamedPosture& posture, const VolumeSettings& settings,
+// All clips and the pose of one model, with progress and tables on stdout, appended to results.
+void run_volumes(const AnimatedCharacter& character, const NamedPose& pose, const VolumeSettings& settings,
                  VolumeResults& results);
 
 // All results as out/results/volumes.csv.

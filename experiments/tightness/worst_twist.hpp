@@ -1,4 +1,4 @@
-// The posture in which the printed algorithm fails worst.
+// The pose in which the printed algorithm fails worst.
 #pragma once
 
 #include "experiments/scenes/scenes.hpp"
@@ -8,6 +8,6 @@ namespace refitlab {
 // The twist of one joint by 90, 120, 150 or 175 degrees for which the printed algorithm (with the skinning's own signs,
 // so that only its geometry is to blame) has the most balls with a vertex outside. Balls that are none do not count
 // here.
-NamedPosture worst_twist(const AnimatedCharacter& character);
+NamedPose worst_twist(const AnimatedCharacter& character);
 
 }  // namespace refitlab

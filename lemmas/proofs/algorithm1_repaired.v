@@ -3,7 +3,7 @@
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.lemma2_normalization Refitlab.lemma4_quaternion_hull Refitlab.rotation_bound.
-Require Import Refitlab.s41_corners_span Refitlab.s42_linear_part_hull Refitlab.s44_sum_of_bounds Refitlab.s44_joint_sets.
+Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.s44_sum_of_bounds Refitlab.s44_joint_sets.
 Import ListNotations.
 
 (* --- The program --- *)
@@ -15,7 +15,7 @@ Definition all_nonzero (qs : list (quat R)) : bool :=
 Definition bound_corner_rotations (center_of_points : list (quat R) -> quat R) (qs : list (quat R)) : rotation_ball :=
   if all_nonzero qs then let unit := map direction qs in bound_rotations unit (center_of_points unit) else all_rotations.
 
-(* A node: the ball S = [p, r] that holds its vertices in the reference posture, and its joint-sets in the posture. *)
+(* A node: the ball S = [p, r] that holds its vertices in the reference pose, and its joint-sets in the pose. *)
 Record node := Node { reference : ball (vec R); joint_sets : list posed_set }.
 
 (* Lines 7, 14 and 15: the balls of a joint-set, one a corner. *)

@@ -4,7 +4,7 @@ From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.b3_subdivision.
 Require Import Refitlab.lemma4_quaternion_hull Refitlab.rotation_bound Refitlab.algorithm1_repaired.
-Require Import Refitlab.s41_corners_span Refitlab.s42_linear_part_hull Refitlab.s44_sum_of_bounds Refitlab.s44_joint_sets.
+Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.s44_sum_of_bounds Refitlab.s44_joint_sets.
 Import ListNotations.
 
 (* --- The program --- *)

@@ -1,7 +1,7 @@
 (* algorithms/runtime/refit/linear.hpp: refitting for linear blend skinning [Kavan and Zara 2005a]. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
-Require Import Refitlab.s41_corners_span Refitlab.s42_linear_part_hull Refitlab.s44_joint_sets Refitlab.algorithm1_repaired.
+Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.s44_joint_sets Refitlab.algorithm1_repaired.
 Require Import Refitlab.control_hull.
 Import ListNotations.
 

@@ -1,7 +1,7 @@
 (* Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the corners. For
    quaternions also section 4.3. It holds as printed. *)
 From Coq Require Import List Reals Lra Psatz Lia.
-Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.s41_corners_span.
+Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.s41_weight_vertices_span.
 Import ListNotations.
 
 (* --- Statement --- *)

@@ -1,12 +1,12 @@
 (* Section 4.4, several joint-sets: one ball of the balls of all joint-sets. Lines 4 to 8 of Algorithm 1. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
-Require Import Refitlab.s41_corners_span Refitlab.s42_linear_part_hull Refitlab.s43_minkowski_sum Refitlab.s44_sum_of_bounds.
+Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.s43_minkowski_sum Refitlab.s44_sum_of_bounds.
 Import ListNotations.
 
 (* --- Statements --- *)
 
-(* A joint-set in a posture: its joints' transforms, the skinning's rotation center, and the corners of its weights. *)
+(* A joint-set in a pose: its joints' transforms, the skinning's rotation center, and the corners of its weights. *)
 Record posed_set := PosedSet {
   transforms : list rigid; rotation_center : vec R; corners : list (list R) }.
 Definition rotations (z : posed_set) := map rotation (transforms z).

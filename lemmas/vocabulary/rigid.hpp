@@ -1,4 +1,4 @@
-// Rigid transforms C_j: x -> R(rotation) x + translation, from the reference posture to the animated one (paper 3).
+// Rigid transforms C_j: x -> R(rotation) x + translation, from the reference pose to the animated one (paper 3).
 #pragma once
 
 #include "lemmas/vocabulary/quaternion.hpp"

@@ -81,20 +81,20 @@ OneCorner refit_one_corner(int joints, int balls) {
   RefitLists<S> lists;
   const std::vector<S> weights(joints, S(1) / S(joints));
   for (; out.balls < balls; ++out.balls) {
-    SkinningPose<S> pose;
-    const auto transforms = pose.append(static_cast<std::size_t>(joints));
+    SkinningPalette<S> palette;
+    const auto transforms = palette.append(static_cast<std::size_t>(joints));
     for (int j = 0; j < joints; ++j) {
       Quaternion<S> q = unit();
       for (int turn = 1; turn < 5; ++turn) q = multiply(q, unit());
       transforms[j].rotation = q;
     }
     make_signs_consistent(transforms);
-    pose.complete(Vec<S, 3>::Zero());
-    const NodeJointSet set{0, 0, 1};
-    const RefitNode<S> node{{Vec<S, 3>(1, 2, 3), S(1)}, {&set, 1}, weights.data(), pose};
+    palette.complete(Vec<S, 3>::Zero());
+    const NodePiece set{0, 0, 1};
+    const RefitNode<S> node{{Vec<S, 3>(1, 2, 3), S(1)}, {&set, 1}, weights.data(), palette};
     out.not_a_number += std::isnan(refit_algorithm1_printed<MeanBalls>(node, Signs::of_skinning, lists).radius);
     const Ball3<S> repaired = refit_algorithm1_repaired<MeanBalls>(node, lists);
-    const Vec<S, 3> image = blend_spherical<S>(pose[0], weights, node.reference.center);
+    const Vec<S, 3> image = blend_spherical<S>(palette[0], weights, node.reference.center);
     out.repaired_wrong +=
         !(norm<S, 3>(repaired.center - image) < 1e-5 && repaired.radius >= 1 && repaired.radius < S(1.00001));
   }

@@ -72,7 +72,7 @@ struct Misses {
 bool has_short_blend(const RefitCase& c) {
   for (const auto& set : c.sets)
     for (const auto& corner : set.weights.corners)
-      if (const auto q = squared_norm(blend_quaternion<Rational>(set.pose, corner)); q != 0 && q < Rational(1, 1000000))
+      if (const auto q = squared_norm(blend_quaternion<Rational>(set.palette, corner)); q != 0 && q < Rational(1, 1000000))
         return true;
   return false;
 }
@@ -94,7 +94,7 @@ void check_double(Misses& misses) {
     missed = true;
     const Rational beyond = squared_distance(*v, exact.center) - exact.radius * exact.radius;
     double size = ball.center.norm() + ball.radius;
-    for (const auto& set : c.sets) size += lift<double>(set.pose.rotation_center).norm();
+    for (const auto& set : c.sets) size += lift<double>(set.palette.rotation_center).norm();
     const double relative =
         CGAL::to_double(beyond) / (ball.radius + std::sqrt(CGAL::to_double(squared_distance(*v, exact.center)))) / size;
     misses.worst = std::max(misses.worst, relative);
@@ -108,26 +108,26 @@ void check_double(Misses& misses) {
 std::pair<double, double> miss_of_short_blend(int off) {
   const double unit = std::ldexp(1, -24), third = 5592405 * unit;
   const std::vector<double> w{third + off * unit, third - off * unit, 1 - 2 * third};
-  SkinningPose<double> pose;
-  const auto transforms = pose.append(3);
+  SkinningPalette<double> palette;
+  const auto transforms = palette.append(3);
   const Quaternion<double> a(0.6, 0, 0.8, 0), b(0, 0.28, 0, 0.96);
   for (int j = 0; j < 3; ++j) {
     const double angle = 0.1 + j * 2 * std::acos(-1) / 3;
     transforms[j].rotation = a * std::cos(angle) + b * std::sin(angle);
   }
-  pose.complete(Point3::Zero());
-  const NodeJointSet set{0, 0, 1};
-  const RefitNode<double> node{{{1, 2, 3}, 0}, {&set, 1}, w.data(), pose};
+  palette.complete(Point3::Zero());
+  const NodePiece set{0, 0, 1};
+  const RefitNode<double> node{{{1, 2, 3}, 0}, {&set, 1}, w.data(), palette};
   const Ball3<double> ball = Repaired<MeanBalls>{}(node);
-  OwnedJointSetPose<Rational> exact;
-  for (const auto& c : pose[0].transforms)
+  OwnedPaletteEntry<Rational> exact;
+  for (const auto& c : palette[0].transforms)
     exact.transforms.push_back({convert<Rational>(c.rotation), convert<Rational>(c.translation)});
   place_rotation_center<Rational>(exact, gen::RationalVec<3>::Zero());
   std::vector<Rational> weights;
   for (const double x : w) weights.push_back(Rational(x));
   const auto v = blend_spherical<Rational>(exact, weights, convert<Rational>(node.reference.center));
   const double distance = std::sqrt(CGAL::to_double(squared_distance<Rational, 3>(v, convert<Rational>(ball.center))));
-  return {norm(blend_quaternion<double>(pose[0], w)), (distance - ball.radius) / node.reference.center.norm()};
+  return {norm(blend_quaternion<double>(palette[0], w)), (distance - ball.radius) / node.reference.center.norm()};
 }
 
 Checked report(const Misses& m) {

@@ -5,7 +5,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/node_refit.hpp"
-#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
@@ -18,7 +18,7 @@ using oracle::allocations_in;
 
 constexpr int frames = 12;
 
-Posture step(const AnimatedCharacter& c, int frame, double share) {
+Pose step(const AnimatedCharacter& c, int frame, double share) {
   const Clip& walk = c.clips[0];
   return walk.sample(std::fmod(frame / static_cast<double>(frames) + share, 1.0) * walk.duration);
 }
@@ -47,7 +47,7 @@ PROPTEST(allocations) {
           QueryCounts counts;
           const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
           for (int frame = 0; frame < 2 * frames; ++frame) {  // twice around: the first time may make room
-            const Posture first = step(man, frame, 0.2), second = step(man, frame, 0.7);
+            const Pose first = step(man, frame, 0.2), second = step(man, frame, 0.7);
             std::size_t found = 0;
             const long allocations = allocations_in([&] {
               a.begin(first, {}), b.begin(second, at);
@@ -67,19 +67,19 @@ PROPTEST(allocations) {
         const auto man = bake(make_man());
         BatchRefit batch(man.tree, man.sets);
         NodeRefit single(man.tree, man.sets);
-        const PosePacks packs(man.mesh, man.sets, Skinning::spherical);
-        SkinningPose<double> pose;
+        const PalettePacks packs(man.mesh, man.sets, Skinning::spherical);
+        SkinningPalette<double> palette;
         long taken = 0, of_batch = 0;
         float sum = 0;
         for (int frame = 0; frame < frames; ++frame) {
-          const Posture posture = step(man, frame, 0);
+          const Pose pose = step(man, frame, 0);
           const long allocations = allocations_in([&] {
-            packs.make(posture, pose);
-            single.begin(pose);
+            packs.make(pose, palette);
+            single.begin(palette);
             for (std::size_t n = 0; n < man.tree.nodes.size(); ++n) sum += single(static_cast<int>(n)).radius;
           });
           const long batches =
-              allocations_in([&] { sum += batch.spherical(pose)[0].radius + batch.linear(pose)[0].radius; });
+              allocations_in([&] { sum += batch.spherical(palette)[0].radius + batch.linear(palette)[0].radius; });
           if (frame > 0) taken += allocations, of_batch = std::max(of_batch, batches);
         }
         return Checked(taken == 0 && of_batch <= 12 && sum > 0, frames - 1, "a batch " + std::to_string(of_batch));

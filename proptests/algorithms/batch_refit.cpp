@@ -23,16 +23,16 @@ namespace {
 using namespace refitlab;
 
 // defect: of the squared lengths of some quaternions, the others having none.
-Posture random_posture(const SkinnedMesh& model, unsigned seed, double calm, double defect) {
+Pose random_pose(const SkinnedMesh& model, unsigned seed, double calm, double defect) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  Posture posture = reference_posture(model);
-  for (auto& t : posture) {
+  Pose pose = reference_pose(model);
+  for (auto& t : pose) {
     t.rotation = {calm + normal(random), normal(random), normal(random), normal(random)};
     t.rotation = gen::of_defect(t.rotation.normalized(), random() % 2 ? defect : 0);
     t.translation = {normal(random), normal(random), normal(random)};
   }
-  return posture;
+  return pose;
 }
 
 // Of vectors of unit length, that their greatest angle to their mean is within float's rounding of what makes the cap of
@@ -53,9 +53,9 @@ bool exact_encloses(const Ball3<double>& ball, const Point3& v) {
 }
 
 // Certainly so: near a right angle, and near a half-sphere of quaternions, float may know it otherwise.
-bool is_any_rotation(const RefitNode<double>& node, const NodeJointSet& set) {
+bool is_any_rotation(const RefitNode<double>& node, const NodePiece& set) {
   std::vector<Quaternion<double>> unit;
-  return set.corner_count > 1 && bound_joint_set_rotations<MeanBalls>(node, set, unit).center_ratio == 0 &&
+  return set.weight_vertex_count > 1 && bound_joint_set_rotations<MeanBalls>(node, set, unit).center_ratio == 0 &&
          !is_near_a_right_angle(unit);
 }
 
@@ -64,11 +64,11 @@ double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning 
   constexpr double epsilon = std::numeric_limits<float>::epsilon();
   double slack = 0, largest = 0;
   for (const TreeNode& n : tree.nodes) largest = std::max(largest, n.reference.center.norm());
-  for (const NodeJointSet& set : node.joint_sets) {
-    const JointSetPose<double> pose = node.pose[set.joint_set];
-    const auto n = static_cast<double>(pose.transforms.size());
+  for (const NodePiece& set : node.pieces) {
+    const PaletteEntry<double> palette = node.palette[set.joint_set];
+    const auto n = static_cast<double>(palette.transforms.size());
     double size = 0, shortest = 1, defect = 0;
-    for (const auto& t : pose.transforms) {
+    for (const auto& t : palette.transforms) {
       size = std::max(size, t.translation.norm());
       defect = std::max(defect, std::abs(squared_norm(t.rotation) - 1));
     }
@@ -77,12 +77,12 @@ double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning 
       continue;
     }
     size = 0;
-    for (const auto& image : pose.center_images) size = std::max(size, image.norm());
+    for (const auto& image : palette.center_images) size = std::max(size, image.norm());
     if (!is_any_rotation(node, set))  // of which none would be off
-      for (int k = 0; k < set.corner_count; ++k)
-        shortest = std::min(shortest, norm(blend_quaternion<double>(pose, node.corner(set, k))));
-    const double x = (node.reference.center - pose.rotation_center).lpNorm<1>();
-    slack = std::max(slack, epsilon * (66 + 2 * n) * (x / shortest + size + 2 * pose.rotation_center.norm()));
+      for (int k = 0; k < set.weight_vertex_count; ++k)
+        shortest = std::min(shortest, norm(blend_quaternion<double>(palette, node.corner(set, k))));
+    const double x = (node.reference.center - palette.rotation_center).lpNorm<1>();
+    slack = std::max(slack, epsilon * (66 + 2 * n) * (x / shortest + size + 2 * palette.rotation_center.norm()));
   }
   return 1.01 * slack;
 }
@@ -95,14 +95,14 @@ std::string what_is_missed(const gen::WideModel& wide) {
   const SphereTree tree = build_sphere_tree(model, sets, {.triangles_per_leaf = wide.triangles_per_leaf});
   const NodeVertices vertices(tree, model);
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::hejl}) {
-    const auto pose = make_skinning_pose(model, sets, wide.posture, skinning);
-    const auto deformed = skin(model, sets, pose, skinning);
+    const auto palette = make_skinning_palette(model, sets, wide.pose, skinning);
+    const auto deformed = skin(model, sets, palette, skinning);
     double largest = wide.largest_length;  // rotation centers of nearly parallel joints are far away
     for (int s = 0; s < sets.count(); ++s) {
-      largest = std::max(largest, pose[s].rotation_center.stableNorm());
-      for (const Point3& image : pose[s].center_images) largest = std::max(largest, image.stableNorm());
+      largest = std::max(largest, palette[s].rotation_center.stableNorm());
+      for (const Point3& image : palette[s].center_images) largest = std::max(largest, image.stableNorm());
     }
-    ExactSkin exact(model, sets, pose, skinning);
+    ExactSkin exact(model, sets, palette, skinning);
     const auto complaint = [&](const std::string& how, auto&& ball_of) -> std::string {
       for (int n = 0; n < static_cast<int>(tree.nodes.size()); ++n) {
         const Ball3<float> of_floats = ball_of(n);
@@ -118,12 +118,12 @@ std::string what_is_missed(const gen::WideModel& wide) {
     try {
       BatchRefit batch(tree, sets);
       for (const Target target : available_targets()) {
-        const PackedBalls& balls = skinning == Skinning::linear ? batch.linear(pose, target) : batch.spherical(pose, target);
+        const PackedBalls& balls = skinning == Skinning::linear ? batch.linear(palette, target) : batch.spherical(palette, target);
         if (const auto wrong = complaint(name_of(target), [&](int n) { return balls[n]; }); !wrong.empty()) return wrong;
       }
       if (skinning == Skinning::linear) continue;
       NodeRefit one(tree, sets);
-      one.begin(pose);
+      one.begin(palette);
       if (const auto wrong = complaint("NodeRefit", [&](int n) { return one(n); }); !wrong.empty()) return wrong;
     } catch (const std::range_error& e) {  // only for what is too large
       if (largest < 0x1p54) return e.what();
@@ -134,7 +134,7 @@ std::string what_is_missed(const gen::WideModel& wide) {
 
 // Joints of which one turns the other way than the rest: of the corners many are one way and few the other, so that these are
 // on the far side of the sphere from the mean.
-std::pair<SkinnedMesh, Posture> lopsided(std::mt19937& random) {
+std::pair<SkinnedMesh, Pose> lopsided(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   SkinnedMesh model;
   model.name = "lopsided";
@@ -148,10 +148,10 @@ std::pair<SkinnedMesh, Posture> lopsided(std::mt19937& random) {
       model.influences.back().push_back({joint, w});
     if (v % 3 == 2) model.triangles.push_back({v - 2, v - 1, v});
   }
-  Posture posture = reference_posture(model);
+  Pose pose = reference_pose(model);
   const double near = 0.1 * uniform(random);
-  for (int j = 1; j < 4; ++j) posture[j].rotation = Quaternion<double>(near, j == 2 ? -1 : 1, 0, 0.05 * uniform(random)).normalized();
-  return {std::move(model), std::move(posture)};
+  for (int j = 1; j < 4; ++j) pose[j].rotation = Quaternion<double>(near, j == 2 ? -1 : 1, 0, 0.05 * uniform(random)).normalized();
+  return {std::move(model), std::move(pose)};
 }
 
 // An octahedron about the origin, all of whose vertices are as far out as its ball is wide, between joints that turn it
@@ -178,7 +178,7 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
   const int about = (axis + 1) % 3;
   const double defects[] = {0, 1e-7, 1e-6, -1e-6};
   for (int j = 0; j < joints; ++j)
-    out.posture.push_back({gen::of_defect(Quaternion<double>::Unit(1 + about), defects[random() % 4]), Point3::Unit(axis) * (j == 0 ? way : -way)});
+    out.pose.push_back({gen::of_defect(Quaternion<double>::Unit(1 + about), defects[random() % 4]), Point3::Unit(axis) * (j == 0 ? way : -way)});
   out.largest_length = 2;
   out.what = std::to_string(joints) + " joints, r " + std::to_string(r);
   return out;
@@ -187,25 +187,25 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
 // A node of one joint-set whose rotations are not all.
 bool is_bounded(const RefitNode<double>& node) {
   std::vector<Quaternion<double>> scratch;
-  return node.joint_sets.size() == 1 &&
-         bound_joint_set_rotations<MeanBalls>(node, node.joint_sets[0], scratch).center_ratio > 0;
+  return node.pieces.size() == 1 &&
+         bound_joint_set_rotations<MeanBalls>(node, node.pieces[0], scratch).center_ratio > 0;
 }
 
 // Nothing if all is well.
-std::string what_is_wrong(const SkinnedMesh& model, const Posture& posture, Skinning skinning) {
+std::string what_is_wrong(const SkinnedMesh& model, const Pose& pose, Skinning skinning) {
   const JointSets sets(model);
   const SphereTree tree = build_sphere_tree(model, sets);
   const NodeVertices vertices(tree, model);
-  const auto pose = make_skinning_pose(model, sets, posture, skinning);
-  const auto deformed = skin(model, sets, pose, skinning);
+  const auto palette = make_skinning_palette(model, sets, pose, skinning);
+  const auto deformed = skin(model, sets, palette, skinning);
   BatchRefit batch(tree, sets);
   RefitLists<double> lists;
   ControlLists<double> control_lists;
   NodeRefit one(tree, sets);
-  one.begin(pose);
+  one.begin(palette);
   std::vector<std::pair<std::string, std::vector<Ball3<float>>>> all;
   for (const Target target : available_targets()) {
-    const PackedBalls& balls = skinning == Skinning::linear ? batch.linear(pose, target) : batch.spherical(pose, target);
+    const PackedBalls& balls = skinning == Skinning::linear ? batch.linear(palette, target) : batch.spherical(palette, target);
     all.push_back({name_of(target), {}});
     for (std::size_t n = 0; n < tree.nodes.size(); ++n) all.back().second.push_back(balls[static_cast<int>(n)]);
   }
@@ -216,19 +216,19 @@ std::string what_is_wrong(const SkinnedMesh& model, const Posture& posture, Skin
   for (const auto& [how, balls] : all) {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
       const int n = static_cast<int>(i);
-      const auto node = tree.refit_node(n, pose);
+      const auto node = tree.refit_node(n, palette);
       const Ball3<double> expected = skinning == Skinning::linear ? refit_linear<MeanBalls>(node, control_lists)
                                                                   : refit_algorithm1_repaired<MeanBalls>(node, lists);
       const Point3 center = balls[n].center.cast<double>();
       const double radius = balls[n].radius, slack = slack_of(tree, node, skinning), off = (center - expected.center).norm();
       const std::string which = "node " + std::to_string(n) + " by " + how;
       int corners = 0;
-      for (const NodeJointSet& set : node.joint_sets) corners += set.corner_count;
+      for (const NodePiece& set : node.pieces) corners += set.weight_vertex_count;
       // The center is a mean, so many terms of which may be off by more: a ball is measured from whatever came out.
       if (!(off <= slack * (1 + corners / 64.))) return which + ": center off by " + std::to_string(off / slack) + " slacks";
       if (!(radius >= expected.radius - off)) return which + ": smaller than in double";
-      const bool one_set = node.joint_sets.size() == 1, is_sized = skinning == Skinning::linear || is_bounded(node);
-      if (one_set && (is_sized || is_any_rotation(node, node.joint_sets[0])) && !(radius >= expected.radius - off + 0.8 * slack))
+      const bool one_set = node.pieces.size() == 1, is_sized = skinning == Skinning::linear || is_bounded(node);
+      if (one_set && (is_sized || is_any_rotation(node, node.pieces[0])) && !(radius >= expected.radius - off + 0.8 * slack))
         return which + ": without the slack, " + std::to_string((radius - expected.radius) / slack) + " of it";
       if (!(radius <= (expected.radius + off + 2 * slack) * (1 + 2e-6))) return which + ": larger than the slack allows";
       for (const int v : vertices[n])
@@ -249,8 +249,8 @@ PROPTEST(batch_refit) {
               RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
               const SkinnedMesh model = gen::make_mesh(plan);
               const double defect = *rc::gen::element(0., 1e-7, 1e-6, -1e-6);
-              const auto posture = random_posture(model, plan.seed, *rc::gen::element(0., 1., 5.), defect);
-              RC_ASSERT(what_is_wrong(model, posture, skinning) == "");
+              const auto pose = random_pose(model, plan.seed, *rc::gen::element(0., 1., 5.), defect);
+              RC_ASSERT(what_is_wrong(model, pose, skinning) == "");
             });
     t.example("the same of the built-in man and creature in mid-clip: " + name, {.number_type = "float pack"}, [skinning] {
       for (const Model& model : {make_man(), make_creature()}) {
@@ -269,9 +269,9 @@ PROPTEST(batch_refit) {
     model.triangles = {{0, 1, 2}};
     model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
     for (const double half_angle : {1.0, 1.4, 1.5, 1.55, 1.57}) {
-      Posture posture = reference_posture(model);
-      posture[1] = {{std::cos(half_angle), 0, 0, std::sin(half_angle)}, {0.3, 0.2, 0.1}};
-      const auto wrong = what_is_wrong(model, posture, Skinning::spherical);
+      Pose pose = reference_pose(model);
+      pose[1] = {{std::cos(half_angle), 0, 0, std::sin(half_angle)}, {0.3, 0.2, 0.1}};
+      const auto wrong = what_is_wrong(model, pose, Skinning::spherical);
       if (!wrong.empty()) return Checked(false, 1, std::to_string(half_angle) + ": " + wrong);
     }
     return Checked(true, 5);
@@ -280,7 +280,7 @@ PROPTEST(batch_refit) {
           {.number_type = "float pack", .cases = 100, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
             const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
             RC_TAG(gen::label_of(soup));
-            const auto wrong = what_is_wrong(soup.mesh, soup.posture, Skinning::spherical);
+            const auto wrong = what_is_wrong(soup.mesh, soup.pose, Skinning::spherical);
             if (!wrong.empty()) RC_FAIL(wrong);
           });
   t.holds("nor of what the interface accepts at its ends, be it skinned exactly: tiny, huge, of many joints, of lengths off 1",
@@ -305,8 +305,8 @@ PROPTEST(batch_refit) {
             });
   t.holds("nor where few corners turn the other way than the rest", {.number_type = "float pack", .cases = 200}, [] {
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-    const auto [model, posture] = lopsided(random);
-    if (const auto wrong = what_is_wrong(model, posture, Skinning::spherical); !wrong.empty()) RC_FAIL(wrong);
+    const auto [model, pose] = lopsided(random);
+    if (const auto wrong = what_is_wrong(model, pose, Skinning::spherical); !wrong.empty()) RC_FAIL(wrong);
   });
   t.example("the slack grows with the number of joints, of which 90 turn alike", {.number_type = "float pack"}, [] {
     SkinnedMesh model;
@@ -321,10 +321,10 @@ PROPTEST(batch_refit) {
     model.influences.resize(3);
     for (auto& influences : model.influences)
       for (const auto& [joint, w] : quantize_weights(weights)) influences.push_back({joint, w});
-    Posture posture = reference_posture(model);
-    for (auto& t : posture) t.rotation = {0.6, 0.8, 0, 0};
+    Pose pose = reference_pose(model);
+    for (auto& t : pose) t.rotation = {0.6, 0.8, 0, 0};
     for (const Skinning skinning : {Skinning::spherical, Skinning::linear})
-      if (const auto wrong = what_is_wrong(model, posture, skinning); !wrong.empty()) return Checked(false, 1, wrong);
+      if (const auto wrong = what_is_wrong(model, pose, skinning); !wrong.empty()) return Checked(false, 1, wrong);
     return Checked(true, 2);
   });
   t.example("lengths are taken up to 2^58, by 0.1 % more or less for rounding, and refused beyond, be they of a node or of a joint", {}, [] {
@@ -339,23 +339,23 @@ PROPTEST(batch_refit) {
         model.vertices = {p, p + Point3::UnitY(), p + Point3::UnitZ()};
         model.triangles = {{0, 1, 2}};
         model.influences.assign(3, {{0, 1}});
-        Posture posture = reference_posture(model);
-        if (moved) posture[0].translation = {length, 0, 0};
+        Pose pose = reference_pose(model);
+        if (moved) pose[0].translation = {length, 0, 0};
         const JointSets sets(model);
         const SphereTree tree = build_sphere_tree(model, sets);
         for (const Skinning skinning : {Skinning::linear, Skinning::spherical})
           for (const bool one_by_one : {true, false}) {
             if (one_by_one && skinning == Skinning::linear) continue;
             try {
-              const auto pose = make_skinning_pose(model, sets, posture, skinning);
+              const auto palette = make_skinning_palette(model, sets, pose, skinning);
               Ball3<float> ball;
               if (one_by_one) {
                 NodeRefit one(tree, sets);
-                one.begin(pose);
+                one.begin(palette);
                 ball = one(0);
               } else {
                 BatchRefit batch(tree, sets);
-                ball = (skinning == Skinning::linear ? batch.linear(pose) : batch.spherical(pose))[0];
+                ball = (skinning == Skinning::linear ? batch.linear(palette) : batch.spherical(palette))[0];
               }
               if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return Checked(false, taken, "not finite");
               taken += share < 1;

@@ -22,13 +22,13 @@ constexpr int halvings = most_halvings + 3;
 double random_number(std::mt19937& random) { return std::normal_distribution<double>(0, 1)(random); }
 
 oracle::BlendCorners corners_of(const SkinnedPiece& piece) {
-  return oracle::blend_corners(piece.pose, piece.corners, piece.reference.center, piece.skinning);
+  return oracle::blend_corners(piece.palette, piece.corners, piece.reference.center, piece.skinning);
 }
 
 // The least radius about the center that is found a bound.
 double least_radius(const SkinnedPiece& piece, const Vec<double, 3>& center) {
   if (piece.skinning == Skinning::linear)
-    return oracle::needed_radius_linear(piece.pose, piece.corners, piece.reference, center);
+    return oracle::needed_radius_linear(piece.palette, piece.corners, piece.reference, center);
   return piece.reference.radius + oracle::least_found_radius(corners_of(piece), center, halvings);
 }
 
@@ -59,7 +59,7 @@ Ball3<double> ball_to_try(const SkinnedPiece& piece, std::mt19937& random) {
   const double far = std::array{0., 0.1, 1., 30.}[std::uniform_int_distribution<int>(0, 3)(random)];
   for (int i = 0; i < 3; ++i) out.center[i] = far * random_number(random);
   if (std::uniform_int_distribution<int>(0, 1)(random) && piece.skinning == Skinning::spherical)
-    out.center += piece.pose.center_images[0];
+    out.center += piece.palette.center_images[0];
   out.radius = least_radius(piece, out.center);
   return out;
 }
@@ -108,8 +108,8 @@ void check_first_tried(Skinning skinning) {
 
 // --- Where the least radius is a double: found exactly there, and not one ulp below ---
 
-OwnedJointSetPose<double> pose_of(std::vector<Quaternion<double>> rotations) {
-  OwnedJointSetPose<double> out;
+OwnedPaletteEntry<double> palette_of(std::vector<Quaternion<double>> rotations) {
+  OwnedPaletteEntry<double> out;
   for (const auto& q : rotations) {
     out.transforms.push_back({q, {0, 0, 0}});
     out.center_images.push_back({0, 0, 0});
@@ -136,17 +136,17 @@ PROPTEST(bound) {
   t.example("where the least radius is a double, it is found there and not one ulp below", {}, [] {
     const Quaternion<double> one{1, 0, 0, 0}, left{2, 1, 0, 0}, right{2, -1, 0, 0}, two{2, 0, 0, 0};
     const std::vector<std::vector<double>> single{{1}}, both{{1, 0}, {0, 1}};
-    auto moved = pose_of({one, one});
+    auto moved = palette_of({one, one});
     moved.center_images[1] = {12, 0, 0};
     auto translated = moved;
     translated.transforms[1].translation = {12, 0, 0};
-    auto dual = pose_of({one, one});
+    auto dual = palette_of({one, one});
     dual.duals[1] = {0, 6, 0, 0};
     const bool linear = is_edge({Skinning::linear, translated, both, {{0, 0, 0}, 1}}, {{0, 5, 0}, 14}, By::control);
-    const bool longer = is_edge({Skinning::linear, pose_of({two}), single, {{0, 0, 0}, 1}}, {{0, 0, 0}, 7}, By::control);
+    const bool longer = is_edge({Skinning::linear, palette_of({two}), single, {{0, 0, 0}, 1}}, {{0, 0, 0}, 7}, By::control);
     const bool any = is_edge({Skinning::spherical, moved, both, {{0, 0, 0}, 1}}, {{0, 5, 0}, 14}, By::all_rotations);
-    const bool cap = is_edge({Skinning::spherical, pose_of({left, right}), both, {{0, 0, 5}, 1}}, {{0, 0, 3}, 5}, By::cap);
-    const bool reach = is_edge({Skinning::dual_quaternion, pose_of({one}), single, {{3, 4, 0}, 1}}, {{0, 0, 0}, 6}, By::reach);
+    const bool cap = is_edge({Skinning::spherical, palette_of({left, right}), both, {{0, 0, 5}, 1}}, {{0, 0, 3}, 5}, By::cap);
+    const bool reach = is_edge({Skinning::dual_quaternion, palette_of({one}), single, {{3, 4, 0}, 1}}, {{0, 0, 0}, 6}, By::reach);
     const bool mixed = is_edge({Skinning::dual_quaternion, dual, both, {{0, 0, 0}, 1}}, {{0, 5, 0}, 14}, By::control);
     return Checked(linear && longer && any && cap && reach && mixed, 6,
                    std::to_string(linear) + std::to_string(longer) + std::to_string(any) + std::to_string(cap) +
@@ -157,7 +157,7 @@ PROPTEST(bound) {
           [] { check_first_tried(Skinning::dual_quaternion); });
   t.example("corners at a right angle have no control points before they are halved", {}, [] {
     for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
-      const SkinnedPiece piece(skinning, pose_of({{1, 0, 0, 0}, {0, 1, 0, 0}}), {{1, 0}, {0, 1}}, {{0, 0, 1}, 0});
+      const SkinnedPiece piece(skinning, palette_of({{1, 0, 0, 0}, {0, 1, 0, 0}}), {{1, 0}, {0, 1}}, {{0, 0, 1}, 0});
       const auto bound = found(piece, {{10, 0, 0}, 10.5});
       if (!bound || bound->by != By::halves) return false;
     }
@@ -167,20 +167,20 @@ PROPTEST(bound) {
     for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion})
       for (const Quaternion<double>& last : {Quaternion<double>{-1, 0, 0, 0}, {-2, 0, 0, 0}, {-2, 1, 0, 0}}) {
         const std::vector<std::vector<double>> all{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        const SkinnedPiece piece(skinning, pose_of({{1, 0, 0, 0}, {1, 0, 0, 0}, last}), all, {{0, 0, 3}, 1});
+        const SkinnedPiece piece(skinning, palette_of({{1, 0, 0, 0}, {1, 0, 0, 0}, last}), all, {{0, 0, 3}, 1});
         if (found(piece, {{0, 0, 3}, 1.5})) return false;
       }
-    const SkinnedPiece zero(Skinning::spherical, pose_of({{1, 0, 0, 0}, {0, 0, 0, 0}}), {{1, 0}, {0, 1}}, {{3, 0, 0}, 1});
+    const SkinnedPiece zero(Skinning::spherical, palette_of({{1, 0, 0, 0}, {0, 0, 0, 0}}), {{1, 0}, {0, 1}}, {{3, 0, 0}, 1});
     return !found(zero, {{3, 0, 0}, 1.5}) && found(zero, {{0, 0, 0}, 4})->by == By::all_rotations;
   });
   t.example("corners so long that their mean overflows have no axis, and no error", {}, [] {
-    const SkinnedPiece piece(Skinning::dual_quaternion, pose_of({{1.5e308, 0, 0, 0}, {1.5e308, 1e300, 0, 0}}), {{1, 0}, {0, 1}},
+    const SkinnedPiece piece(Skinning::dual_quaternion, palette_of({{1.5e308, 0, 0, 0}, {1.5e308, 1e300, 0, 0}}), {{1, 0}, {0, 1}},
                              {{0, 0, 0}, 1});
     return found(piece, {{0, 0, 0}, 2}).has_value();
   });
   t.example("a ball smaller than the reference ball is found nothing, and one as large is", {}, [] {
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      const SkinnedPiece piece(skinning, pose_of({{1, 0, 0, 0}}), {{1}}, {{0, 0, 0}, 1});
+      const SkinnedPiece piece(skinning, palette_of({{1, 0, 0, 0}}), {{1}}, {{0, 0, 0}, 1});
       if (!found(piece, {{0, 0, 0}, 1}) || found(piece, {{0, 0, 0}, std::nextafter(1, 0)}) || found(piece, {{0, 0, 0}, 0}) ||
           found(piece, {{0, 0, 0}, -2}))
         return false;

@@ -10,7 +10,7 @@
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/opposite_joints.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -22,11 +22,11 @@ using namespace refitlab;
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
 std::vector<FlippedBox> bound(const Character& c, std::span<const int> nodes, Skinning skinning,
-                              const SkinningPose<double>& pose, const Quaternion<double>& rotation, Target target) {
+                              const SkinningPalette<double>& palette, const Quaternion<double>& rotation, Target target) {
   JointFloats joints(c.sets);
-  joints.fill(pose, skinning);
+  joints.fill(palette, skinning);
   std::vector<FlippedBox> boxes(nodes.size());
-  bound_boxes(make_box_pieces(c, nodes), skinning, joints, pose, rotation, boxes, target);
+  bound_boxes(make_box_pieces(c, nodes), skinning, joints, palette, rotation, boxes, target);
   return boxes;
 }
 
@@ -68,19 +68,19 @@ PROPTEST(box_packs) {
         const auto c = bake(std::move(model));
         std::mt19937 random(plan.seed);
         const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
-        const Posture posture =
-            gen::with_lengths(gen::random_posture(c.mesh, random, spread), gen::random_unit_length(random), random);
+        const Pose pose =
+            gen::with_lengths(gen::random_pose(c.mesh, random, spread), gen::random_unit_length(random), random);
         const Quaternion<double> rotation =
             gen::with_length(gen::random_rotation(random, 1), gen::random_unit_length(random), random);
         std::vector<int> nodes;
         for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
         const Skinning skinning =
             *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
-        const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
-        auto turned = skin(c.mesh, c.sets, pose, skinning);
+        const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+        auto turned = skin(c.mesh, c.sets, palette, skinning);
         for (auto& p : turned) p = rotate(rotation, p);
         for (const Target target : available_targets()) {
-          const auto boxes = bound(c, nodes, skinning, pose, rotation, target);
+          const auto boxes = bound(c, nodes, skinning, palette, rotation, target);
           for (const int n : nodes) RC_ASSERT(excess(c, n, turned, boxes[n]) <= 0);
         }
         RC_TAG(name_of(best_target()));
@@ -90,16 +90,16 @@ PROPTEST(box_packs) {
       {.number_type = "float", .cases = 300, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
         const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
         const auto c = bake(soup.mesh);
-        const Posture& posture = soup.posture;
+        const Pose& pose = soup.pose;
         RC_TAG(gen::label_of(soup));
         std::vector<int> nodes;
         for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
         const Skinning skinning =
             *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
-        const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
-        const auto skinned = skin(c.mesh, c.sets, pose, skinning);
+        const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+        const auto skinned = skin(c.mesh, c.sets, palette, skinning);
         for (const Target target : available_targets()) {
-          const auto boxes = bound(c, nodes, skinning, pose, identity_quaternion<double>(), target);
+          const auto boxes = bound(c, nodes, skinning, palette, identity_quaternion<double>(), target);
           for (const int n : nodes) RC_ASSERT(excess(c, n, skinned, boxes[n]) <= 0);
         }
       });
@@ -113,13 +113,13 @@ PROPTEST(box_packs) {
         const gen::Attained scene = gen::attained(random, {.unit = unit});
         const Skinning skinning = gen::random_skinning(random);
         const auto c = bake(scene.mesh, {.triangles_per_leaf = 8});
-        const auto pose = make_skinning_pose(c.mesh, c.sets, scene.posture, skinning);
-        auto turned = skin(c.mesh, c.sets, pose, skinning);
+        const auto palette = make_skinning_palette(c.mesh, c.sets, scene.pose, skinning);
+        auto turned = skin(c.mesh, c.sets, palette, skinning);
         for (auto& p : turned) p = rotate(scene.placement.rotation, p);
         const std::vector<int> root{0};
         const int joints = static_cast<int>(c.mesh.joints.size());
         for (const Target target : available_targets()) {
-          const FlippedBox box = bound(c, root, skinning, pose, scene.placement.rotation, target)[0];
+          const FlippedBox box = bound(c, root, skinning, palette, scene.placement.rotation, target)[0];
           RC_LOG() << scene.what;
           RC_ASSERT(excess(c, 0, turned, box) <= 0);
           RC_ASSERT(is_everything(box) == (skinning == Skinning::dual_quaternion && joints > most_box_joints));
@@ -141,28 +141,28 @@ PROPTEST(box_packs) {
             gen::Attained scene = gen::attained(random);
             enum { vertex, vertices, joint, center };
             const int what = *rc::gen::element<int>(vertex, vertices, joint, center);
-            const auto any_joint = [&] { return static_cast<int>(random() % scene.posture.size()); };
+            const auto any_joint = [&] { return static_cast<int>(random() % scene.pose.size()); };
             const double far = std::pow(10, exponent(random));
             const Point3 away = Point3(u(random), random() % 2 ? 0 : u(random), random() % 2 ? 0 : u(random)) * far;
             scene.placement.rotation = *rc::gen::element(scene.placement.rotation, identity_quaternion<double>());
-            if (random() % 2) scene.posture[any_joint()].rotation = gen::random_rotation(random, 0.5);
+            if (random() % 2) scene.pose[any_joint()].rotation = gen::random_rotation(random, 0.5);
             if (what == vertex) scene.mesh.vertices[random() % scene.mesh.vertices.size()] = away;
             if (what == vertices)
               for (Point3& v : scene.mesh.vertices) v += away;
-            if (what == joint) scene.posture[any_joint()].translation = away;
+            if (what == joint) scene.pose[any_joint()].translation = away;
             if (what == center)  // whose images are where the vertices were
-              for (std::size_t j = 0; j < scene.posture.size(); ++j) {
+              for (std::size_t j = 0; j < scene.pose.size(); ++j) {
                 scene.mesh.joints[j].origin = away;
-                scene.posture[j].translation = -rotate(scene.posture[j].rotation, away);
+                scene.pose[j].translation = -rotate(scene.pose[j].rotation, away);
               }
             const auto c = bake(scene.mesh, {.triangles_per_leaf = 8});
             const Skinning skinning = gen::random_skinning(random);
-            const auto pose = make_skinning_pose(c.mesh, c.sets, scene.posture, skinning);
-            auto turned = skin(c.mesh, c.sets, pose, skinning);
+            const auto palette = make_skinning_palette(c.mesh, c.sets, scene.pose, skinning);
+            auto turned = skin(c.mesh, c.sets, palette, skinning);
             for (auto& p : turned) p = rotate(scene.placement.rotation, p);
             const std::vector<int> root{0};
             for (const Target target : available_targets())
-              RC_ASSERT(excess(c, 0, turned, bound(c, root, skinning, pose, scene.placement.rotation, target)[0]) <= 0);
+              RC_ASSERT(excess(c, 0, turned, bound(c, root, skinning, palette, scene.placement.rotation, target)[0]) <= 0);
             RC_TAG(what == vertex     ? "a far vertex"
                    : what == vertices ? "far vertices"
                    : what == joint    ? "a joint that moves far"
@@ -194,7 +194,7 @@ PROPTEST(box_packs) {
   });
   t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
     const auto c = bake(make_man());
-    const auto posture = c.clips[0].sample(0.3 * c.clips[0].duration);
+    const auto pose = c.clips[0].sample(0.3 * c.clips[0].duration);
     const std::vector<int> nodes = [&] {
       std::vector<int> out;
       for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n)
@@ -205,12 +205,12 @@ PROPTEST(box_packs) {
     long looked_at = 0;
     bool ok = true;
     for (const Skinning skinning : all_skinnings) {
-      const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
-      const auto skinned = skin(c.mesh, c.sets, pose, skinning);
+      const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+      const auto skinned = skin(c.mesh, c.sets, palette, skinning);
       double bounded = 0, exact = 0;
-      const auto first = bound(c, nodes, skinning, pose, identity_quaternion<double>(), available_targets()[0]);
+      const auto first = bound(c, nodes, skinning, palette, identity_quaternion<double>(), available_targets()[0]);
       for (const Target target : available_targets()) {
-        const auto boxes = bound(c, nodes, skinning, pose, identity_quaternion<double>(), target);
+        const auto boxes = bound(c, nodes, skinning, palette, identity_quaternion<double>(), target);
         for (std::size_t n = 0; n < nodes.size(); ++n)
           for (int i = 0; i < 8; ++i) ok = ok && boxes[n].of[i] == first[n].of[i];
       }

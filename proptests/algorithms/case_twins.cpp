@@ -6,7 +6,7 @@
 #include "proptests/counterexamples/lemma3_sphere_surface_intersection.hpp"
 #include "proptests/counterexamples/lemma4_quaternion_hull.hpp"
 #include "proptests/counterexamples/lemma5_cap_enclosing_sphere.hpp"
-#include "proptests/counterexamples/s41_corners_span.hpp"
+#include "proptests/counterexamples/s41_weight_vertices_span.hpp"
 #include "proptests/counterexamples/s42_linear_part_hull.hpp"
 #include "proptests/counterexamples/s43_distance_range.hpp"
 #include "proptests/counterexamples/s43_minkowski_sum.hpp"
@@ -68,8 +68,8 @@ Json json(const PosedJointSet<Rational>& s) {
       {"transforms", json(s.transforms)}, {"rotation_center", json(s.rotation_center)}, {"corners", json(s.corners)}};
 }
 Json json(const gen::SetCase& s) {
-  return {{"transforms", json(s.pose.transforms)},
-          {"rotation_center", json(s.pose.rotation_center)},
+  return {{"transforms", json(s.palette.transforms)},
+          {"rotation_center", json(s.palette.rotation_center)},
           {"bounds", json(s.weights.bounds)}};
 }
 

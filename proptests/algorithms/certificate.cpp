@@ -10,13 +10,13 @@
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/verification/exact_skin.hpp"
-#include "algorithms/verification/refit_query.hpp"
+#include "algorithms/verification/synthetic_case.hpp"
 #include "algorithms/methods/refit/algorithm1_printed.hpp"
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/gen/bare_certified_node.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
@@ -53,8 +53,8 @@ Skinning skinning_of(const json& document) {
 }
 
 // What a document says of a joint-set.
-OwnedJointSetPose<Rational> pose_of(const json& set) {
-  OwnedJointSetPose<Rational> out;
+OwnedPaletteEntry<Rational> palette_of(const json& set) {
+  OwnedPaletteEntry<Rational> out;
   for (std::size_t i = 0; i < set["rotations"].size(); ++i) {
     out.transforms.push_back({vector<4>(set["rotations"][i]), {0, 0, 0}});
     if (set.contains("translations")) out.transforms[i].translation = vector<3>(set["translations"][i]);
@@ -75,7 +75,7 @@ bool same(const Ball3<Rational>& a, const Ball3<Rational>& b) { return a.center 
 bool is_about(const json& document, const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball,
               const CertifiedNode& of) {
   bool all = skinning_of(document) == skinning && same(ball_of(document["ball"]), exactly(ball)) &&
-             document["pieces"].size() == node.joint_sets.size() && document["vertices"].size() == of.vertices.size() &&
+             document["pieces"].size() == node.pieces.size() && document["vertices"].size() == of.vertices.size() &&
              document["node"] == of.number && document["model"] == of.model_digest && document["pose"] == of.pose_digest;
   for (std::size_t i = 0; all && i < of.vertices.size(); ++i) {
     const json& vertex = document["vertices"][i];
@@ -86,24 +86,24 @@ bool is_about(const json& document, const RefitNode<double>& node, Skinning skin
     for (std::size_t j = 0; all && j < of.vertices[i].weights.size(); ++j)
       all = number(vertex["weights"][j]) == Rational(of.vertices[i].weights[j]);
   }
-  for (std::size_t i = 0; all && i < node.joint_sets.size(); ++i) {
+  for (std::size_t i = 0; all && i < node.pieces.size(); ++i) {
     const json& piece = document["pieces"][i];
-    const NodeJointSet& set = node.joint_sets[i];
-    const auto stated = pose_of(document["joint_sets"].at(piece["joint_set"].get<std::size_t>()));
-    const JointSetPose<double> pose = node.pose[set.joint_set];
+    const NodePiece& set = node.pieces[i];
+    const auto stated = palette_of(document["joint_sets"].at(piece["joint_set"].get<std::size_t>()));
+    const PaletteEntry<double> palette = node.palette[set.joint_set];
     all = same(ball_of(piece["reference"]), exactly(node.piece_reference(i))) &&
-          piece["corners"].size() == std::size_t(set.corner_count) && stated.transforms.size() == pose.transforms.size();
-    for (int k = 0; all && k < set.corner_count; ++k)
-      for (std::size_t j = 0; j < pose.transforms.size(); ++j)
+          piece["corners"].size() == std::size_t(set.weight_vertex_count) && stated.transforms.size() == palette.transforms.size();
+    for (int k = 0; all && k < set.weight_vertex_count; ++k)
+      for (std::size_t j = 0; j < palette.transforms.size(); ++j)
         all = all && number(piece["corners"][k].at(j)) == Rational(node.corner(set, k)[j]);
-    for (std::size_t j = 0; all && j < pose.transforms.size(); ++j) {
-      all = stated.transforms[j].rotation == convert<Rational>(pose.transforms[j].rotation);
+    for (std::size_t j = 0; all && j < palette.transforms.size(); ++j) {
+      all = stated.transforms[j].rotation == convert<Rational>(palette.transforms[j].rotation);
       if (skinning == Skinning::linear)
-        all = all && stated.transforms[j].translation == convert<Rational>(pose.transforms[j].translation);
-      if (skinning == Skinning::dual_quaternion) all = all && stated.duals[j] == convert<Rational>(pose.duals[j]);
-      if (skinning == Skinning::spherical) all = all && stated.center_images[j] == convert<Rational>(pose.center_images[j]);
+        all = all && stated.transforms[j].translation == convert<Rational>(palette.transforms[j].translation);
+      if (skinning == Skinning::dual_quaternion) all = all && stated.duals[j] == convert<Rational>(palette.duals[j]);
+      if (skinning == Skinning::spherical) all = all && stated.center_images[j] == convert<Rational>(palette.center_images[j]);
     }
-    if (skinning == Skinning::spherical) all = all && stated.rotation_center == convert<Rational>(pose.rotation_center);
+    if (skinning == Skinning::spherical) all = all && stated.rotation_center == convert<Rational>(palette.rotation_center);
   }
   return all;
 }
@@ -142,15 +142,15 @@ void check_random_nodes() {
   for (const auto& line : folder.check()) RC_ASSERT(line.is_accepted());
 }
 
-// Some nodes of a character in a posture, by every sound variant.
-Checked check_nodes(const Character& c, const Posture& posture, std::mt19937& random, int nodes) {
+// Some nodes of a character in a pose, by every sound variant.
+Checked check_nodes(const Character& c, const Pose& pose, std::mt19937& random, int nodes) {
   CheckedFolder folder;
   for (int i = 0; i < nodes; ++i) {
     const int n = i == 0 ? 0 : std::uniform_int_distribution<int>(0, static_cast<int>(c.tree.nodes.size()) - 1)(random);
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
+      const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
       for (const RefitVariant& variant : compared_variants())
-        if (variant.sound && variant.skinning == skinning) certify(folder, variant, c.refit_node(n, pose, variant.pieces), certified(c, n, variant.name));
+        if (variant.sound && variant.skinning == skinning) certify(folder, variant, c.refit_node(n, palette, variant.pieces), certified(c, n, variant.name));
     }
   }
   long accepted = 0;
@@ -166,7 +166,7 @@ Checked check_model(const AnimatedCharacter& c) {
   return check_nodes(c, clip.sample(0.3718 * clip.duration), random, 5);
 }
 
-// --- Balls that are not a refit's of this node in this pose, or a little less than one ---
+// --- Balls that are not a refit's of this node in this palette, or a little less than one ---
 
 std::vector<Ball3<double>> nearby_balls(const Ball3<double>& ball, std::mt19937& random) {
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
@@ -190,22 +190,22 @@ void check_other_balls(Tried& tried) {
   const auto c = bake(gen::make_mesh(plan));
   std::mt19937 random(plan.seed);
   const double spread = *rc::gen::element(0.0, 0.3, 1.0);
-  const Posture posture = gen::random_posture(c.mesh, random, spread), other = gen::random_posture(c.mesh, random, spread);
+  const Pose pose = gen::random_pose(c.mesh, random, spread), other = gen::random_pose(c.mesh, random, spread);
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   CheckedFolder folder;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-    const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning), later = make_skinning_pose(c.mesh, c.sets, other, skinning);
-    ExactSkin skin(c.mesh, c.sets, pose, skinning);
+    const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning), later = make_skinning_palette(c.mesh, c.sets, other, skinning);
+    ExactSkin skin(c.mesh, c.sets, palette, skinning);
     std::vector<const RefitVariant*> variants;
     for (const RefitVariant& variant : compared_variants())
       if (variant.sound && variant.skinning == skinning) variants.push_back(&variant);
     const RefitVariant& variant = *variants[pick(variants.size())];
     const int n = static_cast<int>(pick(c.tree.nodes.size()));
-    const RefitNode<double> node = c.refit_node(n, pose, variant.pieces);
+    const RefitNode<double> node = c.refit_node(n, palette, variant.pieces);
     auto balls = nearby_balls(variant.refit(node), random);
     balls.push_back(variant.refit(c.refit_node(n, later, variant.pieces)));
     for (int i = 0; i < 3; ++i)
-      balls.push_back(variant.refit(c.refit_node(static_cast<int>(pick(c.tree.nodes.size())), pose, variant.pieces)));
+      balls.push_back(variant.refit(c.refit_node(static_cast<int>(pick(c.tree.nodes.size())), palette, variant.pieces)));
     for (const Ball3<double>& ball : balls) {
       if (!ball.center.allFinite() || !std::isfinite(ball.radius)) continue;
       bool is_outside = false;
@@ -308,18 +308,18 @@ struct Image {
 
 std::vector<Image> images_of(const json& document, const json& piece) {
   const Skinning skinning = skinning_of(document);
-  const auto pose = pose_of(document["joint_sets"][piece["joint_set"].get<std::size_t>()]);
+  const auto palette = palette_of(document["joint_sets"][piece["joint_set"].get<std::size_t>()]);
   const auto reference = ball_of(piece["reference"]);
   std::vector<Image> out;
   for (const Numbers& w : sampled(piece["corners"])) {
     if (skinning != Skinning::linear) {
-      if (squared_norm(blend_quaternion<Rational>(pose, w)) == 0) continue;
-      out.push_back({blend<Rational>(skinning, pose, w, reference.center), reference.radius});
+      if (squared_norm(blend_quaternion<Rational>(palette, w)) == 0) continue;
+      out.push_back({blend<Rational>(skinning, palette, w, reference.center), reference.radius});
     } else {
       for (int end = 0; end < 7; ++end) {
         Vec<Rational, 3> v = reference.center;
         if (end < 6) v[end / 2] += end % 2 ? reference.radius : -reference.radius;
-        out.push_back({blend_linear<Rational>(pose, w, v), Rational(0)});
+        out.push_back({blend_linear<Rational>(palette, w, v), Rational(0)});
       }
     }
   }
@@ -329,12 +329,12 @@ std::vector<Image> images_of(const json& document, const json& piece) {
 // A listed vertex as it is skinned, unless its blend is 0.
 std::optional<Vec<Rational, 3>> image_of(const json& document, const json& vertex) {
   const json& piece = document["pieces"].at(vertex["piece"].get<std::size_t>());
-  const auto pose = pose_of(document["joint_sets"][piece["joint_set"].get<std::size_t>()]);
+  const auto palette = palette_of(document["joint_sets"][piece["joint_set"].get<std::size_t>()]);
   Numbers w;
   for (const json& x : vertex["weights"]) w.push_back(number(x));
   const Skinning skinning = skinning_of(document);
-  if (skinning != Skinning::linear && squared_norm(blend_quaternion<Rational>(pose, w)) == 0) return {};
-  return blend<Rational>(skinning, pose, w, vector<3>(vertex["position"]));
+  if (skinning != Skinning::linear && squared_norm(blend_quaternion<Rational>(palette, w)) == 0) return {};
+  return blend<Rational>(skinning, palette, w, vector<3>(vertex["position"]));
 }
 
 // Some vertex is outside, decided exactly.
@@ -441,7 +441,7 @@ std::vector<json> some_certificates() {
   std::vector<json> out;
   const auto c = gen::rounded_to_double(*gen::refit_case(*rc::gen::element(gen::Turns::any, gen::Turns::moderate)));
   const gen::NodeOf<double> node(c);
-  for (const char* name : {"linear", "spherical_repaired", "control_exact", "dual_quaternion_control_near"})
+  for (const char* name : {"linear", "spherical_repaired", "control_miniball", "dual_quaternion_control_near"})
     if (json document = certify(folder, compared_variant(name), node.node()); !document.is_null()) out.push_back(document);
   return out;
 }
@@ -456,7 +456,7 @@ Checked check_malformed() {
   const auto c = gen::rounded_to_double(counterexamples::algorithm1()[0].input);
   const gen::NodeOf<double> node(c);
   CheckedFolder whole;
-  const json good = certify(whole, compared_variant("control_exact"), node.node());
+  const json good = certify(whole, compared_variant("control_miniball"), node.node());
   const auto with = [](const char* pointer, const json& value) {
     return [=](const json& document) {
       json changed = document;
@@ -486,7 +486,7 @@ Checked check_malformed() {
       {"a skinning of another kind", with("/skinning", "hejl"), "skinning is none"},
       {"a skinning that is no text", with("/skinning", {"linear"}), "skinning is none"},
       {"a model's digest that is none", with("/model", "0"), "certificate.model is no SHA-256"},
-      {"a pose's digest with a line feed", with("/pose", std::string(63, '0') + "\n"), "certificate.pose is no SHA-256"},
+      {"a pose's digest with a line feed", with("/pose", std::string(63, '0') + "\n"), "certificate.palette is no SHA-256"},
       {"no vertices", with("/vertices", json::array()), "certificate.vertices is no list"},
       {"a vertex of no piece", with("/vertices/0/piece", 9), "vertices[0]: piece is none of them"},
       {"a vertex of a piece counted from the end", with("/vertices/0/piece", -1), "vertices[0]: piece is none of them"},
@@ -542,8 +542,8 @@ PROPTEST(certificate) {
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
             const auto c = bake(gen::make_mesh(plan));
             std::mt19937 random(plan.seed);
-            const auto posture = gen::random_posture(c.mesh, random, *rc::gen::element(0.0, 0.3, 1.0));
-            const auto checked = check_nodes(c, posture, random, 2);
+            const auto pose = gen::random_pose(c.mesh, random, *rc::gen::element(0.0, 0.3, 1.0));
+            const auto checked = check_nodes(c, pose, random, 2);
             if (!checked.passed) RC_FAIL(checked.detail);
           });
   t.example("five nodes of the procedural man have certificates by every sound variant, and all are accepted", exact,
@@ -571,7 +571,7 @@ PROPTEST(certificate) {
         return Checked(false, refused, pinned.finding);
       } catch (const NoProof&) {
         CheckedFolder sound;
-        json forged = certify(sound, compared_variant("control_exact"), node);
+        json forged = certify(sound, compared_variant("control_miniball"), node);
         forged["ball"] = {{"center", as_json<3>(convert<Rational>(ball.center))}, {"radius", as_text(Rational(ball.radius))}};
         folder.add(sealed(forged));
       } catch (const std::invalid_argument&) {  // not a number
@@ -586,7 +586,7 @@ PROPTEST(certificate) {
     const auto pinned = counterexamples::algorithm1().front();
     const gen::NodeOf<double> storage(gen::rounded_to_double(pinned.input));
     const RefitNode<double> node = storage.node();
-    const Ball3<double> ball = compared_variant("control_exact").refit(node);
+    const Ball3<double> ball = compared_variant("control_miniball").refit(node);
     const auto is_refused = [&](const RefitNode<double>& of, const Ball3<double>& by) {
       try {
         certificate(of, Skinning::spherical, by, gen::BareCertifiedNode(node, ""));
@@ -596,14 +596,14 @@ PROPTEST(certificate) {
       }
     };
     const auto with_first_weight = [&](double weight) {
-      const auto n = node.pose.joint_count(node.joint_sets[0].joint_set);
-      std::vector<double> pool(node.corner_weights, node.corner_weights + node.joint_sets[0].first_weight +
-                                                        n * node.joint_sets[0].corner_count);
-      pool[node.joint_sets[0].first_weight] = weight;
-      const RefitNode<double> changed{node.reference, node.joint_sets.first(1), pool.data(), node.pose};
+      const auto n = node.palette.joint_count(node.pieces[0].joint_set);
+      std::vector<double> pool(node.weight_vertices, node.weight_vertices + node.pieces[0].first_weight +
+                                                        n * node.pieces[0].weight_vertex_count);
+      pool[node.pieces[0].first_weight] = weight;
+      const RefitNode<double> changed{node.reference, node.pieces.first(1), pool.data(), node.palette};
       return is_refused(changed, ball);
     };
-    const double first = node.corner_weights[node.joint_sets[0].first_weight], infinity = HUGE_VAL;
+    const double first = node.weight_vertices[node.pieces[0].first_weight], infinity = HUGE_VAL;
     return is_refused(node, {ball.center, std::nan("")}) && is_refused(node, {ball.center, infinity}) &&
            is_refused(node, {{0, -infinity, 0}, ball.radius}) && with_first_weight(-0.5) && with_first_weight(0.375) &&
            with_first_weight(std::nextafter(first, 2)) && with_first_weight(first - 0x1p-53);
@@ -611,9 +611,9 @@ PROPTEST(certificate) {
   t.example("a vertex outside its pieces' reference balls, or with weights outside their hulls, has no certificate", {}, [] {
     std::mt19937 random(2006);
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
-    const auto pose = make_skinning_pose(c.mesh, c.sets, gen::random_posture(c.mesh, random, 0.2), Skinning::spherical);
-    const RefitVariant& variant = compared_variant("control_exact");
-    const RefitNode<double> node = c.refit_node(0, pose, variant.pieces);
+    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.2), Skinning::spherical);
+    const RefitVariant& variant = compared_variant("control_miniball");
+    const RefitNode<double> node = c.refit_node(0, palette, variant.pieces);
     const Ball3<double> ball = variant.refit(node);
     const CertifiedNode good = certified(c, 0, "");
     const auto is_refused = [&](const auto& change) {
@@ -633,7 +633,7 @@ PROPTEST(certificate) {
            is_refused([&](CertifiedVertex& v) { v.joint_set = c.sets.count() + 1; });
   });
   static Tried tried;
-  t.holds("shrunk by an ulp up to a half, moved, of another node or pose: a ball has a certificate that is accepted, or none, and none if a vertex is outside",
+  t.holds("shrunk by an ulp up to a half, moved, of another node or palette: a ball has a certificate that is accepted, or none, and none if a vertex is outside",
           {.number_type = "double against rational", .cases = 12}, [] { check_other_balls(tried); });
   t.example("that were 50 balls with a certificate and 50 without at least, some of which hold all vertices", {}, [] {
     return Checked(tried.certified >= 50 && tried.missing >= 50 && tried.missing < tried.refused, tried.certified + tried.refused,
@@ -644,20 +644,20 @@ PROPTEST(certificate) {
     // Two pieces of set 2 around one of set 0.
     std::mt19937 random(2006);
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
-    const auto pose = make_skinning_pose(c.mesh, c.sets, gen::random_posture(c.mesh, random, 0.2), Skinning::spherical);
-    const RefitVariant& variant = compared_variant("control_exact");
-    const RefitNode<double> node = c.refit_node(0, pose, variant.pieces);
-    std::vector<NodeJointSet> twice(node.joint_sets.rbegin(), node.joint_sets.rend());
-    twice.insert(twice.end(), node.joint_sets.begin(), node.joint_sets.end());
-    const RefitNode<double> both{node.reference, twice, node.corner_weights, node.pose, node.piece_references};
+    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.2), Skinning::spherical);
+    const RefitVariant& variant = compared_variant("control_miniball");
+    const RefitNode<double> node = c.refit_node(0, palette, variant.pieces);
+    std::vector<NodePiece> twice(node.pieces.rbegin(), node.pieces.rend());
+    twice.insert(twice.end(), node.pieces.begin(), node.pieces.end());
+    const RefitNode<double> both{node.reference, twice, node.weight_vertices, node.palette, node.piece_references};
     const Ball3<double> ball = variant.refit(both);
     CheckedFolder folder;
     const CertifiedNode of = certified(c, 0, "\xff");
     const std::string text = certificate(both, Skinning::spherical, ball, of);
     folder.add(text);
     const json document = json::parse(text);
-    return Checked(is_about(document, both, Skinning::spherical, ball, of) && document["joint_sets"].size() == node.joint_sets.size() &&
-                       node.joint_sets.size() > 1 && folder.check()[0].is_accepted(),
+    return Checked(is_about(document, both, Skinning::spherical, ball, of) && document["joint_sets"].size() == node.pieces.size() &&
+                       node.pieces.size() > 1 && folder.check()[0].is_accepted(),
                    long(twice.size()));
   });
   t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);

@@ -5,7 +5,7 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
@@ -58,13 +58,13 @@ std::vector<Fault> faults() {
       {"not the child of its parent", node([](auto& n) { n.back().level += 1; })},
       {"not part of its parent's", node([](auto& n) { n[n[0].first_child].first_triangle += 1; })},
       {"do not have all of its triangles", node([](auto& n) { n[n[0].child_count].triangle_count -= 1; })},
-      {"joint-sets out of range", node([](auto& n) { n[1].first_joint_set = 1 << 30; })},
+      {"joint-sets out of range", node([](auto& n) { n[1].first_piece = 1 << 30; })},
       {"without a parent", node([](auto& n) { n.push_back(n.back()); })},
-      {"a joint-set names a joint-set", [](Character& c) { c.tree.joint_sets[0].joint_set = 99; }},
-      {"a joint-set names corners", [](Character& c) { c.tree.joint_sets[0].corner_count = 0; }},
-      {"a joint-set names corners", [](Character& c) { c.tree.joint_sets[0].first_weight = -1; }},
-      {"not in [0, 1]", [](Character& c) { c.tree.corner_weights[0] = std::nan(""); }},
-      {"do not sum to 1", [](Character& c) { c.tree.corner_weights[0] *= 0.5; }},
+      {"a joint-set names a joint-set", [](Character& c) { c.tree.pieces[0].joint_set = 99; }},
+      {"a joint-set names corners", [](Character& c) { c.tree.pieces[0].weight_vertex_count = 0; }},
+      {"a joint-set names corners", [](Character& c) { c.tree.pieces[0].first_weight = -1; }},
+      {"not in [0, 1]", [](Character& c) { c.tree.weight_vertices[0] = std::nan(""); }},
+      {"do not sum to 1", [](Character& c) { c.tree.weight_vertices[0] *= 0.5; }},
       {"belong to no node", [](Character& c) { mixed(c).first.clear(); }},
       {"as many nodes", [](Character& c) { mixed(c).first.pop_back(); }},
       {"order of the nodes", [](Character& c) { mixed(c).first[1] = 1 << 30; }},
@@ -72,7 +72,7 @@ std::vector<Fault> faults() {
       {"have a ball that is none", [](Character& c) { mixed(c).references.back().radius = -1; }},
       {"name a ball out of range", [](Character& c) { mixed(c).pieces[0].reference = 1 << 30; }},
       {"one names a joint-set", [](Character& c) { mixed(c).pieces[0].joint_set = -1; }},
-      {"one has a corner", [](Character& c) { mixed(c).corner_weights[0] = 2; }},
+      {"one has a corner", [](Character& c) { mixed(c).weight_vertices[0] = 2; }},
   };
 }
 
@@ -88,10 +88,10 @@ PROPTEST(character_file) {
             const Character read = character_of(bytes, "any");
             RC_ASSERT(bytes_of(read) == bytes);
             std::mt19937 random(plan.seed);
-            const Posture posture = gen::random_posture(c.mesh, random, 1);
+            const Pose pose = gen::random_pose(c.mesh, random, 1);
             for (const RefitVariant& variant : refit_variants()) {
-              const auto written = refit_all(c, variant, make_skinning_pose(c.mesh, c.sets, posture, variant.skinning)),
-                         again = refit_all(read, variant, make_skinning_pose(read.mesh, read.sets, posture, variant.skinning));
+              const auto written = refit_all(c, variant, make_skinning_palette(c.mesh, c.sets, pose, variant.skinning)),
+                         again = refit_all(read, variant, make_skinning_palette(read.mesh, read.sets, pose, variant.skinning));
               RC_ASSERT(written.size() == again.size());
               for (std::size_t n = 0; n < written.size(); ++n)
                 RC_ASSERT(written[n].center == again[n].center && written[n].radius == again[n].radius);
@@ -144,7 +144,7 @@ PROPTEST(character_file) {
     const Character read = character_of(bytes_of(c), "any");
     const RefitVariant& variant = refit_variant("control_mixed");
     try {
-      refit_all(read, variant, make_skinning_pose(c.mesh, c.sets, reference_posture(c.mesh), variant.skinning));
+      refit_all(read, variant, make_skinning_palette(c.mesh, c.sets, reference_pose(c.mesh), variant.skinning));
     } catch (const std::invalid_argument& e) {
       return Checked(std::string(e.what()).find("baked without the pieces") != std::string::npos, 1, e.what());
     }

@@ -69,11 +69,11 @@ json exactly(const Vec<double, D>& v) {
 
 json document(const gen::SkinnedPiece& p, const json& bound, const Ball3<double>& around) {
   json rotations, data, corners;
-  for (std::size_t i = 0; i < p.pose.transforms.size(); ++i) {
-    rotations.push_back(exactly<4>(p.pose.transforms[i].rotation));
-    data.push_back(p.skinning == Skinning::linear      ? exactly<3>(p.pose.transforms[i].translation)
-                   : p.skinning == Skinning::spherical ? exactly<3>(p.pose.center_images[i])
-                                                       : exactly<4>(p.pose.duals[i]));
+  for (std::size_t i = 0; i < p.palette.transforms.size(); ++i) {
+    rotations.push_back(exactly<4>(p.palette.transforms[i].rotation));
+    data.push_back(p.skinning == Skinning::linear      ? exactly<3>(p.palette.transforms[i].translation)
+                   : p.skinning == Skinning::spherical ? exactly<3>(p.palette.center_images[i])
+                                                       : exactly<4>(p.palette.duals[i]));
   }
   for (const auto& w : p.corners) {
     json weights;
@@ -86,7 +86,7 @@ json document(const gen::SkinnedPiece& p, const json& bound, const Ball3<double>
                       rotations, data,
                       {piece(corners, ball(exactly<3>(p.reference.center), exactly(p.reference.radius)), bound)},
                       ball(exactly<3>(around.center), exactly(around.radius)));
-  if (p.skinning == Skinning::spherical) out["joint_sets"][0]["rotation_center"] = exactly<3>(p.pose.rotation_center);
+  if (p.skinning == Skinning::spherical) out["joint_sets"][0]["rotation_center"] = exactly<3>(p.palette.rotation_center);
   return out;
 }
 
@@ -100,10 +100,10 @@ Bound some_bound(const gen::SkinnedPiece& p, std::mt19937& random, int depth) {
     for (int i = 0; i < 2; ++i) out.halves.push_back(some_bound(p, random, depth - 1));
     return out;
   }
-  Quaternion<double> axis = p.pose.transforms[pick(p.pose.transforms.size())].rotation;
-  if (pick(2)) axis += p.pose.transforms[0].rotation * std::normal_distribution<double>(0.5, 1)(random);
+  Quaternion<double> axis = p.palette.transforms[pick(p.palette.transforms.size())].rotation;
+  if (pick(2)) axis += p.palette.transforms[0].rotation * std::normal_distribution<double>(0.5, 1)(random);
   if (pick(2)) return {.by = By::control};
-  if (p.skinning == Skinning::dual_quaternion) return {.by = By::reach, .axis = axis, .center = p.pose.transforms[0].translation};
+  if (p.skinning == Skinning::dual_quaternion) return {.by = By::reach, .axis = axis, .center = p.palette.transforms[0].translation};
   return pick(3) ? Bound{.by = By::cap, .axis = axis} : Bound{.by = By::all_rotations};
 }
 
@@ -130,8 +130,8 @@ void check_least_radii() {
     for (double& x : center) x = std::normal_distribution<double>(0, i % 4)(random);
     const double needed =
         skinning == Skinning::linear
-            ? oracle::needed_radius_linear(p.pose, p.corners, p.reference, center)
-            : p.reference.radius + oracle::needed_radius(oracle::blend_corners(p.pose, p.corners, p.reference.center, skinning),
+            ? oracle::needed_radius_linear(p.palette, p.corners, p.reference, center)
+            : p.reference.radius + oracle::needed_radius(oracle::blend_corners(p.palette, p.corners, p.reference.center, skinning),
                                                          bound, center);
     RC_CLASSIFY(std::isinf(needed), "degenerate");
     if (std::isinf(needed)) {

@@ -9,7 +9,7 @@
 
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
@@ -51,17 +51,17 @@ bool holds(const Box<double>& box, const Point3& p) {
   return true;
 }
 
-int triangles_below(const ClusterTree& tree, const FanChild& child) {
+int triangles_below(const ClusterTree& tree, const WideNodeChild& child) {
   int count = 0;
-  if (child.fan >= 0)
-    for (int i = 0; i < tree.fans()[child.fan].child_count; ++i) count += triangles_below(tree, tree.child(child.fan, i));
+  if (child.wide_node >= 0)
+    for (int i = 0; i < tree.wide_nodes()[child.wide_node].child_count; ++i) count += triangles_below(tree, tree.child(child.wide_node, i));
   else
     for (int g = 0; g < tree.clusters()[child.cluster].group_count; ++g) count += tree.group(child.cluster, g).count;
   return count;
 }
 
-int first_triangle(const ClusterTree& tree, FanChild child) {
-  while (child.fan >= 0) child = tree.child(child.fan, 0);
+int first_triangle(const ClusterTree& tree, WideNodeChild child) {
+  while (child.wide_node >= 0) child = tree.child(child.wide_node, 0);
   return tree.group(child.cluster, 0).triangles[0];
 }
 
@@ -91,10 +91,10 @@ long lost_of_row(const ClusterTree& row, const std::vector<int>& triangles) {
   const auto stamp = bake(row_of_triangles(1, 1, [](int) { return std::pair(0, 0); }));
   const ClusterTree stamp_tree(stamp);
   ClusterBody first(row, Skinning::linear), second(stamp_tree, Skinning::linear);
-  first.begin(reference_posture(row.character().mesh), {});
+  first.begin(reference_pose(row.character().mesh), {});
   long lost = 0;
   for (const int t : triangles) {
-    second.begin(Posture(1), {identity_quaternion<double>(), row.character().mesh.vertices[3 * t]});
+    second.begin(Pose(1), {identity_quaternion<double>(), row.character().mesh.vertices[3 * t]});
     QueryCounts counts;
     lost += collide(first, second, Query::full, counts) != std::vector<TrianglePair>{{t, 0}};
     lost += collide(second, first, Query::full, counts) != std::vector<TrianglePair>{{0, t}};
@@ -105,7 +105,7 @@ long lost_of_row(const ClusterTree& row, const std::vector<int>& triangles) {
 }  // namespace
 
 PROPTEST(cluster_collide) {
-  t.holds("finds the pairs that testing all pairs finds, in every skinning, for clusters and fans of any size",
+  t.holds("finds the pairs that testing all pairs finds, in every skinning, for clusters and wide_nodes of any size",
           {.number_type = "double", .cases = 200, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
@@ -123,14 +123,14 @@ PROPTEST(cluster_collide) {
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 3; ++frame) {
               const auto length = gen::random_unit_length(random);
-              const Posture posture_a = gen::with_lengths(gen::random_posture(a.mesh, random), length, random),
-                            posture_b = gen::with_lengths(gen::random_posture(b.mesh, random), length, random);
+              const Pose pose_a = gen::with_lengths(gen::random_pose(a.mesh, random), length, random),
+                            pose_b = gen::with_lengths(gen::random_pose(b.mesh, random), length, random);
               const double apart = frame == 2 ? 3 : 0.5;
               const RigidTransform<double> at_a{gen::random_rotation(random, 1), {normal(random), 0, 0}},
                   at_b{gen::random_rotation(random, 1),
                        at_a.translation + Point3(normal(random), normal(random), 0) * apart};
-              first.begin(posture_a, at_a), second.begin(posture_b, at_b);
-              const auto expected = oracle::all_pairs({a, posture_a, at_a}, {b, posture_b, at_b}, skinning);
+              first.begin(pose_a, at_a), second.begin(pose_b, at_b);
+              const auto expected = oracle::all_pairs({a, pose_a, at_a}, {b, pose_b, at_b}, skinning);
               QueryCounts counts;
               const auto one = collide(first, second, Query::yes_no, counts);
               RC_ASSERT(one.size() == (expected.empty() ? 0u : 1u));
@@ -140,7 +140,7 @@ PROPTEST(cluster_collide) {
               if (!one.empty()) RC_ASSERT(std::find(expected.begin(), expected.end(), again[0]) != expected.end());
               QueryCounts of_all;
               RC_ASSERT(sorted(collide(first, second, Query::full, of_all, &memory)) == expected);
-              RC_ASSERT(of_all.triangle_tests == meeting_boxes({a, posture_a, at_a}, {b, posture_b, at_b}, skinning));
+              RC_ASSERT(of_all.triangle_tests == meeting_boxes({a, pose_a, at_a}, {b, pose_b, at_b}, skinning));
               RC_TAG(expected.empty() ? "apart" : "in contact");
             }
           });
@@ -152,13 +152,13 @@ PROPTEST(cluster_collide) {
             const ClusterTree tree(c, drawn_options());
             const Skinning skinning = drawn_skinning();
             std::mt19937 random(plan.seed);
-            const Posture posture = gen::random_posture(c.mesh, random);
+            const Pose pose = gen::random_pose(c.mesh, random);
             const RigidTransform<double> at{gen::random_rotation(random, 1), {0.3, 0, 0.1}}, here{};
             ClusterBody first(tree, skinning), second(tree, skinning);
-            first.begin(posture, here), second.begin(posture, at);
+            first.begin(pose, here), second.begin(pose, at);
             QueryCounts counts;
             RC_ASSERT(sorted(collide(first, second, Query::full, counts)) ==
-                      oracle::all_pairs({c, posture, here}, {c, posture, at}, skinning));
+                      oracle::all_pairs({c, pose, here}, {c, pose, at}, skinning));
           });
   t.holds(
       "a needle that touches a body in one vertex, where a bound is attained, touches it: of 1 to 90 joints, at every "
@@ -170,7 +170,7 @@ PROPTEST(cluster_collide) {
         const gen::Attained scene = gen::attained(random, {.unit = unit, .far = far});
         const Skinning skinning = gen::random_skinning(random);
         const auto c = bake(scene.mesh, {.triangles_per_leaf = *rc::gen::element(1, 8)});
-        const auto points = oracle::Posed{c, scene.posture, scene.placement}.vertices(skinning);
+        const auto points = oracle::Posed{c, scene.pose, scene.placement}.vertices(skinning);
         const int axis = static_cast<int>(random() % 3), sign = random() % 2 ? 1 : -1;
         Point3 tip = points[0];
         for (const Point3& p : points)
@@ -179,11 +179,11 @@ PROPTEST(cluster_collide) {
         // A power of two, so that weights of it add up to it.
         const double length = std::exp2(std::max(-990.0, std::round(std::log2(unit)) - *rc::gen::element(0, 30)));
         const auto needle = bake(gen::needle(axis, sign, length, joints));
-        const Posture still = reference_posture(needle.mesh);
+        const Pose still = reference_pose(needle.mesh);
         const RigidTransform<double> at{identity_quaternion<double>(), tip};
         const ClusterTree tree(c, drawn_options()), tree_of_needle(needle);
         ClusterBody body(tree, skinning), other(tree_of_needle, Skinning::spherical);
-        body.begin(scene.posture, scene.placement), other.begin(still, at);
+        body.begin(scene.pose, scene.placement), other.begin(still, at);
         std::vector<TrianglePair> expected;
         const auto needle_points = oracle::Posed{needle, still, at}.vertices(Skinning::spherical);
         for (std::size_t t = 0; t < c.mesh.triangles.size(); ++t) {
@@ -197,8 +197,8 @@ PROPTEST(cluster_collide) {
         RC_ASSERT(!expected.empty());
         RC_ASSERT(sorted(collide(body, other, Query::full, counts)) == expected);
         RC_ASSERT(collide(other, body, Query::yes_no, counts).size() == 1u);
-        for (const Point3& p : points) RC_ASSERT(holds(body.reach(), p) && holds(body.fan_box(0), p));
-        RC_ASSERT(holds(other.reach(), tip) && holds(other.fan_box(0), tip));
+        for (const Point3& p : points) RC_ASSERT(holds(body.reach(), p) && holds(body.wide_node_box(0), p));
+        RC_ASSERT(holds(other.reach(), tip) && holds(other.wide_node_box(0), tip));
       });
   t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {},
             [] {
@@ -209,7 +209,7 @@ PROPTEST(cluster_collide) {
               for (const int most : {7, 256, most_cluster_triangles}) {
                 const ClusterTree tree(c, {.most_triangles = most});
                 for (const Cluster& cluster : tree.clusters())
-                  ok = ok && cluster.corner_count <= 1 << 16 && 8 * (cluster.group_count - 1) < most;
+                  ok = ok && cluster.weight_vertex_count <= 1 << 16 && 8 * (cluster.group_count - 1) < most;
                 std::vector<int> triangles;
                 for (int t = 0; t < 30000; t += 997) triangles.push_back(t);
                 triangles.push_back(21866), triangles.push_back(29999);
@@ -225,12 +225,12 @@ PROPTEST(cluster_collide) {
     const int count = most_cluster_triangles;
     const auto c = bake(row_of_triangles(count, 130, [&](int v) { return pairs[v]; }), {.triangles_per_leaf = count});
     const ClusterTree tree(c, {.most_triangles = most_cluster_triangles});
-    const bool is_one = tree.clusters().size() == 1 && tree.clusters()[0].corner_count == 8 * 3 * count &&
-                        tree.clusters()[0].corner_count <= 1 << 16;
+    const bool is_one = tree.clusters().size() == 1 && tree.clusters()[0].weight_vertex_count == 8 * 3 * count &&
+                        tree.clusters()[0].weight_vertex_count <= 1 << 16;
     const long lost = lost_of_row(tree, {0, 1, count / 2, count - 2, count - 1});
     return Checked(is_one && lost == 0, 5, std::to_string(lost) + " lost");
   });
-  t.holds("clusters and fans are as large as they may be and no larger, and every triangle is in one of them",
+  t.holds("clusters and wide_nodes are as large as they may be and no larger, and every triangle is in one of them",
           {.cases = 100}, [] {
             const auto plan = *gen::mesh_plan();
             const int per_leaf = *rc::gen::element(1, 2, 7, 1000);
@@ -257,20 +257,20 @@ PROPTEST(cluster_collide) {
             for (std::size_t t = 0; t < seen.size(); ++t) RC_ASSERT(seen[t] == static_cast<int>(t));
             std::vector<int> place(seen.size());  // by triangle, in the order of the sphere tree
             for (std::size_t i = 0; i < place.size(); ++i) place[c.tree.triangle_order[i]] = static_cast<int>(i);
-            for (int f = 0; f < static_cast<int>(tree.fans().size()); ++f) {
-              const int children = tree.fans()[f].child_count;
+            for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); ++f) {
+              const int children = tree.wide_nodes()[f].child_count;
               RC_ASSERT(children <= options.most_children);
               for (int i = 1; i < children; ++i)  // so that neighbours are near each other
                 RC_ASSERT(place[first_triangle(tree, tree.child(f, i - 1))] < place[first_triangle(tree, tree.child(f, i))]);
               int least = 1 << 30, most = 0;
-              bool has_fans = false;
+              bool has_wide_nodes = false;
               for (int i = 0; i < children; ++i) {
                 const int count = triangles_below(tree, tree.child(f, i));
                 least = std::min(least, count), most = std::max(most, count);
-                has_fans = has_fans || tree.child(f, i).fan >= 0;
-                RC_ASSERT(tree.child(f, i).fan < 0 || (tree.child(f, i).fan > f && count > options.most_triangles));
+                has_wide_nodes = has_wide_nodes || tree.child(f, i).wide_node >= 0;
+                RC_ASSERT(tree.child(f, i).wide_node < 0 || (tree.child(f, i).wide_node > f && count > options.most_triangles));
               }
-              if (has_fans) RC_ASSERT(children == options.most_children);
+              if (has_wide_nodes) RC_ASSERT(children == options.most_children);
               RC_ASSERT(most <= 2 * least + 1);  // the largest is opened first, into halves
             }
             RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
@@ -281,7 +281,7 @@ PROPTEST(cluster_collide) {
               const auto c = bake(m);
               const ClusterTree tree(c);
               ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-              const Posture still = reference_posture(c.mesh);
+              const Pose still = reference_pose(c.mesh);
               const auto counts_at = [&](double x, Query query, PairMemory* memory) {
                 first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
                 QueryCounts counts{100, 1000};  // of queries before
@@ -289,7 +289,7 @@ PROPTEST(cluster_collide) {
                 return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
               };
               PairMemory memory;
-              // Reaches, the first's fan against the second's whole, the second's, groups of the first, groups of the
+              // Reaches, the first's wide node against the second's whole, the second's, groups of the first, groups of the
               // second; with a memory of bodies that were near no reaches; and then no box at all, but the pair.
               const std::pair<long, long> touching{5, 1}, apart{1, 0}, again{4, 1}, remembered{0, 1};
               bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
@@ -304,15 +304,15 @@ PROPTEST(cluster_collide) {
     const ClusterTree tree(man);
     ClusterBody body(tree, Skinning::spherical);
     long nodes = 0, corners = 0;
-    for (const Fan& fan : tree.fans()) nodes += fan.child_count;
-    for (const Cluster& cluster : tree.clusters()) corners += cluster.corner_count;
-    const auto clusters = static_cast<long>(tree.clusters().size()), fans = static_cast<long>(tree.fans().size());
-    bool ok = nodes > fans && corners > clusters;
+    for (const WideNode& wide_node : tree.wide_nodes()) nodes += wide_node.child_count;
+    for (const Cluster& cluster : tree.clusters()) corners += cluster.weight_vertex_count;
+    const auto clusters = static_cast<long>(tree.clusters().size()), wide_nodes = static_cast<long>(tree.wide_nodes().size());
+    bool ok = nodes > wide_nodes && corners > clusters;
     for (int frame = 0; frame < 2; ++frame) {
       body.begin(man.clips[0].sample(0.1 * frame), {});
       ok = ok && body.nodes_bounded() == 0 && body.clusters_skinned() == 0 && body.corners_skinned() == 0;
       for (int time = 0; time < 2; ++time) {
-        for (int f = 0; f < static_cast<int>(fans); ++f) body.fan_boxes(f), body.fan_box(f);
+        for (int f = 0; f < static_cast<int>(wide_nodes); ++f) body.wide_node_boxes(f), body.wide_node_box(f);
         for (int c = 0; c < static_cast<int>(clusters); ++c) body.group_boxes(c), body.cluster_box(c), body.triangle_boxes(c, 0);
         ok = ok && body.nodes_bounded() == nodes && body.clusters_skinned() == clusters && body.corners_skinned() == corners;
       }
@@ -356,7 +356,7 @@ PROPTEST(cluster_collide) {
         const auto man = bake(make_man());
         const ClusterTree tree(man);
         const Clip& walk = man.clips[0];
-        const Posture early = walk.sample(0.2 * walk.duration), late = walk.sample(0.7 * walk.duration);
+        const Pose early = walk.sample(0.2 * walk.duration), late = walk.sample(0.7 * walk.duration);
         ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
         Body p(man, compared_variant("spherical_repaired")), q(man, compared_variant("spherical_repaired"));
         bool ok = true;
@@ -380,14 +380,14 @@ PROPTEST(cluster_collide) {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-    const Posture posture = man.clips[0].sample(0);
+    const Pose pose = man.clips[0].sample(0);
     for (double distance = 5; distance > 0; distance -= 0.02) {
       const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
-      a.begin(posture, {}), b.begin(posture, at);
+      a.begin(pose, {}), b.begin(pose, at);
       QueryCounts counts;
       collide(a, b, Query::full, counts);
       if (counts.ball_tests == 1) continue;  // the reaches are apart
-      return Checked(counts.ball_tests >= 1 + tree.fans()[0].child_count && tree.fans()[0].child_count > 8, 1,
+      return Checked(counts.ball_tests >= 1 + tree.wide_nodes()[0].child_count && tree.wide_nodes()[0].child_count > 8, 1,
                      std::to_string(counts.ball_tests) + " boxes are compared at " + std::to_string(distance));
     }
     return Checked(false, 0, "the reaches never meet");
@@ -403,7 +403,7 @@ PROPTEST(cluster_collide) {
         const auto c = bake(std::move(m));
         const ClusterTree tree(c);
         ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-        const Posture still = reference_posture(c.mesh);
+        const Pose still = reference_pose(c.mesh);
         first.begin(still, {});
         const auto pairs = [&](double x, double y, double z) {
           second.begin(still, {identity_quaternion<double>(), {x, y, z}});
@@ -445,7 +445,7 @@ PROPTEST(cluster_collide) {
     return Checked(ok && remembered == PairMemory::most, 5,
                    std::to_string(pairs.size()) + " pairs found, " + std::to_string(remembered) + " remembered");
   });
-  t.example("options out of range, a placement that is not rigid and a posture with a NaN are refused by name", {}, [] {
+  t.example("options out of range, a placement that is not rigid and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     const auto message = [](const auto& call) -> std::string {
       try {
@@ -466,16 +466,16 @@ PROPTEST(cluster_collide) {
     const ClusterTree tree(c);
     ClusterBody body(tree, Skinning::spherical);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const Posture still = reference_posture(c.mesh);
+    const Pose still = reference_pose(c.mesh);
     const std::string stretched = message([&] {
       body.begin(still, {{2, 0, 0, 0}, {0, 0, 0}});
     }),
                       lost = message([&] {
                         body.begin(still, {{1, 0, 0, 0}, {nan, 0, 0}});
                       });
-    Posture posture = still;
-    posture[1].translation[2] = nan;
-    const std::string refused = message([&] { body.begin(posture, {}); });
+    Pose pose = still;
+    pose[1].translation[2] = nan;
+    const std::string refused = message([&] { body.begin(pose, {}); });
     for (const double off : {1e-6 - 1e-14, -1e-6 + 1e-14, 1e-6 + 1e-14, -1e-6 - 1e-14}) {
       const bool is_refused = !message([&] {
                                  body.begin(still, {{0, std::sqrt(1 + off), 0, 0}, {0, 0, 0}});

@@ -9,7 +9,7 @@
 
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using namespace refitlab;
 using oracle::sorted;
-using gen::random_posture;
+using gen::random_pose;
 using gen::random_rotation;
 
 const RefitVariant& drawn_variant() {
@@ -80,12 +80,12 @@ PROPTEST(collide) {
             std::mt19937 random(plan_a.seed);
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 3; ++frame) {
-              const Posture posture_a = random_posture(a.mesh, random), posture_b = random_posture(b.mesh, random);
+              const Pose pose_a = random_pose(a.mesh, random), pose_b = random_pose(b.mesh, random);
               const double apart = frame == 2 ? 3 : 0.5;
               const RigidTransform<double> at_a{random_rotation(random, 1), {normal(random), 0, 0}},
                   at_b{random_rotation(random, 1), at_a.translation + Point3(normal(random), normal(random), 0) * apart};
-              first.begin(posture_a), second.begin(posture_b);
-              const auto expected = oracle::all_pairs({a, posture_a, at_a}, {b, posture_b, at_b}, variant.skinning);
+              first.begin(pose_a), second.begin(pose_b);
+              const auto expected = oracle::all_pairs({a, pose_a, at_a}, {b, pose_b, at_b}, variant.skinning);
               QueryCounts counts;
               const auto found = collide({first, at_a}, {second, at_b}, Query::full, counts);
               RC_ASSERT(sorted(found) == expected);
@@ -102,12 +102,12 @@ PROPTEST(collide) {
     const RefitVariant& variant = drawn_variant();
     Body body(c, variant);
     std::mt19937 random(plan.seed);
-    const Posture posture = random_posture(c.mesh, random);
+    const Pose pose = random_pose(c.mesh, random);
     const RigidTransform<double> at{random_rotation(random, 1), {0.3, 0, 0.1}};
-    body.begin(posture);
+    body.begin(pose);
     QueryCounts counts;
     RC_ASSERT(sorted(collide({body}, {body, at}, Query::full, counts)) ==
-              oracle::all_pairs({c, posture, {}}, {c, posture, at}, variant.skinning));
+              oracle::all_pairs({c, pose, {}}, {c, pose, at}, variant.skinning));
     RC_ASSERT(body.vertices_skinned() <= static_cast<long>(c.mesh.vertices.size()));
   });
   t.example("a ball that is undefined, or too small by rounding, hides no pair", {}, [] {
@@ -115,7 +115,7 @@ PROPTEST(collide) {
     const RigidTransform<double> touching{identity_quaternion<double>(), {2, 0, 0}};
     const RefitVariant variant{"wrong", "", Skinning::spherical, false, Pieces::joint_sets, &undefined, &undefined};
     Body body(c, variant);
-    body.begin(reference_posture(c.mesh));
+    body.begin(reference_pose(c.mesh));
     QueryCounts counts;
     const auto found = static_cast<long>(collide({body}, {body, touching}, Query::full, counts).size());
     return Checked(found == 1, found);
@@ -125,7 +125,7 @@ PROPTEST(collide) {
             static const auto c = bake(lone_triangle());
             std::mt19937 random(*rc::gen::inRange(0u, ~0u));
             Body body(c, compared_variant("control_mixed"));
-            body.begin(reference_posture(c.mesh));
+            body.begin(reference_pose(c.mesh));
             const double most = *rc::gen::element(1.0, 1000.0, 1e15, 1e30, 1e150, 1e300);
             const RigidTransform<double> first = gen::accepted_placement(random, most);
             RigidTransform<double> second = first;
@@ -144,7 +144,7 @@ PROPTEST(collide) {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             for (const char* variant : {"control_mixed", "spherical_repaired", "linear"}) {
               Body body(c, compared_variant(variant));
-              body.begin(reference_posture(c.mesh));
+              body.begin(reference_pose(c.mesh));
               const RigidTransform<double> first = gen::accepted_placement(random, unit);
               RigidTransform<double> second = first;
               second.translation = apply(first, Point3(2 * unit, 0, 0));
@@ -168,7 +168,7 @@ PROPTEST(collide) {
       for (Point3& v : model.vertices) v *= unit;
       const auto c = bake(std::move(model));
       Body body(c, compared_variant("control_mixed"));
-      body.begin(reference_posture(c.mesh));
+      body.begin(reference_pose(c.mesh));
       for (const double way : {2 * (1 + 1e-12), 2.1}) {
         QueryCounts counts;
         if (!collide({body}, {body, {identity_quaternion<double>(), {way * unit, 0, 0}}}, Query::full, counts).empty() ||
@@ -179,10 +179,10 @@ PROPTEST(collide) {
     }
     return Checked(true, tried);
   });
-  t.example("a placement that is not rigid, or not finite, and a posture with a NaN are refused by name", {}, [] {
+  t.example("a placement that is not rigid, or not finite, and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     Body body(c, compared_variant("spherical_repaired"));
-    body.begin(reference_posture(c.mesh));
+    body.begin(reference_pose(c.mesh));
     const auto message = [&](const RigidTransform<double>& at) -> std::string {
       try {
         QueryCounts counts;
@@ -194,11 +194,11 @@ PROPTEST(collide) {
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::string stretched = message({{2, 0, 0, 0}, {0, 0, 0}}), lost = message({{1, 0, 0, 0}, {nan, 0, 0}});
-    Posture posture = reference_posture(c.mesh);
-    posture[1].translation[2] = nan;
+    Pose pose = reference_pose(c.mesh);
+    pose[1].translation[2] = nan;
     std::string refused;
     try {
-      body.begin(posture);
+      body.begin(pose);
     } catch (const ModelError& e) {
       refused = e.what();
     }

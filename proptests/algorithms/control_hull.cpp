@@ -72,7 +72,7 @@ void check_double() {
   const gen::NodeOf<double> node(c);
   const Ball3<double> ball = refit_control_hull<Policy>(node.node(), lists);
   double size = ball.center.norm() + ball.radius;
-  for (const auto& set : c.sets) size += lift<double>(set.pose.rotation_center).norm();
+  for (const auto& set : c.sets) size += lift<double>(set.palette.rotation_center).norm();
   const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
   for (const auto& sample : gen::samples(c, gen::Blending::spherical, ball.center))
     if (const auto v = gen::skinned(c, sample, gen::Blending::spherical))
@@ -83,8 +83,8 @@ void check_double() {
 RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations,
                   const std::vector<std::vector<Rational>>& corners) {
   gen::SetCase set;
-  for (const auto& q : rotations) set.pose.transforms.push_back({q, RationalVec<3>::Zero()});
-  place_rotation_center<Rational>(set.pose, RationalVec<3>(0, 0, 0));
+  for (const auto& q : rotations) set.palette.transforms.push_back({q, RationalVec<3>::Zero()});
+  place_rotation_center<Rational>(set.palette, RationalVec<3>(0, 0, 0));
   set.weights.corners = corners;
   return {{RationalVec<3>(1, 2, 3), Rational(1, 2)}, {set}};
 }
@@ -102,14 +102,14 @@ bool holds_on_a_grid(const RefitCase& c) {
     if (!b.center.allFinite() || !(b.radius >= 0)) return false;
   const gen::NodeOf<double> storage(c);
   const auto node = storage.node();
-  const auto& set = node.joint_sets[0];
+  const auto& set = node.pieces[0];
   bool all = true;
-  for_each_index(set.corner_count, 8, [&](const std::vector<std::size_t>& index) {
-    std::vector<double> w(node.pose[0].transforms.size(), 0.0);
+  for_each_index(set.weight_vertex_count, 8, [&](const std::vector<std::size_t>& index) {
+    std::vector<double> w(node.palette[0].transforms.size(), 0.0);
     for (const auto k : index)
       for (std::size_t i = 0; i < w.size(); ++i) w[i] += node.corner(set, static_cast<int>(k))[i] / 8;
-    if (blend_quaternion<double>(node.pose[0], w).norm() < 1e-9) return;
-    const Point3 v = blend_spherical<double>(node.pose[0], w, node.reference.center);
+    if (blend_quaternion<double>(node.palette[0], w).norm() < 1e-9) return;
+    const Point3 v = blend_spherical<double>(node.palette[0], w, node.reference.center);
     const Point3 d = direction_away(balls, v);
     double reach = -1e300;
     for (const auto& b : balls) reach = std::max(reach, (b.center - v).dot(d) + b.radius * d.norm());
@@ -129,27 +129,27 @@ Checked measure_tightness() {
   int count = 0;
   while (count < 300) {
     const int n = 2 + count % 3;
-    OwnedJointSetPose<double> pose;
+    OwnedPaletteEntry<double> palette;
     for (int i = 0; i < n; ++i) {
       Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
       q.normalize();
       const Point3 pivot = 0.3 * vector();
-      pose.transforms.push_back({q, pivot - rotate(q, pivot)});
+      palette.transforms.push_back({q, pivot - rotate(q, pivot)});
     }
-    make_signs_consistent<double>(pose.transforms);
+    make_signs_consistent<double>(palette.transforms);
     bool near = true;
-    for (const auto& a : pose.transforms)
-      for (const auto& b : pose.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
+    for (const auto& a : palette.transforms)
+      for (const auto& b : palette.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
     if (!near) continue;
-    place_rotation_center<double>(pose, rotation_center<double>(pose.transforms, Point3::Zero()));
+    place_rotation_center<double>(palette, rotation_center<double>(palette.transforms, Point3::Zero()));
     const Ball3<double> reference{2 * vector(), 0};
     std::vector<double> corners;
     for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
       for (int i = 0, share = count / 3 % 3; i < n; ++i)
         corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
-    SkinningPose<double> frame;
-    frame.push_back(pose);
-    const NodeJointSet set{0, 0, n};
+    SkinningPalette<double> frame;
+    frame.push_back(palette);
+    const NodePiece set{0, 0, n};
     const RefitNode<double> node{reference, {&set, 1}, corners.data(), frame};
     ControlLists<double> lists;
     const double bound = refit_control_hull<SmallestBalls>(node, lists).radius;
@@ -162,7 +162,7 @@ Checked measure_tightness() {
                      std::vector<double> w(n, 0.0);
                      for (const auto k : index)
                        for (int i = 0; i < n; ++i) w[i] += corners[k * n + i] / double(index.size());
-                     positions.push_back(blend_spherical<double>(pose, w, reference.center));
+                     positions.push_back(blend_spherical<double>(palette, w, reference.center));
                    });
     const double truth = as_ball(smallest_ball<double, 3>(positions)).radius;
     if (!(truth > 1e-6)) continue;
@@ -234,10 +234,10 @@ PROPTEST(control_hull) {
             const auto c = *gen::blend_case(gen::Spread::any, 4);
             RC_CLASSIFY(c.is_degenerate(), "degenerate");
             ControlLists<S> lists;
-            for (std::size_t k = 0; k < c.blend.corner_count(); ++k)
+            for (std::size_t k = 0; k < c.blend.weight_vertex_count(); ++k)
               lists.corners.push_back({lift<S>(c.blend.rotations[k]), lift<S>(c.blend.center_images[k])});
             SphericalPiece<S> piece(lift<S>(c.blend.x), S(0));
-            ControlHull(piece, lists.corners, lists).cover(c.blend.corner_count(), 0);
+            ControlHull(piece, lists.corners, lists).cover(c.blend.weight_vertex_count(), 0);
             RC_ASSERT(lists.corners.empty() && !lists.cap.balls.empty());
             std::vector<Ball3<double>> rounded;
             for (const auto& b : lists.cap.balls) {
@@ -288,8 +288,8 @@ PROPTEST(control_hull) {
   t.example("a vertex at the rotation center moves as its linear part alone", {.number_type = "rational"}, [] {
     RefitCase c = by_hand({{1, 0, 0, 0}, {Rational(3, 5), Rational(4, 5), 0, 0}}, whole_simplex(2));
     c.reference = {RationalVec<3>(0, 0, 0), 0};
-    c.sets[0].pose.transforms[1].translation = RationalVec<3>(1, 0, 0);
-    place_rotation_center<Rational>(c.sets[0].pose, RationalVec<3>(0, 0, 0));
+    c.sets[0].palette.transforms[1].translation = RationalVec<3>(1, 0, 0);
+    place_rotation_center<Rational>(c.sets[0].palette, RationalVec<3>(0, 0, 0));
     bool on_the_way = true;
     for (const auto& b : balls_of<Rational>(c))
       on_the_way =

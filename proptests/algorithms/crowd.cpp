@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "algorithms/model/procedural/procedural.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
@@ -62,7 +62,7 @@ PROPTEST(crowd) {
             std::vector<ClusterBody*> bodies;
             for (int i = 0; i < count; ++i) {
               owned.push_back(std::make_unique<ClusterBody>(tree, skinning));
-              owned.back()->begin(gen::random_posture(c.mesh, random, spread),
+              owned.back()->begin(gen::random_pose(c.mesh, random, spread),
                                   {gen::random_rotation(random, 1), {place(random), place(random), 0}});
               bodies.push_back(owned.back().get());
             }
@@ -125,7 +125,7 @@ PROPTEST(crowd) {
               std::vector<ClusterBody*> bodies;
               for (const double x : {0.0, 0.3, 0.6, 50.0, 100.0, 100.2}) {
                 owned.push_back(std::make_unique<ClusterBody>(tree, Skinning::linear));
-                owned.back()->begin(reference_posture(c.mesh), {identity_quaternion<double>(), {x, 0, 0}});
+                owned.back()->begin(reference_pose(c.mesh), {identity_quaternion<double>(), {x, 0, 0}});
                 bodies.push_back(owned.back().get());
               }
               QueryCounts one_by_one;
@@ -142,7 +142,7 @@ PROPTEST(crowd) {
     const ClusterTree tree(c);
     ClusterBody a(tree, Skinning::linear), b(tree, Skinning::linear), d(tree, Skinning::linear);
     ClusterBody* const bodies[] = {&a, &b, &d};
-    for (int i = 0; i < 3; ++i) bodies[i]->begin(reference_posture(c.mesh), {identity_quaternion<double>(), {0.3 * i, 0, 0}});
+    for (int i = 0; i < 3; ++i) bodies[i]->begin(reference_pose(c.mesh), {identity_quaternion<double>(), {0.3 * i, 0, 0}});
     const Workers backwards{[](void*, std::size_t count, void (*task)(void*, std::size_t), void* data) {
       while (count-- > 0) task(data, count);
     }};

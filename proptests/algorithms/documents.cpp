@@ -1,4 +1,4 @@
-// Certificates that are bound to documents of their model and pose: one that is about these is accepted against them, and
+// Certificates that are bound to documents of their model and palette: one that is about these is accepted against them, and
 // whatever it says otherwise of a vertex, a node or a joint is noticed.
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/bake/bake.hpp"
@@ -9,7 +9,7 @@
 
 #include "algorithms/certificate/sha256.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
@@ -23,10 +23,10 @@ using oracle::sealed;
 
 // A certificate of a node, with its documents.
 struct Bound {
-  Bound(const Character& c, const Posture& posture, const RefitVariant& variant, int n) {
-    const auto pose = make_skinning_pose(c.mesh, c.sets, posture, variant.skinning);
-    const auto node = c.refit_node(n, pose, variant.pieces);
-    model = model_document(c), pose_text = pose_document(c, pose, variant.skinning);
+  Bound(const Character& c, const Pose& pose, const RefitVariant& variant, int n) {
+    const auto palette = make_skinning_palette(c.mesh, c.sets, pose, variant.skinning);
+    const auto node = c.refit_node(n, palette, variant.pieces);
+    model = model_document(c), pose_text = pose_document(c, palette, variant.skinning);
     text = certificate(node, variant.skinning, variant.refit(node), certified_node(c, n, variant.name, sha256(model), sha256(pose_text)));
   }
   json document() const { return json::parse(text); }
@@ -34,14 +34,14 @@ struct Bound {
   std::string model, pose_text, text;
 };
 
-// What the checker says of a certificate against a model and a pose.
-std::string said(const std::string& text, const std::string& model, const std::string& pose) {
+// What the checker says of a certificate against a model and a palette.
+std::string said(const std::string& text, const std::string& model, const std::string& palette) {
   gen::TemporaryFolder folder;
   const auto put = [&](const char* name, const std::string& content) {
     std::ofstream(folder.file(name), std::ios::binary) << content;
     return folder.file(name);
   };
-  const auto run = oracle::run_checker("--against " + put("model", model) + " --pose " + put("pose", pose) + " " + put("certificate", text));
+  const auto run = oracle::run_checker("--against " + put("model", model) + " --pose " + put("pose", palette) + " " + put("certificate", text));
   return run.lines.size() == 1 ? run.lines[0] : "nothing said, or too much";
 }
 
@@ -54,10 +54,10 @@ void check_random_meshes() {
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
   const auto c = bake(gen::make_mesh(plan));
   std::mt19937 random(plan.seed);
-  const Posture posture = gen::random_posture(c.mesh, random, 0.2);
-  for (const char* name : {"linear", "control_mixed", "control_exact"}) {
+  const Pose pose = gen::random_pose(c.mesh, random, 0.2);
+  for (const char* name : {"linear", "control_mixed", "control_miniball"}) {
     const int n = *rc::gen::inRange(0, static_cast<int>(c.tree.nodes.size()));
-    const Bound b(c, posture, compared_variant(name), n);
+    const Bound b(c, pose, compared_variant(name), n);
     const std::string line = said(b.text, b.model, b.pose_text);
     RC_ASSERT(line.starts_with("accepted: "));
     RC_ASSERT(line.find("; all " + std::to_string(c.vertices[n].size()) + " vertices of node " + std::to_string(n) + " of ") != std::string::npos);
@@ -67,7 +67,7 @@ void check_random_meshes() {
 Character tube() { return bake(gen::make_mesh({gen::MeshKind::tube, 6, 4, 3, 2006})); }
 Bound of_tube(const Character& c, int n) {
   std::mt19937 random(2006);
-  return {c, gen::random_posture(c.mesh, random, 0.2), compared_variant("control_exact"), n};
+  return {c, gen::random_pose(c.mesh, random, 0.2), compared_variant("control_miniball"), n};
 }
 
 Checked check_foreign() {
@@ -75,7 +75,7 @@ Checked check_foreign() {
   const Bound b = of_tube(c, 0);
   struct Foreign {
     const char* what;
-    std::string text, model, pose;
+    std::string text, model, palette;
     const char* reason;
   };
   std::vector<Foreign> list;
@@ -86,7 +86,7 @@ Checked check_foreign() {
   };
   const auto piece_of = [](json& d, int v) -> json& { return d["pieces"][d["vertices"][v]["piece"].get<std::size_t>()]; };
   changed("another model's digest", "the model is another one", [](json& d) { d["model"] = std::string(64, '0'); });
-  changed("another pose's digest", "the pose is another one", [](json& d) { d["pose"] = std::string(64, '0'); });
+  changed("another pose's digest", "the palette is another one", [](json& d) { d["pose"] = std::string(64, '0'); });
   changed("no such node", "node is none of the model's", [&](json& d) { d["node"] = c.tree.nodes.size(); });
   changed("a node below 0", "node is none of the model's", [](json& d) { d["node"] = -1; });
   changed("a vertex left out", "is left out", [](json& d) { d["vertices"].erase(1); });
@@ -110,12 +110,12 @@ Checked check_foreign() {
   });
   changed("joints of other numbers", "is not as the model has it", [](json& d) { d["joint_sets"][0]["joints"][0] = 9; });
   changed("a vertex with another's number", "is left out", [](json& d) { d["vertices"][1]["id"] = d["vertices"][0]["id"]; });
-  json pose = json::parse(b.pose_text);
-  pose["joint_sets"][0]["rotation_center"][0] = "7";
-  const std::string other_pose = pose.dump(1) + "\n";
+  json palette = json::parse(b.pose_text);
+  palette["joint_sets"][0]["rotation_center"][0] = "7";
+  const std::string other_pose = palette.dump(1) + "\n";
   json renamed = b.document();
   renamed["pose"] = sha256(other_pose);
-  list.push_back({"joints of another pose", sealed(renamed), b.model, other_pose, "joint_sets[0] is not as the pose has it"});
+  list.push_back({"joints of another pose", sealed(renamed), b.model, other_pose, "joint_sets[0] is not as the palette has it"});
   json model = json::parse(b.model);
   model["vertices"][0]["position"][0] = "7";
   const std::string other_model = model.dump(1) + "\n";
@@ -125,7 +125,7 @@ Checked check_foreign() {
   list.push_back({"another model by its digest", sealed(renamed), other_model, b.pose_text, "vertices[0] is not as the model has it"});
   if (const auto line = said(b.text, b.model, b.pose_text); !line.starts_with("accepted: ")) return Checked(false, 0, line);
   for (const Foreign& f : list)
-    if (const auto line = said(f.text, f.model, f.pose); !is_rejected(line, f.reason)) return Checked(false, 0, f.what + (": " + line));
+    if (const auto line = said(f.text, f.model, f.palette); !is_rejected(line, f.reason)) return Checked(false, 0, f.what + (": " + line));
   return Checked(true, long(list.size()));
 }
 
@@ -137,18 +137,18 @@ Checked check_bad_documents() {
   const std::pair<std::string, std::string> pairs[] = {
       {"", b.pose_text}, {b.model + "\n", b.pose_text}, {b.pose_text, b.pose_text}, {nowhere.dump(1) + "\n", b.pose_text},
       {b.model, ""}, {b.model, b.model}, {b.model, no_member.dump(1) + "\n"}};
-  for (const auto& [model, pose] : pairs)
-    if (const auto line = said(b.text, model, pose); !line.starts_with("unreadable: ")) return Checked(false, 0, line);
+  for (const auto& [model, palette] : pairs)
+    if (const auto line = said(b.text, model, palette); !line.starts_with("unreadable: ")) return Checked(false, 0, line);
   return Checked(oracle::run_checker("--against").status == 2 && oracle::run_checker("--against absent x").status == 2, std::size(pairs));
 }
 
 }  // namespace
 
 PROPTEST(documents) {
-  t.holds("certificates of random meshes are accepted against their model and pose, with all of the node's vertices",
+  t.holds("certificates of random meshes are accepted against their model and palette, with all of the node's vertices",
           {.number_type = "double against rational", .cases = 15, .degenerate_at_least = 0.3}, check_random_meshes);
-  t.example("a certificate of another node, vertex, model or pose is rejected, each for its reason", {}, check_foreign);
-  t.example("what is no model or no pose is unreadable", {}, check_bad_documents);
+  t.example("a certificate of another node, vertex, model or palette is rejected, each for its reason", {}, check_foreign);
+  t.example("what is no model or no palette is unreadable", {}, check_bad_documents);
   t.example("a node's vertices are those of its triangles in the document", {}, [] {
     const auto c = bake(make_snake(5));
     const json model = json::parse(model_document(c));

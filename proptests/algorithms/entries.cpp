@@ -47,9 +47,9 @@ void tag(const WidePlan& plan, int triangles_per_leaf) {
 struct World {
   explicit World(const WidePlan& plan, int triangles_per_leaf)
       : character(bake(gen::wide_model(plan), {.triangles_per_leaf = triangles_per_leaf})),
-        posture(gen::wide_posture(plan, character.mesh)) {}
+        pose(gen::wide_pose(plan, character.mesh)) {}
   Character character;
-  Posture posture;
+  Pose pose;
 };
 
 World drawn_world() {
@@ -59,15 +59,15 @@ World drawn_world() {
   return World(plan, triangles_per_leaf);
 }
 
-// Of one skinning: its pose, the vertices as exact arithmetic and as skin() skins them.
+// Of one skinning: its palette, the vertices as exact arithmetic and as skin() skins them.
 class Truth {
  public:
   Truth(const World& w, Skinning skinning)
       : character_(w.character),
-        pose_(make_skinning_pose(w.character.mesh, w.character.sets, w.posture, skinning)),
-        exact_(w.character.mesh, w.character.sets, pose_, skinning),
-        skinned_(skin(w.character.mesh, w.character.sets, pose_, skinning)) {}
-  const SkinningPose<double>& pose() const { return pose_; }
+        palette_(make_skinning_palette(w.character.mesh, w.character.sets, w.pose, skinning)),
+        exact_(w.character.mesh, w.character.sets, palette_, skinning),
+        skinned_(skin(w.character.mesh, w.character.sets, palette_, skinning)) {}
+  const SkinningPalette<double>& palette() const { return palette_; }
 
   // The balls of all nodes hold their vertices, skinned either way.
   template <class Balls>
@@ -87,7 +87,7 @@ class Truth {
     return encloses(Ball<Rational, 3>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) == Verdict::holds;
   }
   const Character& character_;
-  const SkinningPose<double> pose_;
+  const SkinningPalette<double> palette_;
   ExactSkin exact_;
   const std::vector<Point3> skinned_;
 };
@@ -107,11 +107,11 @@ bool is_held_by_variants(const World& w) {
     Truth truth(w, skinning);
     for (const RefitVariant& variant : compared_variants()) {
       if (variant.skinning != skinning || !variant.sound) continue;
-      const auto balls = refit_all(w.character, variant, truth.pose());
+      const auto balls = refit_all(w.character, variant, truth.palette());
       ok = ok && truth.is_held_by([&](int n) { return balls[n]; });
     }
     FrameRefits refits(w.character, default_variant(skinning), {.most_joint_sets = 2, .children_first = true});
-    refits.begin(truth.pose()), refits.refit_all();
+    refits.begin(truth.palette()), refits.refit_all();
     ok = ok && truth.is_held_by([&](int n) { return refits[n]; });
   }
   return ok;
@@ -121,17 +121,17 @@ bool is_held_by_batches(const World& w) {
   Truth linear(w, Skinning::linear), spherical(w, Skinning::spherical);
   bool ok = holds_or_refuses([&] {
     NodeRefit one(w.character.tree, w.character.sets);
-    one.begin(spherical.pose());
+    one.begin(spherical.palette());
     return spherical.is_held_by([&](int n) { return one(n); });
   });
   BatchRefit batch(w.character.tree, w.character.sets);
   for (const Target target : available_targets()) {
     ok = ok && holds_or_refuses([&] {
-           const PackedBalls& balls = batch.linear(linear.pose(), target);
+           const PackedBalls& balls = batch.linear(linear.palette(), target);
            return linear.is_held_by([&](int n) { return balls[n]; });
          });
     ok = ok && holds_or_refuses([&] {
-           const PackedBalls& balls = batch.spherical(spherical.pose(), target);
+           const PackedBalls& balls = batch.spherical(spherical.palette(), target);
            return spherical.is_held_by([&](int n) { return balls[n]; });
          });
   }
@@ -141,12 +141,12 @@ bool is_held_by_batches(const World& w) {
 // Poses and skins in packs are those of one at a time, to the last bit.
 bool are_packs_the_same(const World& w, Skinning skinning) {
   const auto& c = w.character;
-  const auto pose = make_skinning_pose(c.mesh, c.sets, w.posture, skinning);
-  const auto expected = skin(c.mesh, c.sets, pose, skinning);
+  const auto palette = make_skinning_palette(c.mesh, c.sets, w.pose, skinning);
+  const auto expected = skin(c.mesh, c.sets, palette, skinning);
   bool ok = true;
   for (const Target target : available_targets()) {
-    SkinningPose<double> packed;
-    PosePacks(c.mesh, c.sets, skinning).make(w.posture, packed, target);
+    SkinningPalette<double> packed;
+    PalettePacks(c.mesh, c.sets, skinning).make(w.pose, packed, target);
     std::vector<Point3> skinned(expected.size());
     PackedVertices(c.mesh, c.sets).skin_all(packed, skinning, skinned, target);
     ok = ok && skinned == expected;
@@ -159,10 +159,10 @@ bool are_pairs_right(const World& w, Skinning skinning, std::mt19937& random) {
   double size = 0;
   for (const Point3& p : w.character.mesh.vertices) size = std::max(size, p.lpNorm<Eigen::Infinity>());
   const RigidTransform<double> here{}, there = gen::accepted_placement(random, size);
-  const auto expected = oracle::all_pairs({w.character, w.posture, here}, {w.character, w.posture, there}, skinning);
+  const auto expected = oracle::all_pairs({w.character, w.pose, here}, {w.character, w.pose, there}, skinning);
   const ClusterTree tree(w.character, {.most_triangles = 1 + static_cast<int>(random() % 8), .most_children = 2 + static_cast<int>(random() % 6)});
   ClusterBody a(tree, skinning), b(tree, skinning);
-  a.begin(w.posture, here), b.begin(w.posture, there);
+  a.begin(w.pose, here), b.begin(w.pose, there);
   QueryCounts counts;
   bool ok = oracle::sorted(collide(a, b, Query::full, counts)) == expected;
   ok = ok && collide(a, b, Query::yes_no, counts).empty() == expected.empty();
@@ -172,7 +172,7 @@ bool are_pairs_right(const World& w, Skinning skinning, std::mt19937& random) {
   ok = ok && contacts.size() == (expected.empty() ? 0u : 1u) && (expected.empty() || oracle::sorted(contacts[0].pairs) == expected);
   if (skinning == Skinning::hejl) return ok;
   Body body(w.character, default_variant(skinning));
-  body.begin(w.posture);
+  body.begin(w.pose);
   return ok && oracle::sorted(collide({body, here}, {body, there}, Query::full, counts)) == expected;
 }
 
@@ -185,7 +185,7 @@ PROPTEST(entries) {
           [] { RC_ASSERT(is_held_by_variants(drawn_world())); });
   t.holds("BatchRefit and NodeRefit hold all vertices on every target, or refuse lengths beyond single precision",
           over_all_ranges(120), [] { RC_ASSERT(is_held_by_batches(drawn_world())); });
-  t.holds("PosePacks and PackedVertices are make_skinning_pose and skin, to the last bit, on every target", over_all_ranges(120), [] {
+  t.holds("PalettePacks and PackedVertices are make_skinning_palette and skin, to the last bit, on every target", over_all_ranges(120), [] {
     RC_ASSERT(are_packs_the_same(drawn_world(), *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl,
                                                                   Skinning::dual_quaternion)));
   });

@@ -19,18 +19,18 @@ struct Skinned {
       : posed(std::move(drawn)),
         sets(posed.mesh),
         skinning(of),
-        pose(make_skinning_pose(posed.mesh, sets, posed.posture, skinning)),
-        exact(posed.mesh, sets, pose, skinning) {}
+        palette(make_skinning_palette(posed.mesh, sets, posed.pose, skinning)),
+        exact(posed.mesh, sets, palette, skinning) {}
   gen::PosedModel posed;
   JointSets sets;
   Skinning skinning;
-  SkinningPose<double> pose;
+  SkinningPalette<double> palette;
   ExactSkin exact;
 };
 
 // By matrices, which are exact rotations; so for spherical blending only, where all but the blended quaternion is given.
 RationalPoint by_matrix(const Skinned& s, int v) {
-  const auto set = s.pose[s.sets.of_vertex(v)];
+  const auto set = s.palette[s.sets.of_vertex(v)];
   Quaternion<Rational> q = Quaternion<Rational>::Zero();
   RationalPoint image = RationalPoint::Zero();
   const auto w = s.sets.weights(v);

@@ -28,16 +28,16 @@ using oracle::sorted;
 
 constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-// A character in a posture, by one skinning, and how large its numbers are.
+// A character in a pose, by one skinning, and how large its numbers are.
 struct Posed {
-  Posed(const Character& c, const Posture& posture, Skinning skinning)
-      : pose(make_skinning_pose(c.mesh, c.sets, posture, skinning)), deformed(skin(c.mesh, c.sets, pose, skinning)),
-        exact(c.mesh, c.sets, pose, skinning) {
+  Posed(const Character& c, const Pose& pose, Skinning skinning)
+      : palette(make_skinning_palette(c.mesh, c.sets, pose, skinning)), deformed(skin(c.mesh, c.sets, palette, skinning)),
+        exact(c.mesh, c.sets, palette, skinning) {
     for (const Point3& p : deformed) size = std::max(size, p.norm());
     for (const Point3& p : c.mesh.vertices) size = std::max(size, p.norm());
-    for (const auto& t : posture) size = std::max(size, t.translation.norm());
+    for (const auto& t : pose) size = std::max(size, t.translation.norm());
   }
-  SkinningPose<double> pose;
+  SkinningPalette<double> palette;
   std::vector<Point3> deformed;
   ExactSkin exact;
   double size = 0;
@@ -66,14 +66,14 @@ std::string complaint(const Character& c, Posed& posed, const Balls& ball_of) {
   return "";
 }
 
-std::string refit_complaints(const Character& c, const Posture& posture) {
+std::string refit_complaints(const Character& c, const Pose& pose) {
   std::string out;
   for (const Skinning skinning : skinnings) {
-    Posed posed(c, posture, skinning);
+    Posed posed(c, pose, skinning);
     const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
     for (const RefitVariant& variant : compared_variants()) {
       if (variant.skinning != bounded || !variant.sound) continue;
-      const auto balls = refit_all(c, variant, posed.pose);
+      const auto balls = refit_all(c, variant, posed.palette);
       const std::string wrong = complaint(c, posed, [&](int n) { return balls[n]; });
       if (!wrong.empty()) out += variant.name + ": " + wrong;
     }
@@ -83,59 +83,59 @@ std::string refit_complaints(const Character& c, const Posture& posture) {
 
 // "" too for lengths that are refused for being too large.
 template <class Work>
-std::string complaint_or_refusal(const Character& c, const Posture& posture, const Work& work) {
+std::string complaint_or_refusal(const Character& c, const Pose& pose, const Work& work) {
   try {
     return work();
   } catch (const std::range_error& e) {
-    const Posed posed(c, posture, Skinning::linear);
+    const Posed posed(c, pose, Skinning::linear);
     const bool is_clear = std::string(e.what()).starts_with("refit in single precision: a length of ");
     return posed.size > 1e17 && is_clear ? "" : std::string("refused: ") + e.what();
   }
 }
 
-std::string batch_complaints(const Character& c, const Posture& posture) {
+std::string batch_complaints(const Character& c, const Pose& pose) {
   BatchRefit batch(c.tree, c.sets);
   NodeRefit one(c.tree, c.sets);
-  Posed linear(c, posture, Skinning::linear), spherical(c, posture, Skinning::spherical);
+  Posed linear(c, pose, Skinning::linear), spherical(c, pose, Skinning::spherical);
   std::string out;
   for (const Target target : available_targets()) {
-    const PackedBalls& balls = batch.linear(linear.pose, target);
+    const PackedBalls& balls = batch.linear(linear.palette, target);
     out += complaint(c, linear, [&](int n) { return balls[n]; });
-    const PackedBalls& again = batch.spherical(spherical.pose, target);
+    const PackedBalls& again = batch.spherical(spherical.palette, target);
     out += complaint(c, spherical, [&](int n) { return again[n]; });
   }
-  one.begin(spherical.pose);
+  one.begin(spherical.palette);
   return out + complaint(c, spherical, [&](int n) { return one(n); });
 }
 
 // The second one stands a little beside the first, and so in contact.
-std::string collision_complaints(const Character& c, const Posture& posture) {
+std::string collision_complaints(const Character& c, const Pose& pose) {
   std::string out;
   for (const Skinning skinning : skinnings) {
-    const Posed posed(c, posture, skinning);
+    const Posed posed(c, pose, skinning);
     const RigidTransform<double> beside{{0.6, 0.8, 0, 0}, {0.01 * posed.size, 0, 0}};
-    const auto expected = oracle::all_pairs({c, posture, {}}, {c, posture, beside}, skinning);
+    const auto expected = oracle::all_pairs({c, pose, {}}, {c, pose, beside}, skinning);
     QueryCounts counts;
     if (skinning != Skinning::hejl) {
       const RefitVariant& variant = default_variant(skinning);
       Body body(c, variant);
-      body.begin(posture);
+      body.begin(pose);
       if (sorted(collide({body}, {body, beside}, Query::full, counts)) != expected)
         out += variant.name + ": other pairs; ";
     }
     const ClusterTree tree(c, {.most_triangles = 8, .most_children = 4});
     ClusterBody first(tree, skinning), second(tree, skinning);
-    first.begin(posture, {}), second.begin(posture, beside);
+    first.begin(pose, {}), second.begin(pose, beside);
     if (sorted(collide(first, second, Query::full, counts)) != expected) out += "clusters: other pairs; ";
   }
   return out;
 }
 
-Checked all_right(const SkinnedMesh& model, const Posture& posture) {
+Checked all_right(const SkinnedMesh& model, const Pose& pose) {
   const auto c = bake(model);
-  const std::string wrong = refit_complaints(c, posture) +
-                            complaint_or_refusal(c, posture, [&] { return batch_complaints(c, posture); }) +
-                            collision_complaints(c, posture);
+  const std::string wrong = refit_complaints(c, pose) +
+                            complaint_or_refusal(c, pose, [&] { return batch_complaints(c, pose); }) +
+                            collision_complaints(c, pose);
   return {wrong.empty(), static_cast<long>(c.tree.nodes.size()), wrong};
 }
 
@@ -223,8 +223,8 @@ Checked check_file(const ExtremeFile& file) {
     const Model model = load_model(folder.file("rig.glb"));
     if (!file.words.empty()) return {false, 1, "it loads"};
     const auto c = bake(model);
-    const Posture posture = model.clips[0].sample(0.7);
-    const std::string wrong = refit_complaints(c, posture);
+    const Pose pose = model.clips[0].sample(0.7);
+    const std::string wrong = refit_complaints(c, pose);
     return {wrong.empty(), static_cast<long>(c.tree.nodes.size()), wrong};
   } catch (const ModelError& e) {
     const std::string message = e.what();
@@ -239,7 +239,7 @@ Checked check_file(const ExtremeFile& file) {
 PROPTEST(extremes) {
   for (const ExtremeModel& extreme : gen::extreme_models())
     t.example(extreme.what + ": no ball misses a vertex, and queries find all pairs", {.number_type = "double"},
-              [&] { return all_right(extreme.mesh, extreme.posture); });
+              [&] { return all_right(extreme.mesh, extreme.pose); });
   t.holds("of what the interface accepts at its ends no sound variant's ball misses a vertex, be it skinned exactly: tiny, huge, "
           "both at once, of many joints, of quaternions off unit length",
           {.number_type = "double", .cases = 250, .degenerate_at_least = 0.3}, [] {
@@ -249,7 +249,7 @@ PROPTEST(extremes) {
             RC_CLASSIFY(wide.largest_length < 1e-70, "all of it tiny");
             RC_CLASSIFY(wide.least_coordinate < 1e-150, "below the slack for underflow");
             const auto c = bake(wide.mesh, {.triangles_per_leaf = wide.triangles_per_leaf});
-            if (const auto wrong = refit_complaints(c, wide.posture); !wrong.empty()) RC_FAIL(wrong + wide.what);
+            if (const auto wrong = refit_complaints(c, wide.pose); !wrong.empty()) RC_FAIL(wrong + wide.what);
           });
   for (const ExtremeFile& file : extreme_files())
     t.example("a file: " + std::string(file.what) + (file.words.empty() ? " load" : ": refused"), {},

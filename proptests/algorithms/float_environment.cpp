@@ -82,20 +82,20 @@ constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinnin
 // What the entries are asked about; made in the default mode.
 struct World {
   AnimatedCharacter character = bake(snake_with_denormals(), {.triangles_per_leaf = 4});
-  Posture posture = character.clips[0].sample(0.3);
-  SkinningPose<double> pose = make_skinning_pose(character.mesh, character.sets, posture, Skinning::spherical);
-  std::vector<Point3> deformed = skin(character.mesh, character.sets, pose, Skinning::spherical);
-  std::vector<Ball3<double>> balls = refit_all(character, default_variant(Skinning::spherical), pose);
+  Pose pose = character.clips[0].sample(0.3);
+  SkinningPalette<double> palette = make_skinning_palette(character.mesh, character.sets, pose, Skinning::spherical);
+  std::vector<Point3> deformed = skin(character.mesh, character.sets, palette, Skinning::spherical);
+  std::vector<Ball3<double>> balls = refit_all(character, default_variant(Skinning::spherical), palette);
   ClusterTree clusters{character, {.most_triangles = 32, .most_children = 4}};
-  RefitQuery query = make_refit_query(1, 3);
+  SyntheticCase query = make_synthetic_case(1, 3);
   RigidTransform<double> near{identity_quaternion<double>(), {0.15, 0.02, 1e-311}};
 };
 
-void add_pose(Bytes& out, const SkinningPose<double>& pose) {
-  for (std::size_t s = 0; s < pose.size(); ++s) {
-    const auto set = pose[s];
+void add_palette(Bytes& out, const SkinningPalette<double>& palette) {
+  for (std::size_t s = 0; s < palette.size(); ++s) {
+    const auto set = palette[s];
     out.add_all(set.transforms), out.add(set.rotation_center), out.add_all(set.center_images), out.add_all(set.duals);
-    if (pose.is_measured()) out.add(pose.scales(s).inverse_blend), out.add(pose.rounding(s, Skinning::linear).corners.offset);
+    if (palette.is_measured()) out.add(palette.scales(s).inverse_blend), out.add(palette.rounding(s, Skinning::linear).corners.offset);
   }
 }
 
@@ -118,18 +118,18 @@ std::vector<Entry> building_entries() {
       {"Character, its pieces", [](const World& w, Bytes& out) {
          const auto c = bake(w.character.mesh);
          for (const TreeNode& n : c.tree.nodes) out.add(n.reference);
-         for (const Pieces kind : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::clusters}) {
-           const auto node = c.refit_node(0, w.pose, kind);
-           for (std::size_t i = 0; i < node.joint_sets.size(); ++i) out.add(node.piece_reference(i));
+         for (const Pieces kind : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::many}) {
+           const auto node = c.refit_node(0, w.palette, kind);
+           for (std::size_t i = 0; i < node.pieces.size(); ++i) out.add(node.piece_reference(i));
          }
        }},
       {"quantize_weights", [](const World&, Bytes& out) {
          for (const auto& [joint, weight] : quantize_weights({{0, 0.1}, {3, 1e-310}, {7, 0.7}})) out.add(weight);
        }},
-      {"weight_corners, extreme_rows", [](const World&, Bytes& out) {
+      {"weight_polytope, extreme_rows", [](const World&, Bytes& out) {
          const std::vector<double> rows[] = {{0.25, 0.75}, {0x1p-24, 1 - 0x1p-24}, {0.5, 0.5}};
          const std::vector<std::span<const double>> list{rows[0], rows[1], rows[2]};
-         add_corners(out, weight_corners(list)), add_corners(out, extreme_rows(list));
+         add_corners(out, weight_polytope(list)), add_corners(out, extreme_rows(list));
        }},
   };
 }
@@ -140,14 +140,14 @@ std::vector<Entry> refitting_entries() {
     entries.push_back({"poses and skin, skinning " + std::to_string(static_cast<int>(skinning)),
                        [skinning](const World& w, Bytes& out) {
                          const auto& c = w.character;
-                         const auto pose = make_skinning_pose(c.mesh, c.sets, w.posture, skinning);
-                         add_pose(out, pose);
-                         out.add_all(skin(c.mesh, c.sets, pose, skinning));
+                         const auto palette = make_skinning_palette(c.mesh, c.sets, w.pose, skinning);
+                         add_palette(out, palette);
+                         out.add_all(skin(c.mesh, c.sets, palette, skinning));
                          for (const Target target : available_targets()) {
-                           SkinningPose<double> packed;
-                           PosePacks(c.mesh, c.sets, skinning).make(w.posture, packed, target);
+                           SkinningPalette<double> packed;
+                           PalettePacks(c.mesh, c.sets, skinning).make(w.pose, packed, target);
                            packed.measure();
-                           add_pose(out, packed);
+                           add_palette(out, packed);
                            std::vector<Point3> skinned(c.mesh.vertices.size());
                            PackedVertices(c.mesh, c.sets).skin_all(packed, skinning, skinned, target);
                            out.add_all(skinned);
@@ -155,10 +155,10 @@ std::vector<Entry> refitting_entries() {
                        }});
   for (const RefitVariant& variant : compared_variants())
     entries.push_back({"refit variant " + variant.name, [&variant](const World& w, Bytes& out) {
-                         out.add_all(refit_all(w.character, variant, w.pose));
+                         out.add_all(refit_all(w.character, variant, w.palette));
                          for (std::size_t n = 0; n < w.character.tree.nodes.size(); ++n)
                            out.add(variant.refit_as_computed(
-                               w.character.refit_node(static_cast<int>(n), w.pose, variant.pieces)));
+                               w.character.refit_node(static_cast<int>(n), w.palette, variant.pieces)));
                        }});
   for (const VolumeVariant& variant : volume_variants())
     entries.push_back({"volume variant " + variant.name, [&variant](const World& w, Bytes& out) {
@@ -171,25 +171,25 @@ std::vector<Entry> refitting_entries() {
                                volume);
                          };
                          for (std::size_t n = 0; n < w.character.tree.nodes.size(); ++n)
-                           add(variant.refit(w.character.refit_node(static_cast<int>(n), w.pose, variant.pieces)));
+                           add(variant.refit(w.character.refit_node(static_cast<int>(n), w.palette, variant.pieces)));
                          add(variant.around(w.balls));
                        }});
   entries.push_back({"FrameRefits", [](const World& w, Bytes& out) {
                        FrameRefits refits(w.character, default_variant(Skinning::spherical),
                                           {.most_joint_sets = 2, .children_first = true});
-                       refits.begin(w.pose), refits.refit_all();
+                       refits.begin(w.palette), refits.refit_all();
                        for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(refits[static_cast<int>(n)]);
                      }});
   entries.push_back({"BatchRefit, NodeRefit", [](const World& w, Bytes& out) {
                        BatchRefit batch(w.character.tree, w.character.sets);
                        for (const Target target : available_targets()) {
-                         const auto& spherical = batch.spherical(w.pose, target);
+                         const auto& spherical = batch.spherical(w.palette, target);
                          for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(spherical[static_cast<int>(n)]);
-                         const auto& linear = batch.linear(w.pose, target);
+                         const auto& linear = batch.linear(w.palette, target);
                          for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(linear[static_cast<int>(n)]);
                        }
                        NodeRefit one(w.character.tree, w.character.sets);
-                       one.begin(w.pose);
+                       one.begin(w.palette);
                        for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(one(static_cast<int>(n)));
                      }});
   entries.push_back({"optimal_balls, refit_bottom_up, smallest_ball_of_balls, box_orientations",
@@ -209,9 +209,9 @@ std::vector<Entry> query_entries() {
                        [skinning](const World& w, Bytes& out) {
                          const ClusterTree tree(w.character, {.most_triangles = 32, .most_children = 4});
                          ClusterBody a(tree, skinning), b(tree, skinning);
-                         a.begin(w.posture, {}), b.begin(w.posture, w.near);
+                         a.begin(w.pose, {}), b.begin(w.pose, w.near);
                          out.add(a.reach());
-                         for (std::size_t f = 0; f < tree.fans().size(); ++f) out.add(a.fan_box(static_cast<int>(f)));
+                         for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f) out.add(a.wide_node_box(static_cast<int>(f)));
                          for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
                            const int cluster = static_cast<int>(c);
                            out.add(a.cluster_box(cluster));
@@ -223,7 +223,7 @@ std::vector<Entry> query_entries() {
                        }});
   entries.push_back({"Body", [](const World& w, Bytes& out) {
                        Body a(w.character, default_variant(Skinning::spherical));
-                       a.begin(w.posture);
+                       a.begin(w.pose);
                        QueryCounts counts;
                        out.add_all(collide({a, {}}, {a, w.near}, Query::full, counts));
                      }});
@@ -231,7 +231,7 @@ std::vector<Entry> query_entries() {
     entries.push_back({two ? "collide_all, on two threads" : "collide_all, on one thread", [two](const World& w, Bytes& out) {
                          ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical),
                              c(w.clusters, Skinning::linear);
-                         a.begin(w.posture, {}), b.begin(w.posture, w.near), c.begin(w.posture, w.near);
+                         a.begin(w.pose, {}), b.begin(w.pose, w.near), c.begin(w.pose, w.near);
                          ClusterBody* const bodies[] = {&a, &b, &c};
                          CrowdCounts counts;
                          for (const Contact& contact : collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
@@ -248,13 +248,13 @@ std::vector<Entry> query_entries() {
                      }});
   entries.push_back({"certificate", [](const World& w, Bytes& out) {
                        const auto& variant = default_variant(Skinning::spherical);
-                       const auto node = w.character.refit_node(1, w.pose, variant.pieces);
+                       const auto node = w.character.refit_node(1, w.palette, variant.pieces);
                        out.add(certificate(node, Skinning::spherical, w.balls[1], certified_node(w.character, 1, "a snake", "", "")));
-                       out.add(model_document(w.character)), out.add(pose_document(w.character, w.pose, Skinning::spherical));
+                       out.add(model_document(w.character)), out.add(pose_document(w.character, w.palette, Skinning::spherical));
                      }});
-  entries.push_back({"make_refit_query, score", [](const World& w, Bytes& out) {
-                       out.add(as_text(make_refit_query(1, 4).reference.radius));
-                       SkinnedQuery skinned(w.query, Skinning::spherical);
+  entries.push_back({"make_synthetic_case, score", [](const World& w, Bytes& out) {
+                       out.add(as_text(make_synthetic_case(1, 4).reference.radius));
+                       SkinnedCase skinned(w.query, Skinning::spherical);
                        out.add(skinned.smallest_radius());
                        out.add(skinned.score({{0.1, 0.2, 0.3}, 0.7}).worst_miss);
                      }});

@@ -8,7 +8,7 @@
 
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
-#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
@@ -20,42 +20,42 @@ namespace {
 
 using namespace refitlab;
 
-Posture random_posture(const SkinnedMesh& model, unsigned seed) {
+Pose random_pose(const SkinnedMesh& model, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  Posture posture = reference_posture(model);
-  for (auto& t : posture) {
+  Pose pose = reference_pose(model);
+  for (auto& t : pose) {
     t.rotation = {1 + normal(random), normal(random), normal(random), normal(random)};
     t.rotation.normalize();
     t.translation = {normal(random), normal(random), normal(random)};
   }
-  return posture;
+  return pose;
 }
 
-// A drawn character in a random posture, or any other.
+// A drawn character in a random pose, or any other.
 struct Drawn {
-  Drawn(SkinnedMesh m, const Posture& posture, const RefitVariant& of)
+  Drawn(SkinnedMesh m, const Pose& pose, const RefitVariant& of)
       : variant(of),
         character(bake(std::move(m))),
-        pose(make_skinning_pose(character.mesh, character.sets, posture, variant.skinning)),
-        deformed(skin(character.mesh, character.sets, pose, variant.skinning)) {}
+        palette(make_skinning_palette(character.mesh, character.sets, pose, variant.skinning)),
+        deformed(skin(character.mesh, character.sets, palette, variant.skinning)) {}
   Drawn(SkinnedMesh m, unsigned seed)
       : character(bake(std::move(m))),
-        pose(make_skinning_pose(character.mesh, character.sets, random_posture(character.mesh, seed),
+        palette(make_skinning_palette(character.mesh, character.sets, random_pose(character.mesh, seed),
                                 variant.skinning)),
-        deformed(skin(character.mesh, character.sets, pose, variant.skinning)) {}
+        deformed(skin(character.mesh, character.sets, palette, variant.skinning)) {}
   int count() const { return static_cast<int>(character.tree.nodes.size()); }
-  Ball3<double> own(int n) const { return variant.refit(character.refit_node(n, pose, variant.pieces)); }
-  int joint_sets(int n) const { return static_cast<int>(character.tree.refit_node(n, pose).joint_sets.size()); }
+  Ball3<double> own(int n) const { return variant.refit(character.refit_node(n, palette, variant.pieces)); }
+  int joint_sets(int n) const { return static_cast<int>(character.tree.refit_node(n, palette).pieces.size()); }
   bool encloses(const Ball3<double>& ball, int n) const {
     for (const int v : character.vertices[n])
       if (!(norm<double, 3>(deformed[v] - ball.center) <= ball.radius + 1e-12)) return false;
     return true;
   }
 
-  const RefitVariant& variant = compared_variant("control_sets_exact");
+  const RefitVariant& variant = compared_variant("control_sets_miniball");
   Character character;
-  SkinningPose<double> pose;
+  SkinningPalette<double> palette;
   std::vector<Point3> deformed;
 };
 
@@ -77,25 +77,25 @@ SkinnedMesh two_strips() {
   return m;
 }
 
-Posture with_opposite_turns() {
-  Posture posture(4);
-  posture[1] = {{0, 1, 0, 0}, {1, 2, 3}};
-  posture[2] = {{0, -1, 0, 0}, {0, 0, 0}};
-  return posture;
+Pose with_opposite_turns() {
+  Pose pose(4);
+  pose[1] = {{0, 1, 0, 0}, {1, 2, 3}};
+  pose[2] = {{0, -1, 0, 0}, {0, 0, 0}};
+  return pose;
 }
 
 // Each ball encloses its vertices and is defined; all of space are those that have to be, and the balls above them.
 std::string fault_of_infinite(const Drawn& d, const FrameOptions& options) {
   FrameRefits frame(d.character, d.variant, options);
-  frame.begin(d.pose);
+  frame.begin(d.palette);
   frame.refit_all();
   long infinite = 0;
   for (int n = 0; n < d.count(); ++n) {
     const Ball3<double>& ball = frame[n];
     if (!ball.center.allFinite() || !(ball.radius >= 0) || !d.encloses(ball, n)) return "a ball that is undefined";
     bool is_expected = std::isinf(d.own(n).radius), finite_children = d.character.tree.nodes[n].child_count > 0;
-    if (!frame.front(n).empty()) is_expected = false;
-    for (const int below : frame.front(n)) is_expected = is_expected || std::isinf(frame[below].radius);
+    if (!frame.cut(n).empty()) is_expected = false;
+    for (const int below : frame.cut(n)) is_expected = is_expected || std::isinf(frame[below].radius);
     for (int c = 0; c < d.character.tree.nodes[n].child_count; ++c)
       finite_children = finite_children && std::isfinite(frame[d.character.tree.nodes[n].first_child + c].radius);
     if (options.children_first && finite_children) is_expected = false;
@@ -112,7 +112,7 @@ Drawn draw() {
 }
 
 // The front of a node by its definition: the member of most joint-sets, of several the first, gives way to its children.
-std::vector<int> front_by_definition(const Drawn& d, int n, const FrameOptions& options) {
+std::vector<int> cut_by_definition(const Drawn& d, int n, const FrameOptions& options) {
   const auto children = [&](int m) {
     std::vector<int> out;
     for (int c = 0; c < d.character.tree.nodes[m].child_count; ++c) out.push_back(d.character.tree.nodes[m].first_child + c);
@@ -127,7 +127,7 @@ std::vector<int> front_by_definition(const Drawn& d, int n, const FrameOptions& 
         widest = m;
     if (widest < 0) return front;
     const auto below = children(widest);
-    if (static_cast<int>(front.size() + below.size()) - 1 > options.most_front) return front;
+    if (static_cast<int>(front.size() + below.size()) - 1 > options.most_in_cut) return front;
     front.erase(std::find(front.begin(), front.end(), widest));
     front.insert(front.end(), below.begin(), below.end());
   }
@@ -138,7 +138,7 @@ Ball3<double> ball_by_definition(const Drawn& d, int n, const FrameOptions& opti
   refitted.insert(n);
   if (d.joint_sets(n) <= options.most_joint_sets || d.character.tree.nodes[n].child_count == 0) return d.own(n);
   std::vector<Ball3<double>> balls;
-  for (const int below : front_by_definition(d, n, options)) balls.push_back(ball_by_definition(d, below, options, refitted));
+  for (const int below : cut_by_definition(d, n, options)) balls.push_back(ball_by_definition(d, below, options, refitted));
   return few_balls_ball(balls).ball;
 }
 
@@ -149,12 +149,12 @@ PROPTEST(frame_refits) {
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
             FrameRefits frame(d.character, d.variant,
-                              {.most_joint_sets = *rc::gen::element(0, 1, 2, 4), .most_front = *rc::gen::element(2, 64), .children_first = *rc::gen::arbitrary<bool>()});
+                              {.most_joint_sets = *rc::gen::element(0, 1, 2, 4), .most_in_cut = *rc::gen::element(2, 64), .children_first = *rc::gen::arbitrary<bool>()});
             for (int round = 0; round < 3; ++round) {
-              const auto pose = make_skinning_pose(d.character.mesh, d.character.sets,
-                                                   random_posture(d.character.mesh, 77u + round), d.variant.skinning);
-              const auto deformed = skin(d.character.mesh, d.character.sets, pose, d.variant.skinning);
-              frame.begin(pose);
+              const auto palette = make_skinning_palette(d.character.mesh, d.character.sets,
+                                                   random_pose(d.character.mesh, 77u + round), d.variant.skinning);
+              const auto deformed = skin(d.character.mesh, d.character.sets, palette, d.variant.skinning);
+              frame.begin(palette);
               std::mt19937 random(static_cast<unsigned>(round));
               for (int i = 0; i < 40; ++i) {
                 const int n = static_cast<int>(random() % static_cast<unsigned>(d.count()));
@@ -168,7 +168,7 @@ PROPTEST(frame_refits) {
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
             FrameRefits frame(d.character, d.variant);
-            frame.begin(d.pose);
+            frame.begin(d.palette);
             std::set<int> asked;
             for (int i = 0; i < 30; ++i) {
               const int n = *rc::gen::inRange(0, d.count());
@@ -185,7 +185,7 @@ PROPTEST(frame_refits) {
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
             FrameRefits frame(d.character, d.variant, {.children_first = true});
-            frame.begin(d.pose);
+            frame.begin(d.palette);
             frame.refit_all();
             for (int n = 0; n < d.count(); ++n) {
               const TreeNode& node = d.character.tree.nodes[n];
@@ -200,10 +200,10 @@ PROPTEST(frame_refits) {
   t.holds("from below: a node of many joint-sets gets the smallest ball around its front's, which alone is refitted for it",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
-            const FrameOptions options{.most_joint_sets = *rc::gen::element(1, 2, 3), .most_front = *rc::gen::element(1, 3, 6, 64)};
+            const FrameOptions options{.most_joint_sets = *rc::gen::element(1, 2, 3), .most_in_cut = *rc::gen::element(1, 3, 6, 64)};
             FrameRefits frame(d.character, d.variant, options);
             for (int n = 0; n < d.count(); n += n < 6 ? 1 : 4) {
-              frame.begin(d.pose);
+              frame.begin(d.palette);
               const Ball3<double> ball = frame[n];
               std::set<int> expected;
               const double radius = ball_by_definition(d, n, options, expected).radius;
@@ -214,24 +214,24 @@ PROPTEST(frame_refits) {
           });
   t.example("around a ball that is all of space is all of space, from below and of children, and only there", {}, [] {
     long frames = 0;
-    for (const char* name : {"dual_quaternion_control_mean", "dual_quaternion_control_near", "dual_quaternion_control_exact"}) {
+    for (const char* name : {"dual_quaternion_control_mean", "dual_quaternion_control_near", "dual_quaternion_control_miniball"}) {
       const Drawn d(two_strips(), with_opposite_turns(), compared_variant(name));
       for (const int most_joint_sets : {0, 1, 2})
-        for (const int most_front : {1, 2, 64})
+        for (const int most_in_cut : {1, 2, 64})
           for (const bool children_first : {false, true}) {
-            const std::string fault = fault_of_infinite(d, {most_joint_sets, most_front, children_first});
+            const std::string fault = fault_of_infinite(d, {most_joint_sets, most_in_cut, children_first});
             if (!fault.empty()) return Checked(false, frames, name + (": " + fault));
             ++frames;
           }
     }
     return Checked(true, frames);
   });
-  t.holds("the balls made since begin are counted by their levels, those for fronts too",
+  t.holds("the balls made since begin are counted by their levels, those for cuts too",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
-            FrameRefits frame(d.character, d.variant, {.most_joint_sets = *rc::gen::element(0, 1, 3), .most_front = 6});
+            FrameRefits frame(d.character, d.variant, {.most_joint_sets = *rc::gen::element(0, 1, 3), .most_in_cut = 6});
             for (int round = 0; round < 3; ++round) {
-              frame.begin(d.pose);
+              frame.begin(d.palette);
               for (int i = 0; i < 5 * (2 - round); ++i) frame[*rc::gen::inRange(0, d.count())];
               std::vector<long> expected(d.character.tree.level_count());
               for (int n = 0; n < d.count(); ++n)
@@ -239,34 +239,34 @@ PROPTEST(frame_refits) {
               RC_ASSERT(frame.refitted_by_level() == expected);
             }
           });
-  t.example("a pose whose arrays were filled by hand is refused until it is measured", {}, [] {
+  t.example("a palette whose arrays were filled by hand is refused until it is measured", {}, [] {
     const auto snake = bake(make_snake(5));
     FrameRefits frame(snake, default_variant(Skinning::spherical));
-    SkinningPose<double> pose;
-    PosePacks(snake.mesh, snake.sets, Skinning::spherical).make(reference_posture(snake.mesh), pose);
+    SkinningPalette<double> palette;
+    PalettePacks(snake.mesh, snake.sets, Skinning::spherical).make(reference_pose(snake.mesh), palette);
     try {
-      frame.begin(pose);
+      frame.begin(palette);
       return false;
     } catch (const std::invalid_argument&) {
     }
-    pose.measure();
-    frame.begin(pose);
+    palette.measure();
+    frame.begin(palette);
     return frame[0].radius > 0;
   });
   t.example("of the built-in man's inner nodes some are bounded from below, some by their children, some by themselves", {}, [] {
     static const Drawn man(make_man(), 2006);
     FrameRefits plain(man.character, man.variant), below(man.character, man.variant, {.most_joint_sets = 16}),
         children(man.character, man.variant, {.children_first = true});
-    for (FrameRefits* frame : {&plain, &below, &children}) frame->begin(man.pose), frame->refit_all();
-    long from_below = 0, smaller = 0, same = 0;
+    for (FrameRefits* frame : {&plain, &below, &children}) frame->begin(man.palette), frame->refit_all();
+    long through_descendants = 0, smaller = 0, same = 0;
     for (int n = 0; n < man.count(); ++n) {
       if (man.character.tree.nodes[n].child_count == 0) continue;
-      from_below += man.joint_sets(n) > 16;
+      through_descendants += man.joint_sets(n) > 16;
       (children[n].radius < plain[n].radius ? smaller : same)++;
       if (children[n].radius > plain[n].radius || !man.encloses(below[n], n)) return Checked(false, n);
     }
-    return Checked(from_below > 10 && smaller > 10 && same > 10, from_below + smaller + same,
-                   std::to_string(from_below) + " from below; " + std::to_string(smaller) + " smaller by their children, " +
+    return Checked(through_descendants > 10 && smaller > 10 && same > 10, through_descendants + smaller + same,
+                   std::to_string(through_descendants) + " from below; " + std::to_string(smaller) + " smaller by their children, " +
                        std::to_string(same) + " not");
   });
 }

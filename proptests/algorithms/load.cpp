@@ -1,4 +1,4 @@
-// Loading rigged files: what they pose, against assimp's own matrices, and what is refused.
+// Loading rigged files: what they palette, against assimp's own matrices, and what is refused.
 #include "algorithms/model/guarded_load.hpp"
 #include "algorithms/model/load.hpp"
 
@@ -53,11 +53,11 @@ Checked refuses(const std::string& path, const std::vector<std::string>& words) 
   return {complete, 1, message.empty() ? "it loads" : message};
 }
 
-std::vector<Point3> blend_linearly(const Model& model, const Posture& posture) {
+std::vector<Point3> blend_linearly(const Model& model, const Pose& pose) {
   std::vector<Point3> posed;
   for (std::size_t v = 0; v < model.vertices.size(); ++v) {
     Point3 sum(0, 0, 0);
-    for (const Influence& i : model.influences[v]) sum += i.weight * apply(posture[i.joint], model.vertices[v]);
+    for (const Influence& i : model.influences[v]) sum += i.weight * apply(pose[i.joint], model.vertices[v]);
     posed.push_back(sum);
   }
   return posed;
@@ -96,13 +96,13 @@ double worst_deviation(const Model& model, const std::string& path, int times) {
 }
 
 // Unit quaternions, each in the half-space of its parent's.
-bool well_formed(const Model& model, const Posture& posture) {
-  bool good = posture.size() == model.joints.size();
-  for (std::size_t j = 0; j < posture.size(); ++j) {
+bool well_formed(const Model& model, const Pose& pose) {
+  bool good = pose.size() == model.joints.size();
+  for (std::size_t j = 0; j < pose.size(); ++j) {
     const int parent = model.joints[j].parent;
-    const auto& q = posture[j].rotation;
+    const auto& q = pose[j].rotation;
     good = good && std::abs(squared_norm(q) - 1) < 1e-14;
-    good = good && (parent < 0 ? q[0] : dot(q, posture[parent].rotation)) >= 0;
+    good = good && (parent < 0 ? q[0] : dot(q, pose[parent].rotation)) >= 0;
   }
   return good;
 }
@@ -138,7 +138,7 @@ Checked over_real_models(const Check& check) {
 }  // namespace
 
 PROPTEST(load) {
-  t.holds("a loaded rig is posed as the file's own matrices pose it", {.cases = 300, .degenerate_at_least = 0.05}, [] {
+  t.holds("a loaded rig is posed as the file's own matrices palette it", {.cases = 300, .degenerate_at_least = 0.05}, [] {
     const gen::RigTraits traits = gen::draw_traits();
     RC_CLASSIFY(traits.joints == 1 || traits.split_joint, "degenerate");
     RC_CLASSIFY(traits.mirrored, "mirrored");
@@ -155,7 +155,7 @@ PROPTEST(load) {
       RC_ASSERT(well_formed(model, model.clips[0].sample(share * model.clips[0].duration)));
   });
 
-  t.example("the real models are posed as their own matrices pose them", {}, [] {
+  t.example("the real models are posed as their own matrices palette them", {}, [] {
     return over_real_models([](const RealModel&, const std::string& path) -> std::string {
       const double worst = worst_deviation(load_model(path), path, 4);
       return worst < 1e-5 ? "" : "deviates by " + std::to_string(worst) + " of its size";
@@ -323,16 +323,16 @@ PROPTEST(load) {
           for (float& x : track.values) x *= by;
       return load(scene).clips[0].sample(0.7);
     };
-    const Posture plain = scaled(1);
+    const Pose plain = scaled(1);
     double worst = 0;
     for (const float by : {1e-3f, 0.3f, 1e3f}) {
-      const Posture posture = scaled(by);
+      const Pose pose = scaled(by);
       for (std::size_t j = 0; j < plain.size(); ++j)
-        worst = std::max(worst, norm<double, 4>(posture[j].rotation - plain[j].rotation));
+        worst = std::max(worst, norm<double, 4>(pose[j].rotation - plain[j].rotation));
     }
     return Checked(worst < 1e-5, 3, std::to_string(worst));
   });
-  t.example("a posture between the times that loading checks is refused when it is sampled", {}, [] {
+  t.example("a pose between the times that loading checks is refused when it is sampled", {}, [] {
     RiggedGltf scene = gen::bending_tube(3);
     gen::GltfTrack track{1, "scale", {}, {}};
     for (int k = 0; k <= 1000; ++k) {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "algorithms/runtime/collide/reach_piece_kernel.hpp"
+#include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
 #include "proptests/harness.hpp"
 
@@ -14,27 +14,27 @@ namespace {
 using namespace refitlab;
 
 // How many lanes are boxed elsewhere than at 1 + the number of their joint.
-int misplaced(const std::int32_t (&joint)[reach_lanes], int count, Target target) {
-  const int room = look_up_room(count);
+int misplaced(const std::int32_t (&joint)[motion_bound_lanes], int count, Target target) {
+  const int room = look_up_size(count);
   std::vector<Lanes<float>> numbers(8 * room / Lanes<float>::count);
   float* table = numbers.data()->lane.data();
   for (int j = 0; j < room; ++j) {
     table[j] = 1;                                                               // the rotations stay
     for (int i = 4; i < 7; ++i) table[i * room + j] = j < count ? 1 + j : -99;  // nothing behind is to be looked up
   }
-  ReachPiecePack piece{};
-  ReachPack& pack = piece.ball;
-  FlippedBox boxes[reach_lanes];
-  for (int lane = 0; lane < reach_lanes; ++lane) {
+  MotionBoundPiecePack piece{};
+  MotionBoundPack& pack = piece.ball;
+  FlippedBox boxes[motion_bound_lanes];
+  for (int lane = 0; lane < motion_bound_lanes; ++lane) {
     for (auto& slot : pack.joint) slot[lane] = joint[lane];
     pack.joint_count[lane] = 1;
     pack.target[lane] = lane;
     boxes[lane].set_all(std::numeric_limits<float>::infinity());
   }
   pack.slot_count = 1;
-  if (!bound_reach_pieces(target)(table, count, room, &piece, 1, false, 0, boxes)) return reach_lanes;
+  if (!bound_motion_pieces(target)(table, count, room, &piece, 1, false, 0, boxes)) return motion_bound_lanes;
   int wrong = 0;
-  for (int lane = 0; lane < reach_lanes; ++lane)
+  for (int lane = 0; lane < motion_bound_lanes; ++lane)
     for (int i = 0; i < 3; ++i)
       wrong += boxes[lane].box().low[i] != 1 + joint[lane] || boxes[lane].box().high[i] != 1 + joint[lane];
   return wrong;
@@ -49,8 +49,8 @@ PROPTEST(look_up) {
     for (const Target target : available_targets())
       for (int count = 1; count <= 200; ++count)
         for (int times = 0; times < 8; ++times) {
-          alignas(64) std::int32_t joint[reach_lanes];
-          for (int lane = 0; lane < reach_lanes; ++lane)  // the first and last places too
+          alignas(64) std::int32_t joint[motion_bound_lanes];
+          for (int lane = 0; lane < motion_bound_lanes; ++lane)  // the first and last places too
             joint[lane] = times == 0 ? (lane % 2 ? count - 1 : 0) : static_cast<int>(random() % count);
           wrong += misplaced(joint, count, target), ++tried;
         }
@@ -59,7 +59,7 @@ PROPTEST(look_up) {
   t.example("a table has room for its numbers in pairs of the widest registers", {}, [] {
     bool ok = true;
     for (int count = 1; count <= 200; ++count)
-      ok = ok && look_up_room(count) >= count && look_up_room(count) % 32 == 0 && look_up_room(count) < count + 32;
+      ok = ok && look_up_size(count) >= count && look_up_size(count) % 32 == 0 && look_up_size(count) < count + 32;
     return Checked(ok, 200);
   });
 }

@@ -1,10 +1,10 @@
-// What makes a model, or a posture of it, one that is refused.
+// What makes a model, or a pose of it, one that is refused.
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 #include <cmath>
 #include <functional>
 
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -112,9 +112,9 @@ double last_accepted_scale(double direction) {
 
 std::string refusal_of_rotation(const Quaternion<double>& q) {
   const SkinnedMesh m = tube();
-  Posture posture = reference_posture(m);
-  posture[2].rotation = q;
-  return refusal([&] { check_posture(m, posture); });
+  Pose pose = reference_pose(m);
+  pose[2].rotation = q;
+  return refusal([&] { check_pose(m, pose); });
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ PROPTEST(model) {
     return Checked(wrong.empty(), static_cast<long>(list.size()), wrong);
   });
   t.example("a rotation is refused from where its squared length differs from 1 by more than 1e-6, on both sides", {}, [] {
-    const std::string reason = "tube: posture, joint 2 (joint 2): its rotation is not a quaternion of unit length";
+    const std::string reason = "tube: pose, joint 2 (joint 2): its rotation is not a quaternion of unit length";
     bool good = true;
     for (const double direction : {0.0, 2.0}) {
       const double last = last_accepted_scale(direction), next = std::nextafter(last, direction);
@@ -150,26 +150,26 @@ PROPTEST(model) {
     RC_PRE(q.norm() > 0);
     RC_ASSERT(refusal_of_rotation(q.normalized().cast<float>().cast<double>()).empty());
   });
-  t.example("a posture is refused for a joint too few and one too many, and for any number that is not finite", {}, [] {
+  t.example("a pose is refused for a joint too few and one too many, and for any number that is not finite", {}, [] {
     const SkinnedMesh m = tube();
-    const auto refused = [&](const std::function<void(Posture&)>& change) {
-      Posture posture = reference_posture(m);
-      change(posture);
-      return refusal([&] { check_posture(m, posture); });
+    const auto refused = [&](const std::function<void(Pose&)>& change) {
+      Pose pose = reference_pose(m);
+      change(pose);
+      return refusal([&] { check_pose(m, pose); });
     };
-    bool good = refused([](Posture&) {}).empty() && refused([](Posture& p) { p.clear(); }) == "tube: posture: has 0 transforms for 3 joints" &&
-                refused([](Posture& p) { p.pop_back(); }) == "tube: posture: has 2 transforms for 3 joints" &&
-                refused([](Posture& p) { p.emplace_back(); }) == "tube: posture: has 4 transforms for 3 joints";
-    const std::string infinite = "tube: posture, joint 2 (joint 2): its transform is not finite",
-                      far = "tube: posture, joint 2 (joint 2): its translation is out of range, beyond 1e40";
+    bool good = refused([](Pose&) {}).empty() && refused([](Pose& p) { p.clear(); }) == "tube: pose: has 0 transforms for 3 joints" &&
+                refused([](Pose& p) { p.pop_back(); }) == "tube: pose: has 2 transforms for 3 joints" &&
+                refused([](Pose& p) { p.emplace_back(); }) == "tube: pose: has 4 transforms for 3 joints";
+    const std::string infinite = "tube: pose, joint 2 (joint 2): its transform is not finite",
+                      far = "tube: pose, joint 2 (joint 2): its translation is out of range, beyond 1e40";
     for (const double x : {double(NAN), double(INFINITY), -double(INFINITY)}) {
-      for (int i = 0; i < 4; ++i) good = good && refused([&](Posture& p) { p[2].rotation[i] = x; }) == infinite;
-      for (int i = 0; i < 3; ++i) good = good && refused([&](Posture& p) { p[2].translation[i] = x; }) == infinite;
+      for (int i = 0; i < 4; ++i) good = good && refused([&](Pose& p) { p[2].rotation[i] = x; }) == infinite;
+      for (int i = 0; i < 3; ++i) good = good && refused([&](Pose& p) { p[2].translation[i] = x; }) == infinite;
     }
     for (int i = 0; i < 3; ++i)
       for (const double sign : {-1.0, 1.0})
-        good = good && refused([&](Posture& p) { p[2].translation[i] = sign * 1e40; }).empty() &&
-               refused([&](Posture& p) { p[2].translation[i] = sign * beyond; }) == far;
+        good = good && refused([&](Pose& p) { p[2].translation[i] = sign * 1e40; }).empty() &&
+               refused([&](Pose& p) { p[2].translation[i] = sign * beyond; }) == far;
     return good;
   });
   t.example("a model with one thing wrong is refused with its name, the thing and the reason", {}, [] {
@@ -182,15 +182,15 @@ PROPTEST(model) {
     }
     return Checked(wrong.empty(), static_cast<long>(broken_models().size()), wrong);
   });
-  t.example("a posture that moves a joint out of range is refused, and one at its end is not", {}, [] {
+  t.example("a pose that moves a joint out of range is refused, and one at its end is not", {}, [] {
     const SkinnedMesh m = tube();
-    Posture posture = reference_posture(m);
-    posture[1].translation[2] = -largest_coordinate;
-    const std::string at_the_end = refusal([&] { check_posture(m, posture); });
-    posture[1].translation[2] *= 1.1;
-    const std::string message = refusal([&] { check_posture(m, posture); });
+    Pose pose = reference_pose(m);
+    pose[1].translation[2] = -largest_coordinate;
+    const std::string at_the_end = refusal([&] { check_pose(m, pose); });
+    pose[1].translation[2] *= 1.1;
+    const std::string message = refusal([&] { check_pose(m, pose); });
     return Checked(at_the_end.empty() &&
-                       message == "tube: posture, joint 1 (joint 1): its translation is out of range, beyond 1e40",
+                       message == "tube: pose, joint 1 (joint 1): its translation is out of range, beyond 1e40",
                    2, message);
   });
 }

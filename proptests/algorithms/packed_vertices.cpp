@@ -26,17 +26,17 @@ bool are_identical(const Point3& a, const Point3& b) {
 }
 
 // Every group and the whole model, by every target, against skin().
-bool is_as_skin(const PackedVertices& packed, const SkinnedMesh& model, const JointSets& sets, const SkinningPose<double>& pose,
+bool is_as_skin(const PackedVertices& packed, const SkinnedMesh& model, const JointSets& sets, const SkinningPalette<double>& palette,
                 Skinning skinning) {
-  const auto expected = skin(model, sets, pose, skinning);
+  const auto expected = skin(model, sets, palette, skinning);
   const Point3 untouched(7, 7, 7);
   for (const Target target : available_targets()) {
     std::vector<Point3> all(expected.size(), untouched);
-    packed.skin_all(pose, skinning, all, target);
+    packed.skin_all(palette, skinning, all, target);
     std::set<int> grouped;
     SkinnedVertices skinned;
     for (int g = 0; g < packed.group_count(); ++g) {
-      packed.skin_group(g, pose, skinning, skinned, target);
+      packed.skin_group(g, palette, skinning, skinned, target);
       const auto vertices = packed.vertices(g);
       for (std::size_t place = 0; place < vertices.size(); ++place) {
         if (!are_identical(skinned[static_cast<int>(place)], expected[vertices[place]])) return false;
@@ -69,8 +69,8 @@ PROPTEST(packed_vertices) {
               RC_ASSERT(std::set<int>(vertices.begin(), vertices.end()) == std::set<int>(groups[g].begin(), groups[g].end()));
             }
             const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(kinds), std::end(kinds)));
-            const auto pose = make_skinning_pose(posed.mesh, sets, posed.posture, skinning);
-            RC_ASSERT(is_as_skin(packed, posed.mesh, sets, pose, skinning));
+            const auto palette = make_skinning_palette(posed.mesh, sets, posed.pose, skinning);
+            RC_ASSERT(is_as_skin(packed, posed.mesh, sets, palette, skinning));
           });
   t.holds("also at the ends of what is accepted: up to 90 joints a joint-set, tiny and huge, quaternions off unit length",
           {.number_type = "double pack", .cases = 200}, [] {
@@ -79,7 +79,7 @@ PROPTEST(packed_vertices) {
             const JointSets sets(wide.mesh);
             const PackedVertices packed(wide.mesh, sets);
             for (const Skinning skinning : kinds)
-              RC_ASSERT(is_as_skin(packed, wide.mesh, sets, make_skinning_pose(wide.mesh, sets, wide.posture, skinning), skinning));
+              RC_ASSERT(is_as_skin(packed, wide.mesh, sets, make_skinning_palette(wide.mesh, sets, wide.pose, skinning), skinning));
           });
   t.example("the built-in man and creature are, as a whole, in mid-clip", {.number_type = "double pack"}, [] {
     long checked = 0;
@@ -88,8 +88,8 @@ PROPTEST(packed_vertices) {
       const PackedVertices packed(model, sets);
       for (const Skinning skinning : kinds) {
         const auto& clip = model.clips[0];
-        const auto pose = make_skinning_pose(model, sets, clip.sample(0.4 * clip.duration), skinning);
-        if (!is_as_skin(packed, model, sets, pose, skinning)) return Checked(false, checked, model.name);
+        const auto palette = make_skinning_palette(model, sets, clip.sample(0.4 * clip.duration), skinning);
+        if (!is_as_skin(packed, model, sets, palette, skinning)) return Checked(false, checked, model.name);
         checked += static_cast<long>(model.vertices.size());
       }
     }

@@ -21,22 +21,22 @@ struct Rig {
   explicit Rig(SkinnedMesh m, const TreeOptions& options = {})
       : mesh(std::move(m)), sets(mesh), tree(build_sphere_tree(mesh, sets, options)), vertices(tree, mesh) {
     for (int s = 0; s < sets.count(); ++s) {
-      pose.append(sets.joints(s).size());
-      pose.complete(Point3::Zero());
+      palette.append(sets.joints(s).size());
+      palette.complete(Point3::Zero());
     }
   }
   SkinnedMesh mesh;
   JointSets sets;
   SphereTree tree;
   NodeVertices vertices;
-  SkinningPose<double> pose;  // at rest
+  SkinningPalette<double> palette;  // at rest
 };
 
 oracle::Row exact(std::span<const double> w) { return {w.begin(), w.end()}; }
 
-std::vector<oracle::Row> corners_of(const RefitNode<double>& node, const NodeJointSet& piece) {
+std::vector<oracle::Row> corners_of(const RefitNode<double>& node, const NodePiece& piece) {
   std::vector<oracle::Row> rows;
-  for (int k = 0; k < piece.corner_count; ++k) rows.push_back(exact(node.corner(piece, k)));
+  for (int k = 0; k < piece.weight_vertex_count; ++k) rows.push_back(exact(node.corner(piece, k)));
   return rows;
 }
 
@@ -58,37 +58,37 @@ bool in_ball(const Ball3<double>& ball, const Point3& v) {
 
 // What is wrong with a node's pieces; empty if nothing is. At most `most` of its vertices are looked at.
 std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOptions& options, std::size_t most) {
-  const auto share = static_cast<int>(options.pieces_per_joint_set * rig.tree.nodes[n].joint_set_count);
+  const auto share = static_cast<int>(options.pieces_per_joint_set * rig.tree.nodes[n].piece_count);
   const int most_pieces = std::max(options.most_pieces, share);
-  const auto node = table.refit_node(rig.tree, n, rig.pose);
+  const auto node = table.refit_node(rig.tree, n, rig.palette);
   const auto of_node = rig.vertices[n];
   std::set<int> expected, seen;
   for (const int v : of_node) expected.insert(rig.sets.of_vertex(v));
-  for (const auto& piece : node.joint_sets) seen.insert(piece.joint_set);
+  for (const auto& piece : node.pieces) seen.insert(piece.joint_set);
   if (seen != expected) return "the pieces' joint-sets are not those of the vertices";
-  const auto by_set = [](const NodeJointSet& a, const NodeJointSet& b) { return a.joint_set < b.joint_set; };
-  if (node.joint_sets.size() > 4 && !std::is_sorted(node.joint_sets.begin() + 4, node.joint_sets.end(), by_set))
+  const auto by_set = [](const NodePiece& a, const NodePiece& b) { return a.joint_set < b.joint_set; };
+  if (node.pieces.size() > 4 && !std::is_sorted(node.pieces.begin() + 4, node.pieces.end(), by_set))
     return "behind those that come first, the joint-sets are not in order";
   if (options.vertices_per_control_point == 0 &&
-      node.joint_sets.size() > std::max<std::size_t>(expected.size(), static_cast<std::size_t>(most_pieces)))
+      node.pieces.size() > std::max<std::size_t>(expected.size(), static_cast<std::size_t>(most_pieces)))
     return "too many pieces";
-  const auto simple = rig.tree.refit_node(n, rig.pose);
-  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+  const auto simple = rig.tree.refit_node(n, rig.palette);
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     if (node.piece_reference(i).radius > simple.reference.radius * (1 + 1e-12))
       return "a piece is larger than its node";
-    for (const auto& set : simple.joint_sets)
-      if (most_pieces == 1 && set.joint_set == node.joint_sets[i].joint_set &&
-          node.joint_sets[i].corner_count > set.corner_count)
+    for (const auto& set : simple.pieces)
+      if (most_pieces == 1 && set.joint_set == node.pieces[i].joint_set &&
+          node.pieces[i].weight_vertex_count > set.weight_vertex_count)
         return "more corners than the weight box";
   }
   const std::size_t step = std::max<std::size_t>(1, of_node.size() / most);
   for (std::size_t i = 0; i < of_node.size(); i += step) {
     const int v = of_node[i];
     bool covered = false;
-    for (std::size_t p = 0; p < node.joint_sets.size() && !covered; ++p)
-      covered = node.joint_sets[p].joint_set == rig.sets.of_vertex(v) &&
+    for (std::size_t p = 0; p < node.pieces.size() && !covered; ++p)
+      covered = node.pieces[p].joint_set == rig.sets.of_vertex(v) &&
                 in_ball(node.piece_reference(p), rig.mesh.vertices[v]) &&
-                in_hull(corners_of(node, node.joint_sets[p]), exact(rig.sets.weights(v)));
+                in_hull(corners_of(node, node.pieces[p]), exact(rig.sets.weights(v)));
     if (!covered) return "vertex " + std::to_string(v) + " is in no piece";
   }
   return "";
@@ -101,35 +101,35 @@ struct Listed {
   long listed = 0, kept = 0;
 };
 void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mixed, double factor, int n, Listed& out) {
-  const auto before = plain.refit_node(rig.tree, n, rig.pose), after = mixed.refit_node(rig.tree, n, rig.pose);
-  std::vector<bool> found(after.joint_sets.size());
+  const auto before = plain.refit_node(rig.tree, n, rig.palette), after = mixed.refit_node(rig.tree, n, rig.palette);
+  std::vector<bool> found(after.pieces.size());
   const auto find = [&](auto&& is_it) {  // in any order
     for (std::size_t at = 0; at < found.size(); ++at)
-      if (!found[at] && is_it(after.joint_sets[at], after.piece_reference(at))) {
+      if (!found[at] && is_it(after.pieces[at], after.piece_reference(at))) {
         found[at] = true;
         return true;
       }
     return false;
   };
-  for (std::size_t i = 0; i < before.joint_sets.size() && out.wrong.empty(); ++i) {
-    const NodeJointSet& piece = before.joint_sets[i];
+  for (std::size_t i = 0; i < before.pieces.size() && out.wrong.empty(); ++i) {
+    const NodePiece& piece = before.pieces[i];
     std::vector<int> own;
     for (const int v : rig.vertices[n])
       if (rig.sets.of_vertex(v) == piece.joint_set) own.push_back(v);
-    const int m = piece.corner_count, control_points = m * (m + 1) * (m + 2) / 6;
-    const bool exact_as_it_is = m == 1 && before.joint_sets.size() == 1;
+    const int m = piece.weight_vertex_count, control_points = m * (m + 1) * (m + 2) / 6;
+    const bool exact_as_it_is = m == 1 && before.pieces.size() == 1;
     if (!exact_as_it_is && static_cast<double>(own.size()) <= factor * control_points) {
       ++out.listed;
       for (const int v : own)
-        if (!find([&](const NodeJointSet& single, const Ball3<double>& reference) {
-              return single.joint_set == piece.joint_set && single.corner_count == 1 && reference.radius == 0 &&
+        if (!find([&](const NodePiece& single, const Ball3<double>& reference) {
+              return single.joint_set == piece.joint_set && single.weight_vertex_count == 1 && reference.radius == 0 &&
                      reference.center == rig.mesh.vertices[v] &&
                      exact(after.corner(single, 0)) == exact(rig.sets.weights(v));
             }))
           out.wrong = "vertex " + std::to_string(v) + " is not listed";
     } else {
       ++out.kept;
-      if (!find([&](const NodeJointSet& same, const Ball3<double>& reference) {
+      if (!find([&](const NodePiece& same, const Ball3<double>& reference) {
             return same.joint_set == piece.joint_set && reference.radius == before.piece_reference(i).radius &&
                    corners_of(after, same) == corners_of(before, piece);
           }))
@@ -166,15 +166,15 @@ struct RootPiece {
 };
 std::vector<RootPiece> root_pieces(const Rig& rig, const PieceOptions& options) {
   const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
-  const auto node = table.refit_node(rig.tree, 0, rig.pose);
+  const auto node = table.refit_node(rig.tree, 0, rig.palette);
   std::vector<RootPiece> out;
-  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     double low = 1, high = 0;
-    for (int k = 0; k < node.joint_sets[i].corner_count; ++k) {
-      low = std::min(low, node.corner(node.joint_sets[i], k)[0]);
-      high = std::max(high, node.corner(node.joint_sets[i], k)[0]);
+    for (int k = 0; k < node.pieces[i].weight_vertex_count; ++k) {
+      low = std::min(low, node.corner(node.pieces[i], k)[0]);
+      high = std::max(high, node.corner(node.pieces[i], k)[0]);
     }
-    const auto joints = rig.sets.joints(node.joint_sets[i].joint_set);
+    const auto joints = rig.sets.joints(node.pieces[i].joint_set);
     out.push_back({{joints.begin(), joints.end()}, node.piece_reference(i).radius, high - low});
   }
   return out;
@@ -233,15 +233,15 @@ PROPTEST(pieces) {
             const PieceOptions options = per_set ? PieceOptions{1, 2.6} : PieceOptions{8};
             const PieceTable many = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) {
-              const auto a = few.refit_node(rig.tree, n, rig.pose), b = many.refit_node(rig.tree, n, rig.pose);
+              const auto a = few.refit_node(rig.tree, n, rig.palette), b = many.refit_node(rig.tree, n, rig.palette);
               const auto largest = [](const RefitNode<double>& node) {
                 double r = 0;
-                for (std::size_t i = 0; i < node.joint_sets.size(); ++i) r = std::max(r, node.piece_reference(i).radius);
+                for (std::size_t i = 0; i < node.pieces.size(); ++i) r = std::max(r, node.piece_reference(i).radius);
                 return r;
               };
               RC_ASSERT(largest(b) <= largest(a) * (1 + 1e-12));
-              const std::size_t allowed = per_set ? 13 * a.joint_sets.size() / 5 : 8;
-              RC_ASSERT(b.joint_sets.size() == std::max(a.joint_sets.size(), std::min(allowed, rig.vertices[n].size())));
+              const std::size_t allowed = per_set ? 13 * a.pieces.size() / 5 : 8;
+              RC_ASSERT(b.pieces.size() == std::max(a.pieces.size(), std::min(allowed, rig.vertices[n].size())));
             }
           });
   t.holds("the pieces that come first, at most four, have the same smallest ball as all of a node's pieces",
@@ -252,9 +252,9 @@ PROPTEST(pieces) {
             const PieceOptions options = *rc::gen::element(PieceOptions{1}, PieceOptions{4}, PieceOptions{1, 4. / 3, 2});
             const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) {
-              const auto node = table.refit_node(rig.tree, n, rig.pose);
+              const auto node = table.refit_node(rig.tree, n, rig.palette);
               std::vector<Ball3<double>> all;
-              for (std::size_t i = 0; i < node.joint_sets.size(); ++i) all.push_back(node.piece_reference(i));
+              for (std::size_t i = 0; i < node.pieces.size(); ++i) all.push_back(node.piece_reference(i));
               const std::vector<Ball3<double>> first(all.begin(), all.begin() + std::min<std::size_t>(4, all.size()));
               RC_ASSERT(smallest_ball_of_balls(first).radius >= smallest_ball_of_balls(all).radius * (1 - 1e-9));
             }
@@ -262,10 +262,10 @@ PROPTEST(pieces) {
   t.example("the widest piece is split first: eight pieces of a tube of one joint are a fraction of it", {}, [] {
     const Rig rig(gen::make_mesh({gen::MeshKind::tube, 12, 4, 1, 2006}));
     const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {8});
-    const auto root = table.refit_node(rig.tree, 0, rig.pose);
+    const auto root = table.refit_node(rig.tree, 0, rig.palette);
     double largest = 0;
-    for (std::size_t i = 0; i < root.joint_sets.size(); ++i) largest = std::max(largest, root.piece_reference(i).radius);
-    return Checked(root.joint_sets.size() == 8 && largest < 0.45 * root.reference.radius, 8,
+    for (std::size_t i = 0; i < root.pieces.size(); ++i) largest = std::max(largest, root.piece_reference(i).radius);
+    return Checked(root.pieces.size() == 8 && largest < 0.45 * root.reference.radius, 8,
                    "the largest has " + std::to_string(largest / root.reference.radius) + " of the node's radius");
   });
   t.example("a full change of weight counts as the node's radius: weights are split where they vary more than places do", {}, [] {
@@ -301,11 +301,11 @@ PROPTEST(pieces) {
       }
       const Rig rig = rig_of(vertices, 4);
       const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {20});
-      const auto node = table.refit_node(rig.tree, 0, rig.pose);
-      for (const NodeJointSet& piece : node.joint_sets) {
+      const auto node = table.refit_node(rig.tree, 0, rig.palette);
+      for (const NodePiece& piece : node.pieces) {
         if (rig.sets.joints(piece.joint_set).size() == 1) continue;
         double low = 1, high = 0;
-        for (int k = 0; k < piece.corner_count; ++k)
+        for (int k = 0; k < piece.weight_vertex_count; ++k)
           low = std::min(low, node.corner(piece, k)[widest]), high = std::max(high, node.corner(piece, k)[widest]);
         good = good && high - low < 0.1;
       }

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_procedural_models {
@@ -142,7 +142,7 @@ const Clip& clip(const Model& m, const std::string& name) {
 }
 
 // The largest absolute difference of a component; the rotations as written, with their signs.
-double difference(const Posture& a, const Posture& b) {
+double difference(const Pose& a, const Pose& b) {
   double largest = 0;
   for (std::size_t j = 0; j < a.size(); ++j) {
     const Quaternion<double> turned = a[j].rotation - b[j].rotation;
@@ -153,9 +153,9 @@ double difference(const Posture& a, const Posture& b) {
 }
 
 // The angle in degrees, in [0, 180], by which a joint is turned against its parent.
-double turned_against_parent(const Model& m, const Posture& posture, int joint) {
+double turned_against_parent(const Model& m, const Pose& pose, int joint) {
   const Quaternion<double> relative =
-      multiply(conjugate(posture[m.joints[joint].parent].rotation), posture[joint].rotation);
+      multiply(conjugate(pose[m.joints[joint].parent].rotation), pose[joint].rotation);
   return 2 * std::atan2(norm(imaginary(relative)), std::abs(relative[0])) * 180 / std::numbers::pi;
 }
 
@@ -201,13 +201,13 @@ PROPTEST(procedural_models) {
     for (const int joints : {1, 2, 7, 100, 1000}) {
       const Model m = make_snake(joints);
       const int sets = JointSets(m).count();
-      const Posture posture = m.clips[0].sample(0.3);
+      const Pose pose = m.clips[0].sample(0.3);
       validate(m);
       if (m.triangles.size() != 20000 || static_cast<int>(m.joints.size()) != joints || !is_closed_and_oriented(m) ||
-          component_count(m) != 1 || !(volume(m) > 0) || sets < joints || sets > 2 * joints || posture.size() != m.joints.size())
+          component_count(m) != 1 || !(volume(m) > 0) || sets < joints || sets > 2 * joints || pose.size() != m.joints.size())
         return Checked(false, snakes, m.name);
       const JointSets in(m);
-      make_skinning_pose(m, in, posture, Skinning::spherical);  // throws for a posture that is not rigid
+      make_skinning_palette(m, in, pose, Skinning::spherical);  // throws for a pose that is not rigid
       ++snakes;
     }
     try {
@@ -240,7 +240,7 @@ PROPTEST(procedural_models) {
     });
   });
 
-  t.example("the skin does not cross itself in the reference posture", {}, [] {
+  t.example("the skin does not cross itself in the reference pose", {}, [] {
     return for_each_model([](const Model& m, const Expected&) { return Checked(!crosses_itself(m), 1); });
   });
 
@@ -296,34 +296,34 @@ PROPTEST(procedural_models) {
     return for_each_model([](const Model& m, const Expected& e) { return Checked(same(m, e.make())); });
   });
 
-  t.example("every posture of a clip has unit quaternions and keeps joints together", {}, [] {
+  t.example("every pose of a clip has unit quaternions and keeps joints together", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
       double worst_length = 0, worst_gap = 0;
       long cases = 0;
       for (const Clip& c : m.clips)
         for (const double time : times_of(c)) {
-          const Posture posture = c.sample(time);
+          const Pose pose = c.sample(time);
           for (std::size_t j = 0; j < m.joints.size(); ++j, ++cases) {
-            worst_length = std::max(worst_length, std::abs(norm(posture[j].rotation) - 1));
+            worst_length = std::max(worst_length, std::abs(norm(pose[j].rotation) - 1));
             if (m.joints[j].parent < 0) continue;
             // A joint's origin is a point of its parent's bone: both take it to the same place.
-            const Point3 by_parent = apply(posture[m.joints[j].parent], m.joints[j].origin);
-            worst_gap = std::max(worst_gap, norm(Point3(apply(posture[j], m.joints[j].origin) - by_parent)));
+            const Point3 by_parent = apply(pose[m.joints[j].parent], m.joints[j].origin);
+            worst_gap = std::max(worst_gap, norm(Point3(apply(pose[j], m.joints[j].origin) - by_parent)));
           }
         }
       return Checked(m.clips.size() == 2 && worst_length < 1e-12 && worst_gap < 1e-12, cases);
     });
   });
 
-  t.example("the twist begins in the reference posture", {}, [] {
+  t.example("the twist begins in the reference pose", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
-      return Checked(difference(clip(m, "twist").sample(0), reference_posture(m)) == 0);
+      return Checked(difference(clip(m, "twist").sample(0), reference_pose(m)) == 0);
     });
   });
 
   t.example("the twist ends with half a turn at the named joints, and none at others", {}, [] {
     return for_each_model([](const Model& m, const Expected& e) {
-      const Posture end = clip(m, "twist").sample(clip(m, "twist").duration);
+      const Pose end = clip(m, "twist").sample(clip(m, "twist").duration);
       std::set<int> twisted;
       for (const std::string& name : e.twisted) twisted.insert(joint_named(m, name));
       bool right = true;
@@ -349,7 +349,7 @@ PROPTEST(procedural_models) {
       double largest = 0;  // second difference of a component of a quaternion, at steps of a thousandth
       for (const Clip& c : m.clips)
         for (int i = 1; i < 1000; ++i) {
-          const Posture last = c.sample(c.duration * (i - 1) / 1000), now = c.sample(c.duration * i / 1000),
+          const Pose last = c.sample(c.duration * (i - 1) / 1000), now = c.sample(c.duration * i / 1000),
                         next = c.sample(c.duration * (i + 1) / 1000);
           for (std::size_t j = 0; j < now.size(); ++j) {
             const Quaternion<double> change = last[j].rotation - 2 * now[j].rotation + next[j].rotation;
@@ -363,8 +363,8 @@ PROPTEST(procedural_models) {
   t.example("the walk is periodic, moves, and keeps half a period between left and right", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
       const Clip& walk = clip(m, "walk");
-      const Posture start = walk.sample(0), quarter = walk.sample(walk.duration / 4);
-      const Posture left = walk.sample(0.2 * walk.duration), right = walk.sample(0.7 * walk.duration);
+      const Pose start = walk.sample(0), quarter = walk.sample(walk.duration / 4);
+      const Pose left = walk.sample(0.2 * walk.duration), right = walk.sample(0.7 * walk.duration);
       const double swing = turned_against_parent(m, left, joint_named(m, "left_shin"));
       const double other = turned_against_parent(m, right, joint_named(m, "right_shin"));
       return Checked(difference(start, walk.sample(walk.duration)) < 1e-9 && difference(start, quarter) > 0.05 &&
@@ -377,11 +377,11 @@ PROPTEST(procedural_models) {
     return for_each_model([](const Model& m, const Expected&) {
       double lowest = 1, highest = -1;
       for (const double time : times_of(clip(m, "walk"))) {
-        const Posture posture = clip(m, "walk").sample(time);
+        const Pose pose = clip(m, "walk").sample(time);
         double height = 1;
         for (std::size_t v = 0; v < m.vertices.size(); ++v) {
           double y = 0;
-          for (const Influence& i : m.influences[v]) y += i.weight * apply(posture[i.joint], m.vertices[v])[1];
+          for (const Influence& i : m.influences[v]) y += i.weight * apply(pose[i.joint], m.vertices[v])[1];
           height = std::min(height, y);
         }
         lowest = std::min(lowest, height), highest = std::max(highest, height);

@@ -5,7 +5,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "algorithms/verification/portable_random.hpp"
-#include "algorithms/verification/refit_query.hpp"
+#include "algorithms/verification/synthetic_case.hpp"
 #include "algorithms/verification/score.hpp"
 #include "proptests/cases/statements.hpp"
 #include "proptests/harness.hpp"
@@ -18,7 +18,7 @@ using namespace refitlab;
 
 constexpr std::uint64_t seed = 2006;
 constexpr int sample_count = 100;
-const char* const sample_file = "proptests/cases/queries_sample.json";
+const char* const sample_file = "proptests/cases/synthetic_sample.json";
 
 std::string text_of(const char* file) {
   std::ifstream in(file, std::ios::binary);
@@ -27,16 +27,16 @@ std::string text_of(const char* file) {
 }
 
 // What a query promises; empty if it keeps it.
-std::string complaint(const RefitQuery& query) {
+std::string complaint(const SyntheticCase& query) {
   if (query.sets.empty() || query.sets.size() > 3) return "the number of joint-sets; ";
-  for (const QuerySet& set : query.sets) {
-    const std::size_t n = set.pose.transforms.size();
+  for (const SyntheticSet& set : query.sets) {
+    const std::size_t n = set.palette.transforms.size();
     if (n < 1 || n > 5) return "the number of joints; ";
     if (encloses(query.reference, set.reference) != Verdict::holds) return "a joint-set outside the reference ball; ";
     for (std::size_t i = 0; i < n; ++i) {
-      const auto& c = set.pose.transforms[i];
+      const auto& c = set.palette.transforms[i];
       if (squared_norm(c.rotation) != 1) return "a quaternion that is not of unit length; ";
-      if (set.pose.center_images[i] != apply(c, set.pose.rotation_center)) return "an image of the rotation center; ";
+      if (set.palette.center_images[i] != apply(c, set.palette.rotation_center)) return "an image of the rotation center; ";
       for (const Rational& x : {set.bounds.low[i], set.bounds.high[i]})
         if ((x * Rational(1 << 24)).denominator() != 1) return "a bound that is no multiple of 2^-24; ";
     }
@@ -57,7 +57,7 @@ struct ByMatrices {
   bool misses = false;
   double worst = 0;
 };
-ByMatrices by_matrices(const RefitQuery& query, Skinning skinning, const Ball3<double>& ball) {
+ByMatrices by_matrices(const SyntheticCase& query, Skinning skinning, const Ball3<double>& ball) {
   const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
   ByMatrices out;
   const auto see = [&](const Vec<Rational, 3>& center, const Rational& radius) {
@@ -65,9 +65,9 @@ ByMatrices by_matrices(const RefitQuery& query, Skinning skinning, const Ball3<d
     const double distance = std::sqrt(CGAL::to_double(squared_distance<Rational, 3>(center, exact.center)));
     out.worst = std::max(out.worst, distance + CGAL::to_double(radius) - ball.radius);
   };
-  for (const QuerySet& set : query.sets)
+  for (const SyntheticSet& set : query.sets)
     for (const auto& w : sampled_weights(set)) {
-      const auto& c = set.pose.transforms;
+      const auto& c = set.palette.transforms;
       const auto& [p, r] = set.reference;
       if (skinning == Skinning::linear)  // the middle stands for S where it is a point, else the ends of its axes
         for (int i = 0; i < 3; ++i)
@@ -75,16 +75,16 @@ ByMatrices by_matrices(const RefitQuery& query, Skinning skinning, const Ball3<d
       else if (skinning == Skinning::dual_quaternion)
         see(oracle::dual_quaternion(c, w, p), r);
       else
-        see(oracle::spherical(c, w, set.pose.rotation_center, p), r);
+        see(oracle::spherical(c, w, set.palette.rotation_center, p), r);
     }
   return out;
 }
 
-double size_of(const RefitQuery& query, const Ball3<double>& ball) {
+double size_of(const SyntheticCase& query, const Ball3<double>& ball) {
   double size = 0;
-  for (const QuerySet& set : query.sets) {
-    size = std::max(size, norm(lift<double>(set.pose.rotation_center)));
-    for (const auto& image : set.pose.center_images) size = std::max(size, norm(lift<double>(image)));
+  for (const SyntheticSet& set : query.sets) {
+    size = std::max(size, norm(lift<double>(set.palette.rotation_center)));
+    for (const auto& image : set.palette.center_images) size = std::max(size, norm(lift<double>(image)));
   }
   return size + norm(ball.center) + ball.radius;
 }
@@ -98,7 +98,7 @@ Ball3<double> scaled(Ball3<double> ball, double factor) {
 
 PROPTEST(queries) {
   t.example("the stored sample is what the generator makes of its seed, to the letter", {.number_type = "rational"},
-            [] { return Checked(text_of(sample_file) == queries_as_case_file(seed, sample_count), sample_count); });
+            [] { return Checked(text_of(sample_file) == synthetic_cases_as_case_file(seed, sample_count), sample_count); });
   t.example("each case of the sample is read, and its vertex enclosed by the repaired Algorithm 1",
             {.number_type = "interval to exact"}, [] {
               std::string wrong;
@@ -114,7 +114,7 @@ PROPTEST(queries) {
               std::map<std::string, long> kinds;
               constexpr int count = 1000;
               for (int number = 0; number < count; ++number) {
-                const RefitQuery query = make_refit_query(seed, number);
+                const SyntheticCase query = make_synthetic_case(seed, number);
                 wrong += complaint(query);
                 ++kinds[query.degeneracy];
               }
@@ -124,14 +124,14 @@ PROPTEST(queries) {
             });
   t.holds("a ball is scored as missing exactly if matrices in rationals say so",
           {.number_type = "double against rational", .cases = 300}, [] {
-            const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
-            const QueryNodes nodes(query);
+            const SyntheticCase query = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+            const CaseNodes nodes(query);
             const RefitVariant& variant = compared_variant(*rc::gen::element<std::string>(
                 "spherical_printed_signed", "spherical_repaired", "control_mean", "dual_quaternion_control_mean", "linear"));
-            SkinnedQuery skinned(query, variant.skinning);
+            SkinnedCase skinned(query, variant.skinning);
             const Ball3<double> ball =
                 scaled(variant.refit(nodes.node(variant.pieces)), *rc::gen::element(1.0, 0.97, 0.9, 1.0000001));
-            const QueryScore score = skinned.score(ball);
+            const CaseScore score = skinned.score(ball);
             RC_CLASSIFY(score.misses, "missed");
             RC_CLASSIFY(score.undefined, "undefined");
             RC_CLASSIFY(score.unbounded, "unbounded");
@@ -145,14 +145,14 @@ PROPTEST(queries) {
             RC_ASSERT(std::abs(score.worst_miss - expected.worst / size_of(query, ball)) <= 1e-13);
           });
   t.holds("a query's node has the joint-sets' own balls as its pieces', and its own ball about them", {.cases = 100}, [] {
-    const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
-    const QueryNodes nodes(query);
-    for (const Pieces pieces : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::clusters}) {
+    const SyntheticCase query = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+    const CaseNodes nodes(query);
+    for (const Pieces pieces : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::many}) {
       const auto node = nodes.node(pieces);
       RC_ASSERT(node.reference.radius == lift<double>(query.reference).radius);
-      RC_ASSERT(node.joint_sets.size() >= query.sets.size());
-      for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
-        const auto& set = query.sets[node.joint_sets[i].joint_set];
+      RC_ASSERT(node.pieces.size() >= query.sets.size());
+      for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+        const auto& set = query.sets[node.pieces[i].joint_set];
         const Ball3<double> expected = lift<double>(pieces == Pieces::node ? query.reference : set.reference);
         RC_ASSERT(node.piece_reference(i).center == expected.center && node.piece_reference(i).radius == expected.radius);
       }
@@ -160,15 +160,15 @@ PROPTEST(queries) {
   });
   t.holds("a ball that is too small by a share is scored as missing by that share, and the smallest ball as 1",
           {.number_type = "double", .cases = 300}, [] {
-            const RefitQuery query = make_refit_query(seed, *rc::gen::inRange(0, 1000000));
-            SkinnedQuery skinned(query, Skinning::spherical);
+            const SyntheticCase query = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+            SkinnedCase skinned(query, Skinning::spherical);
             std::vector<Ball3<double>> images;
             double size = 0;
-            for (const QuerySet& set : query.sets) {
-              size = std::max(size, norm(lift<double>(set.pose.rotation_center)));
-              for (const auto& image : set.pose.center_images) size = std::max(size, norm(lift<double>(image)));
+            for (const SyntheticSet& set : query.sets) {
+              size = std::max(size, norm(lift<double>(set.palette.rotation_center)));
+              for (const auto& image : set.palette.center_images) size = std::max(size, norm(lift<double>(image)));
               for (const auto& w : sampled_weights(set))
-                images.push_back({lift<double>(oracle::spherical(set.pose.transforms, w, set.pose.rotation_center,
+                images.push_back({lift<double>(oracle::spherical(set.palette.transforms, w, set.palette.rotation_center,
                                                                  set.reference.center)),
                                   lift<double>(set.reference.radius)});
             }
@@ -176,7 +176,7 @@ PROPTEST(queries) {
             RC_ASSERT(std::abs(skinned.smallest_radius() - smallest.radius) <= 1e-9 * (smallest.radius + size));
             RC_ASSERT(!skinned.score(scaled(smallest, 1 + 1e-6)).misses_beyond_tolerance());
             const double share = *rc::gen::element(1e-3, 0.1, 0.5);
-            const QueryScore score = skinned.score(scaled(smallest, 1 - share));
+            const CaseScore score = skinned.score(scaled(smallest, 1 - share));
             const double expected =
                 share * smallest.radius / (size + norm(smallest.center) + (1 - share) * smallest.radius);
             if (smallest.radius > 1e-6)
@@ -184,14 +184,14 @@ PROPTEST(queries) {
           });
   t.example("a ball that is not a number, or of negative radius, is undefined and misses", {.number_type = "double"},
             [] {
-              const RefitQuery query = make_refit_query(seed, 0);
-              SkinnedQuery skinned(query, Skinning::spherical);
+              const SyntheticCase query = make_synthetic_case(seed, 0);
+              SkinnedCase skinned(query, Skinning::spherical);
               const auto is_undefined = [&](const Ball3<double>& ball) {
-                const QueryScore s = skinned.score(ball);
+                const CaseScore s = skinned.score(ball);
                 return s.undefined && s.misses && s.misses_beyond_tolerance();
               };
               const Ball3<double> all_of_space{{0, 0, 0}, INFINITY};
-              const QueryScore dual = SkinnedQuery(query, Skinning::dual_quaternion).score(all_of_space);
+              const CaseScore dual = SkinnedCase(query, Skinning::dual_quaternion).score(all_of_space);
               return dual.unbounded && !dual.undefined && !dual.misses && is_undefined({{0, 0, 0}, -1}) &&
                      is_undefined({{0, 0, 0}, NAN}) &&
                      is_undefined({{NAN, 0, 0}, 1}) && is_undefined({{0, 0, 0}, INFINITY}) &&
@@ -202,14 +202,14 @@ PROPTEST(queries) {
               constexpr int count = 300;
               std::map<std::string, long> missed, unbounded;
               for (int number = 0; number < count; ++number) {
-                const RefitQuery query = make_refit_query(seed, number);
-                const QueryNodes nodes(query);
-                std::map<Skinning, SkinnedQuery> skinned;
+                const SyntheticCase query = make_synthetic_case(seed, number);
+                const CaseNodes nodes(query);
+                std::map<Skinning, SkinnedCase> skinned;
                 for (const Skinning s : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
-                  skinned.emplace(s, SkinnedQuery(query, s));
+                  skinned.emplace(s, SkinnedCase(query, s));
                 for (const RefitVariant& v : compared_variants()) {
                   const auto ball = v.refit(nodes.node(v.pieces));
-                  const QueryScore score = skinned.at(v.skinning).score(ball);
+                  const CaseScore score = skinned.at(v.skinning).score(ball);
                   missed[v.name] += score.misses_beyond_tolerance();
                   unbounded[v.name] += score.unbounded;
                 }

@@ -64,7 +64,7 @@ std::size_t without_halving(const RefitCase& c) {
 // A joint-set's corners blend to 0 somewhere, by a slow search; nothing if it has too many for it.
 std::optional<bool> may_vanish(const gen::SetCase& set) {
   std::vector<gen::RationalQuaternion> corners;
-  for (const auto& w : set.weights.corners) corners.push_back(blend_quaternion<Rational>(set.pose, w));
+  for (const auto& w : set.weights.corners) corners.push_back(blend_quaternion<Rational>(set.palette, w));
   if (corners.size() > 8) return std::nullopt;
   return squared_norm(combine<Rational, 4>(nearest_point_coefficients<4>(corners), corners)) == 0;
 }
@@ -103,7 +103,7 @@ void check_double() {
   if (std::isinf(ball.radius)) return;
   double size = ball.center.norm() + ball.radius + lift<double>(c.reference.center).norm();
   for (const auto& set : c.sets)
-    for (const auto& joint : set.pose.transforms) size += lift<double>(joint.translation).norm();
+    for (const auto& joint : set.palette.transforms) size += lift<double>(joint.translation).norm();
   const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
   for (const auto& sample : gen::samples(c, Blending::dual_quaternion, ball.center))
     if (const auto v = gen::skinned(c, sample, Blending::dual_quaternion))
@@ -121,9 +121,9 @@ DualQuaternionBlend<Rational> any_corners() {
 // A joint-set by hand: all of its weights, and a vertex with a ball of radius 1/2.
 RefitCase by_hand(const std::vector<gen::RationalTransform>& joints) {
   gen::SetCase set;
-  set.pose.transforms = joints;
-  place_rotation_center<Rational>(set.pose, RationalVec<3>(0, 0, 0));
-  place_duals(set.pose);
+  set.palette.transforms = joints;
+  place_rotation_center<Rational>(set.palette, RationalVec<3>(0, 0, 0));
+  place_duals(set.palette);
   const std::size_t n = joints.size();
   set.weights.corners.assign(n, std::vector<Rational>(n, Rational(0)));
   for (std::size_t i = 0; i < n; ++i) set.weights.corners[i][i] = 1;
@@ -149,26 +149,26 @@ Checked measure_tightness() {
   int count = 0;
   while (count < 300) {
     const int n = 2 + count % 3;
-    OwnedJointSetPose<double> pose;
+    OwnedPaletteEntry<double> palette;
     for (int i = 0; i < n; ++i) {
       Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
       q.normalize();
       const Point3 pivot = 0.3 * vector();
-      pose.transforms.push_back({q, pivot - rotate(q, pivot)});
+      palette.transforms.push_back({q, pivot - rotate(q, pivot)});
     }
-    make_signs_consistent<double>(pose.transforms);
-    place_duals(pose);
-    place_rotation_center(pose, Point3(0, 0, 0));
+    make_signs_consistent<double>(palette.transforms);
+    place_duals(palette);
+    place_rotation_center(palette, Point3(0, 0, 0));
     bool near = true;
-    for (const auto& a : pose.transforms)
-      for (const auto& b : pose.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
+    for (const auto& a : palette.transforms)
+      for (const auto& b : palette.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
     if (!near) continue;
     std::vector<double> corners;
     for (int k = 0; k < n; ++k)
       for (int i = 0; i < n; ++i) corners.push_back(i == k);
-    SkinningPose<double> frame;
-    frame.push_back(pose);
-    const NodeJointSet set{0, 0, n};
+    SkinningPalette<double> frame;
+    frame.push_back(palette);
+    const NodePiece set{0, 0, n};
     const Ball3<double> reference{2 * vector(), 0};
     const RefitNode<double> node{reference, {&set, 1}, corners.data(), frame};
     ControlLists<double> lists;
@@ -178,7 +178,7 @@ Checked measure_tightness() {
     for_each_index(n, steps[n - 2], [&](const std::vector<std::size_t>& index) {
       std::vector<double> w(n, 0.0);
       for (const auto k : index) w[k] += 1 / double(index.size());
-      positions.push_back(blend_dual_quaternion<double>(pose, w, reference.center));
+      positions.push_back(blend_dual_quaternion<double>(palette, w, reference.center));
     });
     const double truth = as_ball(smallest_ball<double, 3>(positions)).radius;
     if (!(truth > 1e-6)) continue;
@@ -202,7 +202,7 @@ PROPTEST(refit_dual_quaternion) {
     const RefitCase c = *gen::refit_case(gen::Turns::moderate);
     RefitCase still = c;
     for (auto& set : still.sets)
-      for (auto& dual : set.pose.duals) dual.setZero();
+      for (auto& dual : set.palette.duals) dual.setZero();
     assert_holds(c, balls_of<Rational>(still), Verdict::holds);
   });
   t.refuted("it holds every vertex of spherical skinning", {.number_type = "rational"}, [] {
@@ -261,7 +261,7 @@ PROPTEST(refit_dual_quaternion) {
           {.number_type = "multiprecision interval", .cases = 300}, [] {
             using S = MultiprecisionInterval;
             const auto blend = any_corners();
-            const std::size_t m = blend.corner_count();
+            const std::size_t m = blend.weight_vertex_count();
             ControlLists<S> lists;
             for (std::size_t k = 0; k < m; ++k)
               lists.dual_corners.push_back({lift<S>(blend.rotations[k]), lift<S>(blend.duals[k])});

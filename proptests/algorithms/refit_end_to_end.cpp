@@ -22,14 +22,14 @@ namespace {
 
 using namespace refitlab;
 
-constexpr int nodes_per_posture = 200, vertices_per_node = 16;
+constexpr int nodes_per_pose = 200, vertices_per_node = 16;
 
-// Two times of each of at most three clips, none of them a key time, where postures tend to be too simple.
-std::vector<Posture> postures_of(const AnimatedCharacter& c) {
-  std::vector<Posture> out;
+// Two times of each of at most three clips, none of them a key time, where poses tend to be too simple.
+std::vector<Pose> poses_of(const AnimatedCharacter& c) {
+  std::vector<Pose> out;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, c.clips.size()); ++i)
     for (const double share : {0.3718, 0.9141}) out.push_back(c.clips[i].sample(share * c.clips[i].duration));
-  if (out.empty()) out.push_back(reference_posture(c.mesh));
+  if (out.empty()) out.push_back(reference_pose(c.mesh));
   return out;
 }
 
@@ -48,8 +48,8 @@ bool has(const Ball3<double>& ball, const Point3& v) {
 std::vector<int> some_nodes(const Character& c, std::mt19937& random) {
   const int n = static_cast<int>(c.tree.nodes.size());
   std::vector<int> out;
-  for (int i = 0; i < nodes_per_posture; ++i)
-    out.push_back(i < nodes_per_posture / 4 ? std::min(i, n - 1)
+  for (int i = 0; i < nodes_per_pose; ++i)
+    out.push_back(i < nodes_per_pose / 4 ? std::min(i, n - 1)
                                             : std::uniform_int_distribution<int>(0, n - 1)(random));
   return out;
 }
@@ -58,21 +58,21 @@ Checked check_model(Model model) {
   const auto c = bake(std::move(model));
   std::mt19937 random(2006);
   std::map<std::string, Tally> tallies;
-  for (const Posture& posture : postures_of(c))
+  for (const Pose& pose : poses_of(c))
     for (const Skinning skinning :
          {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion}) {
-      // Hejl's rotation center changes the pose, not the bound: spherical variants must hold for it too.
+      // Hejl's rotation center changes the palette, not the bound: spherical variants must hold for it too.
       const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
-      const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
-      const auto skinned = skin(c.mesh, c.sets, pose, skinning);
-      ExactSkin exact(c.mesh, c.sets, pose, skinning);
+      const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+      const auto skinned = skin(c.mesh, c.sets, palette, skinning);
+      ExactSkin exact(c.mesh, c.sets, palette, skinning);
       for (const int n : some_nodes(c, random)) {
         const auto all = c.vertices[n];
         std::vector<int> vertices;
         std::sample(all.begin(), all.end(), std::back_inserter(vertices), vertices_per_node, random);
         for (const RefitVariant& variant : compared_variants()) {
           if (!variant.sound || variant.skinning != bounded) continue;
-          const RefitNode<double> node = c.refit_node(n, pose, variant.pieces);
+          const RefitNode<double> node = c.refit_node(n, palette, variant.pieces);
           const Ball3<double> ball = variant.refit(node), bare = variant.refit_as_computed(node);
           const Ball3<float> small = rounded_outward(ball);
           const Ball3<double> of_floats{small.center.cast<double>(), small.radius};
@@ -114,17 +114,17 @@ void check_wide() {
   RC_CLASSIFY(plan.influences > 16, "more than 16 influences");
   RC_CLASSIFY(std::abs(plan.exponent) >= 60, "huge or tiny");
   SkinnedMesh model = gen::wide_model(plan);
-  const Posture posture = gen::wide_posture(plan, model);
+  const Pose pose = gen::wide_pose(plan, model);
   const auto c = bake(std::move(model), {.triangles_per_leaf = *rc::gen::element(1, 2, 5, 1 << 30)});
   const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
-  const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
-  const auto skinned = skin(c.mesh, c.sets, pose, skinning);
-  ExactSkin exact(c.mesh, c.sets, pose, skinning);
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+  const auto skinned = skin(c.mesh, c.sets, palette, skinning);
+  ExactSkin exact(c.mesh, c.sets, palette, skinning);
   for (const RefitVariant& variant : compared_variants()) {
     if (!variant.sound || variant.skinning != (skinning == Skinning::hejl ? Skinning::spherical : skinning)) continue;
-    const auto balls = refit_all(c, variant, pose);
-    FrameRefits frame(c, variant, {.most_joint_sets = 2, .most_front = 3, .children_first = true});
-    frame.begin(pose);
+    const auto balls = refit_all(c, variant, palette);
+    FrameRefits frame(c, variant, {.most_joint_sets = 2, .most_in_cut = 3, .children_first = true});
+    frame.begin(palette);
     frame.refit_all();
     for (int n = 0; n < static_cast<int>(balls.size()); ++n)
       for (const int v : c.vertices[n]) {

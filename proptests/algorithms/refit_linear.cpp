@@ -55,9 +55,9 @@ PROPTEST(refit_linear) {
         c.reference = {{0, 1, 0}, Rational(0)};
         c.sets.emplace_back();
         auto& set = c.sets[0];
-        set.pose.transforms.resize(2);
-        set.pose.transforms[1].rotation = {0, 1, 0, 0};
-        place_rotation_center<Rational>(set.pose, gen::RationalVec<3>::Zero());
+        set.palette.transforms.resize(2);
+        set.palette.transforms[1].rotation = {0, 1, 0, 0};
+        place_rotation_center<Rational>(set.palette, gen::RationalVec<3>::Zero());
         const std::vector<Rational> half(2, Rational(1, 2));
         set.weights = {{half, half}, {half}};
         oracle::RefitLadder ladder(c, Linear{}, oracle::linear_ball(c));

@@ -52,7 +52,7 @@ void check_hulls() {
   const std::size_t n = *rc::gen::inRange<std::size_t>(1, 8), m = *rc::gen::inRange<std::size_t>(1, 20);
   std::vector<Row> rows;
   for (std::size_t k = 0; k < m; ++k) rows.push_back(random_weights(random, n));
-  const std::vector<Row> corners = weight_corners(spans(rows));
+  const std::vector<Row> corners = weight_polytope(spans(rows));
   RC_CLASSIFY(corners.size() < n, "degenerate");
   for (const Row& w : rows) {
     const auto found = find_shares(spans(corners), w);

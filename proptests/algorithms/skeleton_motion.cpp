@@ -13,7 +13,7 @@ using namespace refitlab;
 double real() { return *rc::gen::inRange(-1000, 1001) / 1000.0; }
 
 // Posed by a matrix as its only skin matrix.
-PosedSkeleton pose_by(const Eigen::Matrix4d& matrix) {
+PosedSkeleton palette_by(const Eigen::Matrix4d& matrix) {
   const BoundSkeleton skeleton{"test", {{"node", -1, matrix}}, {{"joint", 0, -1, Eigen::Matrix4d::Identity()}}};
   return pose(skeleton, Motion{}, 0);
 }
@@ -35,11 +35,11 @@ PROPTEST(skeleton_motion) {
             matrix.topLeftCorner<3, 3>() = turn.toRotationMatrix() * stretch;
             matrix.topRightCorner<3, 1>() = Eigen::Vector3d(real(), real(), real());
 
-            const PosedSkeleton posed = pose_by(matrix);
-            const auto& q = posed.posture[0].rotation;
+            const PosedSkeleton posed = palette_by(matrix);
+            const auto& q = posed.pose[0].rotation;
             const Eigen::Vector4d expected(turn.w(), turn.x(), turn.y(), turn.z());
             RC_ASSERT(std::min((q - expected).norm(), (q + expected).norm()) < 1e-13);
-            RC_ASSERT(posed.posture[0].translation == Eigen::Vector3d(matrix.topRightCorner<3, 1>()));
+            RC_ASSERT(posed.pose[0].translation == Eigen::Vector3d(matrix.topRightCorner<3, 1>()));
             const double defect = (stretch * stretch - Eigen::Matrix3d::Identity()).norm();
             RC_ASSERT(std::abs(posed.rigidity_defect - defect) < 1e-14);
             RC_ASSERT((turn.toRotationMatrix() - matrix.topLeftCorner<3, 3>()).norm() <= posed.rigidity_defect + 1e-14);
@@ -120,9 +120,9 @@ PROPTEST(skeleton_motion) {
       skeleton.nodes.push_back({"node", -1, local});
       skeleton.joints.push_back({"joint", j, j - 1, Eigen::Matrix4d::Identity()});
     }
-    const Posture posture = pose(skeleton, Motion{}, 0).posture;
-    return posture[0].rotation[0] > 0 && dot(posture[1].rotation, posture[0].rotation) > 0 && dot(posture[2].rotation, posture[1].rotation) > 0 &&
-           dot(posture[2].rotation, posture[0].rotation) < 0;
+    const Pose pose = pose(skeleton, Motion{}, 0).pose;
+    return pose[0].rotation[0] > 0 && dot(pose[1].rotation, pose[0].rotation) > 0 && dot(pose[2].rotation, pose[1].rotation) > 0 &&
+           dot(pose[2].rotation, pose[0].rotation) < 0;
   });
   t.example("before its first key and after its last a node stays", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/corners.hpp"
@@ -86,10 +86,10 @@ std::string ball_fault(const SphereTree& tree, const SkinnedMesh& model) {
   return "";
 }
 
-std::vector<oracle::ExactWeights> rows_of(const SphereTree& tree, const NodeJointSet& set, std::size_t width) {
+std::vector<oracle::ExactWeights> rows_of(const SphereTree& tree, const NodePiece& set, std::size_t width) {
   std::vector<oracle::ExactWeights> rows;
-  for (int k = 0; k < set.corner_count; ++k) {
-    const auto first = tree.corner_weights.begin() + set.first_weight + k * static_cast<long>(width);
+  for (int k = 0; k < set.weight_vertex_count; ++k) {
+    const auto first = tree.weight_vertices.begin() + set.first_weight + k * static_cast<long>(width);
     rows.emplace_back(first, first + static_cast<long>(width));
   }
   return rows;
@@ -103,15 +103,15 @@ std::string weight_fault(const SphereTree& tree, const SkinnedMesh& model, const
       const auto w = sets.weights(v);
       weights[sets.of_vertex(v)].emplace_back(w.begin(), w.end());
     }
-    if (static_cast<int>(weights.size()) != n.joint_set_count) return "number of joint-sets";
-    for (int k = 0; k < n.joint_set_count; ++k) {
-      const NodeJointSet& set = tree.joint_sets[n.first_joint_set + k];
+    if (static_cast<int>(weights.size()) != n.piece_count) return "number of joint-sets";
+    for (int k = 0; k < n.piece_count; ++k) {
+      const NodePiece& set = tree.pieces[n.first_piece + k];
       if (!weights.count(set.joint_set)) return "a joint-set that no vertex has";
       const auto& own = weights[set.joint_set];
       const auto bounds = oracle::bounds_around(own);
       const auto rows = rows_of(tree, set, own[0].size());
       const auto corners = oracle::corners(bounds);
-      if (corners.size() > corner_limit ? rows != low_bound_simplex(bounds)
+      if (corners.size() > weight_vertex_limit ? rows != low_bound_simplex(bounds)
                                         : rows.size() != corners.size() || std::set(rows.begin(), rows.end()) != corners)
         return "corners";
     }

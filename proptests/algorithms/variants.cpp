@@ -63,18 +63,18 @@ const Named expected_variants[] = {
     {"linear_mixed", Skinning::linear, Pieces::mixed, linear<NearSmallestBalls>},
     {"spherical_printed", Skinning::spherical, Pieces::node, printed<MeanBalls, Signs::of_matrices>, false},
     {"spherical_printed_signed", Skinning::spherical, Pieces::node, printed<MeanBalls, Signs::of_skinning>, false},
-    {"spherical_printed_exact", Skinning::spherical, Pieces::node, printed<SmallestBalls, Signs::of_skinning>, false},
+    {"spherical_printed_miniball", Skinning::spherical, Pieces::node, printed<SmallestBalls, Signs::of_skinning>, false},
     {"spherical_repaired", Skinning::spherical, Pieces::node, repaired<MeanBalls>},
-    {"spherical_exact", Skinning::spherical, Pieces::node, repaired<SmallestBalls>},
+    {"spherical_miniball", Skinning::spherical, Pieces::node, repaired<SmallestBalls>},
     {"control_mean", Skinning::spherical, Pieces::node, control<MeanBalls>},
-    {"control_exact", Skinning::spherical, Pieces::node, control<SmallestBalls>},
+    {"control_miniball", Skinning::spherical, Pieces::node, control<SmallestBalls>},
     {"control_sets_near", Skinning::spherical, Pieces::joint_sets, control<NearSmallestBalls>},
-    {"control_sets_exact", Skinning::spherical, Pieces::joint_sets, control<SmallestBalls>},
+    {"control_sets_miniball", Skinning::spherical, Pieces::joint_sets, control<SmallestBalls>},
     {"control_mixed", Skinning::spherical, Pieces::mixed, control<NearSmallestBalls>},
-    {"control_clusters", Skinning::spherical, Pieces::clusters, control<SmallestBalls>},
+    {"control_many_pieces", Skinning::spherical, Pieces::many, control<SmallestBalls>},
     {"dual_quaternion_control_mean", Skinning::dual_quaternion, Pieces::node, dual<MeanBalls>},
     {"dual_quaternion_control_near", Skinning::dual_quaternion, Pieces::joint_sets, dual<NearSmallestBalls>},
-    {"dual_quaternion_control_exact", Skinning::dual_quaternion, Pieces::joint_sets, dual<SmallestBalls>},
+    {"dual_quaternion_control_miniball", Skinning::dual_quaternion, Pieces::joint_sets, dual<SmallestBalls>},
     {"dual_quaternion_mixed", Skinning::dual_quaternion, Pieces::mixed, dual<NearSmallestBalls>},
 };
 
@@ -84,23 +84,23 @@ bool same(const Ball3<double>& a, const Ball3<double>& b) {
   return equal(a.radius, b.radius) && equal(a.center[0], b.center[0]) && equal(a.center[1], b.center[1]) && equal(a.center[2], b.center[2]);
 }
 
-std::string fault_of_piece_counts(const Character& c, const SkinningPose<double>& pose) {
+std::string fault_of_piece_counts(const Character& c, const SkinningPalette<double>& palette) {
   const PieceTable sets = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {}),
                    mixed = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
                    clusters = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {.most_pieces = 512});
   const auto differs = [](const Node& a, const Node& b) {
-    if (a.joint_sets.size() != b.joint_sets.size()) return true;
-    for (std::size_t i = 0; i < a.joint_sets.size(); ++i)
-      if (a.joint_sets[i].joint_set != b.joint_sets[i].joint_set || a.joint_sets[i].corner_count != b.joint_sets[i].corner_count ||
+    if (a.pieces.size() != b.pieces.size()) return true;
+    for (std::size_t i = 0; i < a.pieces.size(); ++i)
+      if (a.pieces[i].joint_set != b.pieces[i].joint_set || a.pieces[i].weight_vertex_count != b.pieces[i].weight_vertex_count ||
           !same(a.piece_reference(i), b.piece_reference(i)))
         return true;
     return false;
   };
   for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); n += n < 40 ? 1 : 23) {
-    if (differs(c.refit_node(n, pose, Pieces::node), c.tree.refit_node(n, pose))) return "node";
-    if (differs(c.refit_node(n, pose, Pieces::joint_sets), sets.refit_node(c.tree, n, pose))) return "joint_sets";
-    if (differs(c.refit_node(n, pose, Pieces::mixed), mixed.refit_node(c.tree, n, pose))) return "mixed";
-    if (differs(c.refit_node(n, pose, Pieces::clusters), clusters.refit_node(c.tree, n, pose))) return "clusters";
+    if (differs(c.refit_node(n, palette, Pieces::node), c.tree.refit_node(n, palette))) return "node";
+    if (differs(c.refit_node(n, palette, Pieces::joint_sets), sets.refit_node(c.tree, n, palette))) return "joint_sets";
+    if (differs(c.refit_node(n, palette, Pieces::mixed), mixed.refit_node(c.tree, n, palette))) return "mixed";
+    if (differs(c.refit_node(n, palette, Pieces::many), clusters.refit_node(c.tree, n, palette))) return "clusters";
   }
   return "";
 }
@@ -108,8 +108,8 @@ std::string fault_of_piece_counts(const Character& c, const SkinningPose<double>
 // The snake in its wave.
 struct Posed {
   AnimatedCharacter character = bake(make_snake(24));
-  SkinningPose<double> pose(Skinning skinning) const {
-    return make_skinning_pose(character.mesh, character.sets, character.clips[0].sample(0.37), skinning);
+  SkinningPalette<double> palette(Skinning skinning) const {
+    return make_skinning_palette(character.mesh, character.sets, character.clips[0].sample(0.37), skinning);
   }
   int count() const { return static_cast<int>(character.tree.nodes.size()); }
 };
@@ -128,10 +128,10 @@ PROPTEST(variants) {
               if (compared_variants().size() != std::size(expected_variants)) wrong += "their number; ";
               for (const Named& expected : expected_variants) {
                 const RefitVariant& variant = compared_variant(expected.name);
-                const auto pose = snake().pose(expected.skinning);
+                const auto palette = snake().palette(expected.skinning);
                 bool good = variant.skinning == expected.skinning && variant.pieces == expected.pieces && variant.sound == expected.sound;
                 for (int n = 0; n < snake().count(); n += n < 100 ? 1 : 37, ++balls) {
-                  const Node node = snake().character.refit_node(n, pose, expected.pieces);
+                  const Node node = snake().character.refit_node(n, palette, expected.pieces);
                   const Ball3<double> computed = variant.refit_as_computed(node), ball = variant.refit(node);
                   good = good && same(computed, expected.as_computed(node)) &&
                          (expected.sound ? ball.radius > computed.radius && ball.center == computed.center : same(ball, computed));
@@ -145,10 +145,10 @@ PROPTEST(variants) {
             {.number_type = "double"}, [] {
               long balls = 0, smaller = 0;
               const auto check = [&](Skinning skinning, Pieces pieces, Refit smallest, Refit near, Refit mean) {
-                const auto pose = snake().pose(skinning);
+                const auto palette = snake().palette(skinning);
                 bool good = true;
                 for (int n = 0; n < snake().count(); n += n < 100 ? 1 : 37, ++balls) {
-                  const Node node = snake().character.refit_node(n, pose, pieces);
+                  const Node node = snake().character.refit_node(n, palette, pieces);
                   const double r = smallest(node).radius;
                   good = good && r <= near(node).radius * (1 + 1e-12) && near(node).radius <= 1.05 * r * (1 + 1e-12) &&
                          r <= mean(node).radius * (1 + 1e-12);
@@ -165,13 +165,13 @@ PROPTEST(variants) {
               return Checked(good && smaller * 10 > balls, balls);
             });
   t.example("the kinds of pieces are those that are documented", {}, [] {
-    const std::string fault = fault_of_piece_counts(snake().character, snake().pose(Skinning::spherical));
+    const std::string fault = fault_of_piece_counts(snake().character, snake().palette(Skinning::spherical));
     return Checked(fault.empty(), snake().count(), fault);
   });
   t.holds("the kinds of pieces are those that are documented, of any mesh", {.cases = 30}, [] {
     const auto c = bake(gen::make_mesh(*gen::mesh_plan()));
-    const auto pose = make_skinning_pose(c.mesh, c.sets, reference_posture(c.mesh), Skinning::spherical);
-    RC_ASSERT(fault_of_piece_counts(c, pose) == "");
+    const auto palette = make_skinning_palette(c.mesh, c.sets, reference_pose(c.mesh), Skinning::spherical);
+    RC_ASSERT(fault_of_piece_counts(c, palette) == "");
   });
   t.example("the defaults are the mixed ones, and no two variants share a name", {}, [] {
     std::set<std::string> names;

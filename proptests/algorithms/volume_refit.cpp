@@ -104,12 +104,12 @@ void check_double() {
   }
 }
 
-// Every node of a model in a posture, by two threads at once: each volume holds all of the node's deformed vertices.
+// Every node of a model in a pose, by two threads at once: each volume holds all of the node's deformed vertices.
 Checked check_model(Model model) {
   const auto c = bake(std::move(model));
   const Clip& clip = c.clips.back();
-  const auto pose = make_skinning_pose(c.mesh, c.sets, clip.sample(0.8 * clip.duration), Skinning::spherical);
-  const auto deformed = skin(c.mesh, c.sets, pose, Skinning::spherical);
+  const auto palette = make_skinning_palette(c.mesh, c.sets, clip.sample(0.8 * clip.duration), Skinning::spherical);
+  const auto deformed = skin(c.mesh, c.sets, palette, Skinning::spherical);
   long checked[2] = {0, 0}, missed[2] = {0, 0};
   const auto work = [&](int part) {
     for (int n = part; n < static_cast<int>(c.tree.nodes.size()); n += 2)
@@ -121,7 +121,7 @@ Checked check_model(Model model) {
               ++checked[part];
               missed[part] += !all;
             },
-            variant.refit(c.refit_node(n, pose, variant.pieces)));
+            variant.refit(c.refit_node(n, palette, variant.pieces)));
   };
   std::thread other(work, 1);
   work(0);

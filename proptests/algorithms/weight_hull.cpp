@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <set>
 
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 #include "proptests/gen/rational.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"
@@ -73,7 +73,7 @@ Rows box_corners(const Rows& rows) {
   WeightBounds<double> box;
   for (const auto& x : bounds.low) box.low.push_back(CGAL::to_double(x));
   for (const auto& x : bounds.high) box.high.push_back(CGAL::to_double(x));
-  return corners_or_simplex(box);
+  return weight_vertices_or_simplex(box);
 }
 
 // By trying simplices, or down along the box where the corners are the box's.
@@ -93,7 +93,7 @@ PROPTEST(weight_hull) {
   t.holds("every row is a convex combination of the corners, exactly, and the corners are convex weights", options, [] {
     const Weights w = draw(6);
     RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-    const Rows corners = weight_corners(w.spans());
+    const Rows corners = weight_polytope(w.spans());
     for (const auto& row : exact(w.rows)) RC_ASSERT(covers(corners, w.rows, row));
     for (const auto& c : exact(corners)) RC_ASSERT(is_convex<Rational>(c) == Verdict::holds);
   });
@@ -103,7 +103,7 @@ PROPTEST(weight_hull) {
       options, [] {
         const Weights w = draw(6);
         RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-        const Rows corners = weight_corners(w.spans()), box = box_corners(w.rows);
+        const Rows corners = weight_polytope(w.spans()), box = box_corners(w.rows);
         const std::set<std::vector<double>> distinct(w.rows.begin(), w.rows.end());
         RC_ASSERT(corners.size() <= box.size());
         RC_ASSERT(corners.size() <= distinct.size());
@@ -139,19 +139,19 @@ PROPTEST(weight_hull) {
             const Rows extreme = extreme_rows(w.spans()), box = box_corners(w.rows);
             RC_CLASSIFY(extreme.size() == box.size(), "as many");
             RC_CLASSIFY(box.size() < extreme.size(), "box");
-            RC_ASSERT(weight_corners(w.spans()) == (extreme.size() <= box.size() ? extreme : box));
+            RC_ASSERT(weight_polytope(w.spans()) == (extreme.size() <= box.size() ? extreme : box));
           });
   t.example("of as many corners as the box has, the rows are kept: a triangle across a box of three corners", {}, [] {
     const Rows rows{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.375, 0.25, 0.375}};
     const std::vector<std::span<const double>> spans(rows.begin(), rows.end());
-    const Rows corners = weight_corners(spans), box = box_corners(rows);
+    const Rows corners = weight_polytope(spans), box = box_corners(rows);
     return corners.size() == 3 && box.size() >= 3 && std::set(corners.begin(), corners.end()) == std::set(rows.begin(), rows.end());
   });
   t.example("a triangle inside its box keeps its three corners; a full box of rows keeps the fewer ones", {}, [] {
     const Rows triangle{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}, {0.375, 0.375, 0.25}};
     const Rows segment{{0.25, 0.75}, {0.5, 0.5}, {0.75, 0.25}};
     const std::vector<std::span<const double>> a(triangle.begin(), triangle.end()), b(segment.begin(), segment.end());
-    return weight_corners(a).size() == 3 && weight_corners(b).size() == 2;
+    return weight_polytope(a).size() == 3 && weight_polytope(b).size() == 2;
   });
 }
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "algorithms/runtime/skinning/blend.hpp"
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 
 namespace proptests::cases {
@@ -36,19 +36,19 @@ std::string shown(const Json& value) {
   return "[" + out + "]";
 }
 
-QuerySet read_set(const Fields& f, const Ball3<Rational>& reference) {
-  QuerySet set;
+SyntheticSet read_set(const Fields& f, const Ball3<Rational>& reference) {
+  SyntheticSet set;
   set.reference = f.has("reference") ? f.ball<3>("reference") : reference;
   if (set.reference.radius < 0) f.fail("reference", "has a negative radius");
-  set.pose.transforms = f.transforms("transforms");
-  const std::size_t n = set.pose.transforms.size();
-  place_rotation_center<Rational>(set.pose, f.point<3>("rotation_center"));
+  set.palette.transforms = f.transforms("transforms");
+  const std::size_t n = set.palette.transforms.size();
+  place_rotation_center<Rational>(set.palette, f.point<3>("rotation_center"));
   set.bounds = f.bounds("bounds");
   if (set.bounds.low.size() != n)
     f.fail("bounds",
            "are of " + std::to_string(set.bounds.low.size()) + " weights, the transforms of " + std::to_string(n));
   constexpr std::size_t most_corners = 100000;
-  auto corners = enumerate_corners(set.bounds, most_corners);
+  auto corners = enumerate_weight_vertices(set.bounds, most_corners);
   if (!corners) f.fail("bounds", "have more than " + std::to_string(most_corners) + " corners");
   set.corners = std::move(*corners);
   if (set.corners.empty()) f.fail("bounds", "let no weights through");
@@ -178,11 +178,11 @@ RefitInput read_refit(const Fields& inputs) {
   for (const Fields& f : inputs.objects("joint_sets")) out.query.sets.push_back(read_set(f, out.query.reference));
   const Fields vertex = inputs.object("vertex");
   out.joint_set = vertex.integer("joint_set", 0, static_cast<int>(out.query.sets.size()) - 1);
-  const QuerySet& set = out.query.sets[out.joint_set];
-  out.weights = vertex.convex_weights("weights", set.pose.transforms.size());
+  const SyntheticSet& set = out.query.sets[out.joint_set];
+  out.weights = vertex.convex_weights("weights", set.palette.transforms.size());
   if (admits<Rational>(set.bounds, out.weights) != Verdict::holds)
     vertex.fail("weights", "are outside the joint-set's bounds");
-  if (squared_norm(blend_quaternion<Rational>(set.pose, out.weights)) == 0)
+  if (squared_norm(blend_quaternion<Rational>(set.palette, out.weights)) == 0)
     vertex.fail("weights", "blend to the zero quaternion, which is no rotation");
   out.position = vertex.point<3>("position");
   if (encloses(out.query.reference, out.position) != Verdict::holds)

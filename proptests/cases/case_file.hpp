@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/verification/refit_query.hpp"
-#include "lemmas/s41_corners_span.hpp"
+#include "algorithms/verification/synthetic_case.hpp"
+#include "lemmas/s41_weight_vertices_span.hpp"
 #include "lemmas/s44_joint_sets.hpp"
 #include "lemmas/vocabulary/cap.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
@@ -103,7 +103,7 @@ class Fields {
 
 // A refit and a vertex of one of its joint-sets.
 struct RefitInput {
-  refitlab::RefitQuery query;
+  refitlab::SyntheticCase query;
   int joint_set;
   Numbers weights;    // on the simplex, and admitted by the joint-set's bounds
   Point<3> position;  // in the reference ball

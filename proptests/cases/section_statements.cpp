@@ -61,25 +61,25 @@ Judgement rotated_vectors(const In& in) {
 
 std::vector<Statement> section_statements() {
   return {
-      in_space("s41_corners_span", "printed", "corners_exist",
+      in_space("s41_weight_vertices_span", "printed", "corners_exist",
                [](const auto& in) -> Judgement {
                  return {Verdict::holds, corners_exist_printed(in.bounds("bounds"))};
                }),
-      in_space("s41_corners_span", "repaired", "corners_exist",
+      in_space("s41_weight_vertices_span", "repaired", "corners_exist",
                [](const auto& in) -> Judgement {
                  return {Verdict::holds, corners_exist_repaired(in.bounds("bounds"))};
                }),
-      in_space("s41_corners_span", "printed", "corners_span",
+      in_space("s41_weight_vertices_span", "printed", "weight_vertices_span",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
                  const auto bounds = in.bounds("bounds");
                  const std::size_t n = bounds.low.size();
                  const auto corners = in.rows("corners", n);
                  const auto w = in.numbers("weights", n);
-                 return {corners_span_hypotheses(bounds, corners) & admits<S>(bounds, w),
-                         corners_span(bounds, corners, w).verdict};
+                 return {weight_vertices_span_hypotheses(bounds, corners) & admits<S>(bounds, w),
+                         weight_vertices_span(bounds, corners, w).verdict};
                }),
-      in_space("s41_corners_span", "printed", "corners_combine",
+      in_space("s41_weight_vertices_span", "printed", "corners_combine",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
                  const auto bounds = in.bounds("bounds");
@@ -89,7 +89,7 @@ std::vector<Statement> section_statements() {
                          corners_combine(bounds, corners, u).verdict};
                }),
       in_space(
-          "s41_corners_span", "beyond", "corners_are_few",
+          "s41_weight_vertices_span", "beyond", "corners_are_few",
           [](const auto& in) -> Judgement {
             const auto bounds = in.bounds("bounds");
             const auto corners = in.rows("corners", bounds.low.size());

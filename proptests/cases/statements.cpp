@@ -35,17 +35,17 @@ struct Repaired {
   }
 };
 
-gen::RefitCase as_refit_case(const RefitQuery& query) {
+gen::RefitCase as_refit_case(const SyntheticCase& query) {
   gen::RefitCase out{query.reference, {}};
-  for (const QuerySet& set : query.sets) out.sets.push_back({set.pose, {set.bounds, set.corners}});
+  for (const SyntheticSet& set : query.sets) out.sets.push_back({set.palette, {set.bounds, set.corners}});
   return out;
 }
 
 // A corner of the printed algorithm's blends to 0 (line 9), or the mean of the normalised blends is 0 (line 12).
 template <Signs signs>
-bool divides_by_zero(const RefitQuery& query) {
-  for (const QuerySet& set : query.sets) {
-    OwnedJointSetPose<Rational> seen = set.pose;
+bool divides_by_zero(const SyntheticCase& query) {
+  for (const SyntheticSet& set : query.sets) {
+    OwnedPaletteEntry<Rational> seen = set.palette;
     for (auto& c : seen.transforms) c = Printed<signs>::seen(c);
     Vec<ExactRoot, 4> sum = Vec<ExactRoot, 4>::Constant(ExactRoot(0));
     for (const auto& corner : set.corners) {

@@ -1,7 +1,7 @@
 // write_certificates COUNT SEED FOLDER: certificates of random nodes, each by some sound variant, for the checkers to agree on.
 //
-// FOLDER gets a folder for each model and posture and skinning, with a file model, a file pose and the certificates. The
-// models are the procedural ones in clips and in random postures, and random meshes of all kinds.
+// FOLDER gets a folder for each model and pose and skinning, with a file model, a file palette and the certificates. The
+// models are the procedural ones in clips and in random poses, and random meshes of all kinds.
 #include <filesystem>
 #include <iostream>
 
@@ -11,7 +11,7 @@
 #include "algorithms/certificate/sha256.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 
 namespace proptests {
@@ -40,31 +40,31 @@ class Writer {
     return {kind, static_cast<int>(2 + pick(11)), static_cast<int>(3 + pick(6)), static_cast<int>(1 + pick(4)), static_cast<unsigned>(random_())};
   }
 
-  Posture some_posture(const AnimatedCharacter& c) {
+  Pose some_pose(const AnimatedCharacter& c) {
     if (!c.clips.empty() && pick(2)) {
       const Clip& clip = c.clips[pick(c.clips.size())];
       return clip.sample(clip.duration * std::uniform_real_distribution<double>(0, 1)(random_));
     }
-    return gen::random_posture(c.mesh, random_, std::array{0., 0.1, 0.3, 0.6, 1., 2.}[pick(6)]);
+    return gen::random_pose(c.mesh, random_, std::array{0., 0.1, 0.3, 0.6, 1., 2.}[pick(6)]);
   }
 
-  // Of one posture, by all skinnings.
+  // Of one pose, by all skinnings.
   void write_some(const AnimatedCharacter& c) {
-    const Posture posture = some_posture(c);
+    const Pose pose = some_pose(c);
     const std::string model = model_document(c);
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      const auto pose = make_skinning_pose(c.mesh, c.sets, posture, skinning);
-      const std::string pose_text = pose_document(c, pose, skinning);
+      const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+      const std::string pose_text = pose_document(c, palette, skinning);
       const auto group = folder_ / std::to_string(groups_++);
       std::filesystem::create_directories(group);
       write_whole((group / "model").string(), model);
       write_whole((group / "pose").string(), pose_text);
-      for (int i = 0; i < 20 && left_ > 0; ++i) write_one(c, pose, skinning, sha256(model), sha256(pose_text), group);
+      for (int i = 0; i < 20 && left_ > 0; ++i) write_one(c, palette, skinning, sha256(model), sha256(pose_text), group);
     }
   }
 
   // Nothing for a ball that is all of space.
-  void write_one(const Character& c, const SkinningPose<double>& pose, Skinning skinning, const std::string& model_digest,
+  void write_one(const Character& c, const SkinningPalette<double>& palette, Skinning skinning, const std::string& model_digest,
                  const std::string& pose_digest, const std::filesystem::path& group) {
     std::vector<const RefitVariant*> variants;
     for (const RefitVariant& v : compared_variants())
@@ -73,7 +73,7 @@ class Writer {
     // Small nodes are most of a tree, and the first are the largest: some have more vertices than is worth checking often.
     const int n = static_cast<int>(pick(pick(2) ? std::min<std::size_t>(c.tree.nodes.size(), 9) : c.tree.nodes.size()));
     if (c.vertices[n].size() > 500) return;
-    const auto node = c.refit_node(n, pose, variant.pieces);
+    const auto node = c.refit_node(n, palette, variant.pieces);
     const Ball3<double> ball = variant.refit(node);
     if (std::isinf(ball.radius)) return;
     const std::string about = "node " + std::to_string(n) + " of " + c.mesh.name + ", by " + variant.name;

@@ -24,12 +24,12 @@ int main(int, char** argv) {
   const auto man = bake(make_man(1034));
   std::ofstream(argv[1], std::ios::binary) << bytes_of(man);
   const RefitVariant& variant = default_variant(Skinning::spherical);
-  const Posture posture = man.clips[1].sample(man.clips[1].duration);
-  const SkinningPose<double> pose = make_skinning_pose(man.mesh, man.sets, posture, variant.skinning);
+  const Pose pose = man.clips[1].sample(man.clips[1].duration);
+  const SkinningPalette<double> palette = make_skinning_palette(man.mesh, man.sets, pose, variant.skinning);
   const int node = man.tree.nodes[0].first_child;
-  const Ball3<double> ball = variant.refit(man.refit_node(node, pose, variant.pieces));
+  const Ball3<double> ball = variant.refit(man.refit_node(node, palette, variant.pieces));
 
-  const std::vector<Point3> deformed = skin(man.mesh, man.sets, pose, variant.skinning);
+  const std::vector<Point3> deformed = skin(man.mesh, man.sets, palette, variant.skinning);
   int outside = 0;
   for (const int v : man.vertices[node]) outside += (deformed[v] - ball.center).norm() > ball.radius * (1 + 1e-12);
   std::printf("%s: radius %.3f, %zu vertices, %d outside\n", variant.name.c_str(), ball.radius, man.vertices[node].size(),

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 
 namespace proptests::counterexamples {
 namespace {
@@ -17,10 +17,10 @@ using Numbers = std::vector<Rational>;
 gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQuaternion>& rotations,
                             const Numbers& low, const Numbers& high) {
   gen::SetCase set;
-  for (const auto& q : rotations) set.pose.transforms.push_back({q, RationalVec<3>::Zero()});
-  place_rotation_center<Rational>(set.pose, RationalVec<3>::Zero());
+  for (const auto& q : rotations) set.palette.transforms.push_back({q, RationalVec<3>::Zero()});
+  place_rotation_center<Rational>(set.palette, RationalVec<3>::Zero());
   set.weights.bounds = {low, high};
-  set.weights.corners = *enumerate_corners(set.weights.bounds, std::numeric_limits<std::size_t>::max());
+  set.weights.corners = *enumerate_weight_vertices(set.weights.bounds, std::numeric_limits<std::size_t>::max());
   return {{p, Rational(0)}, {set}};
 }
 

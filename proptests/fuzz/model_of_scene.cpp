@@ -1,4 +1,4 @@
-// The conversion of scenes: a valid model whose clips give rigid postures or say why not, or a refusal.
+// The conversion of scenes: a valid model whose clips give rigid poses or say why not, or a refusal.
 #include "algorithms/model/model_of_scene.hpp"
 
 #include <cmath>
@@ -10,9 +10,9 @@ using namespace refitlab;
 
 namespace {
 
-bool is_rigid(const Posture& posture) {
+bool is_rigid(const Pose& pose) {
   bool good = true;
-  for (const auto& c : posture)
+  for (const auto& c : pose)
     good = good && std::abs(squared_norm(c.rotation) - 1) < 1e-12 && std::isfinite(squared_norm(c.translation));
   return good;
 }
@@ -31,9 +31,9 @@ FUZZ_TARGET(model_of_scene, bytes) try {
   check(model.rigidity_defect >= 0 && model.rigidity_defect < 0.01, "joints are nearly rigid");
   for (const Clip& clip : model.clips)
     for (int i = 0; i < 8; ++i) try {
-        check(is_rigid(clip.sample(clip.duration * i / 7)), "postures are rigid");
+        check(is_rigid(clip.sample(clip.duration * i / 7)), "poses are rigid");
       } catch (const ModelError& e) {
-        check(std::string(e.what()).starts_with("fuzz: clip '"), "a refused posture names its clip");
+        check(std::string(e.what()).starts_with("fuzz: clip '"), "a refused pose names its clip");
       }
 } catch (const ModelError& e) {
   check(std::string(e.what()).starts_with("fuzz: "), "a refusal names the file");

@@ -1,7 +1,7 @@
 #include "proptests/gen/accepted.hpp"
 
 #include "algorithms/runtime/mesh/quantize.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 
 namespace proptests::gen {
 
@@ -45,9 +45,9 @@ Quaternion<double> with_length(const Quaternion<double>& unit, UnitLength length
   }
 }
 
-Posture with_lengths(Posture posture, UnitLength length, std::mt19937& random) {
-  for (auto& joint : posture) joint.rotation = with_length(joint.rotation, length, random);
-  return posture;
+Pose with_lengths(Pose pose, UnitLength length, std::mt19937& random) {
+  for (auto& joint : pose) joint.rotation = with_length(joint.rotation, length, random);
+  return pose;
 }
 
 RigidTransform<double> accepted_placement(std::mt19937& random, double far) {
@@ -67,7 +67,7 @@ Attained attained(std::mt19937& random, const AttainedOptions& options) {
   const double radius = options.unit * one_of({1.0, 1 - 0x1p-40, 1.9, 0.1 + 0.9 * std::abs(u(random))}, random);
   const Point3 center =
       random() % 2 ? Point3(0, 0, 0) : Point3(u(random), u(random), u(random)) * options.unit * one_of({1.0, 10.0, 1e4}, random);
-  Attained out{.mesh = {}, .posture = {}, .placement = accepted_placement(random, options.far), .size = 0, .what = ""};
+  Attained out{.mesh = {}, .pose = {}, .placement = accepted_placement(random, options.far), .size = 0, .what = ""};
   SkinnedMesh& m = out.mesh;
   m.name = "octahedron";
   add_joints(m, joints, center);
@@ -87,7 +87,7 @@ Attained attained(std::mt19937& random, const AttainedOptions& options) {
       for (const int c : {4, 5}) m.triangles.push_back({a, b, c});
   const RigidTransform<double> turn{with_length(random_turn(random), random_unit_length(random), random),
                                     Point3(u(random), u(random), u(random)) * (random() % 2 ? 0 : options.unit)};
-  out.posture.assign(joints, turn);
+  out.pose.assign(joints, turn);
   out.size = radius + 2 * upper_norm(center) + upper_norm(turn.translation);
   out.what = std::to_string(joints) + " joints, radius " + std::to_string(radius) + ", squared lengths 1 + " +
              std::to_string(1e6 * (squared_norm(turn.rotation) - 1)) + "e-6 and 1 + " +

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 namespace proptests::gen {
 
@@ -14,7 +14,7 @@ enum class UnitLength { as_doubles, as_floats, anything, longest, shortest };
 UnitLength random_unit_length(std::mt19937& random);
 refitlab::Quaternion<double> with_length(const refitlab::Quaternion<double>& unit, UnitLength length,
                                          std::mt19937& random);
-refitlab::Posture with_lengths(refitlab::Posture posture, UnitLength length, std::mt19937& random);
+refitlab::Pose with_lengths(refitlab::Pose pose, UnitLength length, std::mt19937& random);
 
 // Turned any way, of any length of its quaternion, and moved by this length about, or not at all.
 refitlab::RigidTransform<double> accepted_placement(std::mt19937& random, double far);
@@ -26,7 +26,7 @@ refitlab::Skinning random_skinning(std::mt19937& random);
 // where a quaternion that is too long stretches most, or any.
 struct Attained {
   refitlab::SkinnedMesh mesh;  // an octahedron
-  refitlab::Posture posture;
+  refitlab::Pose pose;
   refitlab::RigidTransform<double> placement;
   double size;  // more than the lengths that bounds are made from: about center, radius, joints' translations
   std::string what;

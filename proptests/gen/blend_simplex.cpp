@@ -35,8 +35,8 @@ void draw_together(std::vector<RationalQuaternion>& list) {
 }  // namespace
 
 bool BlendCase::is_degenerate() const {
-  bool is = blend.corner_count() == 1 || squared_norm(blend.x) == 0;
-  for (std::size_t k = 0; k < blend.corner_count(); ++k)
+  bool is = blend.weight_vertex_count() == 1 || squared_norm(blend.x) == 0;
+  for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k)
     for (std::size_t l = 0; l < k; ++l)
       is = is || blend.rotations[k] == blend.rotations[l] || dot(blend.rotations[k], blend.rotations[l]) == 0;
   return is;

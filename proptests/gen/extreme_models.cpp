@@ -3,7 +3,7 @@
 #include <random>
 
 #include "algorithms/runtime/mesh/quantize.hpp"
-#include "proptests/gen/random_posture.hpp"
+#include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 
 namespace proptests::gen {
@@ -74,17 +74,17 @@ SkinnedMesh scaled(SkinnedMesh model, double factor) {
   return model;
 }
 
-Posture scaled(Posture posture, double factor) {
-  for (auto& c : posture) c.translation *= factor;
-  return posture;
+Pose scaled(Pose pose, double factor) {
+  for (auto& c : pose) c.translation *= factor;
+  return pose;
 }
 
 std::vector<ExtremeModel> extreme_models() {
   std::mt19937 random(2006);
   std::vector<ExtremeModel> out;
   const auto add = [&](const char* what, SkinnedMesh model, double size) {
-    Posture posture = scaled(random_posture(model, random), size);
-    out.push_back({what, std::move(model), std::move(posture)});
+    Pose pose = scaled(random_pose(model, random), size);
+    out.push_back({what, std::move(model), std::move(pose)});
   };
   add("coordinates of 1e30", scaled(tube(3), 1e30), 1e30);
   add("coordinates of 1e-30", scaled(tube(3), 1e-30), 1e-30);

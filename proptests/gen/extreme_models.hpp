@@ -1,4 +1,4 @@
-// Models at the ends of what a model may be, each in a posture.
+// Models at the ends of what a model may be, each in a pose.
 #pragma once
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
@@ -8,7 +8,7 @@ namespace proptests::gen {
 struct ExtremeModel {
   std::string what;
   refitlab::SkinnedMesh mesh;
-  refitlab::Posture posture;
+  refitlab::Pose pose;
 };
 
 // Valid ones: huge, tiny, both at once, far away, of 1000 joints, of 64 influences, of one joint that moves, all
@@ -17,6 +17,6 @@ std::vector<ExtremeModel> extreme_models();
 
 // The model and all of its lengths times a factor.
 refitlab::SkinnedMesh scaled(refitlab::SkinnedMesh model, double factor);
-refitlab::Posture scaled(refitlab::Posture posture, double factor);
+refitlab::Pose scaled(refitlab::Pose pose, double factor);
 
 }  // namespace proptests::gen

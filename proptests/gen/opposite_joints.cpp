@@ -4,7 +4,7 @@
 #include <random>
 
 #include "algorithms/runtime/mesh/quantize.hpp"
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 namespace proptests::gen {
 
@@ -27,17 +27,17 @@ OppositeJoints opposite_joints(unsigned seed) {
     for (const auto& [joint, w] : quantize_weights(weights)) m.influences.back().push_back({joint, w});
     if (v % 3 == 2) m.triangles.push_back({v - 2, v - 1, v});
   }
-  out.posture = reference_posture(m);
+  out.pose = reference_pose(m);
   for (int j = 1; j < joints; ++j) {
     const double near[] = {0.02, 0.2, 0.6}, w = near[random() % 3], sign = j % 2 ? 1 : -1;
-    out.posture[j].rotation = {w, sign * std::sqrt(1 - w * w), 0.1 * u(random), 0.1 * u(random)};
-    out.posture[j].rotation.normalize();
+    out.pose[j].rotation = {w, sign * std::sqrt(1 - w * w), 0.1 * u(random), 0.1 * u(random)};
+    out.pose[j].rotation.normalize();
   }
   return out;
 }
 
 const char* label_of(const OppositeJoints& soup) {
-  auto transforms = soup.posture;
+  auto transforms = soup.pose;
   make_signs_consistent<double>(transforms);
   for (const auto& a : transforms)
     for (const auto& b : transforms)

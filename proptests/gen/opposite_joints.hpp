@@ -7,7 +7,7 @@ namespace proptests::gen {
 
 struct OppositeJoints {
   refitlab::SkinnedMesh mesh;      // 20 triangles, of two to four joints that all influence each vertex
-  refitlab::Posture posture;  // quaternions within a right angle of the first, some twice as far from each other
+  refitlab::Pose pose;  // quaternions within a right angle of the first, some twice as far from each other
 };
 OppositeJoints opposite_joints(unsigned seed);
 

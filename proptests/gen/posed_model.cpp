@@ -39,7 +39,7 @@ PosedModel assemble(const std::vector<JointPlan>& joints, const std::vector<Vert
     const int parent = j == 0 ? -1 : std::max(0, static_cast<int>(j) - 1 - joints[j].up);
     m.joints.push_back({"j" + std::to_string(j), parent, lift<double>(joints[j].origin)});
     const auto local = turn_about(m.joints[j].origin, lift<double>(joints[j].turn));
-    out.posture.push_back(parent < 0 ? local : compose(out.posture[parent], local));
+    out.pose.push_back(parent < 0 ? local : compose(out.pose[parent], local));
     out.turns.push_back(joints[j].turn);
   }
   for (const VertexPlan& v : vertices) {

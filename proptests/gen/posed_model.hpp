@@ -1,4 +1,4 @@
-// Small rigged models in a posture: a random tree of joints, a handful of vertices, joints that only turn.
+// Small rigged models in a pose: a random tree of joints, a handful of vertices, joints that only turn.
 #pragma once
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
@@ -8,7 +8,7 @@ namespace proptests::gen {
 
 struct PosedModel {
   refitlab::SkinnedMesh mesh;
-  refitlab::Posture posture;  // composed along the tree, as the paper has it: a joint turns about its origin
+  refitlab::Pose pose;  // composed along the tree, as the paper has it: a joint turns about its origin
   std::vector<RationalQuaternion> turns;  // the local rotation of each joint, exactly
 };
 

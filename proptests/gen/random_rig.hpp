@@ -5,7 +5,7 @@
 
 namespace proptests::gen {
 
-// What a rig has; its numbers follow from the seed. Binds and postures are unrelated: a rig need not look like
+// What a rig has; its numbers follow from the seed. Binds and poses are unrelated: a rig need not look like
 // anything.
 struct RigTraits {
   int joints = 1;                // at least one

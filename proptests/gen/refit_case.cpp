@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "algorithms/runtime/skinning/blend.hpp"
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "proptests/gen/list.hpp"
 
@@ -83,21 +83,21 @@ Transforms generic_transforms(Turns turns) {
 
 bool may_be_zero(const SetCase& set) {
   for (const auto& corner : set.weights.corners)
-    if (squared_norm(blend_quaternion<Rational>(set.pose, corner)) == 0) return true;
+    if (squared_norm(blend_quaternion<Rational>(set.palette, corner)) == 0) return true;
   return false;
 }
 
 // What a generator is given lives as long as RapidCheck may shrink, so it is captured by value.
 SetCase generic_set(Turns turns, const RationalVec<3>& p) {
   SetCase set;
-  set.pose.transforms = generic_transforms(turns);
-  auto& c = set.pose.transforms;
+  set.palette.transforms = generic_transforms(turns);
+  auto& c = set.palette.transforms;
   if (turns == Turns::any && *any_of(0, 2) > 0) make_signs_consistent<Rational>(c);
   const RationalVec<3> center = *rc::gen::suchThat(rational_vector<3>(), [p](const RationalVec<3>& r) { return r != p; });
   if (*any_of(0, 1) == 1)  // a common joint
     for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
-  place_rotation_center<Rational>(set.pose, center);
-  place_duals(set.pose);
+  place_rotation_center<Rational>(set.palette, center);
+  place_duals(set.palette);
   set.weights = *rc::gen::suchThat(bounds_of_vertices(static_cast<int>(c.size())), [set](const BoundsWithCorners& w) {
     SetCase weighted = set;
     weighted.weights = w;
@@ -108,16 +108,16 @@ SetCase generic_set(Turns turns, const RationalVec<3>& p) {
 
 SetCase set_case(Turns turns, const RationalVec<3>& p) {
   SetCase set;
-  set.pose.transforms = turns == Turns::any ? any_transforms() : moderate_transforms();
-  auto& c = set.pose.transforms;
+  set.palette.transforms = turns == Turns::any ? any_transforms() : moderate_transforms();
+  auto& c = set.palette.transforms;
   if (turns == Turns::any && *rc::gen::inRange(0, 3) > 0) make_signs_consistent<Rational>(c);
   RationalVec<3> center = p;
   const int place = *rc::gen::inRange(0, 4);
   if (place < 3) center = *rational_vector<3>();
   if (place == 2)  // a common joint: all transforms agree there
     for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
-  place_rotation_center<Rational>(set.pose, center);
-  place_duals(set.pose);
+  place_rotation_center<Rational>(set.palette, center);
+  place_duals(set.palette);
   set.weights = *bounds_of_vertices(static_cast<int>(c.size()));
   return set;
 }
@@ -158,10 +158,10 @@ std::vector<std::string> degeneracies(const RefitCase& c) {
   };
   note(c.reference.radius == 0, "r = 0");
   for (const SetCase& set : c.sets) {
-    const auto& joints = set.pose.transforms;
+    const auto& joints = set.palette.transforms;
     note(joints.size() == 1, "one joint");
     note(set.weights.corners.size() == 1, "one corner");
-    note(set.pose.rotation_center == c.reference.center, "center at p");
+    note(set.palette.rotation_center == c.reference.center, "center at p");
     note(may_be_zero(set), "zero blend");
     for (std::size_t i = 0; i < joints.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
@@ -184,20 +184,20 @@ RefitCase rounded_to_double(const RefitCase& c) {
   out.reference = {round(c.reference.center), as_rational(CGAL::to_double(c.reference.radius))};
   for (const SetCase& set : c.sets) {
     SetCase s;
-    OwnedJointSetPose<double> pose{lift<double>(set.pose.transforms), {}, {}, {}};
-    place_rotation_center<double>(pose, lift<double>(set.pose.rotation_center));
-    place_duals(pose);
-    s.pose.rotation_center = round(set.pose.rotation_center);
-    for (const auto& joint : set.pose.transforms)
-      s.pose.transforms.push_back({round(joint.rotation), round(joint.translation)});
-    for (const auto& image : pose.center_images)
-      s.pose.center_images.push_back({as_rational(image[0]), as_rational(image[1]), as_rational(image[2])});
-    for (const auto& dual : pose.duals) s.pose.duals.push_back(convert<Rational>(dual));
+    OwnedPaletteEntry<double> palette{lift<double>(set.palette.transforms), {}, {}, {}};
+    place_rotation_center<double>(palette, lift<double>(set.palette.rotation_center));
+    place_duals(palette);
+    s.palette.rotation_center = round(set.palette.rotation_center);
+    for (const auto& joint : set.palette.transforms)
+      s.palette.transforms.push_back({round(joint.rotation), round(joint.translation)});
+    for (const auto& image : palette.center_images)
+      s.palette.center_images.push_back({as_rational(image[0]), as_rational(image[1]), as_rational(image[2])});
+    for (const auto& dual : palette.duals) s.palette.duals.push_back(convert<Rational>(dual));
     for (std::size_t i = 0; i < set.weights.bounds.low.size(); ++i) {
       s.weights.bounds.low.push_back(to_grid(set.weights.bounds.low[i], false));
       s.weights.bounds.high.push_back(to_grid(set.weights.bounds.high[i], true));
     }
-    s.weights.corners = *enumerate_corners(s.weights.bounds, std::numeric_limits<std::size_t>::max());
+    s.weights.corners = *enumerate_weight_vertices(s.weights.bounds, std::numeric_limits<std::size_t>::max());
     out.sets.push_back(s);
   }
   return out;
@@ -208,9 +208,9 @@ void showValue(const RefitCase& c, std::ostream& out) {
   rc::show(c.reference, out);
   for (const SetCase& set : c.sets) {
     out << "; a joint-set of ";
-    rc::show(set.pose.transforms, out);
+    rc::show(set.palette.transforms, out);
     out << " about ";
-    rc::show(set.pose.rotation_center, out);
+    rc::show(set.palette.rotation_center, out);
     out << " with weight ";
     rc::show(set.weights.bounds, out);
   }

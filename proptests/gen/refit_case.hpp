@@ -1,4 +1,4 @@
-// Refits in exact rationals: a reference ball, and joint-sets in a posture with weight bounds, made to be awkward.
+// Refits in exact rationals: a reference ball, and joint-sets in a pose with weight bounds, made to be awkward.
 #pragma once
 
 #include "algorithms/runtime/tree/refit_node.hpp"
@@ -9,7 +9,7 @@
 namespace proptests::gen {
 
 struct SetCase {
-  refitlab::OwnedJointSetPose<Rational> pose;
+  refitlab::OwnedPaletteEntry<Rational> palette;
   BoundsWithCorners weights;
 };
 
@@ -49,18 +49,18 @@ class NodeOf {
         for (const Rational& w : corner) weights_.push_back(refitlab::lift<T>(w));
       sets_.push_back({static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.corners.size()),
                        static_cast<int>(sets_.size())});
-      pose_.push_back(refitlab::OwnedJointSetPose<T>{
-          refitlab::lift<T>(set.pose.transforms), refitlab::lift<T>(set.pose.rotation_center),
-          refitlab::lift<T>(set.pose.center_images), refitlab::lift<T>(set.pose.duals)});
+      palette_.push_back(refitlab::OwnedPaletteEntry<T>{
+          refitlab::lift<T>(set.palette.transforms), refitlab::lift<T>(set.palette.rotation_center),
+          refitlab::lift<T>(set.palette.center_images), refitlab::lift<T>(set.palette.duals)});
     }
   }
-  refitlab::RefitNode<T> node() const { return {reference_, sets_, weights_.data(), pose_}; }
+  refitlab::RefitNode<T> node() const { return {reference_, sets_, weights_.data(), palette_}; }
 
  private:
   refitlab::Ball3<T> reference_;
-  std::vector<refitlab::NodeJointSet> sets_;
+  std::vector<refitlab::NodePiece> sets_;
   std::vector<T> weights_;
-  refitlab::SkinningPose<T> pose_;
+  refitlab::SkinningPalette<T> palette_;
 };
 
 }  // namespace proptests::gen

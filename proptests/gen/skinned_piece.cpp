@@ -48,33 +48,33 @@ SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_cor
   const double spread = std::array{0., 0.1, 0.4, 0.8, 100.}[pick(5)];
   const bool has_other_signs = pick(6) == 0, has_other_duals = pick(4) == 0;
   const Quaternion<double> common = normal<4>(random, 1);
-  pose.rotation_center = normal<3>(random, 1);
+  palette.rotation_center = normal<3>(random, 1);
   for (int i = 0; i < n; ++i) {
     Quaternion<double> turn = normal<4>(random, spread);
     turn[0] = has_other_signs && spread > 0 ? turn[0] : 1;
     const Quaternion<double> q = with_some_length(multiply<double>(common, turn), kind, random);
-    pose.transforms.push_back({q, normal<3>(random, 1)});
-    pose.center_images.push_back(normal<3>(random, pick(2)));
-    pose.duals.push_back(has_other_duals ? normal<4>(random, 1) : dual_part(pose.transforms[i]));
+    palette.transforms.push_back({q, normal<3>(random, 1)});
+    palette.center_images.push_back(normal<3>(random, pick(2)));
+    palette.duals.push_back(has_other_duals ? normal<4>(random, 1) : dual_part(palette.transforms[i]));
   }
   if (has_relation && n > 1) {
-    const Quaternion<double> half_turn = {0, 1, 0, 0}, first = pose.transforms[0].rotation;
-    pose.transforms[1].rotation = pick(2) ? Quaternion<double>(-first) : multiply<double>(first, half_turn);
-    if (n > 2) pose.transforms[2].rotation = -pose.transforms[1].rotation;
+    const Quaternion<double> half_turn = {0, 1, 0, 0}, first = palette.transforms[0].rotation;
+    palette.transforms[1].rotation = pick(2) ? Quaternion<double>(-first) : multiply<double>(first, half_turn);
+    if (n > 2) palette.transforms[2].rotation = -pose.transforms[1].rotation;
   }
   for (int k = 0; k < m; ++k) corners.push_back(some_weights(random, n));
   reference = {normal<3>(random, 1), pick(4) ? std::uniform_real_distribution<double>(0, 1)(random) : 0};
   store();
 }
 
-SkinnedPiece::SkinnedPiece(Skinning skinning, OwnedJointSetPose<double> pose, std::vector<std::vector<double>> corners,
+SkinnedPiece::SkinnedPiece(Skinning skinning, OwnedPaletteEntry<double> palette, std::vector<std::vector<double>> corners,
                            const Ball3<double>& reference)
-    : skinning(skinning), pose(std::move(pose)), corners(std::move(corners)), reference(reference) {
+    : skinning(skinning), palette(std::move(palette)), corners(std::move(corners)), reference(reference) {
   store();
 }
 
 void SkinnedPiece::store() {
-  palette_.push_back(pose);
+  palette_.push_back(palette);
   for (const auto& w : corners) weights_.insert(weights_.end(), w.begin(), w.end());
   sets_.push_back({0, 0, static_cast<int>(corners.size())});
 }

@@ -13,22 +13,22 @@ class SkinnedPiece {
  public:
   SkinnedPiece(std::mt19937& random, refitlab::Skinning skinning, int most_corners);
   // One of given joints.
-  SkinnedPiece(refitlab::Skinning skinning, refitlab::OwnedJointSetPose<double> pose, std::vector<std::vector<double>> corners,
+  SkinnedPiece(refitlab::Skinning skinning, refitlab::OwnedPaletteEntry<double> palette, std::vector<std::vector<double>> corners,
                const refitlab::Ball3<double>& reference);
 
   refitlab::RefitNode<double> node() const { return {reference, sets_, weights_.data(), palette_}; }
 
   refitlab::Skinning skinning;
-  refitlab::OwnedJointSetPose<double> pose;
+  refitlab::OwnedPaletteEntry<double> palette;
   std::vector<std::vector<double>> corners;  // multiples of 1/64 whose sum is 1
   refitlab::Ball3<double> reference;
   bool has_relation = false;  // two joints are exactly opposite or a half-turn apart: blends of length 0, edges equally wide
 
  private:
   void store();
-  std::vector<refitlab::NodeJointSet> sets_;
+  std::vector<refitlab::NodePiece> sets_;
   std::vector<double> weights_;
-  refitlab::SkinningPose<double> palette_;
+  refitlab::SkinningPalette<double> palette_;
 };
 
 }  // namespace proptests::gen

@@ -23,7 +23,7 @@ RationalVec<3> unit_near(const Point3& direction) {
 }
 
 RationalWeights blend_of_corners(const SetCase& set, const std::vector<Rational>& shares) {
-  RationalWeights w(set.pose.transforms.size(), Rational(0));
+  RationalWeights w(set.palette.transforms.size(), Rational(0));
   Rational sum(0);
   for (const Rational& share : shares) sum += share;
   for (std::size_t k = 0; k < shares.size(); ++k)
@@ -31,9 +31,9 @@ RationalWeights blend_of_corners(const SetCase& set, const std::vector<Rational>
   return w;
 }
 
-OwnedJointSetPose<double> in_double(const OwnedJointSetPose<Rational>& pose) {
-  return {lift<double>(pose.transforms), lift<double>(pose.rotation_center), lift<double>(pose.center_images),
-          lift<double>(pose.duals)};
+OwnedPaletteEntry<double> in_double(const OwnedPaletteEntry<Rational>& palette) {
+  return {lift<double>(palette.transforms), lift<double>(palette.rotation_center), lift<double>(palette.center_images),
+          lift<double>(palette.duals)};
 }
 
 // The ascent, in double: shares of the corners are moved towards one corner as long as p is carried farther.
@@ -43,7 +43,7 @@ class Ascent {
       : p_(lift<double>(c.reference.center)),
         blending_(blending),
         far_from_(far_from),
-        pose_(in_double(set.pose)),
+        palette_(in_double(set.palette)),
         corners_(lift<double>(set.weights.corners)),
         shares_(corners_.size(), 1.0 / double(corners_.size())) {}
 
@@ -66,16 +66,16 @@ class Ascent {
 
  private:
   double distance(const std::vector<double>& shares) const {
-    std::vector<double> w(pose_.transforms.size(), 0.0);
+    std::vector<double> w(palette_.transforms.size(), 0.0);
     for (std::size_t k = 0; k < shares.size(); ++k)
       for (std::size_t i = 0; i < w.size(); ++i) w[i] += corners_[k][i] * shares[k];
-    return (blend<double>(blending_, pose_, w, p_) - far_from_).norm();
+    return (blend<double>(blending_, palette_, w, p_) - far_from_).norm();
   }
 
   Point3 p_;
   Blending blending_;
   Point3 far_from_;
-  OwnedJointSetPose<double> pose_;
+  OwnedPaletteEntry<double> palette_;
   std::vector<std::vector<double>> corners_;
   std::vector<double> shares_;
 };
@@ -83,10 +83,10 @@ class Ascent {
 // The point of the surface of S that these weights carry farthest from a point: outward, turned back.
 RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const RationalWeights& w, Blending blending,
                                const Point3& far_from) {
-  const OwnedJointSetPose<double> pose = in_double(set.pose);
+  const OwnedPaletteEntry<double> palette = in_double(set.palette);
   const auto weights = lift<double>(w);
   const Point3 p = lift<double>(c.reference.center);
-  const auto image = [&](const Point3& v) { return blend<double>(blending, pose, weights, v); };
+  const auto image = [&](const Point3& v) { return blend<double>(blending, palette, weights, v); };
   const Point3 outward = image(p) - far_from, origin = image(Point3::Zero());
   Point3 back;
   for (int i = 0; i < 3; ++i) back[i] = (image(Point3::Unit(i)) - origin).dot(outward);
@@ -96,10 +96,10 @@ RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const Rat
 }  // namespace
 
 std::optional<RationalVec<3>> skinned(const RefitCase& c, const Sample& sample, Blending blending) {
-  const auto& pose = c.sets[sample.joint_set].pose;
+  const auto& palette = c.sets[sample.joint_set].palette;
   const bool may_vanish = blending != Blending::linear;
-  if (may_vanish && squared_norm(blend_quaternion<Rational>(pose, sample.weights)) == 0) return std::nullopt;
-  return blend<Rational>(blending, pose, sample.weights, sample.vertex);
+  if (may_vanish && squared_norm(blend_quaternion<Rational>(palette, sample.weights)) == 0) return std::nullopt;
+  return blend<Rational>(blending, palette, sample.weights, sample.vertex);
 }
 
 std::vector<Sample> samples(const RefitCase& c, Blending blending, const Point3& far_from) {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "algorithms/bake/corners.hpp"
+#include "algorithms/bake/weight_vertices.hpp"
 #include "proptests/gen/weights.hpp"
 
 namespace proptests::gen {
@@ -15,7 +15,7 @@ BoundsWithCorners with_corners(const std::vector<RationalWeights>& vertices) {
       bounds.low[i] = std::min(bounds.low[i], w[i]);
       bounds.high[i] = std::max(bounds.high[i], w[i]);
     }
-  auto corners = refitlab::enumerate_corners(bounds, std::numeric_limits<std::size_t>::max());
+  auto corners = refitlab::enumerate_weight_vertices(bounds, std::numeric_limits<std::size_t>::max());
   return {bounds, std::move(*corners)};
 }
 

@@ -49,13 +49,13 @@ SkinnedMesh wide_model(const WidePlan& plan) {
   return m;
 }
 
-Posture wide_posture(const WidePlan& plan, const SkinnedMesh& model) {
+Pose wide_pose(const WidePlan& plan, const SkinnedMesh& model) {
   constexpr double end = 0.4999e-6;  // of a length, so that its square differs from 1 by a little less than 1e-6
   std::mt19937 random(plan.seed + 1);
   std::normal_distribution<double> normal;
   const Quaternion<double> first = Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
-  Posture posture = reference_posture(model);
-  for (auto& c : posture) {
+  Pose pose = reference_pose(model);
+  for (auto& c : pose) {
     const double x = normal(random), y = normal(random), z = normal(random);
     c.rotation = multiply(first, Quaternion<double>(1, x * plan.turn, y * plan.turn, z * plan.turn)).normalized();
     if (plan.lengths == 1) c.rotation = c.rotation.cast<float>().cast<double>().eval();
@@ -64,7 +64,7 @@ Posture wide_posture(const WidePlan& plan, const SkinnedMesh& model) {
     const double scale = std::ldexp(1, plan.exponent);
     c.translation = Point3(normal(random), normal(random), normal(random)) * scale;
   }
-  return posture;
+  return pose;
 }
 
 void showValue(const WidePlan& plan, std::ostream& out) {

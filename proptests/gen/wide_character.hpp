@@ -1,4 +1,4 @@
-// Models in postures from all over what validate and check_posture accept: up to 90 joints of a vertex, coordinates of any
+// Models in poses from all over what validate and check_pose accept: up to 90 joints of a vertex, coordinates of any
 // size, quaternions that are of unit length only nearly.
 #pragma once
 
@@ -25,7 +25,7 @@ rc::Gen<WidePlan> wide_plan(int least_exponent, int greatest_exponent);
 inline bool is_degenerate(const WidePlan& plan) { return plan.influences == 1; }
 
 refitlab::SkinnedMesh wide_model(const WidePlan& plan);
-refitlab::Posture wide_posture(const WidePlan& plan, const refitlab::SkinnedMesh& model);
+refitlab::Pose wide_pose(const WidePlan& plan, const refitlab::SkinnedMesh& model);
 
 void showValue(const WidePlan& plan, std::ostream& out);
 

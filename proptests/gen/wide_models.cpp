@@ -134,8 +134,8 @@ WideModel wide_model(std::mt19937& random, int most_joints) {
 
   const int turns = d.below(turn_kinds), defects = d.below(defect_kinds), moves = d.below(4);
   const Quaternion<double> about = d.below(2) ? d.rotation() : Quaternion<double>::Unit(1 + d.below(3));
-  out.posture = reference_posture(m);
-  for (auto& t : out.posture) {
+  out.pose = reference_pose(m);
+  for (auto& t : out.pose) {
     t.rotation = with_defect(d, defects, turn(d, turns, about));
     if (moves > 0) t.translation = in_range(d.point(), moves == 1 ? common : moves == 2 ? 0 : d.exponent());
   }
@@ -145,7 +145,7 @@ WideModel wide_model(std::mt19937& random, int most_joints) {
       if (x != 0) out.least_coordinate = std::min(out.least_coordinate, std::abs(x));
   for (const Point3& v : m.vertices) out.largest_length = std::max(out.largest_length, v.stableNorm());
   for (const Joint& j : m.joints) out.largest_length = std::max(out.largest_length, j.origin.stableNorm());
-  for (const auto& t : out.posture) out.largest_length = std::max(out.largest_length, t.translation.stableNorm());
+  for (const auto& t : out.pose) out.largest_length = std::max(out.largest_length, t.translation.stableNorm());
   out.what = std::to_string(joints) + " joints, " + std::to_string(vertices) + " vertices of shape " + std::to_string(shape) +
              ", sizes " + std::to_string(sizes) + " by 2^" + std::to_string(common) + ", turns " + std::to_string(turns) +
              ", defects " + std::to_string(defects) + ", moves " + std::to_string(moves) + ", leaves of " +

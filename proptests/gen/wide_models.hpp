@@ -1,4 +1,4 @@
-// Small models in a posture, drawn from all that validate() and check_posture() accept, their edges above all.
+// Small models in a pose, drawn from all that validate() and check_pose() accept, their edges above all.
 #pragma once
 
 #include <random>
@@ -9,9 +9,9 @@ namespace proptests::gen {
 
 struct WideModel {
   refitlab::SkinnedMesh mesh;
-  refitlab::Posture posture;
+  refitlab::Pose pose;
   int triangles_per_leaf;
-  double largest_length;  // at least any length of the model and of the posture's translations
+  double largest_length;  // at least any length of the model and of the pose's translations
   double least_coordinate;  // of those of vertices that are not 0
   std::string what;
 };
@@ -23,7 +23,7 @@ struct WideModel {
 // the coordinate axes; of unit length in double, as floats have them, or at either end of the tolerance.
 WideModel wide_model(std::mt19937& random, int most_joints = 90);
 
-// The quaternion with the squared length 1 + defect, or the nearest to it that check_posture takes.
+// The quaternion with the squared length 1 + defect, or the nearest to it that check_pose takes.
 refitlab::Quaternion<double> of_defect(const refitlab::Quaternion<double>& unit, double defect);
 
 }  // namespace proptests::gen

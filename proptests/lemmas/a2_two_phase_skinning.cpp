@@ -2,7 +2,7 @@
 #include "lemmas/a2_two_phase_skinning.hpp"
 
 #include "lemmas/b6_dual_quaternion_ball.hpp"
-#include "lemmas/b7_reach.hpp"
+#include "lemmas/b7_motion_bound.hpp"
 #include "proptests/counterexamples/a2_two_phase_skinning.hpp"
 #include "proptests/gen/affine.hpp"
 #include "proptests/gen/rigid.hpp"

@@ -94,9 +94,9 @@ void assert_each_field_checked(const Blend& blend, const Weights& u) {
     points = good;
     points.erase(points.begin() + static_cast<long>(k));
     reject(points);
-    if (blend.corner_count() < 2) continue;
+    if (blend.weight_vertex_count() < 2) continue;
     points = good;
-    points[k].index.back() = (points[k].index.back() + 1) % blend.corner_count();
+    points[k].index.back() = (points[k].index.back() + 1) % blend.weight_vertex_count();
     RC_ASSERT(is_bezier_simplex(blend, points) == Verdict::fails);
   }
 }

@@ -103,7 +103,7 @@ PROPTEST(b2_control_hull_encloses) {
       t, "each control point's weight and all of the weights are looked at by themselves", 0.1,
       [] {
         auto c = *gen::blend_case(gen::Spread::positive, 4);
-        const std::size_t m = c.blend.corner_count();
+        const std::size_t m = c.blend.weight_vertex_count();
         RC_PRE(m > 1u);
         if (*rc::gen::inRange(0, 3) == 0) {
           const auto broken = gen::broken_weights(c.weights);

@@ -19,7 +19,7 @@ using Span = std::span<const Rational>;
 using Blend = SphericalBlend<Rational>;
 
 Half any_edge(const Blend& blend) {
-  const auto m = blend.corner_count();
+  const auto m = blend.weight_vertex_count();
   const auto k = *rc::gen::inRange<std::size_t>(0, m), step = *rc::gen::inRange<std::size_t>(1, m);
   return {k, (k + step) % m};
 }
@@ -33,7 +33,7 @@ std::vector<std::size_t> any_index(std::size_t m) {
 // The least sizes there are, with rational bounds.
 SimplexSizes<Rational> sizes_of(const Blend& blend) {
   Rational s(0), t(0), b(0);
-  for (std::size_t k = 0; k < blend.corner_count(); ++k) {
+  for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) {
     b = std::max<Rational>(b, squared_norm(blend.rotations[k]));
     for (std::size_t l = 0; l < k; ++l) {
       s = std::max<Rational>(s, squared_distance(blend.rotations[k], blend.rotations[l]));
@@ -47,7 +47,7 @@ SimplexSizes<Rational> sizes_of(const Blend& blend) {
 double largest_distance(const SphericalBlend<double>& blend) {
   double largest = 0;
   for (const auto& p : control_points(blend)) {
-    const auto u = middle_weights<double>(p.index, blend.corner_count());
+    const auto u = middle_weights<double>(p.index, blend.weight_vertex_count());
     const auto at = blend.at(u);
     largest = std::max(largest, (p.numerator / p.weight - at.numerator / at.denominator).norm());
   }
@@ -58,7 +58,7 @@ PROPTEST(b3_subdivision) {
   const Options exact{.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2};
   t.holds("both halves together hold every blend of the whole, and no other", exact, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
-    RC_PRE(c.blend.corner_count() > 1);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
     const Half half = any_edge(c.blend);
     const Span u(c.weights);
@@ -75,7 +75,7 @@ PROPTEST(b3_subdivision) {
   rarer.degenerate_at_least = 0.08;
   t.holds("the control hull of a half encloses its part, and is inside the hull of the whole", rarer, [] {
     const auto c = *gen::blend_case(gen::Spread::positive, 4);
-    RC_PRE(c.blend.corner_count() > 1);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
     const Half edge = any_edge(c.blend);
     const auto found = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
@@ -84,15 +84,15 @@ PROPTEST(b3_subdivision) {
     const auto in_half = image_in_control_hull(half, Span(found.coefficients));
     RC_ASSERT(in_half.verdict == Verdict::holds);
     RC_ASSERT(is_blended_image(c.blend, Span(c.weights), in_half.image) == Verdict::holds);
-    const auto inside = half_control_point_in_hull(c.blend, found.half, any_index(half.corner_count()));
+    const auto inside = half_control_point_in_hull(c.blend, found.half, any_index(half.weight_vertex_count()));
     RC_ASSERT(inside.verdict == Verdict::holds);
     RC_ASSERT((is_hull_point<Rational, 3>(positions(control_points(c.blend)), inside.image, inside.coefficients) ==
                Verdict::holds));
   });
   t.holds("a control point is as near to the surface as the square of the sizes", exact, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
-    const auto index = any_index(c.blend.corner_count());
-    RC_PRE(blend_has_image(c.blend, Span(middle_weights<Rational>(index, c.blend.corner_count()))) == Verdict::holds);
+    const auto index = any_index(c.blend.weight_vertex_count());
+    RC_PRE(blend_has_image(c.blend, Span(middle_weights<Rational>(index, c.blend.weight_vertex_count()))) == Verdict::holds);
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
     const auto sizes = sizes_of(c.blend);
     RC_ASSERT(sizes_bound(c.blend, sizes) == Verdict::holds);
@@ -150,9 +150,9 @@ PROPTEST(b3_subdivision) {
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 150}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 3);
-    RC_PRE(c.blend.corner_count() > 1);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
     const Half half = any_edge(c.blend);
-    const auto index = any_index(c.blend.corner_count());
+    const auto index = any_index(c.blend.weight_vertex_count());
     const auto sizes = sizes_of(c.blend);
     const std::vector<Rational> all{sizes.rotation_spread, sizes.center_spread, sizes.rotation_length, sizes.arm};
     decide_by_all(
@@ -161,7 +161,7 @@ PROPTEST(b3_subdivision) {
           return halves_cover<S>({q, r, x}, half.kept, half.replaced, u).verdict;
         },
         c.blend.rotations, c.blend.center_images, c.blend.x, c.weights);
-    if (blend_has_image(c.blend, Span(middle_weights<Rational>(index, c.blend.corner_count()))) == Verdict::holds)
+    if (blend_has_image(c.blend, Span(middle_weights<Rational>(index, c.blend.weight_vertex_count()))) == Verdict::holds)
       decide_by_all(
           [&]<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Vec<S, 3>>& r, const Vec<S, 3>& x,
                        const std::vector<S>& s) {
@@ -175,7 +175,7 @@ PROPTEST(b3_subdivision) {
 
   t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 300}, [] {
     const auto c = *gen::blend_case(gen::Spread::positive, 4);
-    RC_PRE(c.blend.corner_count() > 1);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
     const Half edge = any_edge(c.blend);
     const Rational amount = *gen::positive_rational();
     auto half = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
@@ -187,7 +187,7 @@ PROPTEST(b3_subdivision) {
     RC_ASSERT(is_same_blend<Rational>(c.blend, c.weights, c.blend, c.weights) == Verdict::holds);
     RC_ASSERT(is_same_blend<Rational>(c.blend, c.weights, other_center, c.weights) == Verdict::fails);
 
-    const auto index = any_index(c.blend.corner_count());
+    const auto index = any_index(c.blend.weight_vertex_count());
     const auto sizes = sizes_of(c.blend);
     const auto good = control_point_is_near(c.blend, index, sizes);
     auto moved = good, elsewhere = good;
@@ -207,7 +207,7 @@ PROPTEST(b3_subdivision) {
 
   t.holds("what is no half of an edge is refused", {.number_type = "rational", .cases = 300}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
-    const std::size_t m = c.blend.corner_count();
+    const std::size_t m = c.blend.weight_vertex_count();
     RC_PRE(m > 1u);
     const Half half = any_edge(c.blend);
     const auto refused = [&](const Half& h, const std::vector<Rational>& u) {
@@ -225,7 +225,7 @@ PROPTEST(b3_subdivision) {
   });
   needs_each_part(t, "weights that are not convex are in no half", 0.3, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
-    RC_PRE(c.blend.corner_count() > 1);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
     const Half half = any_edge(c.blend);
     const auto broken = gen::broken_weights(c.weights);
     return Weakening{broken.part, halving_hypotheses(c.blend, half, Span(broken.weights)),
@@ -234,18 +234,18 @@ PROPTEST(b3_subdivision) {
   t.holds("a half has the middle in place of one end, and the rest as it was",
           {.number_type = "rational", .cases = 200}, [] {
             const auto c = *gen::blend_case(gen::Spread::any, 4);
-            RC_PRE(c.blend.corner_count() > 1);
+            RC_PRE(c.blend.weight_vertex_count() > 1);
             const Half edge = any_edge(c.blend);
             const Blend half = half_of(c.blend, edge);
-            RC_ASSERT(half.x == c.blend.x && half.corner_count() == c.blend.corner_count());
-            for (std::size_t i = 0; i < half.corner_count(); ++i) {
+            RC_ASSERT(half.x == c.blend.x && half.weight_vertex_count() == c.blend.weight_vertex_count());
+            for (std::size_t i = 0; i < half.weight_vertex_count(); ++i) {
               const std::size_t other = i == edge.replaced ? edge.kept : i;
               RC_ASSERT(half.rotations[i] * Rational(2) == c.blend.rotations[i] + c.blend.rotations[other]);
               RC_ASSERT(half.center_images[i] * Rational(2) == c.blend.center_images[i] + c.blend.center_images[other]);
             }
             // Both ways between the weights, by themselves.
             const auto back = half_in_whole<Rational>(c.blend, edge, c.weights);
-            for (std::size_t i = 0; i < half.corner_count(); ++i) {
+            for (std::size_t i = 0; i < half.weight_vertex_count(); ++i) {
               const Rational share = c.weights[edge.replaced] / 2;
               RC_ASSERT(back.coefficients[i] == (i == edge.kept       ? Rational(c.weights[i] + share)
                                                  : i == edge.replaced ? share
@@ -272,7 +272,7 @@ PROPTEST(b3_subdivision) {
   t.holds("weights of corners that count for nothing must be convex too", {.number_type = "rational", .cases = 200},
           [] {
             auto c = *gen::blend_case(gen::Spread::any, 3);
-            RC_PRE(c.blend.corner_count() > 1);
+            RC_PRE(c.blend.weight_vertex_count() > 1);
             const Half edge = any_edge(c.blend);
             for (int i = 0; i < 2; ++i) {
               c.blend.rotations.push_back(RationalQuaternion(0, 0, 0, 0)),
@@ -293,9 +293,9 @@ PROPTEST(b3_subdivision) {
   t.holds("whether a half's control point is in the hull is what the check of a hull point says",
           {.number_type = "rational", .cases = 400}, [] {
             const auto c = *gen::blend_case(gen::Spread::any, 3);
-            RC_PRE(c.blend.corner_count() > 1);
+            RC_PRE(c.blend.weight_vertex_count() > 1);
             const Half edge = any_edge(c.blend);
-            const auto index = any_index(c.blend.corner_count());
+            const auto index = any_index(c.blend.weight_vertex_count());
             const auto whole = control_points(c.blend);
             for (const auto& p : whole) RC_PRE(p.weight != 0);
             RC_PRE(half_of(c.blend, edge).control_point(index).weight != 0);
@@ -387,8 +387,8 @@ PROPTEST(b3_subdivision) {
   t.holds("each part of what is said of a control point is checked by itself",
           {.number_type = "rational", .cases = 300}, [] {
             auto c = *gen::blend_case(gen::Spread::positive, 3);
-            RC_PRE(c.blend.corner_count() > 1);
-            const std::size_t m = c.blend.corner_count();
+            RC_PRE(c.blend.weight_vertex_count() > 1);
+            const std::size_t m = c.blend.weight_vertex_count();
             const auto index = any_index(m);
             const auto sizes = sizes_of(c.blend);
             const Rational amount = *gen::excess();

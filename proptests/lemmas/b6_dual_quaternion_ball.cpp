@@ -30,7 +30,7 @@ struct BallCase {
     is_degenerate = c.is_degenerate();
     weights = c.weights;
     blend = {c.blend.rotations, {}, c.blend.x};
-    for (std::size_t k = 0; k < blend.corner_count(); ++k) blend.duals.push_back(*gen::rational_vector<4>());
+    for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) blend.duals.push_back(*gen::rational_vector<4>());
     const int kind = *rc::gen::inRange(0, 4);
     if (kind == 0)
       for (const auto& q : blend.rotations) axis += q;
@@ -46,7 +46,7 @@ struct BallCase {
 // The same with at least so many corners, all of them turned to the axis' side.
 struct AheadCase : BallCase {
   explicit AheadCase(std::size_t least) : BallCase(4) {
-    RC_PRE(blend.corner_count() >= least && squared_norm(axis) > 0);
+    RC_PRE(blend.weight_vertex_count() >= least && squared_norm(axis) > 0);
     for (auto& q : blend.rotations) {
       RC_PRE(dot(q, axis) != 0);
       if (dot(q, axis) < 0) q = -q;
@@ -69,7 +69,7 @@ PROPTEST(b6_dual_quaternion_ball) {
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const BallCase c(4);
             RC_CLASSIFY(c.is_degenerate, "degenerate");
-            for (std::size_t k = 0; k < c.blend.corner_count(); ++k)
+            for (std::size_t k = 0; k < c.blend.weight_vertex_count(); ++k)
               if (squared_norm(c.blend.rotations[k]) > 0)
                 RC_ASSERT(reach_is_distance(c.blend, k, c.center) == Verdict::holds);
           });
@@ -142,7 +142,7 @@ PROPTEST(b6_dual_quaternion_ball) {
         const AheadCase c(3);
         auto blend = c.blend;
         auto u = c.weights;
-        const std::size_t m = blend.corner_count(), k = gen::any_place(m);
+        const std::size_t m = blend.weight_vertex_count(), k = gen::any_place(m);
         auto& q = blend.rotations[k];
         std::string part;
         const std::size_t kind = gen::any_place(3);
@@ -174,7 +174,7 @@ PROPTEST(b6_dual_quaternion_ball) {
             const auto pure = [](const RationalVec<3>& x) { return RationalQuaternion(0, x[0], x[1], x[2]); };
             Rational greatest(0);
             RationalQuaternion reach(0, 0, 0, 0), q(0, 0, 0, 0), d(0, 0, 0, 0);
-            for (std::size_t k = 0; k < blend.corner_count(); ++k) {
+            for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) {
               const auto& r = blend.rotations[k];
               const RationalQuaternion e = blend.duals[k] * Rational(2) + oracle::hamilton(r, pure(blend.point)) -
                                            oracle::hamilton(pure(c.center), r);

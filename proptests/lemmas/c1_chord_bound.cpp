@@ -199,14 +199,14 @@ PROPTEST(c1_chord_bound) {
     using namespace c1;
     return is_near_chord_to_first_order(before_jump, after_jump, after_jump, Q(0), Q(1), half) == Verdict::fails;
   });
-  t.example("a curve that bends more than the bound strays from its chord",
+  t.example("a curve that bends more than the bound deviates from its chord",
             {.form = "beyond", .hypothesis = "||f''|| <= M"}, [] {
               using namespace c1;
               return chord_hypotheses(late_bend, Q(1), half) == Verdict::fails &&
                      point_near_chord(late_bend, Q(1), half).verdict == Verdict::fails &&
                      point_near_chord(late_bend, Q(6), half).verdict == Verdict::holds;
             });
-  t.example("a curve that runs faster than the bound strays from its chord",
+  t.example("a curve that runs faster than the bound deviates from its chord",
             {.form = "beyond", .hypothesis = "||f'|| <= L"}, [] {
               using namespace c1;
               return first_order_hypotheses(parabola, Q(1, 10), half) == Verdict::fails &&

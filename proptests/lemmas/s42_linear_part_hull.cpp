@@ -115,7 +115,7 @@ void undecided_parts_are_not_lost(Suite& t) {
     const std::vector<Interval> halves{Interval(0.5), Interval(0.5)};
     const Interval third = lift<Interval>(Rational(1, 3)), zero(0);
     const std::vector<Vec<Interval, 3>> points{{third, zero, zero}, {zero, third, zero}};
-    return corners_span(free, corners, halves).verdict == Verdict::holds &&
+    return weight_vertices_span(free, corners, halves).verdict == Verdict::holds &&
            linear_part_in_hull<Interval, 3>(free, corners, points, halves).verdict == Verdict::undecided &&
            hull_in_linear_part<Interval, 3>(free, corners, points, halves).verdict == Verdict::undecided;
   });

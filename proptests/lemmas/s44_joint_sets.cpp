@@ -37,7 +37,7 @@ struct Node {
     }
     set = *rc::gen::inRange<std::size_t>(0, count);
     weights = *gen::admissible_weights(bounds[set]);
-    coefficients = corners_span(bounds[set], sets[set].corners, weights).coefficients;
+    coefficients = weight_vertices_span(bounds[set], sets[set].corners, weights).coefficients;
   }
   const PosedJointSet<Rational>& own() const { return sets[set]; }
   bool is_degenerate() const {

@@ -52,17 +52,17 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
             gen::for_some_dimension<2, 4>([](auto d) {
               const UnitsOnOneSide<d()> c;
               const auto cap = c.cap();
-              // Any rival, or a close one.
+              // Any baseline, or a close one.
               const Vec<Rational, d()> step = *gen::nonzero_vector<d()>();
               const Rational share = *rc::gen::element(Rational(1), Rational(1, 100), Rational(1, 10000));
-              const Vec<Rational, d()> rival = cap.center + step * share;
-              RC_ASSERT((is_not_smaller_ball<Rational, d()>(c.units, cap, rival) == Verdict::holds));
+              const Vec<Rational, d()> baseline = cap.center + step * share;
+              RC_ASSERT((is_not_smaller_ball<Rational, d()>(c.units, cap, baseline) == Verdict::holds));
               RC_ASSERT((is_not_smaller_ball<Rational, d()>(c.units, cap, cap.center) == Verdict::holds));
-              if (squared_norm(rival) != 0)
-                RC_ASSERT((is_not_smaller_cap<Rational, d()>(c.units, cap, rival) == Verdict::holds));
+              if (squared_norm(baseline) != 0)
+                RC_ASSERT((is_not_smaller_cap<Rational, d()>(c.units, cap, baseline) == Verdict::holds));
             });
           });
-  t.holds("a larger claim is not believed: some rival is as small as the cap itself",
+  t.holds("a larger claim is not believed: some baseline is as small as the cap itself",
           {.number_type = "rational", .cases = 300}, [] {
             const UnitsOnOneSide<4> c;
             auto cap = c.cap();
@@ -76,13 +76,13 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const UnitsOnOneSide<4> c;
-    const Vec<Rational, 4> rival = c.cap().center + *gen::rational_vector<4>();
+    const Vec<Rational, 4> baseline = c.cap().center + *gen::rational_vector<4>();
     decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n,
                               const std::vector<S>& u) { return smallest_cap<S, 4>(n, u).verdict; },
                   c.units, c.coefficients);
     decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n, const std::vector<S>& u,
                               const Vec<S, 4>& g) { return is_not_smaller_ball<S, 4>(n, smallest_cap<S, 4>(n, u), g); },
-                  c.units, c.coefficients, rival);
+                  c.units, c.coefficients, baseline);
   });
 
   t.holds("a mutated certificate is rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -237,22 +237,22 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
   t.holds("whether a ball or a cap is not smaller is decided by the farthest unit, on both sides and at the edge",
           {.number_type = "rational", .cases = 400}, [] {
             const UnitsOnOneSide<3> c;
-            const Vec<Rational, 3> rival = *rc::gen::oneOf(gen::nonzero_vector<3>(), rc::gen::just(c.cap().center),
+            const Vec<Rational, 3> baseline = *rc::gen::oneOf(gen::nonzero_vector<3>(), rc::gen::just(c.cap().center),
                                                            rc::gen::just(Vec<Rational, 3>(-c.cap().center)));
-            Rational farthest(0), least = c.units[0].dot(rival);
+            Rational farthest(0), least = c.units[0].dot(baseline);
             for (const auto& n : c.units) {
-              const Vec<Rational, 3> gap = n - rival;
-              farthest = std::max<Rational>(farthest, gap.dot(gap)), least = std::min<Rational>(least, n.dot(rival));
+              const Vec<Rational, 3> gap = n - baseline;
+              farthest = std::max<Rational>(farthest, gap.dot(gap)), least = std::min<Rational>(least, n.dot(baseline));
             }
             auto claim = c.cap();
-            const Rational excess = *gen::excess(), length2 = rival.dot(rival);
+            const Rational excess = *gen::excess(), length2 = baseline.dot(baseline);
             claim.squared_radius = farthest + *rc::gen::element(Rational(0), excess, Rational(-excess));
-            RC_ASSERT((is_not_smaller_ball<Rational, 3>(c.units, claim, rival) ==
+            RC_ASSERT((is_not_smaller_ball<Rational, 3>(c.units, claim, baseline) ==
                        verdict_of(claim.squared_radius <= farthest)));
             claim.squared_distance =
                 least * least / length2 + *rc::gen::element(Rational(0), excess, Rational(-excess));
             const bool expected = least <= 0 || least * least <= claim.squared_distance * length2;
-            RC_ASSERT((is_not_smaller_cap<Rational, 3>(c.units, claim, rival) == verdict_of(expected)));
+            RC_ASSERT((is_not_smaller_cap<Rational, 3>(c.units, claim, baseline) == verdict_of(expected)));
           });
   t.example(
       "a certified ball along the way to 0 has no right angle to it: its least dot product is not ||c||^2", {}, [] {

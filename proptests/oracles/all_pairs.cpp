@@ -11,7 +11,7 @@ using namespace refitlab;
 
 std::vector<Point3> Posed::vertices(Skinning skinning) const {
   auto points = skin(character.mesh, character.sets,
-                     make_skinning_pose(character.mesh, character.sets, posture, skinning), skinning);
+                     make_skinning_palette(character.mesh, character.sets, pose, skinning), skinning);
   for (auto& p : points) p = apply(at, p);
   return points;
 }

@@ -5,10 +5,10 @@
 
 namespace proptests::oracle {
 
-// A character in a posture and a place.
+// A character in a pose and a place.
 struct Posed {
   const refitlab::Character& character;
-  const refitlab::Posture& posture;
+  const refitlab::Pose& pose;
   const refitlab::RigidTransform<double>& at;
 
   // All of its vertices in the world.

@@ -98,18 +98,18 @@ BlendCorners half(BlendCorners c, std::size_t replaced, std::size_t other) {
 
 }  // namespace
 
-BlendCorners blend_corners(const JointSetPose<double>& pose, const std::vector<std::vector<double>>& corners, const Point& p,
+BlendCorners blend_corners(const PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners, const Point& p,
                            Skinning skinning) {
   BlendCorners out;
   const bool is_dual = skinning == Skinning::dual_quaternion;
-  out.x = is_dual ? p : Point(p - pose.rotation_center);
+  out.x = is_dual ? p : Point(p - palette.rotation_center);
   for (const auto& w : corners) {
     Q q = {0, 0, 0, 0}, d = {0, 0, 0, 0};
     Point r = {0, 0, 0};
     for (std::size_t i = 0; i < w.size(); ++i) {
-      q += w[i] * pose.transforms[i].rotation;
-      if (is_dual) d += w[i] * pose.duals[i];
-      else r += w[i] * pose.center_images[i];
+      q += w[i] * palette.transforms[i].rotation;
+      if (is_dual) d += w[i] * palette.duals[i];
+      else r += w[i] * palette.center_images[i];
     }
     out.rotations.push_back(q);
     if (is_dual) out.duals.push_back(d);
@@ -173,14 +173,14 @@ double least_found_radius(const BlendCorners& corners, const Point& center, int 
   return std::min(here, std::max(first, least_found_radius(half(corners, l, k), center, halvings - 1)));
 }
 
-double needed_radius_linear(const JointSetPose<double>& pose, const std::vector<std::vector<double>>& corners,
+double needed_radius_linear(const PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners,
                             const Ball3<double>& reference, const Point& center) {
   double needed = 0;
   for (const auto& w : corners) {
     Point image = {0, 0, 0};
     double growth = 0;
     for (std::size_t i = 0; i < w.size(); ++i) {
-      const auto& [q, t] = pose.transforms[i];
+      const auto& [q, t] = palette.transforms[i];
       const Point u = imaginary<double>(q), v = reference.center, turn = cross<double>(u, v) * q[0] + cross<double>(u, cross<double>(u, v));
       image += w[i] * (v + 2 * turn + t);
       growth += w[i] * (along(q, q) + std::abs(1 - along(q, q)));

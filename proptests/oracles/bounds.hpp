@@ -17,7 +17,7 @@ struct BlendCorners {
   std::vector<refitlab::Quaternion<double>> duals;
   refitlab::Vec<double, 3> x;
 };
-BlendCorners blend_corners(const refitlab::JointSetPose<double>& pose, const std::vector<std::vector<double>>& corners,
+BlendCorners blend_corners(const refitlab::PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners,
                            const refitlab::Vec<double, 3>& p, refitlab::Skinning skinning);
 
 // Whatever is not proved at all needs an infinite radius.
@@ -30,7 +30,7 @@ std::vector<refitlab::Bound> first_tried(const BlendCorners& corners);
 double least_found_radius(const BlendCorners& corners, const refitlab::Vec<double, 3>& center, int halvings);
 
 // Of linear blending, the reference radius included.
-double needed_radius_linear(const refitlab::JointSetPose<double>& pose, const std::vector<std::vector<double>>& corners,
+double needed_radius_linear(const refitlab::PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners,
                             const refitlab::Ball3<double>& reference, const refitlab::Vec<double, 3>& center);
 
 }  // namespace proptests::oracle

@@ -1,4 +1,4 @@
-// The skin of a model file as assimp's own types pose it: single precision, straight matrices, no welding, no rigidity.
+// The skin of a model file as assimp's own types palette it: single precision, straight matrices, no welding, no rigidity.
 #pragma once
 
 #include <assimp/scene.h>

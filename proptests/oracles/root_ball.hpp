@@ -14,11 +14,11 @@ namespace proptests::oracle {
 
 // Radius: the greatest sqrt(squared_distance) + sqrt(squared_radius), plus extra.
 struct RootBall {
-  struct Reach {
+  struct MotionBound {
     gen::Rational squared_distance, squared_radius;
   };
   gen::RationalVec<3> center;
-  std::vector<Reach> reaches;
+  std::vector<MotionBound> reaches;
   gen::Rational extra;
 };
 

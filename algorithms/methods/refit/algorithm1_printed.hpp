@@ -38,14 +38,14 @@ Quaternion<S> matrix_to_quaternion(const Quaternion<S>& q) {
 template <class Policy, class S>
 Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLists<S>& lists) {
   lists.balls.clear();                                                                      // line 1
-  for (const NodeJointSet& set : node.joint_sets) {                                         // line 4
-    const JointSetPose<S> pose = node.pose[set.joint_set];
+  for (const NodePiece& set : node.pieces) {                                         // line 4
+    const PaletteEntry<S> palette = node.palette[set.joint_set];
     lists.quaternions.clear();                                                              // line 5
-    for (int k = 0; k < set.corner_count; ++k) {                                            // line 6
+    for (int k = 0; k < set.weight_vertex_count; ++k) {                                            // line 6
       const auto corner = node.corner(set, k);
       Quaternion<S> blend = Quaternion<S>::Constant(S(0));
       for (std::size_t i = 0; i < corner.size(); ++i) {                                     // lines 3 and 8
-        const Quaternion<S>& q = pose.transforms[i].rotation;
+        const Quaternion<S>& q = palette.transforms[i].rotation;
         blend = blend + (signs == Signs::of_matrices ? matrix_to_quaternion(q) : q) * corner[i];
       }
       lists.quaternions.push_back(direction_by_root(blend));                                // lines 9 and 10
@@ -57,10 +57,10 @@ Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLi
     const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));            // line 13: alpha = 2 arccos d,
     const S cos_alpha = rotated_cap_cosine_printed(d);                                      // so these are its cosine
     const S sin_alpha = rotated_cap_sine_printed(d);                                        // and sine
-    const Vec<S, 3> u = node.reference.center - pose.rotation_center;
+    const Vec<S, 3> u = node.reference.center - palette.rotation_center;
     const Ball3<S> turned = cap_ball_printed<S, 3>(rotate(apex, u), norm(u), cos_alpha, sin_alpha);
-    for (int k = 0; k < set.corner_count; ++k)                                              // lines 7, 14 and 15
-      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + turned.center, turned.radius});
+    for (int k = 0; k < set.weight_vertex_count; ++k)                                              // lines 7, 14 and 15
+      lists.balls.push_back({blend_center(palette, node.corner(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);  // line 16
 }

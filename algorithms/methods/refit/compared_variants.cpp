@@ -30,7 +30,7 @@ const std::vector<RefitVariant>& compared_variants() {
         variant<MeanBalls, Signs::of_matrices>("spherical_printed", "Algorithm 1 as printed"),
         variant<MeanBalls, Signs::of_skinning>("spherical_printed_signed",
                                                "Algorithm 1 as printed, but with the skinning's quaternion signs"),
-        variant<SmallestBalls, Signs::of_skinning>("spherical_printed_exact", "the same with smallest balls in R4 and R3"),
+        variant<SmallestBalls, Signs::of_skinning>("spherical_printed_miniball", "the same with smallest balls in R4 and R3"),
     };
     std::vector<RefitVariant> all = refit_variants();
     const auto repaired = std::find_if(all.begin(), all.end(), [](const RefitVariant& v) { return v.name == "spherical_repaired"; });

@@ -18,7 +18,7 @@ struct VolumeVariant {
   std::string name;         // as in result files: snake_case, fixed
   std::string description;  // one line for tables and reports
   Pieces pieces;
-  // Of one node, under spherical blending in the posture of node.pose. Thread-safe, and proved to enclose.
+  // Of one node, under spherical blending in the pose of node.palette. Thread-safe, and proved to enclose.
   Volume (*refit)(const RefitNode<double>& node);
   // Of the same kind around balls; balls is not empty.
   Volume (*around)(std::span<const Ball3<double>> balls);

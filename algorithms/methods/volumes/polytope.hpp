@@ -16,7 +16,7 @@ class Polytope {
   // normals' squared lengths are between 1 and 3, and no two half-spaces have the same. S is ordered: a floating or an
   // exact type.
   Polytope(std::vector<HalfSpace<S, 3>> half_spaces, const S& reach)
-      : half_spaces_(std::move(half_spaces)), reach_(reach) {}
+      : half_spaces_(std::move(half_spaces)), motion_bound_(reach) {}
 
   // The pyramids from the origin over all faces; 0 for a flat one. Best near the origin: its place costs digits.
   S volume() const {
@@ -61,7 +61,7 @@ class Polytope {
     Point axis(S(0), S(0), S(0));
     axis[least] = S(1);
     const Point foot = n * S(face.offset / squared_norm(n));
-    const Point u = cross<S>(n, axis) * S(S(2) * reach_), v = cross<S>(n, u);
+    const Point u = cross<S>(n, axis) * S(S(2) * motion_bound_), v = cross<S>(n, u);
     return {foot + u, foot + v, foot - u, foot - v};
   }
 
@@ -79,7 +79,7 @@ class Polytope {
   }
 
   std::vector<HalfSpace<S, 3>> half_spaces_;
-  S reach_;
+  S motion_bound_;
 };
 
 }  // namespace refitlab

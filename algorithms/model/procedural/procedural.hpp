@@ -2,7 +2,7 @@
 // models face +z, left is +x. Each skin is one closed, connected surface without handles.
 //
 // Clips: "walk" (one period of a gait, on the spot, a foot always on the ground) and "twist" (one second, from the
-// reference posture to half a turn about the bone axis at each of the joints that twists, where linear blending
+// reference pose to half a turn about the bone axis at each of the joints that twists, where linear blending
 // collapses the skin). The sizes are those of the paper's two models (paper 5).
 #pragma once
 

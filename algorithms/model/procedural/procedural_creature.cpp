@@ -248,7 +248,7 @@ Clip walk_of_creature(const std::vector<Joint>& joints) {
         turns[finger + "_tip"] = turn(z, side * (-6 + 6 * wave(0.45)));
       }
     }
-    return on_the_ground(posture(joints, turns), soles);
+    return on_the_ground(pose(joints, turns), soles);
   };
   return {"walk", period, sample};
 }
@@ -257,7 +257,7 @@ Clip twist_of_creature(const std::vector<Joint>& joints) {
   return {"twist", 1, [=](double time) {
             const DefaultFloatEnvironment environment;
             const double angle = 180 * time;
-            return posture(joints, {{"neck_3", turn(neck[3] - neck[2], angle)},
+            return pose(joints, {{"neck_3", turn(neck[3] - neck[2], angle)},
                                     {"tail_2", turn(tail[2] - tail[1], angle)},
                                     {"left_upper_arm", turn(elbow - shoulder, angle)},
                                     {"right_wing_arm", turn(mirrored(wing_elbow - wing_root), angle)}});

@@ -174,7 +174,7 @@ Clip walk_of_man(const std::vector<Joint>& joints) {
       turns[name + "forearm"] = turn(elbow_axis, -side * (22 + 14 * arm));
       turns[name + "fingers"] = turn(forward, -side * 25);
     }
-    return on_the_ground(posture(joints, turns), soles);
+    return on_the_ground(pose(joints, turns), soles);
   };
   return {"walk", 1, sample};
 }
@@ -184,7 +184,7 @@ Clip twist_of_man(const std::vector<Joint>& joints) {
             const DefaultFloatEnvironment environment;
             const double angle = 180 * time;
             const Point3 up(0, 1, 0), right_arm = mirrored(arm_direction);
-            return posture(joints, {{"waist", turn(up, angle)},
+            return pose(joints, {{"waist", turn(up, angle)},
                                     {"neck", turn(up, -angle)},
                                     {"left_upper_arm", turn(arm_direction, angle)},
                                     {"right_upper_arm", turn(right_arm, angle)}});

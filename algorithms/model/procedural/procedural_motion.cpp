@@ -14,12 +14,12 @@ Quaternion<double> turn(const Point3& axis, double degrees) {
   return {std::cos(half), v[0], v[1], v[2]};
 }
 
-Posture posture(const std::vector<Joint>& joints, const Turns& turns, const Point3& offset) {
+Pose pose(const std::vector<Joint>& joints, const Turns& turns, const Point3& offset) {
   const DefaultFloatEnvironment environment;
   for (const auto& turned : turns)
     if (std::none_of(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == turned.first; }))
       throw ModelError("generated motion", "joint " + turned.first, "no such joint");
-  Posture c;
+  Pose c;
   for (const Joint& joint : joints) {
     RigidTransform<double> local;
     if (const auto found = turns.find(joint.name); found != turns.end())
@@ -44,11 +44,11 @@ double periodic(const std::vector<double>& values, double phase) {
   return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
-Posture on_the_ground(Posture posture, const std::vector<Sole>& soles) {
+Pose on_the_ground(Pose pose, const std::vector<Sole>& soles) {
   double lowest = 1e9;
-  for (const Sole& sole : soles) lowest = std::min(lowest, apply(posture[sole.joint], sole.point)[1]);
-  for (auto& c : posture) c.translation[1] -= lowest;
-  return posture;
+  for (const Sole& sole : soles) lowest = std::min(lowest, apply(pose[sole.joint], sole.point)[1]);
+  for (auto& c : pose) c.translation[1] -= lowest;
+  return pose;
 }
 
 }  // namespace refitlab

@@ -14,18 +14,18 @@ Quaternion<double> turn(const Point3& axis, double degrees);
 using Turns = std::map<std::string, Quaternion<double>>;
 
 // C_j of every joint; the root joint moves by `offset` besides. A turn is about axes through the joint's origin that
-// are parallel to those of model space in the reference posture. Throws ModelError for a name that is no joint's.
-Posture posture(const std::vector<Joint>& joints, const Turns& turns, const Point3& offset = Point3::Zero());
+// are parallel to those of model space in the reference pose. Throws ModelError for a name that is no joint's.
+Pose pose(const std::vector<Joint>& joints, const Turns& turns, const Point3& offset = Point3::Zero());
 
 // A smooth curve of period 1 (Catmull-Rom) that at phase i / n takes the i-th of n values.
 double periodic(const std::vector<double>& values, double phase);
 
-// The posture, moved up or down until the lowest of the points (of the reference posture, with their joints) is on y =
+// The pose, moved up or down until the lowest of the points (of the reference pose, with their joints) is on y =
 // 0.
 struct Sole {
   int joint;
   Point3 point;
 };
-Posture on_the_ground(Posture posture, const std::vector<Sole>& soles);
+Pose on_the_ground(Pose pose, const std::vector<Sole>& soles);
 
 }  // namespace refitlab

@@ -1,11 +1,11 @@
-// Skeletons of the built-in models, their vertex weights, and postures by turning joints.
+// Skeletons of the built-in models, their vertex weights, and poses by turning joints.
 #pragma once
 
 #include "algorithms/model/procedural/procedural_mesh.hpp"
 
 namespace refitlab {
 
-// A joint with the bone that it moves, in the reference posture.
+// A joint with the bone that it moves, in the reference pose.
 struct Bone {
   std::string name;
   std::string parent;  // a bone that comes before this one; empty for the root

@@ -32,9 +32,9 @@ std::vector<Influence> influences_at(double along, int joints) {
 
 // Each joint turns against its parent, left and right in a wave that runs down the body: twice its length is a period.
 // All turns together are no more than a radian each way.
-Posture wave(const std::vector<Joint>& joints, double phase) {
+Pose wave(const std::vector<Joint>& joints, double phase) {
   const double n = static_cast<double>(joints.size());
-  Posture c;
+  Pose c;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const double angle = std::numbers::pi / n * std::cos(2 * std::numbers::pi * (phase + 2 * static_cast<double>(j) / n));
     RigidTransform<double> local{{std::cos(angle / 2), 0, std::sin(angle / 2), 0}, Point3::Zero()};

@@ -1,4 +1,4 @@
-// A finer mesh of the same model: the same surface in the reference posture, the same skeleton and clips.
+// A finer mesh of the same model: the same surface in the reference pose, the same skeleton and clips.
 #pragma once
 
 #include "algorithms/model/model.hpp"

@@ -19,18 +19,18 @@ void append(std::vector<float>& to, const Vec<double, D>& v) {
 
 }  // namespace
 
-const PackedBalls& BatchRefit::spherical(const SkinningPose<double>& pose, Target target) {
+const PackedBalls& BatchRefit::spherical(const SkinningPalette<double>& palette, Target target) {
   const DefaultFloatEnvironment environment;
   numbers_.clear(), first_number_.clear();
-  for (std::size_t s = 0; s < pose.size(); ++s) {
-    const JointSetPose<double> set = pose[s];
+  for (std::size_t s = 0; s < palette.size(); ++s) {
+    const PaletteEntry<double> set = palette[s];
     first_number_.push_back(static_cast<int>(numbers_.size()));
     double size = 0;
     for (const auto& image : set.center_images) size = std::max(size, squared_norm(image));
     append(numbers_, set.rotation_center);
     numbers_.push_back(static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))));
     for (std::size_t i = 0; i < set.transforms.size(); ++i) {
-      // Of a single joint the kernel takes it to be of unit length, which a posture's is up to 1e-6.
+      // Of a single joint the kernel takes it to be of unit length, which a pose's is up to 1e-6.
       const Quaternion<double>& q = set.transforms[i].rotation;
       append(numbers_, set.transforms.size() == 1 ? Quaternion<double>(q / norm(q)) : q);
       append(numbers_, set.center_images[i]);
@@ -40,11 +40,11 @@ const PackedBalls& BatchRefit::spherical(const SkinningPose<double>& pose, Targe
   return refit(kernels.spherical_nodes, kernels.spherical_pieces, kernels.merge);
 }
 
-const PackedBalls& BatchRefit::linear(const SkinningPose<double>& pose, Target target) {
+const PackedBalls& BatchRefit::linear(const SkinningPalette<double>& palette, Target target) {
   const DefaultFloatEnvironment environment;
   numbers_.clear(), first_number_.clear();
-  for (std::size_t s = 0; s < pose.size(); ++s) {
-    const JointSetPose<double> set = pose[s];
+  for (std::size_t s = 0; s < palette.size(); ++s) {
+    const PaletteEntry<double> set = palette[s];
     first_number_.push_back(static_cast<int>(numbers_.size()));
     double size = 0, defect = 0;
     for (const auto& t : set.transforms) {

@@ -33,12 +33,12 @@ class BatchRefit {
   BatchRefit(const BatchRefit&) = delete;  // the balls refer to the nodes
   BatchRefit& operator=(const BatchRefit&) = delete;
 
-  // By node, until the next call. Each encloses the node's vertices, deformed by spherical blending with exactly this pose:
+  // By node, until the next call. Each encloses the node's vertices, deformed by spherical blending with exactly this palette:
   // the slack for all rounding is in the radius (refit_kernel.hpp). Throws std::range_error for lengths that single
   // precision cannot square (single_precision.hpp).
-  const PackedBalls& spherical(const SkinningPose<double>& pose, Target target = best_target());
+  const PackedBalls& spherical(const SkinningPalette<double>& palette, Target target = best_target());
   // The same for linear blending.
-  const PackedBalls& linear(const SkinningPose<double>& pose, Target target = best_target());
+  const PackedBalls& linear(const SkinningPalette<double>& palette, Target target = best_target());
 
  private:
   const PackedBalls& refit(RefitNodes nodes, RefitPieces pieces, MergeNodes merge);

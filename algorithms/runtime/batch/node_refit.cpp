@@ -44,27 +44,27 @@ Row<float, 4> rotated(const Row<float, 4>& unit, const Row<float, 4>& x) {
 
 }  // namespace
 
-NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tree.joint_sets), sets_(sets.count()) {
+NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tree.pieces), sets_(sets.count()) {
   const DefaultFloatEnvironment environment;
-  for (const double w : tree.corner_weights) weights_.push_back(static_cast<float>(w));  // exact
+  for (const double w : tree.weight_vertices) weights_.push_back(static_cast<float>(w));  // exact
   int most_corners = 0, most_pieces = 0;
   for (const TreeNode& n : tree.nodes) {
     checked_single(norm(n.reference.center) + n.reference.radius);
-    nodes_.push_back({four(n.reference.center), float_above(n.reference.radius), n.first_joint_set, n.joint_set_count});
+    nodes_.push_back({four(n.reference.center), float_above(n.reference.radius), n.first_piece, n.piece_count});
     int corners = 0;
-    for (int i = 0; i < n.joint_set_count; ++i) corners += pieces_[n.first_joint_set + i].corner_count;
+    for (int i = 0; i < n.piece_count; ++i) corners += pieces_[n.first_piece + i].weight_vertex_count;
     most_corners = std::max(most_corners, corners);
-    most_pieces = std::max(most_pieces, n.joint_set_count);
+    most_pieces = std::max(most_pieces, n.piece_count);
   }
   corners_.resize(most_corners);
   radii_.resize(most_pieces);
 }
 
-void NodeRefit::begin(const SkinningPose<double>& pose) {
+void NodeRefit::begin(const SkinningPalette<double>& palette) {
   const DefaultFloatEnvironment environment;
   joints_.clear();
-  for (std::size_t s = 0; s < pose.size(); ++s) {
-    const JointSetPose<double> set = pose[s];
+  for (std::size_t s = 0; s < palette.size(); ++s) {
+    const PaletteEntry<double> set = palette[s];
     double size = 0;
     for (const auto& image : set.center_images) size = std::max(size, squared_norm(image));
     sets_[s] = {four(set.rotation_center), static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))),
@@ -74,13 +74,13 @@ void NodeRefit::begin(const SkinningPose<double>& pose) {
   }
 }
 
-float NodeRefit::place_corners(const NodeJointSet& piece, const Row<float, 4>& p, Corner* out) const {
+float NodeRefit::place_corners(const NodePiece& piece, const Row<float, 4>& p, Corner* out) const {
   const Set& set = sets_[piece.joint_set];
   const Joint* joints = joints_.data() + set.first_joint;
   const float* w = weights_.data() + piece.first_weight;
   Row<float, 4> direction = {0, 0, 0, 0};
   float longest_inverse = 1;
-  for (int k = 0; k < piece.corner_count; ++k, w += set.joint_count) {
+  for (int k = 0; k < piece.weight_vertex_count; ++k, w += set.joint_count) {
     Row<float, 4> blend = joints[0].rotation * w[0], center = joints[0].center_image * w[0];
     for (int i = 1; i < set.joint_count; ++i) {
       blend += joints[i].rotation * w[i];
@@ -94,14 +94,14 @@ float NodeRefit::place_corners(const NodeJointSet& piece, const Row<float, 4>& p
   const Row<float, 4> x = p - set.rotation_center;
   const float longer = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);  // than x
   const float slack = epsilon * static_cast<float>(66 + 2 * set.joint_count);
-  if (piece.corner_count == 1 && longest_inverse < std::numeric_limits<float>::infinity()) {
+  if (piece.weight_vertex_count == 1 && longest_inverse < std::numeric_limits<float>::infinity()) {
     out[0].center += rotated(direction, x);
     return slack * (longer * longest_inverse + set.size);
   }
   const Row<float, 4> apex = direction * (1 / std::sqrt(squared_length(direction)));
   float far = 0;
   bool is_bounded = true;  // not if a blend vanishes: then it is not a number
-  for (int k = 0; k < piece.corner_count; ++k) {
+  for (int k = 0; k < piece.weight_vertex_count; ++k) {
     const float squared = squared_length(out[k].unit - apex);
     is_bounded = is_bounded && squared < 2;
     far = std::max(far, squared);
@@ -110,28 +110,28 @@ float NodeRefit::place_corners(const NodeJointSet& piece, const Row<float, 4>& p
   const CapBallRatios<float> ratios = cap_ball_ratios(rotated_cap_versine(far / 4));
   if (!is_bounded || ratios.center == 0) return length + slack * (longer + set.size);
   const Row<float, 4> offset = rotated(apex, x) * ratios.center;
-  for (int k = 0; k < piece.corner_count; ++k) out[k].center += offset;
+  for (int k = 0; k < piece.weight_vertex_count; ++k) out[k].center += offset;
   return std::sqrt(ratios.squared_radius) * length + slack * (longer * longest_inverse + set.size);
 }
 
 Ball3<float> NodeRefit::operator()(int node) {
   const DefaultFloatEnvironment environment;
   const Node& n = nodes_[node];
-  const std::span<const NodeJointSet> pieces(pieces_.data() + n.first_piece, n.piece_count);
+  const std::span<const NodePiece> pieces(pieces_.data() + n.first_piece, n.piece_count);
   Row<float, 4> sum = {0, 0, 0, 0};
   int count = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Corner* own = corners_.data() + count;
     radii_[i] = place_corners(pieces[i], n.center, own);
-    for (int k = 0; k < pieces[i].corner_count; ++k) sum += own[k].center;
-    count += pieces[i].corner_count;
+    for (int k = 0; k < pieces[i].weight_vertex_count; ++k) sum += own[k].center;
+    count += pieces[i].weight_vertex_count;
   }
   const Row<float, 4> center = sum * (1 / static_cast<float>(count));
   float radius = 0;
   const Corner* corner = corners_.data();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     float far = 0;
-    for (int k = 0; k < pieces[i].corner_count; ++k, ++corner) far = std::max(far, squared_length(corner->center - center));
+    for (int k = 0; k < pieces[i].weight_vertex_count; ++k, ++corner) far = std::max(far, squared_length(corner->center - center));
     radius = std::max(radius, std::sqrt(far) + radii_[i]);
   }
   return {{center[0], center[1], center[2]}, (radius + n.radius) * (1 + 8 * epsilon) + underflow_slack};

@@ -13,11 +13,11 @@ class NodeRefit {
   // square (single_precision.hpp).
   NodeRefit(const SphereTree& tree, const JointSets& sets);
 
-  // Starts a frame. pose need not outlive the call.
-  void begin(const SkinningPose<double>& pose);
+  // Starts a frame. palette need not outlive the call.
+  void begin(const SkinningPalette<double>& palette);
 
   // What refit_algorithm1_repaired<MeanBalls> finds, with the slack of refit_kernel.hpp for rounding in the radius: encloses
-  // the node's vertices, deformed by spherical blending with exactly the frame's pose.
+  // the node's vertices, deformed by spherical blending with exactly the frame's palette.
   Ball3<float> operator()(int node);
 
  private:
@@ -39,10 +39,10 @@ class NodeRefit {
   };
 
   // Writes the piece's corners and returns the radius of their balls, without r.
-  float place_corners(const NodeJointSet& piece, const Row<float, 4>& p, Corner* out) const;
+  float place_corners(const NodePiece& piece, const Row<float, 4>& p, Corner* out) const;
 
   std::vector<Node> nodes_;
-  std::vector<NodeJointSet> pieces_;
+  std::vector<NodePiece> pieces_;
   std::vector<float> weights_;
   std::vector<Set> sets_;
   std::vector<Joint> joints_;

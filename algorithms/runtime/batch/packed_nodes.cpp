@@ -16,31 +16,31 @@ constexpr int lanes = Lanes<float>::count;
 // A node is refitted whole with others of its joint-sets if these are few and the nodes fill a good part of the lanes.
 constexpr std::size_t most_sets = most_sets_of_whole_nodes, fewest_nodes = 4;
 
-std::span<const NodeJointSet> joint_sets(const SphereTree& tree, const TreeNode& node) {
-  return {tree.joint_sets.data() + node.first_joint_set, static_cast<std::size_t>(node.joint_set_count)};
+std::span<const NodePiece> pieces(const SphereTree& tree, const TreeNode& node) {
+  return {tree.pieces.data() + node.first_piece, static_cast<std::size_t>(node.piece_count)};
 }
 
-std::vector<int> names_of(std::span<const NodeJointSet> sets) {
+std::vector<int> names_of(std::span<const NodePiece> sets) {
   std::vector<int> out;
-  for (const NodeJointSet& s : sets) out.push_back(s.joint_set);
+  for (const NodePiece& s : sets) out.push_back(s.joint_set);
   return out;
 }
 
-int corner_count(std::span<const NodeJointSet> sets) {
+int weight_vertex_count(std::span<const NodePiece> sets) {
   int sum = 0;
-  for (const NodeJointSet& s : sets) sum += s.corner_count;
+  for (const NodePiece& s : sets) sum += s.weight_vertex_count;
   return sum;
 }
 
-std::vector<int> corner_counts(std::span<const NodeJointSet> sets) {
+std::vector<int> corner_counts(std::span<const NodePiece> sets) {
   std::vector<int> out;
-  for (const NodeJointSet& s : sets) out.push_back(s.corner_count);
+  for (const NodePiece& s : sets) out.push_back(s.weight_vertex_count);
   return out;
 }
 
 // So that the lanes of a block have about as many corners.
 constexpr auto has_fewer_corners = [](const auto& a, const auto& b) {
-  return std::pair(corner_count(a.sets), corner_counts(a.sets)) < std::pair(corner_count(b.sets), corner_counts(b.sets));
+  return std::pair(weight_vertex_count(a.sets), corner_counts(a.sets)) < std::pair(weight_vertex_count(b.sets), corner_counts(b.sets));
 };
 
 }  // namespace
@@ -66,12 +66,12 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
       continue;
     }
     for (const Item& item : items) {
-      const int count = corner_count(item.sets);
+      const int count = weight_vertex_count(item.sets);
       merged.push_back(item.target);
       merged_.push_back({record_count_, count, float_above(item.node->reference.radius), 0});
-      for (int record = record_count_; const NodeJointSet& s : item.sets) {
-        pieces[{s.joint_set, s.corner_count}].push_back({item.node, {&s, 1}, record});
-        record += s.corner_count;
+      for (int record = record_count_; const NodePiece& s : item.sets) {
+        pieces[{s.joint_set, s.weight_vertex_count}].push_back({item.node, {&s, 1}, record});
+        record += s.weight_vertex_count;
       }
       record_count_ += (count + 3) / 4 * 4;
     }
@@ -101,9 +101,9 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
     for (int lane = 0; lane < lanes; ++lane) row.lane[lane] = number(item(lane));
     to.data.push_back(row);
   };
-  const auto share = [](const Item& it) { return 1 / static_cast<float>(corner_count(it.sets)); };
+  const auto share = [](const Item& it) { return 1 / static_cast<float>(weight_vertex_count(it.sets)); };
   // Items come sorted by the number of corners.
-  const bool same_share = corner_count(items.front().sets) == corner_count(items.back().sets);
+  const bool same_share = weight_vertex_count(items.front().sets) == weight_vertex_count(items.back().sets);
   const std::size_t set_count = items[0].sets.size();
   to.blocks.push_back({static_cast<int>(to.sets.size()), static_cast<int>(set_count), static_cast<int>(to.data.size()),
                        static_cast<int>(to.targets.size()), same_share ? share(items[0]) : 0});
@@ -113,19 +113,19 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
   int corners = 0;
   for (std::size_t e = 0; e < set_count; ++e) {
     const int set = items[0].sets[e].joint_set, joints = static_cast<int>(sets.joints(set).size());
-    int fewest = items[0].sets[e].corner_count, most = 0;
+    int fewest = items[0].sets[e].weight_vertex_count, most = 0;
     for (const Item& it : items) {
-      fewest = std::min(fewest, it.sets[e].corner_count);
-      most = std::max(most, it.sets[e].corner_count);
+      fewest = std::min(fewest, it.sets[e].weight_vertex_count);
+      most = std::max(most, it.sets[e].weight_vertex_count);
     }
     to.sets.push_back({set, joints, fewest, most});
     corners += most;
     for (int k = 0; k < most; ++k) {
-      if (k >= fewest) add_row([&](const Item& it) { return k < it.sets[e].corner_count ? 1.f : 0.f; });
+      if (k >= fewest) add_row([&](const Item& it) { return k < it.sets[e].weight_vertex_count ? 1.f : 0.f; });
       for (int i = 0; i + 1 < joints; ++i)
         add_row([&](const Item& it) {
-          const NodeJointSet& s = it.sets[e];
-          return static_cast<float>(tree.corner_weights[s.first_weight + std::min(k, s.corner_count - 1) * joints + i]);
+          const NodePiece& s = it.sets[e];
+          return static_cast<float>(tree.weight_vertices[s.first_weight + std::min(k, s.weight_vertex_count - 1) * joints + i]);
         });
     }
   }

@@ -39,7 +39,7 @@ class PackedNodes {
   // A node, or a piece of it, in one lane.
   struct Item {
     const TreeNode* node;
-    std::span<const NodeJointSet> sets;
+    std::span<const NodePiece> sets;
     int target;  // the node, or the first of the piece's records
   };
 

@@ -10,14 +10,14 @@ namespace {
 
 constexpr int lanes = Lanes<double>::count;
 
-JointSetNumbers numbers_of(const JointSetPose<double>& pose) {
+JointSetNumbers numbers_of(const PaletteEntry<double>& palette) {
   static_assert(sizeof(RigidTransform<double>) % sizeof(double) == 0);
-  return {static_cast<int>(pose.transforms.size()),
-          pose.transforms[0].rotation.data(),
+  return {static_cast<int>(palette.transforms.size()),
+          palette.transforms[0].rotation.data(),
           sizeof(RigidTransform<double>) / sizeof(double),
-          pose.rotation_center.data(),
-          pose.center_images[0].data(),
-          pose.duals[0].data()};
+          palette.rotation_center.data(),
+          palette.center_images[0].data(),
+          palette.duals[0].data()};
 }
 
 std::vector<int> all_vertices(const SkinnedMesh& mesh) {
@@ -63,23 +63,23 @@ std::span<const int> PackedVertices::vertices(int group) const {
   return {vertices_.data() + begin, static_cast<std::size_t>(end - begin)};
 }
 
-void PackedVertices::skin_group(int group, const SkinningPose<double>& pose, Skinning skinning, SkinnedVertices& out,
+void PackedVertices::skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                                 Target target) const {
   const DefaultFloatEnvironment environment;
   const SkinRun run = kernel(skinning, target);
   const std::size_t size = 3 * vertices(group).size() / lanes;
   if (out.blocks.size() < size) out.blocks.resize(size);
   Lanes<double>* to = out.blocks.data();
-  for (int r = first_run_[group]; r < first_run_[group + 1]; to += 3 * runs_[r++].block_count) skin_run(runs_[r], pose, run, to);
+  for (int r = first_run_[group]; r < first_run_[group + 1]; to += 3 * runs_[r++].block_count) skin_run(runs_[r], palette, run, to);
 }
 
-void PackedVertices::skin_all(const SkinningPose<double>& pose, Skinning skinning, std::span<Point3> out, Target target) const {
+void PackedVertices::skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out, Target target) const {
   const DefaultFloatEnvironment environment;
   const SkinRun run = kernel(skinning, target);
   std::vector<Lanes<double>> images;
   for (const Run& r : runs_) {
     if (images.size() < 3 * static_cast<std::size_t>(r.block_count)) images.resize(3 * r.block_count);
-    skin_run(r, pose, run, images.data());
+    skin_run(r, palette, run, images.data());
     const int* vertex = vertices_.data() + r.first_block * lanes;
     for (int block = 0; block < r.block_count; ++block, vertex += lanes) {
       const Lanes<double>* image = images.data() + 3 * block;
@@ -89,8 +89,8 @@ void PackedVertices::skin_all(const SkinningPose<double>& pose, Skinning skinnin
   }
 }
 
-void PackedVertices::skin_run(const Run& run, const SkinningPose<double>& pose, SkinRun kernel, Lanes<double>* out) const {
-  kernel(numbers_of(pose[run.joint_set]), data_.data() + run.first_data, run.block_count, out);
+void PackedVertices::skin_run(const Run& run, const SkinningPalette<double>& palette, SkinRun kernel, Lanes<double>* out) const {
+  kernel(numbers_of(palette[run.joint_set]), data_.data() + run.first_data, run.block_count, out);
 }
 
 SkinRun PackedVertices::kernel(Skinning skinning, Target target) const {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "algorithms/runtime/batch/skin_kernel.hpp"
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 namespace refitlab {
 
@@ -29,13 +29,13 @@ class PackedVertices {
   // The vertex at each place of a group. A padding place repeats the vertex before it.
   std::span<const int> vertices(int group) const;
 
-  // Skins one group; out.blocks grows as needed and is used again. pose is of make_skinning_pose for this model, with the
+  // Skins one group; out.blocks grows as needed and is used again. palette is of make_skinning_palette for this model, with the
   // same skinning; so it is for skin_all.
-  void skin_group(int group, const SkinningPose<double>& pose, Skinning skinning, SkinnedVertices& out,
+  void skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                   Target target = best_target()) const;
 
   // All groups; each vertex to out[vertex] (as many as the model's vertices; those of no group stay).
-  void skin_all(const SkinningPose<double>& pose, Skinning skinning, std::span<Point3> out,
+  void skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out,
                 Target target = best_target()) const;
 
  private:
@@ -44,7 +44,7 @@ class PackedVertices {
   };
 
   void add_group(const SkinnedMesh& mesh, const JointSets& sets, std::vector<int> group);
-  void skin_run(const Run& run, const SkinningPose<double>& pose, SkinRun kernel, Lanes<double>* out) const;
+  void skin_run(const Run& run, const SkinningPalette<double>& palette, SkinRun kernel, Lanes<double>* out) const;
   SkinRun kernel(Skinning skinning, Target target) const;
 
   std::vector<int> first_run_ = {0};  // by group, and one past the last

@@ -77,7 +77,7 @@ struct Spherical {
   template <int joints, int corners>
   static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S&, Reader& read,
                            Quaternion<S>* units, CornerBalls& out) {
-    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
+    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.weight_vertex_count;
     ByJoint<RigidTransform<S>, joints> transforms(n);
     ByJoint<Vec<S, 3>, joints> center_images(n);
     Weights<joints> weights(n);
@@ -96,17 +96,17 @@ struct Spherical {
       out.radius = S(epsilon * 66) * (longer + size);
       return;
     }
-    const JointSetPose<S> pose{transforms, rotation_center, center_images, {}};
+    const PaletteEntry<S> palette{transforms, rotation_center, center_images, {}};
     Quaternion<S> direction(S(0), S(0), S(0), S(0));
     Vec<S, 3> sum(S(0), S(0), S(0));
     S longest_inverse(1), count(static_cast<float>(set.certain_corners));
     const auto place = [&](int k) {
       const std::span<const S> w = weights.read(read);
-      const Quaternion<S> blend = blend_quaternion(pose, w);
+      const Quaternion<S> blend = blend_quaternion(palette, w);
       const S inverse = S(1) / root(squared_norm(blend));
       longest_inverse = max_of(longest_inverse, inverse);
       units[k] = blend * inverse;
-      out.center[k] = blend_center(pose, w);
+      out.center[k] = blend_center(palette, w);
     };
     for (int k = 0; k < set.certain_corners; ++k) {
       place(k);
@@ -133,7 +133,7 @@ struct Linear {
   template <int joints, int corners>
   static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S& r, Reader& read,
                            Quaternion<S>*, CornerBalls& out) {
-    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.corner_count;
+    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.weight_vertex_count;
     ByJoint<Vec<S, 3>, joints> images(n);
     Weights<joints> weights(n);
     const S slack(*numbers++), stretch(*numbers++);
@@ -159,7 +159,7 @@ void corner_balls(const BlockSet& set, const FrameNumbers& frame, const Vec<S, 3
   switch (set.joint_count) {
     case 1: return Blending::template corner_balls<1, 1>(set, numbers, p, r, read, units, out);
     case 2:
-      if (set.corner_count == 2) return Blending::template corner_balls<2, 2>(set, numbers, p, r, read, units, out);
+      if (set.weight_vertex_count == 2) return Blending::template corner_balls<2, 2>(set, numbers, p, r, read, units, out);
       return Blending::template corner_balls<2, 1>(set, numbers, p, r, read, units, out);
     case 3: return Blending::template corner_balls<3, 0>(set, numbers, p, r, read, units, out);
     case 4: return Blending::template corner_balls<4, 0>(set, numbers, p, r, read, units, out);
@@ -190,7 +190,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
         own.center = scratch.centers.data() + corners;
         corner_balls<Blending>(set, frame, p, r, read, scratch.units.data(), own);
         sum = sum + own.sum;
-        corners += set.corner_count;
+        corners += set.weight_vertex_count;
       }
       Vec<S, 3> center = sum;
       S radius = of_set[0].radius;
@@ -198,7 +198,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
         center = sum * share;
         radius = S(0);
         for (int e = 0; e < block->set_count; ++e) {
-          const int m = all.sets[block->first_set + e].corner_count;
+          const int m = all.sets[block->first_set + e].weight_vertex_count;
           const std::span<const Vec<S, 3>> centers(of_set[e].center, m);
           const S far = farthest_squared_distance<S, 3>(center - of_set[e].offset, centers);
           radius = max_of(radius, S(root(far) + of_set[e].radius));
@@ -221,7 +221,7 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
       own.center = scratch.centers.data();
       corner_balls<Blending>(set, frame, {px, py, pz}, r, read, scratch.units.data(), own);
       const int* targets = all.targets + block->first_target + first;
-      for (int k = 0; k < set.corner_count; ++k) {
+      for (int k = 0; k < set.weight_vertex_count; ++k) {
         alignas(64) float numbers[4][pack_size];
         for (int i = 0; i < 3; ++i) S(own.center[k][i] + own.offset[i]).copy_to(numbers[i], std::experimental::vector_aligned);
         own.radius.copy_to(numbers[3], std::experimental::vector_aligned);
@@ -240,11 +240,11 @@ REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const 
   for (const MergedNode* node = nodes; node != nodes + node_count; ++node) {
     const Row<float, 4>* own = records + node->first_record;
     Row<float, 4> sum = own[0];
-    for (int k = 1; k < node->corner_count; ++k) sum += own[k];
-    const float share = 1 / static_cast<float>(node->corner_count);
+    for (int k = 1; k < node->weight_vertex_count; ++k) sum += own[k];
+    const float share = 1 / static_cast<float>(node->weight_vertex_count);
     const float center[3] = {sum[0] * share, sum[1] * share, sum[2] * share};
     PackOfFour radius = 0;
-    for (int k = 0; k < node->corner_count; k += 4) {
+    for (int k = 0; k < node->weight_vertex_count; k += 4) {
       Row<float, 4> rows[4] = {own[k], own[k + 1], own[k + 2], own[k + 3]};
       transpose(rows);
       PackOfFour squared = 0;

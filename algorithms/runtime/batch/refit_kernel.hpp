@@ -8,7 +8,7 @@
 //     epsilon (64 + 2 n) (||x|| / min ||q'_k|| + size),     epsilon = 2 u, size = max ||r_i|| + 2 ||r_c||,
 // which is added to the radius, and the sums of radii are less than 8 epsilon times the radius off. The means need no
 // bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||), and,
-// as of rotations whose ||q_i||^2 = 1 + e are off by e (pose_rounding.hpp), 2 |e| r.
+// as of rotations whose ||q_i||^2 = 1 + e are off by e (palette_rounding.hpp), 2 |e| r.
 // Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few
 // of them (balls/round_up.hpp).
 #pragma once
@@ -41,7 +41,7 @@ struct NodeBlock {
 inline constexpr int most_sets_of_whole_nodes = 3;
 struct BlockSet {
   int joint_set, joint_count;
-  int certain_corners, corner_count;  // the fewest and the most of any lane
+  int certain_corners, weight_vertex_count;  // the fewest and the most of any lane
 };
 struct NodeBlocks {
   const NodeBlock* blocks;
@@ -61,7 +61,7 @@ using RefitPieces = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame
 // A node whose pieces' corners are merged. They are one record after the other, and some more up to a multiple of four, of
 // radius minus infinity. Its ball is the numbers x, y, z and radius, in Lanes, from place on.
 struct MergedNode {
-  int first_record, corner_count;
+  int first_record, weight_vertex_count;
   float radius;  // r
   int place;
 };

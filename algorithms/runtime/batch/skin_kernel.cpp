@@ -33,12 +33,12 @@ void skin_blocks(const JointSetNumbers& numbers, const Lanes<double>* data, int 
     center_images[i] = broadcast<3>(numbers.center_images + 3 * i);
     duals[i] = broadcast<4>(numbers.duals + 4 * i);
   }
-  const JointSetPose<S> pose{transforms, broadcast<3>(numbers.rotation_center), center_images, duals};
+  const PaletteEntry<S> palette{transforms, broadcast<3>(numbers.rotation_center), center_images, duals};
   for (int block = 0; block < block_count; ++block) {
     for (int first = 0; first < Lanes<double>::count; first += pack_size) {
       const Vec<S, 3> v(load(data[0], first), load(data[1], first), load(data[2], first));
       for (int i = 0; i < n; ++i) w[i] = load(data[3 + i], first);
-      const Vec<S, 3> image = blend<S>(skinning, pose, std::span<const S>(w.data(), n), v);
+      const Vec<S, 3> image = blend<S>(skinning, palette, std::span<const S>(w.data(), n), v);
       for (int i = 0; i < 3; ++i) image[i].copy_to(out[i].lane.data() + first, std::experimental::element_aligned);
     }
     data += 3 + n;

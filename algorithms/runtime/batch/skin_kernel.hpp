@@ -6,7 +6,7 @@
 
 namespace refitlab {
 
-// A joint-set's JointSetPose, as numbers.
+// A joint-set's PaletteEntry, as numbers.
 struct JointSetNumbers {
   int joint_count;
   const double* transforms;  // each a quaternion and a translation, transform_stride apart

@@ -5,11 +5,11 @@
 
 namespace refitlab {
 
-void Body::begin(const Posture& posture) {
+void Body::begin(const Pose& pose) {
   const DefaultFloatEnvironment environment;
-  pose_packs_.make(posture, pose_);
-  pose_.measure();
-  balls_.begin(pose_);
+  palette_packs_.make(pose, palette_);
+  palette_.measure();
+  balls_.begin(palette_);
   vertices_skinned_ = 0;
   made_.begin();
 }
@@ -22,7 +22,7 @@ TrianglePoints Body::triangle(int triangle) {
 const Point3& Body::vertex(int v) {
   const DefaultFloatEnvironment environment;
   if (!made_.is_made(v)) {
-    skinned_[v] = blend<double>(skinning_, pose_[character_.sets.of_vertex(v)], character_.sets.weights(v),
+    skinned_[v] = blend<double>(skinning_, palette_[character_.sets.of_vertex(v)], character_.sets.weights(v),
                                 character_.mesh.vertices[v]);
     made_.mark(v);
     ++vertices_skinned_;

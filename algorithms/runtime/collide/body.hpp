@@ -1,7 +1,7 @@
 // Body: a character in one frame, as queries see it: balls refitted and vertices skinned only where a query gets to.
 #pragma once
 
-#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/triangles_meet.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
 
@@ -13,13 +13,13 @@ class Body {
   Body(const Character& character, const RefitVariant& variant, const FrameOptions& options = {})
       : character_(character),
         skinning_(variant.skinning),
-        pose_packs_(character.mesh, character.sets, skinning_),
+        palette_packs_(character.mesh, character.sets, skinning_),
         balls_(character, variant, options),
         made_(character.mesh.vertices.size()),
         skinned_(character.mesh.vertices.size()) {}
 
-  // Starts a frame. Throws ModelError for a posture that make_skinning_pose refuses.
-  void begin(const Posture& posture);
+  // Starts a frame. Throws ModelError for a pose that make_skinning_palette refuses.
+  void begin(const Pose& pose);
 
   const Character& character() const { return character_; }
   // The ball of a node, in model space of this frame.
@@ -36,9 +36,9 @@ class Body {
 
   const Character& character_;
   const Skinning skinning_;
-  const PosePacks pose_packs_;
+  const PalettePacks palette_packs_;
   FrameRefits balls_;
-  SkinningPose<double> pose_;
+  SkinningPalette<double> palette_;
   FrameStamps made_;  // by vertex
   std::vector<Point3> skinned_;
   long vertices_skinned_ = 0;

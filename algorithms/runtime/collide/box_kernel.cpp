@@ -242,7 +242,7 @@ REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int c
   return pairs;
 }
 
-REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners_b, const CornerPair* pairs, int count,
+REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners_b, const TrianglePairCandidate* pairs, int count,
                                   Filtered* answers) {
   using S = refitlab::Pack<double>;
   constexpr int width = static_cast<int>(S::size());
@@ -251,7 +251,7 @@ REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners
     const auto load = [&](const Corner* corners, auto places, TriangleOf<S>& out) {
       alignas(64) double numbers[9][width];
       for (int lane = 0; lane < width; ++lane) {  // those behind the last repeat it
-        const CornerPair& pair = pairs[first + (lane < lanes ? lane : lanes - 1)];
+        const TrianglePairCandidate& pair = pairs[first + (lane < lanes ? lane : lanes - 1)];
         for (int c = 0; c < 3; ++c)
           for (int i = 0; i < 3; ++i) numbers[3 * c + i][lane] = corners[places(pair)[c]].of[i];
       }
@@ -260,9 +260,9 @@ REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners
     };
     TriangleOf<S> a, b;
     load(
-        corners_a, [](const CornerPair& p) { return p.a; }, a);
+        corners_a, [](const TrianglePairCandidate& p) { return p.a; }, a);
     load(
-        corners_b, [](const CornerPair& p) { return p.b; }, b);
+        corners_b, [](const TrianglePairCandidate& p) { return p.b; }, b);
     const PlaneSides<S> of_b(a, b), of_a(b, a);
     const auto are_apart = of_a.are_one() || of_b.are_one(),
                cross = !are_apart && of_a.are_certain() && of_b.are_certain();

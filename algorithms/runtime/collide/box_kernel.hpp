@@ -17,7 +17,7 @@ struct alignas(32) Corner {
 };
 
 // Two triangles of a pair of clusters.
-struct CornerPair {
+struct TrianglePairCandidate {
   std::array<std::uint16_t, 3> a, b;  // the places of their corners
   int first, second;                  // the triangles, of the models
 };
@@ -33,7 +33,7 @@ struct BoxKernels {
   // The pairs of boxes, one of each block, that are not apart: bit 8 i + j for box i of a and j of b.
   std::uint64_t (*overlapping_pairs)(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b, int count_b);
   // What filter_triangles says of each pair, to answers.
-  void (*filter_pairs)(const Corner* corners_a, const Corner* corners_b, const CornerPair* pairs, int count,
+  void (*filter_pairs)(const Corner* corners_a, const Corner* corners_b, const TrianglePairCandidate* pairs, int count,
                        Filtered* answers);
   // Places skinned vertices, block_count times their x, y, z; placement: a quaternion and a translation.
   void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out);

@@ -17,7 +17,7 @@ class PieceMaker {
  public:
   explicit PieceMaker(const Character& c) : first_slot_(JointFloats(c.sets).first_slot) {}
 
-  void add(const NodePiece& piece) {
+  void add(const SimplexPiece& piece) {
     const int joints = static_cast<int>(piece.low.size());
     if (joints > most_box_joints) return pieces_.others.push_back(piece);
     auto& packs = pieces_.packs[joints - 1];
@@ -53,11 +53,11 @@ void merge(float& side, double outside) {
 // The hull of the joints' whole images: a vertex is a convex combination of them in linear blending, and within its
 // distance to the rotation center of one of the center's images in spherical blending. Quaternions with ||q||^2 = 1 + e
 // stretch by at most 2 |e|: the joint's in linear blending, the placement's always.
-void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose<double>& pose,
+void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPalette<double>& palette,
                   const Quaternion<double>& rotation, std::span<FlippedBox> boxes) {
-  for (const NodePiece& piece : pieces.others) {
+  for (const SimplexPiece& piece : pieces.others) {
     constexpr double stretch = 1 + 4.1e-6;
-    const JointSetPose<double>& set = pose[piece.joint_set];
+    const PaletteEntry<double>& set = palette[piece.joint_set];
     const double rounding = 1e-12 + 1e-15 * static_cast<double>(set.transforms.size());
     const Ball3<double>& ball = piece.reference;
     double reach = ball.radius;
@@ -75,10 +75,10 @@ void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPose
 
 }  // namespace
 
-BoxPieces make_box_pieces(const Character& c, std::span<const NodePiece> pieces) {
+BoxPieces make_box_pieces(const Character& c, std::span<const SimplexPiece> pieces) {
   const DefaultFloatEnvironment environment;
   PieceMaker maker(c);
-  for (const NodePiece& piece : pieces) maker.add(piece);
+  for (const SimplexPiece& piece : pieces) maker.add(piece);
   return maker.take();
 }
 
@@ -91,13 +91,13 @@ JointFloats::JointFloats(const JointSets& sets) : centers(8 * sets.count()) {
   slots.resize(8 * slot);
 }
 
-void JointFloats::fill(const SkinningPose<double>& pose, Skinning skinning) {
+void JointFloats::fill(const SkinningPalette<double>& palette, Skinning skinning) {
   const DefaultFloatEnvironment environment;
   float* out = slots.data();
   double most = 0;
   const auto add = [&](double length) { most = std::max(most, std::abs(length)); };
-  for (std::size_t s = 0; s < pose.size(); ++s) {
-    const JointSetPose<double>& set = pose[s];
+  for (std::size_t s = 0; s < palette.size(); ++s) {
+    const PaletteEntry<double>& set = palette[s];
     for (int i = 0; i < 3; ++i) centers[8 * s + i] = static_cast<float>(set.rotation_center[i]);
     if (skinning == Skinning::spherical || skinning == Skinning::hejl)
       for (int i = 0; i < 3; ++i) add(set.rotation_center[i]);
@@ -115,7 +115,7 @@ void JointFloats::fill(const SkinningPose<double>& pose, Skinning skinning) {
 }
 
 void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
-                 const SkinningPose<double>& pose, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
+                 const SkinningPalette<double>& palette, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
                  Target target) {
   const DefaultFloatEnvironment environment;
   const bool is_in_range = joints.largest < largest_box;
@@ -130,7 +130,7 @@ void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& 
   for (int n = 0; n < most_box_joints; ++n)
     kernels.bound(pieces.packs[n].data(), pieces.packs[n].size(), n + 1, skinning, joints.slots.data(),
                   joints.centers.data(), matrix, boxes.data());
-  bound_others(pieces, skinning, pose, rotation, boxes);
+  bound_others(pieces, skinning, palette, rotation, boxes);
 }
 
 }  // namespace refitlab

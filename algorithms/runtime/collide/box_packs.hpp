@@ -1,6 +1,6 @@
 // Boxes around many nodes at once, from the control points of their pieces, sixteen pieces side by side.
 //
-// A piece is what a node holds of one joint-set: a ball around its vertices in the reference posture, and the simplex
+// A piece is what a node holds of one joint-set: a ball around its vertices in the reference pose, and the simplex
 // {w >= low, sum w = 1} around their weights, which has as many corners as joints. The image of the piece lies in the
 // hull of its control points (b2_control_hull_encloses: degree 1, 2 or 3 by the skinning) blown up by the ball's
 // radius.
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "algorithms/runtime/collide/flipped_box.hpp"
-#include "algorithms/runtime/collide/node_pieces.hpp"
+#include "algorithms/runtime/collide/simplex_pieces.hpp"
 #include "algorithms/runtime/packs/targets.hpp"
 
 namespace refitlab {
@@ -34,10 +34,10 @@ struct BoxPack {
 
 struct BoxPieces {
   std::vector<BoxPack> packs[most_box_joints];  // by number of joints - 1
-  std::vector<NodePiece> others;                // of more joints than a pack takes: hulls of whole images, looser
+  std::vector<SimplexPiece> others;                // of more joints than a pack takes: hulls of whole images, looser
 };
 
-BoxPieces make_box_pieces(const Character& character, std::span<const NodePiece> pieces);
+BoxPieces make_box_pieces(const Character& character, std::span<const SimplexPiece> pieces);
 // The pieces of these nodes; a box for each of them.
 inline BoxPieces make_box_pieces(const Character& character, std::span<const int> nodes) {
   return make_box_pieces(character, pieces_of_nodes(character, nodes));
@@ -53,7 +53,7 @@ struct JointFloats {
   float largest = 0;            // of the coordinates that the skinning looks at
 
   explicit JointFloats(const JointSets& sets);
-  void fill(const SkinningPose<double>& pose, Skinning skinning);
+  void fill(const SkinningPalette<double>& palette, Skinning skinning);
 };
 
 // Encloses all vertices of each node after skinning and then turning by rotation: boxes[target] for every target. The
@@ -61,7 +61,7 @@ struct JointFloats {
 // than float can have lost. A piece that blends rotations far apart gets a box that holds it however it turns; where not
 // even that is known (dual quaternions, lengths beyond largest_box), an infinite one.
 void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
-                 const SkinningPose<double>& pose, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
+                 const SkinningPalette<double>& palette, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
                  Target target = best_target());
 
 }  // namespace refitlab

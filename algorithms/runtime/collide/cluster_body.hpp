@@ -1,11 +1,11 @@
 // ClusterBody: a placed character in one frame, as the fast queries see it: at first only how far it can reach; then
-// fans bounded and clusters skinned where a query gets to.
+// wide nodes bounded and clusters skinned where a query gets to.
 #pragma once
 
-#include "algorithms/runtime/batch/pose_packs.hpp"
+#include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/collide/cluster_tree.hpp"
-#include "algorithms/runtime/collide/reach.hpp"
+#include "algorithms/runtime/collide/motion_bound.hpp"
 #include "algorithms/runtime/collide/triangles_filter.hpp"
 #include "algorithms/runtime/refit/frame_stamps.hpp"
 
@@ -18,19 +18,19 @@ class ClusterBody {
   ClusterBody(const ClusterBody&) = delete;  // a copy would write into the arrays of this one
 
   // Starts a frame, of which nothing is worked out yet. placement takes model space to the world. Throws ModelError for
-  // a posture that make_skinning_pose refuses, std::invalid_argument for a placement that is not rigid.
-  void begin(const Posture& posture, const RigidTransform<double>& placement);
+  // a pose that make_skinning_palette refuses, std::invalid_argument for a placement that is not rigid.
+  void begin(const Pose& pose, const RigidTransform<double>& placement);
 
   const ClusterTree& tree() const { return tree_; }
 
-  // A box in the world around all of it, from the joints alone; see Reach.
-  const Box<double>& reach() const { return reach_box_; }
+  // A box in the world around all of it, from the joints alone; see MotionBound.
+  const Box<double>& reach() const { return motion_bound_box_; }
 
-  // Boxes in the world around all vertices below: of a fan's children, in blocks, and of one of them.
-  const BoxBlock<double>* fan_boxes(int fan);
-  Box<double> child_box(int fan, int child) { return get_box(fan_boxes(fan), child); }
-  // Around all of a fan.
-  const Box<double>& fan_box(int fan);
+  // Boxes in the world around all vertices below: of a wide node's children, in blocks, and of one of them.
+  const BoxBlock<double>* wide_node_boxes(int wide_node);
+  Box<double> child_box(int wide_node, int child) { return get_box(wide_node_boxes(wide_node), child); }
+  // Around all of a wide node.
+  const Box<double>& wide_node_box(int wide_node);
 
   // Boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of all of it.
   const BoxBlock<double>* group_boxes(int cluster) { return skinned(cluster).groups.data(); }
@@ -46,12 +46,12 @@ class ClusterBody {
 
   // For one query at a time, so that it need not make room of its own: positions of boxes, pairs of triangles whose
   // boxes meet, and what the filter says of them.
-  struct QueryRoom {
+  struct QueryScratch {
     std::vector<int> hits;
-    std::vector<CornerPair> pairs;
+    std::vector<TrianglePairCandidate> pairs;
     std::vector<Filtered> answers;
   };
-  QueryRoom& query_room() { return query_room_; }
+  QueryScratch& query_scratch() { return query_scratch_; }
 
   // Since begin.
   long nodes_bounded() const { return nodes_bounded_; }
@@ -67,9 +67,9 @@ class ClusterBody {
     Box<double> box;
   };
 
-  void make_poses(std::span<const int> parts);
-  void bound_fan(int fan);
-  void bound_by_control_points(const Fan& fan, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
+  void make_palettes(std::span<const int> parts);
+  void bound_wide_node(int wide_node);
+  void bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
   void skin_cluster(int cluster);
   const Skinned& skinned(int cluster) {
     if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
@@ -79,27 +79,27 @@ class ClusterBody {
   const ClusterTree& tree_;
   const Skinning skinning_;
   const BoxKernels& kernels_;
-  Reach reach_;
-  const PosePacks pose_packs_;
-  Posture posture_;
+  MotionBound motion_bound_;
+  const PalettePacks palette_packs_;
+  Pose pose_;
   RigidTransform<double> placement_;
-  Box<double> reach_box_;
-  SkinningPose<double> pose_;  // of what parts were made
-  const SkinningPose<double>::Arrays pose_arrays_;
-  FrameStamps poses_made_;                          // by part of pose_packs_
-  std::vector<std::vector<int>> parts_of_cluster_;  // of pose_packs_
+  Box<double> motion_bound_box_;
+  SkinningPalette<double> palette_;  // of what parts were made
+  const SkinningPalette<double>::Arrays palette_arrays_;
+  FrameStamps palettes_made_;                          // by part of palette_packs_
+  std::vector<std::vector<int>> parts_of_cluster_;  // of palette_packs_
   std::vector<int> all_parts_;
   JointFloats joints_;
   bool are_joints_placed_ = false, are_floats_filled_ = false;
-  FrameStamps fans_made_, clusters_made_, groups_made_;
-  std::vector<int> first_block_of_fan_;
-  std::vector<BoxBlock<double>> fan_blocks_;
-  std::vector<Box<double>> fan_boxes_;
+  FrameStamps wide_nodes_made_, clusters_made_, groups_made_;
+  std::vector<int> first_block_of_wide_node_;
+  std::vector<BoxBlock<double>> wide_node_blocks_;
+  std::vector<Box<double>> wide_node_boxes_;
   SkinnedVertices unplaced_;         // of the cluster in work, in model space
   std::vector<Skinned> skinned_;     // by cluster
-  std::vector<FlippedBox> flipped_;  // of the fan in work, and its boxes
+  std::vector<FlippedBox> flipped_;  // of the wide node in work, and its boxes
   std::vector<Box<double>> boxes_;
-  QueryRoom query_room_;
+  QueryScratch query_scratch_;
   long nodes_bounded_ = 0, clusters_skinned_ = 0, corners_skinned_ = 0;
 };
 

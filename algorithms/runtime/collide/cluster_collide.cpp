@@ -16,7 +16,7 @@ class ClusterTraversal {
 
   // For yes/no, all pairs of the first clusters that have any.
   std::vector<TrianglePair> run() {
-    const Hits tops(*this, first_.fan_boxes(0), first_.tree().fans()[0].child_count, second_.fan_box(0));
+    const Hits tops(*this, first_.wide_node_boxes(0), first_.tree().wide_nodes()[0].child_count, second_.wide_node_box(0));
     for (std::size_t i = 0; i < tops.count() && !is_done(); ++i) {
       const int child = tops[i];
       below_second(first_.tree().child(0, child), first_.child_box(0, child), 0);
@@ -48,23 +48,23 @@ class ClusterTraversal {
 
   bool is_done() const { return query_ == Query::yes_no && !found_.empty(); }
 
-  // One node of the first body against those in a fan of the second.
-  void below_second(const FanChild& a, const Box<double>& box, int fan) {
-    const Hits hits(*this, second_.fan_boxes(fan), second_.tree().fans()[fan].child_count, box);
+  // One node of the first body against those in a wide node of the second.
+  void below_second(const WideNodeChild& a, const Box<double>& box, int wide_node) {
+    const Hits hits(*this, second_.wide_node_boxes(wide_node), second_.tree().wide_nodes()[wide_node].child_count, box);
     for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
-      nodes(a, box, second_.tree().child(fan, hits[i]), second_.child_box(fan, hits[i]));
+      nodes(a, box, second_.tree().child(wide_node, hits[i]), second_.child_box(wide_node, hits[i]));
   }
-  void below_first(int fan, const FanChild& b, const Box<double>& box) {
-    const Hits hits(*this, first_.fan_boxes(fan), first_.tree().fans()[fan].child_count, box);
+  void below_first(int wide_node, const WideNodeChild& b, const Box<double>& box) {
+    const Hits hits(*this, first_.wide_node_boxes(wide_node), first_.tree().wide_nodes()[wide_node].child_count, box);
     for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
-      nodes(first_.tree().child(fan, hits[i]), first_.child_box(fan, hits[i]), b, box);
+      nodes(first_.tree().child(wide_node, hits[i]), first_.child_box(wide_node, hits[i]), b, box);
   }
 
   // Two nodes whose boxes meet: the larger one is opened.
-  void nodes(const FanChild& a, const Box<double>& box_a, const FanChild& b, const Box<double>& box_b) {
-    if (a.fan < 0 && b.fan < 0) return clusters(a.cluster, b.cluster);
-    if (b.fan < 0 || (a.fan >= 0 && box_a.extent() >= box_b.extent())) below_first(a.fan, b, box_b);
-    else below_second(a, box_a, b.fan);
+  void nodes(const WideNodeChild& a, const Box<double>& box_a, const WideNodeChild& b, const Box<double>& box_b) {
+    if (a.wide_node < 0 && b.wide_node < 0) return clusters(a.cluster, b.cluster);
+    if (b.wide_node < 0 || (a.wide_node >= 0 && box_a.extent() >= box_b.extent())) below_first(a.wide_node, b, box_b);
+    else below_second(a, box_a, b.wide_node);
   }
 
   void clusters(int a, int b) {
@@ -117,9 +117,9 @@ class ClusterTraversal {
   QueryCounts& counts_;
   const BoxKernels& kernels_ = box_kernels(best_target());
   std::vector<TrianglePair> found_;
-  std::vector<int>& hits_ = first_.query_room().hits;
-  std::vector<CornerPair>& pairs_ = first_.query_room().pairs;
-  std::vector<Filtered>& answers_ = first_.query_room().answers;
+  std::vector<int>& hits_ = first_.query_scratch().hits;
+  std::vector<TrianglePairCandidate>& pairs_ = first_.query_scratch().pairs;
+  std::vector<Filtered>& answers_ = first_.query_scratch().answers;
 };
 
 // The first of the remembered pairs that still touches.
@@ -142,13 +142,13 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
       memory->remember(*pair);
       return {*pair};
     }
-  if (!memory || !memory->are_near) {  // near bodies are told apart by their fans, if at all
+  if (!memory || !memory->are_near) {  // near bodies are told apart by their wide nodes, if at all
     ++counts.ball_tests;
     if (are_apart(first.reach(), second.reach())) return {};
   }
   auto pairs = ClusterTraversal(first, second, query, counts).run();
   if (memory) {
-    memory->are_near = !are_apart(first.fan_box(0), second.fan_box(0));
+    memory->are_near = !are_apart(first.wide_node_box(0), second.wide_node_box(0));
     memory->remember(pairs);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);

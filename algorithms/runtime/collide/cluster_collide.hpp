@@ -1,4 +1,4 @@
-// Which triangles of two skinned characters touch: the fast query, over fans of boxes and clusters (cluster_tree.hpp).
+// Which triangles of two skinned characters touch: the fast query, over wide nodes of boxes and clusters (cluster_tree.hpp).
 #pragma once
 
 #include "algorithms/runtime/collide/cluster_body.hpp"

@@ -23,7 +23,7 @@ ClusterTree::ClusterTree(const Character& character, const ClusterOptions& optio
     : character_(&character), options_(options), vertices_(character.mesh, character.sets, {}) {
   const DefaultFloatEnvironment environment;
   check(options);
-  add_fan(part_of_node(0));
+  add_wide_node(part_of_node(0));
   pack_clusters();
 }
 
@@ -53,8 +53,8 @@ std::vector<int> ClusterTree::vertices_of(const Part& part) const {
 }
 
 // The part of most triangles is opened as long as it is too large for a cluster and there is room for its children. A
-// root that is a cluster is a fan of itself.
-int ClusterTree::add_fan(const Part& part) {
+// root that is a cluster is a wide node of itself.
+int ClusterTree::add_wide_node(const Part& part) {
   const auto is_cluster = [&](const Part& p) { return p.triangle_count <= options_.most_triangles; };
   std::vector<Part> open{part};
   for (bool is_first = true;; is_first = false) {
@@ -66,22 +66,22 @@ int ClusterTree::add_fan(const Part& part) {
     *most = below[0];
     open.insert(open.end(), below.begin() + 1, below.end());
   }
-  // In the order of their triangles, so that neighbours in the fan are neighbours in space.
+  // In the order of their triangles, so that neighbours in the wide node are neighbours in space.
   std::sort(open.begin(), open.end(),
             [](const Part& a, const Part& b) { return a.first_triangle < b.first_triangle; });
 
-  const int fan = static_cast<int>(fans_.size());
+  const int wide_node = static_cast<int>(wide_nodes_.size());
   std::vector<std::vector<int>> vertices;
   for (const Part& p : open) vertices.push_back(vertices_of(p));
-  const std::vector<NodePiece> pieces = pieces_of_vertices(*character_, vertices);
-  fans_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()),
-                   make_box_pieces(*character_, pieces), make_reach_packs(*character_, pieces)});
+  const std::vector<SimplexPiece> pieces = pieces_of_vertices(*character_, vertices);
+  wide_nodes_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()),
+                   make_box_pieces(*character_, pieces), make_motion_bound_packs(*character_, pieces)});
   children_.resize(children_.size() + open.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const FanChild child = is_cluster(open[i]) ? FanChild{add_cluster(open[i]), -1} : FanChild{-1, add_fan(open[i])};
-    children_[fans_[fan].first_child + i] = child;
+    const WideNodeChild child = is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1} : WideNodeChild{-1, add_wide_node(open[i])};
+    children_[wide_nodes_[wide_node].first_child + i] = child;
   }
-  return fan;
+  return wide_node;
 }
 
 int ClusterTree::add_cluster(const Part& part) {
@@ -100,7 +100,7 @@ void ClusterTree::pack_clusters() {
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     Cluster& cluster = clusters_[c];
     const auto places = vertices_.vertices(static_cast<int>(c));
-    cluster.corner_count = static_cast<int>(places.size());
+    cluster.weight_vertex_count = static_cast<int>(places.size());
     for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
 
     const Part& part = cluster_parts_[c];

@@ -1,13 +1,13 @@
-// ClusterTree: a character as the fast queries see it. Wide fans of bounded nodes on top, clusters of triangles below.
+// ClusterTree: a character as the fast queries see it. Wide wide nodes of bounded nodes on top, clusters of triangles below.
 //
 // Bounding a node costs more than skinning the few vertices under it once it is small, so bounds end at clusters of
 // some hundred triangles; what is inside a cluster that a query reaches is skinned and put into boxes. Above, nodes are
-// bounded many at a time: a fan is the set of descendants that one node is opened into, all refitted together.
+// bounded many at a time: a wide node is the set of descendants that one node is opened into, all refitted together.
 #pragma once
 
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
-#include "algorithms/runtime/collide/reach_packs.hpp"
+#include "algorithms/runtime/collide/motion_bound_packs.hpp"
 #include "algorithms/runtime/collide/triangle_group.hpp"
 
 namespace refitlab {
@@ -17,23 +17,23 @@ inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<double>::co
 
 struct ClusterOptions {
   int most_triangles = 256;  // of a cluster; from 1 to most_cluster_triangles
-  int most_children = 16;    // of a fan, at least 2; but a node of the sphere tree that has more makes a fan of its own
+  int most_children = 16;    // of a wide node, at least 2; but a node of the sphere tree that has more makes a wide node of its own
 };
 
 struct Cluster {
-  int corner_count;  // the places of its group of vertices()
+  int weight_vertex_count;  // the places of its group of vertices()
   int first_group, group_count;
 };
 
-// A node in a fan: a cluster, or opened into a fan of its own.
-struct FanChild {
-  int cluster, fan;  // one of them is -1
+// A node in a wide node: a cluster, or opened into a wide node of its own.
+struct WideNodeChild {
+  int cluster, wide_node;  // one of them is -1
 };
 
-struct Fan {
+struct WideNode {
   int first_child, child_count;       // all children in one list
-  BoxPieces pieces;                   // what bounds the children, by position in the fan
-  std::vector<ReachPiecePack> reach;  // what bounds them from the joints alone; none if that cannot be
+  BoxPieces pieces;                   // what bounds the children, by position in the wide node
+  std::vector<MotionBoundPiecePack> reach;  // what bounds them from the joints alone; none if that cannot be
 };
 
 class ClusterTree {
@@ -42,8 +42,8 @@ class ClusterTree {
   explicit ClusterTree(const Character& character, const ClusterOptions& options = {});
 
   const Character& character() const { return *character_; }
-  const std::vector<Fan>& fans() const { return fans_; }  // the root's first; its children are fans with larger indices
-  const FanChild& child(int fan, int i) const { return children_[fans_[fan].first_child + i]; }
+  const std::vector<WideNode>& wide_nodes() const { return wide_nodes_; }  // the root's first; its children are wide nodes with larger indices
+  const WideNodeChild& child(int wide_node, int i) const { return children_[wide_nodes_[wide_node].first_child + i]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
   int group_count() const { return static_cast<int>(groups_.size()); }
   // By position in the cluster; those behind it follow.
@@ -61,14 +61,14 @@ class ClusterTree {
   Part part_of_node(int node) const;
   std::vector<Part> children_of(const Part& part) const;
   std::vector<int> vertices_of(const Part& part) const;
-  int add_fan(const Part& part);
+  int add_wide_node(const Part& part);
   int add_cluster(const Part& part);
   void pack_clusters();
 
   const Character* character_;
   ClusterOptions options_;
-  std::vector<Fan> fans_;
-  std::vector<FanChild> children_;
+  std::vector<WideNode> wide_nodes_;
+  std::vector<WideNodeChild> children_;
   std::vector<Cluster> clusters_;
   std::vector<TriangleGroup> groups_;
   std::vector<Part> cluster_parts_;

@@ -27,7 +27,7 @@ struct QueryCounts {
 
 // The pairs of triangles, one of each body, that have a point in common, in no particular order. Decided exactly for the
 // corners in the world as apply(placement, skinned corner) computes them in double: the same pairs as testing all pairs
-// finds, for every sound variant. The bodies may be one and the same, in one posture and two placements; they keep what
+// finds, for every sound variant. The bodies may be one and the same, in one pose and two placements; they keep what
 // was refitted and skinned for further queries in the frame.
 // Throws std::invalid_argument for a placement that is not finite or whose rotation differs from unit length by more than
 // 1e-6.

@@ -56,6 +56,6 @@ void validate(const SkinnedMesh& m) {
         throw ModelError(m.name, "triangle " + std::to_string(t), "vertex index " + std::to_string(v) + " is out of range");
 }
 
-Posture reference_posture(const SkinnedMesh& m) { return Posture(m.joints.size()); }
+Pose reference_pose(const SkinnedMesh& m) { return Pose(m.joints.size()); }
 
 }  // namespace refitlab

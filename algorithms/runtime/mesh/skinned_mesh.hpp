@@ -1,7 +1,7 @@
 // SkinnedMesh: a triangle mesh, the joints that move it, and how much of each joint is in each vertex (paper 3).
 //
-// Frames: everything is in model space of the reference posture, right-handed, in the units of whatever it was made from.
-// A Posture gives, by joint, the rigid C_j that takes the reference posture to the animated one.
+// Frames: everything is in model space of the reference pose, right-handed, in the units of whatever it was made from.
+// A Pose gives, by joint, the rigid C_j that takes the reference pose to the animated one.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@ namespace refitlab {
 
 using Point3 = Vec<double, 3>;
 using Triangle = std::array<int, 3>;  // indices of vertices, counter-clockwise seen from outside
-using Posture = std::vector<RigidTransform<double>>;
+using Pose = std::vector<RigidTransform<double>>;
 
-// Of a coordinate of a mesh or a posture: sixth powers, which determinants have, are in the range of double up to here.
+// Of a coordinate of a mesh or a pose: sixth powers, which determinants have, are in the range of double up to here.
 inline constexpr double largest_coordinate = 1e40;
 
 struct Joint {
   std::string name;
   int parent;     // index of a joint that comes before this one, or -1
-  Point3 origin;  // of its local frame in the reference posture
+  Point3 origin;  // of its local frame in the reference pose
 };
 
 // weight is a multiple of 2^-24, and the weights of a vertex sum to 1 exactly (see algorithms/runtime/mesh/quantize.hpp).
@@ -51,7 +51,7 @@ class ModelError : public std::runtime_error {
 // weights as stated. Every source of meshes ends with it.
 void validate(const SkinnedMesh& mesh);
 
-// The posture in which every joint stays where the reference posture has it.
-Posture reference_posture(const SkinnedMesh& mesh);
+// The pose in which every joint stays where the reference pose has it.
+Pose reference_pose(const SkinnedMesh& mesh);
 
 }  // namespace refitlab

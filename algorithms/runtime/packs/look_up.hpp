@@ -11,9 +11,9 @@
 namespace refitlab {
 
 // How many places a table for look_up has, at least: full registers, two at a time.
-constexpr int look_up_room(int count) { return (count + 31) / 32 * 32; }
+constexpr int look_up_size(int count) { return (count + 31) / 32 * 32; }
 
-// table has look_up_room(count) floats, aligned as packs are; index: aligned likewise, each in [0, count). few says
+// table has look_up_size(count) floats, aligned as packs are; index: aligned likewise, each in [0, count). few says
 // that count is at most 32.
 template <bool few>
 [[gnu::always_inline]] inline Pack<float> look_up(const float* table, [[maybe_unused]] int count,

@@ -1,4 +1,4 @@
-// Algorithm 1, repaired: sound for every posture and every weight bound; in intervals and exact numbers without exception,
+// Algorithm 1, repaired: sound for every pose and every weight bound; in intervals and exact numbers without exception,
 // in float and double up to rounding.
 //
 // Against the printed one: the skinning's own quaternion signs; a blend that may vanish or a cap of a half-sphere and more
@@ -14,11 +14,11 @@ namespace refitlab {
 
 // Bounds the rotations of one joint-set's weights: lines 5 to 13.
 template <class Policy, class S>
-RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodeJointSet& set,
+RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodePiece& set,
                                            std::vector<Quaternion<S>>& unit) {
   unit.clear();
-  for (int k = 0; k < set.corner_count; ++k) {
-    const Quaternion<S> blend = blend_quaternion(node.pose[set.joint_set], node.corner(set, k));
+  for (int k = 0; k < set.weight_vertex_count; ++k) {
+    const Quaternion<S> blend = blend_quaternion(node.palette[set.joint_set], node.corner(set, k));
     const S squared_length = squared_norm(blend);
     if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
     unit.push_back(blend / root(squared_length));
@@ -30,13 +30,13 @@ RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodeJ
 template <class Policy, class S>
 Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& lists) {
   lists.balls.clear();
-  for (const NodeJointSet& set : node.joint_sets) {
-    const JointSetPose<S> pose = node.pose[set.joint_set];
+  for (const NodePiece& set : node.pieces) {
+    const PaletteEntry<S> palette = node.palette[set.joint_set];
     const RotationBound<S> bound = bound_joint_set_rotations<Policy>(node, set, lists.quaternions);
-    const Vec<S, 3> u = node.reference.center - pose.rotation_center;
+    const Vec<S, 3> u = node.reference.center - palette.rotation_center;
     const Ball3<S> turned = rotated_ball(bound, u);  // lines 14 and 15
-    for (int k = 0; k < set.corner_count; ++k)
-      lists.balls.push_back({blend_center(pose, node.corner(set, k)) + turned.center, turned.radius});
+    for (int k = 0; k < set.weight_vertex_count; ++k)
+      lists.balls.push_back({blend_center(palette, node.corner(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);
 }

@@ -3,7 +3,7 @@
 // Let q'_k and r'_k be a piece's corner quaternions and corner images of the rotation center, and x = p - r_c. The control
 // points N_jkl / W_jkl are those of b1_rational_bezier_simplex, of degree 3.
 // If all W_kl are positive, the skinned p is a convex combination of the control points N_jkl / W_jkl, and the whole
-// reference ball stays within its radius of their hull. Rotations far apart make the control points stray, so a simplex
+// reference ball stays within its radius of their hull. Rotations far apart make the control points deviation, so a simplex
 // with corners 120 degrees apart or more, or with a corner that is 0, is halved (de Casteljau) at its widest edge, a
 // few times; what is still so wide then falls back on the cap bound of Algorithm 1 repaired, which is no larger there.
 // So the W_kl divided by are never small against the corners. The lemmas: b1_rational_bezier_simplex to
@@ -150,23 +150,23 @@ class SphericalPiece {
 template <class S>
 std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S>& lists) {
   lists.cap.balls.clear();
-  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
-    const NodeJointSet& set = node.joint_sets[i];
-    const JointSetPose<S> pose = node.pose[set.joint_set];
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+    const NodePiece& set = node.pieces[i];
+    const PaletteEntry<S> palette = node.palette[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
-    const Vec<S, 3> x = reference.center - pose.rotation_center;
+    const Vec<S, 3> x = reference.center - palette.rotation_center;
     lists.corners.clear();
-    if (set.corner_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
-      const BlendedJoints<S> only = blend_joints(pose, node.corner(set, 0));
+    if (set.weight_vertex_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
+      const BlendedJoints<S> only = blend_joints(palette, node.corner(set, 0));
       if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
         lists.cap.balls.push_back({turn_and_place(only, squared_length, x), reference.radius});
         continue;
       }
     }
-    for (int k = 0; k < set.corner_count; ++k) lists.corners.push_back(blend_joints(pose, node.corner(set, k)));
+    for (int k = 0; k < set.weight_vertex_count; ++k) lists.corners.push_back(blend_joints(palette, node.corner(set, k)));
     SphericalPiece<S> piece(x, reference.radius);
     ControlHull(piece, lists.corners, lists)
-        .cover(lists.corners.size(), set.corner_count == 1 ? 0 : most_halvings);
+        .cover(lists.corners.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
   }
   return lists.cap.balls;
 }

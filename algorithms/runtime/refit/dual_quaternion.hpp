@@ -6,7 +6,7 @@
 // the image of p under the blend with weights u is sum u_k u_l N_kl / sum u_k u_l W_kl: if all W_kl are positive, a
 // convex combination of the control points N_kl / W_kl (b1_rational_bezier_simplex, b2_control_hull_encloses). The
 // blend is rigid, so the reference ball stays within its radius of their hull. Simplices are halved as for spherical
-// blending, but from a right angle on: with degree 2 there are fewer control points, which stray sooner
+// blending, but from a right angle on: with degree 2 there are fewer control points, which deviation sooner
 // (b4_cap_fallback). What is still so wide after that falls back on the ball of b6_dual_quaternion_ball, larger the
 // nearer a blend is to 0. If one may be 0, no ball holds what its neighbours do: they carry a vertex as far as wanted.
 #pragma once
@@ -124,24 +124,24 @@ template <class S>
 std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node, ControlLists<S>& lists) {
   auto& balls = lists.cap.balls;
   balls.clear();
-  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
-    const NodeJointSet& set = node.joint_sets[i];
-    const JointSetPose<S> pose = node.pose[set.joint_set];
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+    const NodePiece& set = node.pieces[i];
+    const PaletteEntry<S> palette = node.palette[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
-    if (set.corner_count == 1) {  // one rigid transform, unless its blend may be zero
-      const BlendedDuals<S> only = blend_duals(pose, node.corner(set, 0));
+    if (set.weight_vertex_count == 1) {  // one rigid transform, unless its blend may be zero
+      const BlendedDuals<S> only = blend_duals(palette, node.corner(set, 0));
       if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
         balls.push_back({move_rigidly(only, squared_length, reference.center), reference.radius});
         continue;
       }
     }
     lists.dual_corners.clear();
-    for (int k = 0; k < set.corner_count; ++k) lists.dual_corners.push_back(blend_duals(pose, node.corner(set, k)));
+    for (int k = 0; k < set.weight_vertex_count; ++k) lists.dual_corners.push_back(blend_duals(palette, node.corner(set, k)));
     S translation(0);
-    if constexpr (std::is_floating_point_v<S>) translation = node.pose.scales(set.joint_set).translation;
+    if constexpr (std::is_floating_point_v<S>) translation = node.palette.scales(set.joint_set).translation;
     DualQuaternionPiece<S> piece(reference.center, reference.radius, translation);
     ControlHull(piece, lists.dual_corners, lists)
-        .cover(lists.dual_corners.size(), set.corner_count == 1 ? 0 : most_halvings);
+        .cover(lists.dual_corners.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
     if (!piece.is_bounded()) {
       balls.assign(1, all_of_space(reference.center));
       break;

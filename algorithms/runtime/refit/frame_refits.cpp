@@ -12,9 +12,9 @@ namespace refitlab {
 namespace {
 
 // The front of a node that has children.
-std::vector<int> front_of(const SphereTree& tree, const FrameOptions& options, int node) {
+std::vector<int> cut_of(const SphereTree& tree, const FrameOptions& options, int node) {
   const auto fewer_to_gain = [&](int a, int b) {
-    const auto gain = [&](int n) { return tree.nodes[n].child_count ? tree.nodes[n].joint_set_count : 0; };
+    const auto gain = [&](int n) { return tree.nodes[n].child_count ? tree.nodes[n].piece_count : 0; };
     return std::pair(gain(a), -a) < std::pair(gain(b), -b);
   };
   std::vector<int> front;  // a heap
@@ -27,7 +27,7 @@ std::vector<int> front_of(const SphereTree& tree, const FrameOptions& options, i
   for (open(node);;) {
     const TreeNode& most = tree.nodes[front.front()];
     const auto opened = static_cast<int>(front.size()) - 1 + most.child_count;
-    if (most.joint_set_count <= options.most_joint_sets || most.child_count == 0 || opened > options.most_front) return front;
+    if (most.piece_count <= options.most_joint_sets || most.child_count == 0 || opened > options.most_in_cut) return front;
     const int n = front.front();
     std::pop_heap(front.begin(), front.end(), fewer_to_gain);
     front.pop_back();
@@ -35,12 +35,12 @@ std::vector<int> front_of(const SphereTree& tree, const FrameOptions& options, i
   }
 }
 
-std::vector<std::vector<int>> fronts(const SphereTree& tree, const FrameOptions& options) {
+std::vector<std::vector<int>> cuts(const SphereTree& tree, const FrameOptions& options) {
   std::vector<std::vector<int>> front(tree.nodes.size());
   if (options.most_joint_sets == 0) return front;
   for (std::size_t n = 0; n < front.size(); ++n)
-    if (tree.nodes[n].joint_set_count > options.most_joint_sets && tree.nodes[n].child_count > 0)
-      front[n] = front_of(tree, options, static_cast<int>(n));
+    if (tree.nodes[n].piece_count > options.most_joint_sets && tree.nodes[n].child_count > 0)
+      front[n] = cut_of(tree, options, static_cast<int>(n));
   return front;
 }
 
@@ -59,15 +59,15 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
       options_(options),
       made_(character.tree.nodes.size()),
       balls_(character.tree.nodes.size()),
-      front_(fronts(character.tree, options)),
+      cut_(cuts(character.tree, options)),
       refitted_(character.tree.level_count()) {
   if (!character.has(variant.pieces))
     throw std::invalid_argument(character.mesh.name + ": baked without the pieces of the refit " + variant.name);
 }
 
-void FrameRefits::begin(const SkinningPose<double>& pose) {
-  if (!pose.is_measured()) throw std::invalid_argument("refit: the pose was filled by hand, and not measured");
-  pose_ = &pose;
+void FrameRefits::begin(const SkinningPalette<double>& palette) {
+  if (!palette.is_measured()) throw std::invalid_argument("refit: the palette was filled by hand, and not measured");
+  palette_ = &palette;
   std::fill(refitted_.begin(), refitted_.end(), 0);
   made_.begin();
 }
@@ -84,10 +84,10 @@ void FrameRefits::refit_all() {
 void FrameRefits::refit(int n) {
   const DefaultFloatEnvironment environment;
   const TreeNode& node = character_.tree.nodes[n];
-  if (front_[n].empty())
-    balls_[n] = variant_.refit(character_.refit_node(n, *pose_, variant_.pieces));
+  if (cut_[n].empty())
+    balls_[n] = variant_.refit(character_.refit_node(n, *palette_, variant_.pieces));
   else
-    balls_[n] = from_below(n);
+    balls_[n] = through_descendants(n);
   if (options_.children_first && are_children_refitted(node)) {
     const Ball3<double> merged =
         ball_around({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
@@ -103,11 +103,11 @@ bool FrameRefits::are_children_refitted(const TreeNode& node) const {
   return node.child_count > 0;
 }
 
-Ball3<double> FrameRefits::from_below(int node) {
-  for (const int below : front_[node]) (*this)[below];  // may come here again, and uses the list
-  front_balls_.clear();
-  for (const int below : front_[node]) front_balls_.push_back(balls_[below]);
-  return ball_around(front_balls_);
+Ball3<double> FrameRefits::through_descendants(int node) {
+  for (const int below : cut_[node]) (*this)[below];  // may come here again, and uses the list
+  cut_balls_.clear();
+  for (const int below : cut_[node]) cut_balls_.push_back(balls_[below]);
+  return ball_around(cut_balls_);
 }
 
 }  // namespace refitlab

@@ -20,7 +20,7 @@ struct FrameOptions {
   int most_joint_sets = 0;
   // Of a front: its member of most joint-sets is replaced by its children as long as they are no more than this. A node of
   // more children has all of them as its front.
-  int most_front = 64;
+  int most_in_cut = 64;
   bool children_first = false;
 };
 
@@ -29,11 +29,11 @@ class FrameRefits {
   // character and variant outlive this. Throws std::invalid_argument for a character without the variant's pieces.
   FrameRefits(const Character& character, const RefitVariant& variant, const FrameOptions& options = {});
 
-  // Starts a frame: all balls are forgotten. pose, made for variant.skinning, outlives the frame. Throws
+  // Starts a frame: all balls are forgotten. palette, made for variant.skinning, outlives the frame. Throws
   // std::invalid_argument if it is not measured.
-  void begin(const SkinningPose<double>& pose);
+  void begin(const SkinningPalette<double>& palette);
 
-  // Encloses all vertices of the node in this frame's posture, if the variant is sound. The reference holds until begin.
+  // Encloses all vertices of the node in this frame's pose, if the variant is sound. The reference holds until begin.
   const Ball3<double>& operator[](int node);
 
   // Makes all balls, children before parents.
@@ -41,24 +41,24 @@ class FrameRefits {
 
   bool is_refitted(int node) const { return made_.is_made(node); }
   // The nodes that a node is bounded from below by; empty for one that is refitted by itself.
-  const std::vector<int>& front(int node) const { return front_[node]; }
+  const std::vector<int>& front(int node) const { return cut_[node]; }
   // How many balls were made since begin, by level - 1.
   const std::vector<long>& refitted_by_level() const { return refitted_; }
 
  private:
   void refit(int node);
   bool are_children_refitted(const TreeNode& node) const;
-  Ball3<double> from_below(int node);
+  Ball3<double> through_descendants(int node);
 
   const Character& character_;
   const RefitVariant& variant_;
   const FrameOptions options_;
-  const SkinningPose<double>* pose_ = nullptr;
+  const SkinningPalette<double>* palette_ = nullptr;
   FrameStamps made_;  // by node
   std::vector<Ball3<double>> balls_;
-  std::vector<std::vector<int>> front_;  // by node; empty where a node is refitted by itself
+  std::vector<std::vector<int>> cut_;  // by node; empty where a node is refitted by itself
   std::vector<long> refitted_;
-  std::vector<Ball3<double>> front_balls_;
+  std::vector<Ball3<double>> cut_balls_;
 };
 
 }  // namespace refitlab

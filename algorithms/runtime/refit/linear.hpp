@@ -13,12 +13,12 @@ namespace refitlab {
 template <class S>
 std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, ControlLists<S>& lists) {
   lists.cap.balls.clear();
-  for (std::size_t i = 0; i < node.joint_sets.size(); ++i) {
-    const NodeJointSet& set = node.joint_sets[i];
-    const JointSetPose<S> pose = node.pose[set.joint_set];
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+    const NodePiece& set = node.pieces[i];
+    const PaletteEntry<S> palette = node.palette[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
-    for (int k = 0; k < set.corner_count; ++k)
-      lists.cap.balls.push_back({blend_linear(pose, node.corner(set, k), reference.center), reference.radius});
+    for (int k = 0; k < set.weight_vertex_count; ++k)
+      lists.cap.balls.push_back({blend_linear(palette, node.corner(set, k), reference.center), reference.radius});
   }
   return lists.cap.balls;
 }

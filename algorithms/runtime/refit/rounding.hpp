@@ -1,5 +1,5 @@
 // The certified ball of a node: what a refit computed, with a slack for all rounding, as derived in
-// algorithms/runtime/skinning/pose_rounding.hpp.
+// algorithms/runtime/skinning/palette_rounding.hpp.
 #pragma once
 
 #include "algorithms/runtime/balls/round_up.hpp"
@@ -14,11 +14,11 @@ S rounding_of_pieces(const RefitNode<S>& node) {
   const Vec<S, 3>& p = node.reference.center;
   const S twice_r = S(2) * node.reference.radius, length = upper_norm(p);
   S worst(0);
-  for (const NodeJointSet& set : node.joint_sets) {
-    const PoseRounding<S>& rounding = node.pose.rounding(set.joint_set, skinning);
+  for (const NodePiece& set : node.pieces) {
+    const PaletteRounding<S>& rounding = node.palette.rounding(set.joint_set, skinning);
     const RoundingRates<S>& rates = node.is_vertex(set) ? rounding.vertex : rounding.corners;
     const S reach = twice_r + (skinning == Skinning::spherical
-                                   ? upper_norm<S>(p - node.pose.rotation_center(set.joint_set))
+                                   ? upper_norm<S>(p - node.palette.rotation_center(set.joint_set))
                                    : length);  // at least ||x|| + r of the piece
     worst = max_of(worst, S(rates.per_length * reach + rates.per_radius * node.reference.radius + rates.offset));
   }

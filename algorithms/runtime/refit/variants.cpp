@@ -76,26 +76,26 @@ const std::vector<RefitVariant>& refit_variants() {
           "linear_mixed", "linear blending, joint-sets or their vertices as control_mixed has them, near-smallest balls",
           P::mixed),
       sound<spherical, repaired<MeanBalls>>("spherical_repaired", "Algorithm 1 repaired", P::node),
-      sound<spherical, repaired<SmallestBalls>>("spherical_exact", "Algorithm 1 repaired, with smallest balls in R4 and R3",
+      sound<spherical, repaired<SmallestBalls>>("spherical_miniball", "Algorithm 1 repaired, with smallest balls in R4 and R3",
                                                 P::node),
       sound<spherical, control<MeanBalls>>("control_mean", "control hull, mean ball", P::node),
-      sound<spherical, control<SmallestBalls>>("control_exact", "control hull, smallest ball", P::node),
+      sound<spherical, control<SmallestBalls>>("control_miniball", "control hull, smallest ball", P::node),
       sound<spherical, control<NearSmallestBalls>>(
           "control_sets_near", "control hull, a ball and a weight hull per joint-set, near-smallest ball", P::joint_sets),
       sound<spherical, control<SmallestBalls>>(
-          "control_sets_exact", "control hull, a ball and a weight hull per joint-set, smallest ball", P::joint_sets),
+          "control_sets_miniball", "control hull, a ball and a weight hull per joint-set, smallest ball", P::joint_sets),
       sound<spherical, control<NearSmallestBalls>>(
           "control_mixed", "control hull, or the vertices one by one where that is about as cheap, near-smallest ball",
           P::mixed),
-      sound<spherical, control<SmallestBalls>>("control_clusters",
-                                               "control hull, up to 512 pieces a node, smallest ball", P::clusters),
+      sound<spherical, control<SmallestBalls>>("control_many_pieces",
+                                               "control hull, up to 512 pieces a node, smallest ball", P::many),
       sound<dual_quaternion, refitlab::dual_quaternion<MeanBalls>>(
           "dual_quaternion_control_mean", "control hull of dual quaternions, mean ball", P::node),
       sound<dual_quaternion, refitlab::dual_quaternion<NearSmallestBalls>>(
           "dual_quaternion_control_near",
           "control hull of dual quaternions, a ball and a weight hull per joint-set, near-smallest ball", P::joint_sets),
       sound<dual_quaternion, refitlab::dual_quaternion<SmallestBalls>>(
-          "dual_quaternion_control_exact",
+          "dual_quaternion_control_miniball",
           "control hull of dual quaternions, a ball and a weight hull per joint-set, smallest ball", P::joint_sets),
       sound<dual_quaternion, refitlab::dual_quaternion<NearSmallestBalls>>(
           "dual_quaternion_mixed",
@@ -124,10 +124,10 @@ const RefitVariant& variant_named(const std::string& name, const std::vector<Ref
 
 const RefitVariant& refit_variant(const std::string& name) { return variant_named(name, refit_variants()); }
 
-std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant, const SkinningPose<double>& pose) {
+std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant, const SkinningPalette<double>& palette) {
   std::vector<Ball3<double>> balls;
   for (std::size_t n = 0; n < character.tree.nodes.size(); ++n)
-    balls.push_back(variant.refit(character.refit_node(static_cast<int>(n), pose, variant.pieces)));
+    balls.push_back(variant.refit(character.refit_node(static_cast<int>(n), palette, variant.pieces)));
   return balls;
 }
 

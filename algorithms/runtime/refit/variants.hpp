@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// The ball of one node in the posture of node.pose. Thread-safe.
+// The ball of one node in the pose of node.palette. Thread-safe.
 using Refit = Ball3<double> (*)(const RefitNode<double>& node);
 
 struct RefitVariant {
@@ -28,7 +28,7 @@ const std::vector<RefitVariant>& refit_variants();
 
 // The one to take unless there is a reason for another: no dearer than Algorithm 1 (most nodes hold so few vertices that
 // skinning these costs less than bounding them, and their ball is known from those that touched it in the reference
-// posture), on the experiments' characters within a tenth of the smallest ball on average, and exact at the leaves.
+// pose), on the experiments' characters within a tenth of the smallest ball on average, and exact at the leaves.
 const RefitVariant& default_variant(Skinning skinning);
 
 // Throws std::invalid_argument that lists the names there are.
@@ -36,6 +36,6 @@ const RefitVariant& refit_variant(const std::string& name);
 const RefitVariant& variant_named(const std::string& name, const std::vector<RefitVariant>& variants);
 
 // The balls of all nodes. character has the variant's pieces.
-std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant, const SkinningPose<double>& pose);
+std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant, const SkinningPalette<double>& palette);
 
 }  // namespace refitlab

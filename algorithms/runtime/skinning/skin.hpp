@@ -1,11 +1,11 @@
-// Skinning a whole model: the deformed vertices of a posture.
+// Skinning a whole model: the deformed vertices of a pose.
 #pragma once
 
-#include "algorithms/runtime/skinning/skinning_pose.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 namespace refitlab {
 
-// By vertex, in model space of the animated posture. pose must come from make_skinning_pose with the same skinning.
-std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPose<double>& pose, Skinning skinning);
+// By vertex, in model space of the animated pose. palette must come from make_skinning_palette with the same skinning.
+std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning);
 
 }  // namespace refitlab

@@ -1,4 +1,4 @@
-// Character: a skinned mesh with all that was made from it before any posture, as algorithms/bake makes it.
+// Character: a skinned mesh with all that was made from it before any pose, as algorithms/bake makes it.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ struct Character {
 
   bool has(Pieces kind) const { return kind == Pieces::node || !pieces[static_cast<std::size_t>(kind)].first.empty(); }
 
-  // What a variant looks at to refit a node. pose is of make_skinning_pose for this mesh. Throws std::invalid_argument for
+  // What a variant looks at to refit a node. palette is of make_skinning_palette for this mesh. Throws std::invalid_argument for
   // pieces that the character was made without.
-  RefitNode<double> refit_node(int node, const SkinningPose<double>& pose, Pieces kind) const;
+  RefitNode<double> refit_node(int node, const SkinningPalette<double>& palette, Pieces kind) const;
 };
 
 }  // namespace refitlab

@@ -16,12 +16,12 @@ bool is_ball(const Ball3<double>& ball) {
 }
 
 // What is wrong with a piece; empty if nothing is.
-std::string fault_of(const NodeJointSet& piece, const JointSets& sets, const std::vector<double>& weights) {
+std::string fault_of(const NodePiece& piece, const JointSets& sets, const std::vector<double>& weights) {
   if (piece.joint_set < 0 || piece.joint_set >= sets.count()) return "names a joint-set out of range";
   const auto joints = static_cast<long>(sets.joints(piece.joint_set).size());
-  if (piece.corner_count < 1 || !is_range(piece.first_weight, piece.corner_count * joints, weights.size()))
+  if (piece.weight_vertex_count < 1 || !is_range(piece.first_weight, piece.weight_vertex_count * joints, weights.size()))
     return "names corners out of range";
-  for (long k = 0; k < piece.corner_count; ++k) {
+  for (long k = 0; k < piece.weight_vertex_count; ++k) {
     double sum = 0;
     for (long i = 0; i < joints; ++i) {
       const double weight = weights[piece.first_weight + k * joints + i];
@@ -75,10 +75,10 @@ class TreeCheck {
 
   void check_pieces_of(int n) const {
     const TreeNode& node = tree_.nodes[n];
-    require(node.joint_set_count > 0 && is_range(node.first_joint_set, node.joint_set_count, tree_.joint_sets.size()), n,
+    require(node.piece_count > 0 && is_range(node.first_piece, node.piece_count, tree_.pieces.size()), n,
             "names joint-sets out of range");
-    for (int i = node.first_joint_set; i < node.first_joint_set + node.joint_set_count; ++i)
-      if (const auto fault = fault_of(tree_.joint_sets[i], sets_, tree_.corner_weights); !fault.empty())
+    for (int i = node.first_piece; i < node.first_piece + node.piece_count; ++i)
+      if (const auto fault = fault_of(tree_.pieces[i], sets_, tree_.weight_vertices); !fault.empty())
         throw ModelError(file_, "node " + std::to_string(n), "a joint-set " + fault);
   }
 
@@ -126,9 +126,9 @@ void check_pieces(const PieceTable& table, const SphereTree& tree, const JointSe
           "are not in the order of the nodes");
   require(std::adjacent_find(table.first.begin(), table.first.end()) == table.first.end(), "are missing for a node");
   require(std::all_of(table.references.begin(), table.references.end(), is_ball), "have a ball that is none");
-  for (const NodeJointSet& piece : table.pieces) {
+  for (const NodePiece& piece : table.pieces) {
     require(piece.reference >= 0 && static_cast<std::size_t>(piece.reference) < table.references.size(), "name a ball out of range");
-    if (const auto fault = fault_of(piece, sets, table.corner_weights); !fault.empty())
+    if (const auto fault = fault_of(piece, sets, table.weight_vertices); !fault.empty())
       throw ModelError(file, "pieces", "one " + fault);
   }
 }

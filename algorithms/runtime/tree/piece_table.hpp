@@ -15,20 +15,20 @@ enum class Pieces {
   node,        // the node's ball and weight boxes, as in the paper (SphereTree::refit_node)
   joint_sets,  // a ball and a weight hull for each joint-set
   mixed,       // the same, or the vertices one by one where that is about as cheap: few vertices, many control points
-  clusters     // up to 512 pieces a node
+  many         // up to 512 pieces a node
 };
 inline constexpr int piece_kinds = 4;
-inline constexpr int most_clusters = 512;
+inline constexpr int many_pieces = 512;
 
 struct PieceTable {
   std::vector<std::size_t> first;  // by node, and one past the last; empty if the character was made without this table
-  std::vector<NodeJointSet> pieces;
+  std::vector<NodePiece> pieces;
   // Of the pieces of one vertex there is one for each vertex, whatever the nodes it is in: they come first.
   std::vector<Ball3<double>> references;
-  std::vector<double> corner_weights;
+  std::vector<double> weight_vertices;
 
-  RefitNode<double> refit_node(const SphereTree& tree, int node, const SkinningPose<double>& pose) const {
-    return {tree.nodes[node].reference, {pieces.data() + first[node], first[node + 1] - first[node]}, corner_weights.data(), pose,
+  RefitNode<double> refit_node(const SphereTree& tree, int node, const SkinningPalette<double>& palette) const {
+    return {tree.nodes[node].reference, {pieces.data() + first[node], first[node + 1] - first[node]}, weight_vertices.data(), palette,
             references};
   }
 };

@@ -1,5 +1,5 @@
 // SphereTree: the bounding spheres of a skinned mesh, as algorithms/bake/build_tree makes them in the
-// reference posture (paper 3 and 4.1).
+// reference pose (paper 3 and 4.1).
 //
 // Flat arrays, nodes level by level from the root (level 1, as in the paper's Table 1), the children of a node side by
 // side. Every triangle lies whole in one leaf, and the children of a node hold the same triangles as the node.
@@ -14,26 +14,26 @@
 namespace refitlab {
 
 struct TreeNode {
-  Ball3<double> reference;                 // the smallest ball of its vertices in the reference posture
+  Ball3<double> reference;                 // the smallest ball of its vertices in the reference pose
   int parent, first_child, child_count;    // parent is -1 at the root, child_count 0 at a leaf
   int level;
   int first_triangle, triangle_count;      // in SphereTree::triangle_order
   int first_vertex, vertex_count;          // in SphereTree::leaf_vertices; 0 but at leaves
-  int first_joint_set, joint_set_count;    // in SphereTree::joint_sets
+  int first_piece, piece_count;    // in SphereTree::joint_sets
 };
 
 struct SphereTree {
   std::vector<TreeNode> nodes;
   std::vector<int> triangle_order;
   std::vector<int> leaf_vertices;
-  std::vector<NodeJointSet> joint_sets;
-  std::vector<double> corner_weights;
+  std::vector<NodePiece> pieces;
+  std::vector<double> weight_vertices;
 
   int level_count() const { return nodes.back().level; }
-  RefitNode<double> refit_node(int node, const SkinningPose<double>& pose) const {
+  RefitNode<double> refit_node(int node, const SkinningPalette<double>& palette) const {
     const TreeNode& n = nodes[node];
-    return {n.reference, {joint_sets.data() + n.first_joint_set, static_cast<std::size_t>(n.joint_set_count)},
-            corner_weights.data(), pose};
+    return {n.reference, {joint_sets.data() + n.first_piece, static_cast<std::size_t>(n.piece_count)},
+            weight_vertices.data(), palette};
   }
 };
 

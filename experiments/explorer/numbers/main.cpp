@@ -38,19 +38,19 @@ const AnimatedCharacter& character(const std::string& name) {
       .first->second;
 }
 
-Posture posture_of(const AnimatedCharacter& c, const json& settings) {
-  Posture posture = reference_posture(c.mesh);
+Pose pose_of(const AnimatedCharacter& c, const json& settings) {
+  Pose pose = reference_pose(c.mesh);
   for (const Clip& clip : c.clips)
-    if (clip.name == settings.at("clip")) posture = clip.sample(settings.at("time"));
-  return twisted(c.mesh, posture, settings.at("joint"), settings.at("twist"));
+    if (clip.name == settings.at("clip")) pose = clip.sample(settings.at("time"));
+  return twisted(c.mesh, pose, settings.at("joint"), settings.at("twist"));
 }
 
 json character_numbers(const json& settings) {
   const AnimatedCharacter& c = character(settings.at("model"));
   const RefitVariant& variant = compared_variant(settings.at("variant"));
-  const auto pose = make_skinning_pose(c.mesh, c.sets, posture_of(c, settings), variant.skinning);
-  const auto deformed = skin(c.mesh, c.sets, pose, variant.skinning);
-  const auto balls = refit_all(c, variant, pose);
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose_of(c, settings), variant.skinning);
+  const auto deformed = skin(c.mesh, c.sets, palette, variant.skinning);
+  const auto balls = refit_all(c, variant, palette);
   const auto optimal = optimal_balls(c.tree, c.vertices, deformed);
   const double slack = miss_tolerance * c.tree.nodes[0].reference.radius;
 

@@ -4,7 +4,7 @@ import {Stage, colors, disc, isDark} from './stage.js';
 import {rows, say} from './dom.js';
 
 const degrees = Math.PI / 180;
-// Where a posture is known to send vertices out of the printed balls.
+// Where a pose is known to send vertices out of the printed balls.
 const start = {model: 'man', variant: 'spherical_printed_signed', clip: '', time: 0, joint: 'waist', twist: 170, level: 13, ball: 0};
 
 export class CharacterView {
@@ -54,7 +54,7 @@ export class CharacterView {
       this.settings.model = model;
       this.options(this.get('joint'), c.joints.map(j => [j, j]));
       if (!c.joints.includes(this.settings.joint)) this.settings.joint = c.joints[c.twist_joint];
-      this.options(this.get('clip'), [['', 'reference posture'], ...c.clips.map(k => [k.name, k.name])]);
+      this.options(this.get('clip'), [['', 'reference pose'], ...c.clips.map(k => [k.name, k.name])]);
       if (!c.clips.some(k => k.name === this.settings.clip)) this.settings.clip = '';
       this.get('level').max = c.levels;
       this.setClip(this.settings.clip);

@@ -58,7 +58,7 @@ const shown = () => page.evaluate(() => {
 const steps = [];
 const step = async name => steps.push({name, ...await shown()});
 await step('as it opens');
-for (const variant of ['spherical_printed', 'spherical_repaired', 'spherical_exact', 'control_mixed', 'control_clusters', 'linear']) {
+for (const variant of ['spherical_printed', 'spherical_repaired', 'spherical_miniball', 'control_mixed', 'control_many_pieces', 'linear']) {
   await control('variant').selectOption(variant);
   await step(variant);
 }
@@ -112,7 +112,7 @@ steps.forEach(({name, settings, cells}, i) => {
 });
 const outside = name => answers[steps.findIndex(s => s.name === name)].vertices_outside;
 check(outside('as it opens') > 0 && outside('a drag of the joint') > 0, 'the printed algorithm loses vertices');
-check(['spherical_repaired', 'spherical_exact', 'control_mixed', 'control_clusters', 'the same, repaired'].every(n => outside(n) === 0), 'the sound variants lose none');
+check(['spherical_repaired', 'spherical_miniball', 'control_mixed', 'control_many_pieces', 'the same, repaired'].every(n => outside(n) === 0), 'the sound variants lose none');
 
 // The lemmas' pages: every preset, and a wide sweep of each slider.
 const pages = await page.evaluate(() => window.refitlabExplorer.geometry.catalog.pages);

@@ -111,7 +111,7 @@ Proof.
     rewrite norm_scale in B by lra. apply Rmult_le_reg_l with (1 := A). lra.
 Qed.
 
-(* --- Reach (b6), all balls times (q, a) --- *)
+(* --- MotionBound (b6), all balls times (q, a) --- *)
 
 Lemma reach_good x c s (a : quat R) (f : vec R) xs :
   (forall p, In p xs -> let g := dot (fst p) a in

@@ -1,15 +1,15 @@
 (* Certificates of refitted balls (algorithms/certificate/certificate.hpp), and what an accepted one claims. *)
 From Coq Require Import List Reals.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
-Require Import Refitlab.s41_corners_span.
+Require Import Refitlab.s41_weight_vertices_span.
 Import ListNotations.
 
 (* --- The document, with numbers of any type T --- *)
 
 (* Why a ball holds a piece. The halves have the middle of an edge in place of its first corner, and of its second. *)
-Inductive bound T := Control | Cap (axis : quat T) | All_rotations | Reach (axis : quat T) (center : vec T)
+Inductive bound T := Control | Cap (axis : quat T) | All_rotations | MotionBound (axis : quat T) (center : vec T)
   | Halves (k l : nat) (first second : bound T).
-Arguments Control {T}. Arguments Cap {T}. Arguments All_rotations {T}. Arguments Reach {T}. Arguments Halves {T}.
+Arguments Control {T}. Arguments Cap {T}. Arguments All_rotations {T}. Arguments MotionBound {T}. Arguments Halves {T}.
 
 (* Joints in one pose, in lists by joint. *)
 Inductive joint_set T :=

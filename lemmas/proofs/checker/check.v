@@ -97,7 +97,7 @@ Definition check_dual (x c : vec T) (s : T) (b : bound T) (xs : list (quat T * q
   match b with
   | Control => forallb (forallb (fun entry => ltb zero (snd (snd entry)) && check_inside c s (snd entry)))
                  (rows (dual_control_point x) xs)
-  | Reach a f =>
+  | MotionBound a f =>
       forallb (fun p =>
         let g := qdot (fst p) a in
         ltb zero g && check_ball_inside (lscale g f) (mul (qnorm2 (reach_error x f p)) (qnorm2 a)) (lscale g c) (mul g s)) xs

@@ -21,7 +21,7 @@ Definition qmap (q : quat T) : quat R := Quat (value (qw q)) (value (qx q)) (val
 Definition sphere_map (s : sphere T) : sphere R := Sphere (vmap (middle s)) (value (reach s)).
 Fixpoint bound_map (b : bound T) : bound R :=
   match b with
-  | Control => Control | All_rotations => All_rotations | Cap a => Cap (qmap a) | Reach a f => Reach (qmap a) (vmap f)
+  | Control => Control | All_rotations => All_rotations | Cap a => Cap (qmap a) | MotionBound a f => MotionBound (qmap a) (vmap f)
   | Halves k l first second => Halves k l (bound_map first) (bound_map second)
   end.
 Definition joint_set_map (js : joint_set T) : joint_set R :=

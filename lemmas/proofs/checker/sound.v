@@ -3,7 +3,7 @@ From Coq Require Import List Reals Lra Lia Bool PeanoNat.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.b3_subdivision.
 Require Import Refitlab.b4_cap_fallback Refitlab.b6_dual_quaternion_ball Refitlab.t3_one_cap.
-Require Import Refitlab.s41_corners_span Refitlab.s42_linear_part_hull.
+Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull.
 Require Import Refitlab.checker.certificate Refitlab.checker.check Refitlab.checker.exact Refitlab.checker.bounds.
 Import ListNotations.
 
@@ -166,7 +166,7 @@ Proof.
   apply ball_is_inside_norm in I; [exact I|apply norm2_nonneg].
 Qed.
 Lemma dual_reach_sound x c s a f xs :
-  check_dual x c s (Reach a f) xs = true -> all_blends (dual_good (vmap x) (vmap c) (value s)) (map dmap xs).
+  check_dual x c s (MotionBound a f) xs = true -> all_blends (dual_good (vmap x) (vmap c) (value s)) (map dmap xs).
 Proof.
   cbn [check_dual]. rewrite forallb_forall. intros C. apply (reach_good _ _ _ (qmap a) (vmap f)). intros p I.
   apply in_map_iff in I as (p' & <- & I). apply C, andb_true_iff in I as [A B].

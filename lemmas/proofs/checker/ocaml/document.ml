@@ -88,7 +88,7 @@ let rec bound n skinning m halvings v =
   | "spherical", "cap" -> (match members [ "axis"; "by" ] v with
       | [ axis; _ ] -> Cap (quat n axis), terms m 1 | _ -> assert false)
   | "dual_quaternion", "reach" -> (match members [ "axis"; "by"; "center" ] v with
-      | [ axis; _; center ] -> Reach (quat n axis, vec n center), terms m 1 | _ -> assert false)
+      | [ axis; _; center ] -> MotionBound (quat n axis, vec n center), terms m 1 | _ -> assert false)
   | ("spherical" | "dual_quaternion"), "halves" ->
       require (halvings < most_halvings) "too many halves of halves";
       (match members [ "by"; "edge"; "halves" ] v with

@@ -1,0 +1,44 @@
+// The kernel of PalettePacks: the frame's data of eight joint-sets of the same number of joints at a time.
+#pragma once
+
+#include <cstdint>
+
+#include "algorithms/runtime/packs/targets.hpp"
+
+namespace refitlab {
+
+inline constexpr int palette_lanes = 8;
+inline constexpr int most_palette_joints = 4;  // of a joint-set in a pack
+
+// By lane. Lanes beyond the last joint-set repeat it.
+struct PalettePack {
+  alignas(64) double prior[3][palette_lanes];  // of the rotation center
+  std::int32_t joint[most_palette_joints][palette_lanes];
+  std::int32_t set[palette_lanes], first_slot[palette_lanes];  // where its own and its joints' data go
+};
+
+// The arrays of a SkinningPalette, as numbers.
+struct PaletteNumbers {
+  double* rotation_centers;  // 3 each
+  double* transforms;        // 8 each: a quaternion, a translation, an unused one
+  double* center_images;     // 3 each
+  double* duals;             // 4 each
+};
+
+// pose: by joint, as the transforms. If are_centers_fixed, the priors are the rotation centers.
+using PaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
+                         const PaletteNumbers& out);
+
+namespace baseline {
+extern const PaletteRun palette_run;
+}
+namespace avx2 {
+extern const PaletteRun palette_run;
+}
+namespace avx512 {
+extern const PaletteRun palette_run;
+}
+
+PaletteRun palette_run(Target target);
+
+}  // namespace refitlab

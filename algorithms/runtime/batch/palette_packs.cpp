@@ -1,0 +1,72 @@
+#include "algorithms/runtime/batch/palette_packs.hpp"
+
+#include <algorithm>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/skinning/rotation_center.hpp"
+
+namespace refitlab {
+
+PalettePacks::PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
+    : mesh_(mesh), sets_(sets), skinning_(skinning) {
+  for (int s = 0; s < sets.count(); ++s) {
+    const std::size_t joints = sets.joints(s).size();
+    if (joints > most_palette_joints) part_of_.push_back(part_count()), parts_.push_back({0, s});
+    else add(s, first_slot_.back());
+    first_slot_.push_back(first_slot_.back() + joints);
+  }
+}
+
+void PalettePacks::add(int joint_set, std::size_t first_slot) {
+  const DefaultFloatEnvironment environment;
+  const auto joints = sets_.joints(joint_set);
+  auto& packs = packs_[joints.size() - 1];
+  int& lane = lanes_[joints.size() - 1];
+  if (lane == 0) {
+    parts_.push_back({static_cast<int>(joints.size()), static_cast<int>(packs.size())});
+    last_part_[joints.size() - 1] = part_count() - 1;
+    packs.emplace_back();
+  }
+  part_of_.push_back(last_part_[joints.size() - 1]);
+  const Point3 prior = center_prior(mesh_, joints, skinning_);
+  for (int to = lane; to < palette_lanes; ++to) {  // the lanes behind are overwritten by the joint-sets to come
+    for (int i = 0; i < 3; ++i) packs.back().prior[i][to] = prior[i];
+    for (std::size_t j = 0; j < joints.size(); ++j) packs.back().joint[j][to] = joints[j];
+    packs.back().set[to] = joint_set;
+    packs.back().first_slot[to] = static_cast<std::int32_t>(first_slot);
+  }
+  lane = (lane + 1) % palette_lanes;
+}
+
+void PalettePacks::make(const Pose& pose, SkinningPalette<double>& palette, Target target) const {
+  const DefaultFloatEnvironment environment;
+  check_pose(mesh_, pose);
+  const auto out = room(palette);
+  for (int part = 0; part < part_count(); ++part) make_part(part, pose, out, target);
+}
+
+void PalettePacks::make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out,
+                          Target target) const {
+  const DefaultFloatEnvironment environment;
+  static_assert(sizeof(RigidTransform<double>) == 8 * sizeof(double));
+  const auto [joint_count, at] = parts_[part];
+  if (joint_count > 0) {
+    palette_run(target)(
+        &packs_[joint_count - 1][at], 1, joint_count, skinning_ == Skinning::hejl, pose[0].rotation.data(),
+        {out.rotation_centers->data(), out.transforms->rotation.data(), out.center_images->data(), out.duals->data()});
+    return;
+  }
+  const auto joints = sets_.joints(at);
+  OwnedPaletteEntry<double> set;
+  for (const int j : joints) set.transforms.push_back(pose[j]);
+  make_signs_consistent<double>(set.transforms);
+  const Point3 prior = center_prior(mesh_, joints, skinning_);
+  place_rotation_center(set, skinning_ == Skinning::hejl ? prior : rotation_center<double>(set.transforms, prior));
+  place_duals(set);
+  out.rotation_centers[at] = set.rotation_center;
+  std::copy(set.transforms.begin(), set.transforms.end(), out.transforms + first_slot_[at]);
+  std::copy(set.center_images.begin(), set.center_images.end(), out.center_images + first_slot_[at]);
+  std::copy(set.duals.begin(), set.duals.end(), out.duals + first_slot_[at]);
+}
+
+}  // namespace refitlab

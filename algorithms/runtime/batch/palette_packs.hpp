@@ -1,0 +1,42 @@
+// PalettePacks: make_skinning_palette in packs, eight joint-sets at a time, with the very same numbers.
+#pragma once
+
+#include "algorithms/runtime/batch/palette_kernel.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
+
+namespace refitlab {
+
+class PalettePacks {
+ public:
+  // model and sets outlive this.
+  PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning);
+
+  // As make_skinning_palette, into palette, whose storage is used again. Throws the same. Not measured: if refits of single nodes
+  // follow, palette.measure() must come first.
+  void make(const Pose& pose, SkinningPalette<double>& palette, Target target = best_target()) const;
+
+  // The same part by part, on demand: joint-sets whose palette is made together have one part. room gives palette the size
+  // for all of them; the pose is as check_pose wants it.
+  int part_count() const { return static_cast<int>(parts_.size()); }
+  int part_of(int joint_set) const { return part_of_[joint_set]; }
+  SkinningPalette<double>::Arrays room(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
+  void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out,
+                 Target target = best_target()) const;
+
+ private:
+  struct Part {
+    int joints, pack;  // or 0 and a joint-set of more joints than a pack takes
+  };
+  void add(int joint_set, std::size_t first_slot);
+
+  const SkinnedMesh& mesh_;
+  const JointSets& sets_;
+  const Skinning skinning_;
+  std::vector<PalettePack> packs_[most_palette_joints];  // by number of joints - 1
+  int lanes_[most_palette_joints] = {}, last_part_[most_palette_joints] = {};
+  std::vector<Part> parts_;
+  std::vector<int> part_of_;  // by joint-set
+  std::vector<std::size_t> first_slot_ = {0};
+};
+
+}  // namespace refitlab

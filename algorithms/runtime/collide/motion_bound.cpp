@@ -1,0 +1,185 @@
+#include "algorithms/runtime/collide/motion_bound.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "algorithms/runtime/balls/smallest_ball.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
+#include "algorithms/runtime/skinning/rotation_center.hpp"
+
+namespace refitlab {
+namespace {
+
+// What float leaves of 1e-6 when it finds the squared length of a quaternion.
+constexpr float surely_rigid = 5e-7f, surely_not_rigid = 2e-6f;
+
+}  // namespace
+
+MotionBound::MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
+    : mesh_(mesh),
+      sets_(sets),
+      skinning_(skinning),
+      padded_joints_(look_up_size(static_cast<int>(mesh.joints.size()))),
+      groups_(make_groups()) {
+  const DefaultFloatEnvironment environment;
+  pack();
+}
+
+std::vector<MotionBound::Group> MotionBound::make_groups() const {
+  const DefaultFloatEnvironment environment;
+  std::vector<std::vector<Point3>> vertices(sets_.count());
+  std::vector<Point3> priors;
+  for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
+    vertices[sets_.of_vertex(static_cast<int>(v))].push_back(mesh_.vertices[v]);
+  for (int s = 0; s < sets_.count(); ++s) priors.push_back(center_prior(mesh_, sets_.joints(s), skinning_));
+
+  const auto is_within = [&](int s, int t) {
+    const auto a = sets_.joints(s), b = sets_.joints(t);
+    return s != t && std::includes(b.begin(), b.end(), a.begin(), a.end()) &&
+           (skinning_ != Skinning::hejl || priors[s] == priors[t]);
+  };
+  const auto ball_of = [&](const std::vector<int>& list) {
+    std::vector<Point3> points;
+    for (const int s : list) points.insert(points.end(), vertices[s].begin(), vertices[s].end());
+    const Point3 center = skinning_ == Skinning::hejl ? priors[list[0]] : smallest_ball<double, 3>(points).center;
+    double radius = 0;
+    for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
+    return Ball3<double>{center, radius};
+  };
+
+  std::vector<Group> groups;
+  std::vector<int> others;
+  for (int s = 0; s < sets_.count(); ++s) {
+    bool is_other = false;
+    for (int t = 0; t < sets_.count(); ++t) is_other = is_other || is_within(s, t);
+    if (is_other) others.push_back(s);
+    else groups.push_back({{s}, ball_of({s}), {sets_.joints(s).begin(), sets_.joints(s).end()}, 0, 0});
+  }
+  // Each joins the group whose ball grows least.
+  for (const int s : others) {
+    Group* best = nullptr;
+    Ball3<double> ball{Point3::Zero(), 0};
+    for (Group& g : groups) {
+      if (!is_within(s, g.sets[0])) continue;
+      std::vector<int> list = g.sets;
+      list.push_back(s);
+      const Ball3<double> grown = ball_of(list);
+      if (!best || grown.radius - g.reference.radius < ball.radius - best->reference.radius) best = &g, ball = grown;
+    }
+    best->sets.push_back(s);
+    best->reference = ball;
+  }
+
+  for (Group& g : groups) {
+    g.to_prior = 0;
+    if (skinning_ == Skinning::spherical)
+      for (const int s : g.sets) g.to_prior = std::max(g.to_prior, (g.reference.center - priors[s]).norm());
+    g.radius = static_cast<float>(g.reference.radius * (1 + lost_of_motion_bound) +
+                                  lost_of_motion_bound * static_cast<double>(g.joints.size()) * g.reference.center.norm());
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.joints.size() > b.joints.size(); });
+  return groups;
+}
+
+bool MotionBound::deviates() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion; }
+
+// What does not deviation is in the hull of its joints' images, a few joints at a time.
+void MotionBound::pack() {
+  int lane = 0;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const Group& g = groups_[i];
+    const std::span<const int> joints = g.joints;
+    most_joints_ = std::max(most_joints_, static_cast<int>(joints.size()));
+    is_bounded_ = is_bounded_ && can_be_reached(g.reference);
+    if (deviates() && joints.size() > most_motion_bound_joints) {
+      others_.push_back(static_cast<int>(i));
+      continue;
+    }
+    for (std::size_t first = 0; first < joints.size(); first += most_motion_bound_joints) {
+      if (lane == 0) packs_.emplace_back();
+      put_lane(packs_.back(), lane,
+               joints.subspan(first, std::min<std::size_t>(most_motion_bound_joints, joints.size() - first)), g.reference,
+               g.to_prior, static_cast<int>(i));
+      lane = (lane + 1) % motion_bound_lanes;
+    }
+  }
+  unbounded_.resize(packs_.size());
+  numbers_.resize(8 * padded_joints_ / Lanes<float>::count);
+}
+
+// A vertex is within its distance to the rotation center of the hull of the center's images, whatever the rotations.
+void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quaternion<double>& rotation,
+                              Box<double>& box) const {
+  for (const int s : g.sets) {
+    std::vector<RigidTransform<double>> transforms;
+    for (const int j : sets_.joints(s)) transforms.push_back(pose[j]);
+    const Point3 center = rotation_center<double>(transforms, center_prior(mesh_, sets_.joints(s), skinning_));
+    for (const auto& t : transforms) {
+      const Point3 image = apply(t, center), at = rotate(rotation, image);
+      const double reach =
+          (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost_of_motion_bound) + lost_of_motion_bound * norm(image);
+      Box<double> about{at, at};
+      about.grow(reach);
+      box.merge(about);
+    }
+  }
+}
+
+Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
+  const DefaultFloatEnvironment environment;
+  defect_.reset();
+  ReachBounds bounds;
+  motion_bound_kernels(target).bound(pose[0].rotation.data(), static_cast<int>(pose.size()), placement.rotation.data(),
+                              packs_.data(), static_cast<int>(packs_.size()), deviates(), numbers_.data()->lane.data(),
+                              padded_joints_, bounds, unbounded_.data());
+  const float defect = bounds.high[3], squared_farthest = -bounds.low[3];
+  const bool is_finite = squared_farthest < infinite;
+  is_rigid = is_finite && defect <= surely_rigid;
+  if (!(is_finite && defect <= surely_not_rigid && is_bounded_)) return Box<double>::everything();
+  Box<double> box{{bounds.low[0], bounds.low[1], bounds.low[2]}, {bounds.high[0], bounds.high[1], bounds.high[2]}};
+  const auto add_unbounded = [&](int group) {
+    if (skinning_ == Skinning::dual_quaternion) box = Box<double>::everything();
+    else add_about_centers(groups_[group], pose, placement.rotation, box);
+  };
+  for (const int group : others_) add_unbounded(group);
+  for (std::size_t p = 0; p < packs_.size(); ++p)
+    for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1)
+      add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
+  lost_of_joints_ = lost_of_motion_bound * most_joints_ * std::sqrt(static_cast<double>(squared_farthest));
+  move(box, placement.translation);
+  return box;
+}
+
+void MotionBound::move(Box<double>& box, const Point3& by) const {
+  for (int i = 0; i < 3; ++i) {
+    double &low = box.low[i], &high = box.high[i];
+    const double at = by[i];
+    const double off = least_reach + lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
+    low += at - off, high += at + off;
+  }
+}
+
+bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose,
+                  const RigidTransform<double>& placement, std::span<FlippedBox> scratch, std::span<Box<double>> out,
+                  Target target) {
+  const DefaultFloatEnvironment environment;
+  for (FlippedBox& b : scratch) b.set_all(std::numeric_limits<float>::infinity());
+  if (!defect_) {
+    defect_ = 0;
+    for (const auto& joint : pose) defect_ = std::max(*defect_, std::abs(squared_norm(joint.rotation) - 1));
+  }
+  if (!bound_motion_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_,
+                                  packs.data(), static_cast<int>(packs.size()), deviates(), off_of_reach(*defect_),
+                                  scratch.data()))
+    return false;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = scratch[i].box();
+    move(out[i], placement.translation);
+  }
+  return true;
+}
+
+}  // namespace refitlab

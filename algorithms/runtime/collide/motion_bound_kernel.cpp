@@ -1,0 +1,122 @@
+#include "algorithms/runtime/collide/motion_bound_kernel.hpp"
+
+#include "algorithms/runtime/collide/motion_bound_lanes.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+// What grows with all packs. The fourth rows are the joints': - the largest ||t||^2, and the largest | ||q||^2 - 1 |.
+struct Bounds {
+  S low[4] = {S(infinity), S(infinity), S(infinity), S(0)};
+  S high[4] = {S(-infinity), S(-infinity), S(-infinity), S(0)};
+};
+
+// Turns all joints by the placement.
+template <bool few>
+void place(const Joints<few>& joints, const double* rotation, Bounds& bounds) {
+  Transform placement;
+  for (int i = 0; i < 4; ++i) placement.rotation[i] = S(static_cast<float>(rotation[i]));
+  for (int first = 0; first < joints.count; first += width) {
+    const Transform joint = joints.lanes(first);
+    const S off = abs(squared_norm(joint.rotation) - S(1)), squared = squared_norm(joint.translation);
+    bounds.low[3] = min_of(bounds.low[3], choose(squared < S(1e30f), S(-squared), S(-infinity)));
+    bounds.high[3] = max_of(bounds.high[3], choose(off <= S(1), off, S(1)));
+    joints.put_lanes(first, compose(placement, joint));
+  }
+}
+
+// The lanes from first on: their bounds, and which of them are unbounded, to merge(box, is_unbounded). An
+// unbounded one is empty, from infinity to minus infinity. off: the share of A for what is off, see motion_bound_kernel.hpp.
+template <int slots, bool deviates, bool few, class Merge>
+[[gnu::always_inline]] inline void bound_lanes(const MotionBoundPack& pack, int first, const Joints<few>& joints, float off,
+                                               const Merge& merge) {
+  const Point f = load_point(pack.center, first);
+  Images images;
+  Rotations<slots> rotations;
+#pragma GCC unroll 8
+  for (int k = 0; k < slots; ++k) {
+    const Transform joint = joints.of_lanes(pack.joint[k] + first);
+    const Point at = apply(joint, f);
+    images.add(k, at, {at, at});
+    if constexpr (deviates) rotations.add(k, joint.rotation);
+  }
+  S reach = load(pack.radius + first);
+  const auto is_unbounded = rotations.are_far();
+  if constexpr (deviates) {
+    const S a = images.spread(load(pack.joint_count + first)) + load(pack.unsolved + first);
+    reach = reach + choose(is_unbounded, S(-infinity), (deviation_share(rotations.cosine()) + S(off)) * a);
+  }
+  Box<S> box = images.box();
+  box.grow(reach);
+  merge(box, is_unbounded);
+}
+
+template <bool deviates, bool few>
+void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_count, std::uint32_t* unbounded,
+             Bounds& bounds) {
+  for (int p = 0; p < pack_count; ++p) {
+    unbounded[p] = 0;
+    for (int first = 0; first < motion_bound_lanes; first += width) {
+      const auto merge = [&](const Box<S>& box, const typename S::mask_type& is_unbounded) {
+        for (int i = 0; i < 3; ++i) {
+          bounds.low[i] = min_of(bounds.low[i], box.low[i]);
+          bounds.high[i] = max_of(bounds.high[i], box.high[i]);
+        }
+        if (any_of(is_unbounded))
+          for (int lane = 0; lane < width; ++lane)
+            unbounded[p] |= static_cast<std::uint32_t>(is_unbounded[lane]) << (first + lane);
+      };
+      if (packs[p].slot_count <= 4) bound_lanes<4, deviates>(packs[p], first, joints, off_of_reach(1e-6), merge);
+      else bound_lanes<most_motion_bound_joints, deviates>(packs[p], first, joints, off_of_reach(1e-6), merge);
+    }
+  }
+}
+
+template <bool least>
+Row<float, 4> further(const Row<float, 4>& a, const Row<float, 4>& b) {
+  return least ? min_of(a, b) : max_of(a, b);
+}
+// The least of each row's lanes, or the greatest.
+template <bool least>
+void fold(const S (&rows)[4], float* out) {
+  Row<float, 4> folded[4];
+  for (int i = 0; i < 4; ++i) {
+    alignas(64) float lanes[width];
+    rows[i].copy_to(lanes, std::experimental::vector_aligned);
+    read_row(lanes, folded[i]);
+    for (int lane = 4; lane < width; lane += 4) {
+      Row<float, 4> next;
+      read_row(lanes + lane, next);
+      folded[i] = further<least>(folded[i], next);
+    }
+  }
+  transpose(folded);
+  for (int i = 1; i < 4; ++i) folded[0] = further<least>(folded[0], folded[i]);
+  write_row(folded[0], out);
+}
+
+template <bool few>
+void bound(const double* pose, const double* rotation, const MotionBoundPack* packs, int pack_count, bool deviates,
+           const Joints<few>& joints, ReachBounds& out, std::uint32_t* unbounded) {
+  joints.read(pose);
+  Bounds bounds;
+  place(joints, rotation, bounds);
+  if (deviates) add_all<true>(joints, packs, pack_count, unbounded, bounds);
+  else add_all<false>(joints, packs, pack_count, unbounded, bounds);
+  fold<true>(bounds.low, out.low);
+  fold<false>(bounds.high, out.high);
+}
+
+REFITLAB_KERNEL void bound_any(const double* pose, int joint_count, const double* rotation, const MotionBoundPack* packs,
+                               int pack_count, bool deviates, float* numbers, int joint_room, ReachBounds& out,
+                               std::uint32_t* unbounded) {
+  if (joint_room == 32)
+    bound<true>(pose, rotation, packs, pack_count, deviates, {numbers, joint_count, joint_room}, out, unbounded);
+  else bound<false>(pose, rotation, packs, pack_count, deviates, {numbers, joint_count, joint_room}, out, unbounded);
+}
+
+}  // namespace
+
+const MotionBoundKernels motion_bound_kernels{bound_any};
+
+}  // namespace refitlab::REFITLAB_TARGET

@@ -1,0 +1,129 @@
+// For the kernels of MotionBound: the numbers of all joints, and the bounds of a pack's lanes.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include "algorithms/runtime/collide/motion_bound_kernel.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
+#include "algorithms/runtime/packs/transpose.hpp"
+#include "algorithms/runtime/balls/box.hpp"
+#include "lemmas/b7_motion_bound.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+using S = Pack<float>;
+using Point = Vec<S, 3>;
+using Transform = RigidTransform<S>;
+constexpr int width = static_cast<int>(S::size());
+static_assert(motion_bound_lanes % width == 0);
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+// More than a dot product is off.
+constexpr float positive = 1e-5f;
+
+S load(const float* lanes) { return S(lanes, std::experimental::vector_aligned); }
+
+// Number i of all joints is at numbers + i * room(). few: they are at most 32.
+template <bool few>
+struct Joints {
+  float* numbers;
+  int count, any_room;
+
+  int room() const { return few ? 32 : any_room; }
+  float* number(int i) const { return numbers + i * room(); }
+
+  // From eight doubles a joint. Lanes behind the last joint repeat it.
+  void read(const double* pose) const {
+    int first = 0;
+    for (; first + 8 <= count; first += 8) read_block<true>(pose, first);
+    for (; first < (count + 15) / 16 * 16; first += 8) read_block<false>(pose, first);
+  }
+  Transform lanes(int first) const {
+    Transform out;
+    for (int i = 0; i < 4; ++i) out.rotation[i] = load(number(i) + first);
+    for (int i = 0; i < 3; ++i) out.translation[i] = load(number(4 + i) + first);
+    return out;
+  }
+  void put_lanes(int first, const Transform& t) const {
+    for (int i = 0; i < 4; ++i) t.rotation[i].copy_to(number(i) + first, std::experimental::vector_aligned);
+    for (int i = 0; i < 3; ++i) t.translation[i].copy_to(number(4 + i) + first, std::experimental::vector_aligned);
+  }
+  Transform of_lanes(const std::int32_t* joint) const {
+    Transform out;
+    for (int i = 0; i < 4; ++i) out.rotation[i] = look_up<few>(number(i), count, joint);
+    for (int i = 0; i < 3; ++i) out.translation[i] = look_up<few>(number(4 + i), count, joint);
+    return out;
+  }
+
+ private:
+  template <bool whole>
+  [[gnu::always_inline]] void read_block(const double* pose, int first) const {
+    using Floats = Row<float, 8>;
+    Floats rows[8];
+#pragma GCC unroll 8
+    for (int i = 0; i < 8; ++i) {
+      const std::ptrdiff_t joint = whole || first + i < count ? first + i : count - 1;
+      Row<double, 8> row;
+      read_row(pose + 8 * joint, row);
+      rows[i] = __builtin_convertvector(row, Floats);
+    }
+    transpose<float>(rows, numbers + first, room());
+  }
+};
+
+Point load_point(const float (&numbers)[3][motion_bound_lanes], int first) {
+  return {load(numbers[0] + first), load(numbers[1] + first), load(numbers[2] + first)};
+}
+
+// The rotations of a lane's joints, with the skinning's signs.
+template <int slots>
+class Rotations {
+ public:
+  [[gnu::always_inline]] void add(int k, const Quaternion<S>& rotation) {
+    of_[k] = rotation;
+    if (k == 0) return;
+    const S cosine = dot(of_[0], rotation);
+    for (int i = 0; i < 4; ++i) of_[k][i] = choose(cosine < S(0), S(-rotation[i]), rotation[i]);
+    least_ = min_of(least_, abs(cosine));
+#pragma GCC unroll 8
+    for (int l = 1; l < k; ++l) least_ = min_of(least_, dot(of_[l], of_[k]));
+  }
+  // Whether nothing is known of what blends them.
+  auto are_far() const { return !(least_ > S(positive)); }
+  // c, or less; of no use if they are far.
+  S cosine() const { return least_ - S(positive); }
+
+ private:
+  Quaternion<S> of_[slots];
+  S least_{1};
+};
+
+// The most by which a blend deviates, as a share of A.
+[[gnu::always_inline]] inline S deviation_share(const S& c) { return root(squared_deviation_share(c)); }
+
+// What a lane's joints make of a point: a box around its images, and A.
+class Images {
+ public:
+  [[gnu::always_inline]] void add(int k, const Point& image, const Box<S>& around) {
+    if (k == 0) {
+      first_ = image, box_ = around;
+      return;
+    }
+    box_.merge(around);
+    const Point y = image - first_;
+    sum_ = sum_ + y;
+    squares_ = squares_ + squared_norm(y);
+  }
+  const Box<S>& box() const { return box_; }
+  S spread(const S& joint_count) const { return root(max_of(squared_spread_of_sums(joint_count, squares_, sum_), S(0))); }
+
+ private:
+  Point first_, sum_ = Point::Constant(S(0));
+  Box<S> box_;
+  S squares_{0};
+};
+
+}  // namespace
+}  // namespace refitlab::REFITLAB_TARGET

@@ -1,0 +1,64 @@
+#include "algorithms/runtime/collide/motion_bound_packs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+
+void put_lane(MotionBoundPack& pack, int lane, std::span<const int> joints, const Ball3<double>& ball, double to_prior,
+              int target) {
+  const int n = static_cast<int>(joints.size());
+  pack.slot_count = lane == 0 ? n : std::max(pack.slot_count, n);
+  for (int to = lane; to < motion_bound_lanes; ++to) {
+    for (int k = 0; k < most_motion_bound_joints; ++k) pack.joint[k][to] = joints[k < n ? k : 0];
+    for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(ball.center[i]);
+    pack.radius[to] = static_cast<float>(ball.radius * (1 + lost_of_motion_bound) + lost_of_motion_bound * n * ball.center.norm());
+    pack.unsolved[to] = static_cast<float>(to_prior * n / 64);
+    pack.joint_count[to] = static_cast<float>(n);
+    pack.target[to] = target;
+  }
+}
+
+namespace {
+
+// As put_lane: the piece's box. prior: of its joint-set.
+void put_box(MotionBoundPiecePack& pack, int lane, int n, const Box<double>& box, const Point3& prior) {
+  const Point3 center = box.center(), half = (box.high - box.low) / 2;
+  const double half_diagonal = half.norm(), to_prior = (center - prior).norm();
+  for (int to = lane; to < motion_bound_lanes; ++to) {
+    for (int i = 0; i < 3; ++i) {
+      pack.box_center[i][to] = static_cast<float>(center[i]);
+      pack.half[i][to] = static_cast<float>(half[i]);
+    }
+    pack.lost[to] = static_cast<float>(lost_of_motion_bound * (n * center.norm() + half_diagonal));
+    pack.spin[to] = static_cast<float>(std::sqrt(2.0 * n * (n - 1)) * half_diagonal * (1 + 1e-6));
+    pack.box_unsolved[to] = static_cast<float>((to_prior + half_diagonal) * n / 64);
+  }
+}
+
+}  // namespace
+
+std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& c, std::span<const SimplexPiece> pieces) {
+  const DefaultFloatEnvironment environment;
+  std::vector<const SimplexPiece*> sorted;
+  for (const SimplexPiece& p : pieces) {
+    if (p.low.size() > most_motion_bound_joints || !can_be_reached(p.reference)) return {};
+    sorted.push_back(&p);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](auto* a, auto* b) { return a->low.size() > b->low.size(); });
+  std::vector<MotionBoundPiecePack> packs;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const SimplexPiece& p = *sorted[i];
+    const int lane = static_cast<int>(i % motion_bound_lanes);
+    if (lane == 0) packs.emplace_back();
+    const auto joints = c.sets.joints(p.joint_set);
+    const Point3 prior = center_prior(c.mesh, joints, Skinning::spherical);
+    put_lane(packs.back().ball, lane, joints, p.reference, (p.reference.center - prior).norm(), p.target);
+    put_box(packs.back(), lane, static_cast<int>(joints.size()), p.box, prior);
+  }
+  return packs;
+}
+
+}  // namespace refitlab

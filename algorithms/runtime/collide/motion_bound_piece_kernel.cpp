@@ -1,0 +1,95 @@
+#include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
+
+#include <array>
+
+#include "algorithms/runtime/collide/motion_bound_lanes.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+// Of rotations: the rows.
+using Matrix = std::array<Point, 3>;
+
+[[gnu::always_inline]] inline Matrix matrix_of(const Quaternion<S>& q) {
+  const S x = q[1] + q[1], y = q[2] + q[2], z = q[3] + q[3];
+  const S wx = q[0] * x, wy = q[0] * y, wz = q[0] * z;
+  const S xx = q[1] * x, xy = q[1] * y, xz = q[1] * z, yy = q[2] * y, yz = q[2] * z, zz = q[3] * z;
+  return {Point(S(1) - (yy + zz), xy - wz, xz + wy), Point(xy + wz, S(1) - (xx + zz), yz - wx),
+          Point(xz - wy, yz + wx, S(1) - (xx + yy))};
+}
+
+// The lanes from first on: a ball's and a box's bounds cut, to merge(box), and whether all are known.
+template <int slots, bool deviates, bool few, class Merge>
+[[gnu::always_inline]] inline bool bound_lanes(const MotionBoundPiecePack& pack, int first, const Joints<few>& joints,
+                                               float off, const Merge& merge) {
+  const Point f = load_point(pack.ball.center, first), middle = load_point(pack.box_center, first),
+              half = load_point(pack.half, first);
+  Images of_ball, of_box;
+  Rotations<slots> rotations;
+#pragma GCC unroll 8
+  for (int k = 0; k < slots; ++k) {
+    const Transform joint = joints.of_lanes(pack.ball.joint[k] + first);
+    const Matrix turn = matrix_of(joint.rotation);
+    Point at_f, at_middle;
+    Box<S> box;
+    for (int i = 0; i < 3; ++i) {
+      const S about = abs(turn[i][0]) * half[0] + abs(turn[i][1]) * half[1] + abs(turn[i][2]) * half[2];
+      at_f[i] = dot(turn[i], f) + joint.translation[i];
+      at_middle[i] = dot(turn[i], middle) + joint.translation[i];
+      box.low[i] = at_middle[i] - about, box.high[i] = at_middle[i] + about;
+    }
+    of_ball.add(k, at_f, {at_f, at_f});
+    of_box.add(k, at_middle, box);
+    if constexpr (deviates) rotations.add(k, joint.rotation);
+  }
+  S reach = load(pack.ball.radius + first), margin = load(pack.lost + first);
+  bool is_known = true;
+  if constexpr (deviates) {
+    is_known = none_of(rotations.are_far());
+    const S c = rotations.cosine(), share = deviation_share(c) + S(off), n = load(pack.ball.joint_count + first);
+    reach = reach + share * (of_ball.spread(n) + load(pack.ball.unsolved + first));
+    // A of a vertex is at most that of the middle and what the turns add.
+    const S turned = load(pack.spin + first) * root(max_of((S(1) - c) * (S(1) + c), S(0)));
+    margin = margin + share * (of_box.spread(n) + load(pack.box_unsolved + first) + turned);
+  }
+  Box<S> cut = of_ball.box(), box = of_box.box();
+  cut.grow(reach), box.grow(margin);
+  for (int i = 0; i < 3; ++i) cut.low[i] = max_of(cut.low[i], box.low[i]), cut.high[i] = min_of(cut.high[i], box.high[i]);
+  merge(cut);
+  return is_known;
+}
+
+// False if nothing is known of some lane.
+template <bool deviates, bool few>
+bool merge_all(const Joints<few>& joints, const MotionBoundPiecePack* packs, int pack_count, float off, FlippedBox* boxes) {
+  for (const MotionBoundPiecePack* pack = packs; pack != packs + pack_count; ++pack)
+    for (int first = 0; first < motion_bound_lanes; first += width) {
+      const auto merge = [&](const Box<S>& box) { merge_lanes(box, pack->ball.target + first, boxes); };
+      const int slots = pack->ball.slot_count;
+      if (!(slots <= 1   ? bound_lanes<1, deviates>(*pack, first, joints, off, merge)
+            : slots <= 2 ? bound_lanes<2, deviates>(*pack, first, joints, off, merge)
+            : slots <= 4 ? bound_lanes<4, deviates>(*pack, first, joints, off, merge)
+                         : bound_lanes<most_motion_bound_joints, deviates>(*pack, first, joints, off, merge)))
+        return false;
+    }
+  return true;
+}
+
+template <bool few>
+bool merge(const Joints<few>& joints, const MotionBoundPiecePack* packs, int pack_count, bool deviates, float off,
+           FlippedBox* boxes) {
+  return deviates ? merge_all<true>(joints, packs, pack_count, off, boxes)
+                : merge_all<false>(joints, packs, pack_count, off, boxes);
+}
+
+REFITLAB_KERNEL bool bound_pieces(float* numbers, int joint_count, int joint_room, const MotionBoundPiecePack* packs,
+                                  int pack_count, bool deviates, float off, FlippedBox* boxes) {
+  if (joint_room == 32) return merge<true>({numbers, joint_count, joint_room}, packs, pack_count, deviates, off, boxes);
+  return merge<false>({numbers, joint_count, joint_room}, packs, pack_count, deviates, off, boxes);
+}
+
+}  // namespace
+
+const BoundMotionPieces bound_motion_pieces = bound_pieces;
+
+}  // namespace refitlab::REFITLAB_TARGET

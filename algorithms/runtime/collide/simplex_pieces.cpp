@@ -1,0 +1,60 @@
+#include "algorithms/runtime/collide/simplex_pieces.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "algorithms/runtime/balls/smallest_ball.hpp"
+#include "algorithms/runtime/packs/float_above.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+// A ball around the points whose numbers are floats.
+Ball3<double> float_ball(const std::vector<Point3>& points) {
+  const Point3 center = smallest_ball<double, 3>(points).center.cast<float>().cast<double>();
+  double radius = 0;
+  for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
+  return {center, float_above(radius * (1 + 1e-15))};
+}
+
+Box<double> box_of(const std::vector<Point3>& points) {
+  auto box = Box<double>::empty();
+  for (const Point3& p : points) box.merge(p);
+  return box;
+}
+
+SimplexPiece piece_of(const Character& c, int joint_set, const std::vector<int>& vertices, int target) {
+  const auto first = c.sets.weights(vertices[0]);
+  std::vector<Point3> points;
+  std::vector<double> low(first.begin(), first.end());
+  for (const int v : vertices) {
+    points.push_back(c.mesh.vertices[v]);
+    for (std::size_t i = 0; i < low.size(); ++i) low[i] = std::min(low[i], c.sets.weights(v)[i]);
+  }
+  double rest = 1;
+  for (const double l : low) rest -= l;
+  return {joint_set, float_ball(points), box_of(points), low, std::max(rest, 0.0), target};
+}
+
+}  // namespace
+
+std::vector<SimplexPiece> pieces_of_vertices(const Character& c, std::span<const std::vector<int>> lists) {
+  const DefaultFloatEnvironment environment;
+  std::vector<SimplexPiece> pieces;
+  std::map<int, std::vector<int>> by_set;
+  for (std::size_t target = 0; target < lists.size(); ++target) {
+    by_set.clear();
+    for (const int v : lists[target]) by_set[c.sets.of_vertex(v)].push_back(v);
+    for (const auto& [set, vertices] : by_set) pieces.push_back(piece_of(c, set, vertices, static_cast<int>(target)));
+  }
+  return pieces;
+}
+
+std::vector<SimplexPiece> pieces_of_nodes(const Character& c, std::span<const int> nodes) {
+  std::vector<std::vector<int>> lists;
+  for (const int n : nodes) lists.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
+  return pieces_of_vertices(c, lists);
+}
+
+}  // namespace refitlab

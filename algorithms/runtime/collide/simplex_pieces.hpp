@@ -1,0 +1,25 @@
+// Pieces of nodes: what a node holds of each joint-set, which is bounded by itself.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/runtime/tree/character.hpp"
+#include "algorithms/runtime/balls/box.hpp"
+
+namespace refitlab {
+
+struct SimplexPiece {
+  int joint_set;
+  Ball3<double> reference;  // around its vertices in the reference pose; its numbers are floats
+  Box<double> box;          // likewise around them, but its numbers are doubles
+  std::vector<double> low;  // the least weights of its joints
+  double rest;              // 1 - sum low, at least 0
+  int target;               // the node's position in a list
+};
+
+// Of the vertices in each list, which is the target of their pieces; none is empty.
+std::vector<SimplexPiece> pieces_of_vertices(const Character& character, std::span<const std::vector<int>> lists);
+std::vector<SimplexPiece> pieces_of_nodes(const Character& character, std::span<const int> nodes);
+
+}  // namespace refitlab

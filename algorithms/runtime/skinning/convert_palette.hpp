@@ -1,0 +1,18 @@
+// A joint-set's palette of one number type as that of another: doubles as the exact numbers they are, for example.
+#pragma once
+
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
+
+namespace refitlab {
+
+template <class T, class S>
+OwnedPaletteEntry<T> convert(const PaletteEntry<S>& palette) {
+  OwnedPaletteEntry<T> out;
+  for (const auto& c : palette.transforms) out.transforms.push_back({convert<T>(c.rotation), convert<T>(c.translation)});
+  out.rotation_center = convert<T>(palette.rotation_center);
+  for (const auto& image : palette.center_images) out.center_images.push_back(convert<T>(image));
+  for (const auto& dual : palette.duals) out.duals.push_back(convert<T>(dual));
+  return out;
+}
+
+}  // namespace refitlab

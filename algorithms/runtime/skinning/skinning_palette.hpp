@@ -1,0 +1,182 @@
+// What skinning prepares once a frame, by joint-set: signed quaternions, rotation centers and their images (paper 3).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/skinning/palette_rounding.hpp"
+#include "algorithms/runtime/mesh/joint_sets.hpp"
+
+namespace refitlab {
+
+enum class Skinning {
+  linear,          // v' = sum w_i C_i v
+  spherical,       // Equation (1): QLERP about the rotation center of the joint-set [Kavan and Zara 2005b]
+  hejl,            // Equation (1) about the joint that neighbouring bones share [Hejl 2004]
+  dual_quaternion  // the rigid transform of the normalised blend of dual quaternions [Kavan et al. 2007]
+};
+
+// One joint-set in one pose, as it is read. Arrays are by position in the joint-set.
+template <class S>
+struct PaletteEntry {
+  // C_{j_i}. The signs of the rotations are the skinning's: consistent within the joint-set, so that QLERP takes the short
+  // way from the first joint to each other one. Bounds must use these signs (q and -q blend differently).
+  std::span<const RigidTransform<S>> transforms;
+  Vec<S, 3> rotation_center;                  // r_c, reference frame
+  std::span<const Vec<S, 3>> center_images;   // C_{j_i} r_c
+  std::span<const Quaternion<S>> duals;       // d_i = t_i q_i / 2 of the dual quaternions q_i + eps d_i of the C_{j_i}
+};
+
+// Negates quaternions so that each has a non-negative dot product with the first. Then no blend with a positive first
+// weight vanishes.
+template <class S>
+void make_signs_consistent(std::span<RigidTransform<S>> transforms) {
+  for (auto& t : transforms.subspan(1)) {
+    const Quaternion<S> other = -t.rotation;
+    t.rotation = choose(dot(transforms[0].rotation, t.rotation) < S(0), other, t.rotation);
+  }
+}
+
+// d of the dual quaternion q + eps d of a transform, whose sign it shares.
+template <class S>
+Quaternion<S> dual_part(const RigidTransform<S>& c) {
+  const Vec<S, 3>& t = c.translation;
+  return multiply<S>({S(0), t[0], t[1], t[2]}, c.rotation) / S(2);
+}
+
+// A joint-set by itself, with its storage.
+template <class S>
+struct OwnedPaletteEntry {
+  std::vector<RigidTransform<S>> transforms;
+  Vec<S, 3> rotation_center = {S(0), S(0), S(0)};
+  std::vector<Vec<S, 3>> center_images;
+  std::vector<Quaternion<S>> duals;
+
+  operator PaletteEntry<S>() const { return {transforms, rotation_center, center_images, duals}; }
+};
+
+// Fills center_images from transforms and rotation_center.
+template <class S>
+void place_rotation_center(OwnedPaletteEntry<S>& palette, const Vec<S, 3>& rotation_center) {
+  palette.rotation_center = rotation_center;
+  palette.center_images.clear();
+  for (const auto& t : palette.transforms) palette.center_images.push_back(apply(t, rotation_center));
+}
+
+// Fills duals from transforms.
+template <class S>
+void place_duals(OwnedPaletteEntry<S>& palette) {
+  palette.duals.clear();
+  for (const auto& t : palette.transforms) palette.duals.push_back(dual_part(t));
+}
+
+// All joint-sets in one pose, in flat arrays: a refit reads a few of them for each node.
+template <class S>
+class SkinningPalette {
+ public:
+  std::size_t size() const { return rotation_centers_.size(); }
+  std::size_t joint_count(std::size_t joint_set) const { return first_[joint_set + 1] - first_[joint_set]; }
+  PaletteEntry<S> operator[](std::size_t joint_set) const {
+    const std::size_t first = first_[joint_set], count = first_[joint_set + 1] - first;
+    return {{transforms_.data() + first, count}, rotation_centers_[joint_set], {center_images_.data() + first, count},
+            {duals_.data() + first, count}};
+  }
+  const Vec<S, 3>& rotation_center(std::size_t joint_set) const { return rotation_centers_[joint_set]; }
+  // In float and double; of a palette whose arrays were filled by hand, after measure(). For any skinning but Hejl's.
+  const PaletteScales<S>& scales(std::size_t joint_set) const { return scales_[joint_set]; }
+  const PaletteRounding<S>& rounding(std::size_t joint_set, Skinning skinning) const {
+    return roundings_[joint_set][skinning == Skinning::linear ? 0 : skinning == Skinning::spherical ? 1 : 2];
+  }
+
+  // Keeps the storage.
+  void clear() {
+    first_.resize(1);
+    transforms_.clear(), rotation_centers_.clear(), center_images_.clear(), duals_.clear(), scales_.clear(), roundings_.clear();
+  }
+
+  // Appends a joint-set of so many joints, whose transforms the caller sets; then complete() must follow.
+  std::span<RigidTransform<S>> append(std::size_t joint_count) {
+    transforms_.resize(first_.back() + joint_count);
+    return {transforms_.data() + first_.back(), joint_count};
+  }
+  // Gives the appended joint-set its rotation center, the images of that, and the dual parts.
+  void complete(const Vec<S, 3>& rotation_center) {
+    rotation_centers_.push_back(rotation_center);
+    for (std::size_t i = first_.back(); i < transforms_.size(); ++i) {
+      center_images_.push_back(apply(transforms_[i], rotation_center));
+      duals_.push_back(dual_part(transforms_[i]));
+    }
+    first_.push_back(transforms_.size());
+    measure_last();
+  }
+
+  // The arrays themselves, joint-set after joint-set, for what fills many of them at a time.
+  struct Arrays {
+    Vec<S, 3>* rotation_centers;  // by joint-set, all others by joint
+    RigidTransform<S>* transforms;
+    Vec<S, 3>* center_images;
+    Quaternion<S>* duals;
+  };
+  // With room for joint-sets that begin at these places of the arrays by joint; the last one is their size.
+  Arrays resize(std::span<const std::size_t> first) {
+    first_.assign(first.begin(), first.end());
+    rotation_centers_.resize(first.size() - 1);
+    transforms_.resize(first.back()), center_images_.resize(first.back()), duals_.resize(first.back());
+    scales_.clear(), roundings_.clear();
+    return {rotation_centers_.data(), transforms_.data(), center_images_.data(), duals_.data()};
+  }
+
+  // What refits ask for beyond the arrays; complete and push_back do it by themselves.
+  bool is_measured() const { return roundings_.size() == size(); }
+  void measure() {
+    scales_.clear(), roundings_.clear();
+    for (std::size_t s = 0; s < size(); ++s) measure((*this)[s]);
+  }
+
+  // Appends a complete joint-set.
+  void push_back(const PaletteEntry<S>& palette) {
+    transforms_.insert(transforms_.end(), palette.transforms.begin(), palette.transforms.end());
+    rotation_centers_.push_back(palette.rotation_center);
+    center_images_.insert(center_images_.end(), palette.center_images.begin(), palette.center_images.end());
+    duals_.insert(duals_.end(), palette.duals.begin(), palette.duals.end());
+    first_.push_back(transforms_.size());
+    measure_last();
+  }
+
+ private:
+  void measure(const PaletteEntry<S>& set) {
+    if constexpr (std::is_floating_point_v<S>) {
+      const DefaultFloatEnvironment environment;
+      scales_.push_back(measure_palette(set.transforms, set.center_images));
+      roundings_.push_back(roundings_of(scales_.back()));
+    }
+  }
+  void measure_last() { measure((*this)[size() - 1]); }
+
+  std::vector<std::size_t> first_ = {0};  // by joint-set, and one past the last; of the arrays by joint
+  std::vector<Vec<S, 3>> rotation_centers_;
+  std::vector<RigidTransform<S>> transforms_;
+  std::vector<Vec<S, 3>> center_images_;
+  std::vector<Quaternion<S>> duals_;
+  std::vector<PaletteScales<S>> scales_;  // by joint-set
+  std::vector<PaletteRoundings<S>> roundings_;
+};
+
+// Throws ModelError if pose has the wrong length, a number that is not finite, a translation beyond largest_coordinate, or a rotation whose squared length differs
+// from 1 by more than 1e-6.
+void check_pose(const SkinnedMesh& mesh, const Pose& pose);
+
+// What the rotation center of a joint-set is nearest to where it is not determined: the mean of its joints' origins. For
+// Skinning::hejl, the rotation center itself: the origin of the joint that two neighbouring bones share.
+Point3 center_prior(const SkinnedMesh& mesh, std::span<const int> joints, Skinning skinning);
+
+// The frame's data of every joint-set. pose is by joint, as check_pose wants it.
+SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning);
+
+// The same in place of what was in palette, whose storage is used again. If it throws, palette is as it was.
+void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning,
+                        SkinningPalette<double>& palette);
+
+}  // namespace refitlab

@@ -1,0 +1,116 @@
+// Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a
+// leaf.
+#include "algorithms/runtime/balls/box.hpp"
+#include "experiments/baselines/median_split.hpp"
+#include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/skinning_detector.hpp"
+
+namespace refitlab {
+namespace {
+
+// Nodes in depth-first order: a node's left child comes next, and its right one where it says.
+struct Node {
+  int right;     // 0 at a leaf
+  int triangle;  // of a leaf
+};
+
+class Builder {
+ public:
+  explicit Builder(const SkinnedMesh& model) : split_(model) { build(split_.triangles()); }
+  std::vector<Node> nodes;
+
+ private:
+  void build(std::span<int> triangles) {
+    const std::size_t at = nodes.size(), half = triangles.size() / 2;
+    nodes.push_back({0, triangles[0]});
+    if (triangles.size() == 1) return;
+    split_.split(triangles, half);
+    build(triangles.first(half));
+    nodes[at].right = static_cast<int>(nodes.size());
+    build(triangles.subspan(half));
+  }
+
+  MedianSplit split_;
+};
+
+// The boxes of both bodies are in the first one's model space.
+class AabbTree : public SkinningDetector {
+ public:
+  explicit AabbTree(const Character& character)
+      : SkinningDetector(character, Placing::when_asked), nodes_(Builder(character.mesh).nodes) {
+    for (auto& boxes : boxes_) boxes.resize(nodes_.size());
+  }
+
+  void refit() override {
+    refit(0, skinned(0));
+    const RigidTransform<double> to_first = this->to_first();
+    const Point3 x = rotate<double>(to_first.rotation, Point3::UnitX()),
+                 y = rotate<double>(to_first.rotation, Point3::UnitY()),
+                 z = rotate<double>(to_first.rotation, Point3::UnitZ());
+    moved_.resize(skinned(1).size());
+    for (std::size_t v = 0; v < moved_.size(); ++v) {
+      const Point3& p = skinned(1)[v];
+      moved_[v] = x * p[0] + y * p[1] + z * p[2] + to_first.translation;
+    }
+    refit(1, moved_);
+    const auto size = [&](int side) {
+      return boxes_[side][0].low.norm() + boxes_[side][0].high.norm() + placement(side).translation.norm();
+    };
+    slack_ = double_rounding_slack * (size(0) + size(1));
+    counts_.nodes_refitted += 2 * static_cast<long>(nodes_.size());
+  }
+
+  std::vector<TrianglePair> query(Query query) override {
+    std::vector<TrianglePair> found;
+    pending_.assign(1, {0, 0});
+    while (!pending_.empty()) {
+      const auto [a, b] = pending_.back();
+      pending_.pop_back();
+      ++counts_.volume_tests;
+      const Box<double>&p = boxes_[0][a], &q = boxes_[1][b];
+      Box<double> grown = p;
+      grown.grow(slack_);
+      if (are_apart(grown, q)) continue;
+      const Node &m = nodes_[a], &n = nodes_[b];
+      if (m.right == 0 && n.right == 0) {
+        if (!touch(m.triangle, n.triangle)) continue;
+        found.push_back({m.triangle, n.triangle});
+        if (query == Query::yes_no) break;
+      } else if (n.right == 0 || (m.right != 0 && p.extent() >= q.extent())) {
+        pending_.emplace_back(a + 1, b);
+        pending_.emplace_back(m.right, b);
+      } else {
+        pending_.emplace_back(a, b + 1);
+        pending_.emplace_back(a, n.right);
+      }
+    }
+    return found;
+  }
+
+ private:
+  void refit(int side, const std::vector<Point3>& vertices) {
+    auto& boxes = boxes_[side];
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+      if (nodes_[n].right != 0) {
+        const Box<double>&a = boxes[n + 1], &b = boxes[nodes_[n].right];
+        boxes[n] = {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+        continue;
+      }
+      const Triangle& t = model().triangles[nodes_[n].triangle];
+      const Point3 &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
+      boxes[n] = {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+    }
+  }
+
+  const std::vector<Node> nodes_;
+  std::vector<Box<double>> boxes_[2];
+  std::vector<Point3> moved_;  // the second body's vertices
+  double slack_ = 0;
+  std::vector<std::pair<int, int>> pending_;
+};
+
+}  // namespace
+
+std::unique_ptr<Detector> make_aabb_tree(const Character& character) { return std::make_unique<AabbTree>(character); }
+
+}  // namespace refitlab

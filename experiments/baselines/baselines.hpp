@@ -1,0 +1,21 @@
+// What one would pick instead of refits on demand. Each skins everything, refits its volumes bottom-up or rebuilds
+// them, and has its candidates decided by triangles_meet.
+#pragma once
+
+#include "experiments/baselines/detector.hpp"
+
+namespace refitlab {
+
+std::vector<DetectorKind> baseline_kinds();
+// Those that were found when this was configured.
+std::vector<DetectorKind> engine_kinds();
+// The engines that were not.
+std::vector<std::string> absent_engines();
+
+using Maker = std::unique_ptr<Detector>(const Character& character);
+Maker make_brown, make_aabb_tree, make_skin_all_simd, make_cgal_aabb;
+Maker make_fcl_aabb, make_fcl_kdop16, make_fcl_obbrss;
+Maker make_bullet_dbvt, make_bullet_gimpact;
+Maker make_embree;
+
+}  // namespace refitlab

@@ -1,0 +1,81 @@
+// Bullet's btDbvt: a leaf a triangle, its volumes refitted from the leaves up as btSoftBody does with its faces.
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+
+#include "experiments/baselines/float_boxes.hpp"
+#include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/skinning_detector.hpp"
+
+namespace refitlab {
+namespace {
+
+btDbvtVolume volume_of(const RowBox<float>& b) {
+  return btDbvtVolume::FromMM({b.low[0], b.low[1], b.low[2]}, {b.high[0], b.high[1], b.high[2]});
+}
+
+class BulletDbvt : public SkinningDetector {
+ public:
+  explicit BulletDbvt(const Character& character) : SkinningDetector(character, Placing::all) {
+    const SkinnedMesh& m = character.mesh;
+    vertices_.set(m.vertices);
+    btDbvt scattered;
+    for (std::size_t i = 0; i < m.triangles.size(); ++i)
+      scattered.insert(volume_of(vertices_.box(m.triangles[i])), nullptr)->dataAsInt = static_cast<int>(i);
+    scattered.optimizeTopDown();
+    btDbvt::IClone nothing_more;
+    for (btDbvt& tree : trees_)
+      scattered.clone(tree, &nothing_more);  // its nodes lie side by side where they belong together
+  }
+
+  void refit() override {
+    for (int side = 0; side < 2; ++side) {
+      vertices_.set(placed(side));
+      refit(trees_[side].m_root);
+    }
+  }
+
+  std::vector<TrianglePair> query(Query query) override {
+    Collider collider(*this, query);
+    try {
+      trees_[0].collideTT(trees_[0].m_root, trees_[1].m_root, collider);
+    } catch (const Stop&) {
+    }
+    return std::move(collider.found);
+  }
+
+ private:
+  struct Stop {};  // Bullet has no other way out of the traversal
+
+  struct Collider : btDbvt::ICollide {
+    Collider(BulletDbvt& self, Query query) : self(self), query(query) {}
+    void Process(const btDbvtNode* a, const btDbvtNode* b) override {
+      if (!self.touch(a->dataAsInt, b->dataAsInt)) return;
+      found.push_back({a->dataAsInt, b->dataAsInt});
+      if (query == Query::yes_no) throw Stop();
+    }
+    BulletDbvt& self;
+    const Query query;
+    std::vector<TrianglePair> found;
+  };
+
+  void refit(btDbvtNode* node) {
+    ++counts_.nodes_refitted;
+    if (node->isleaf()) {
+      node->volume = volume_of(vertices_.box(model().triangles[node->dataAsInt]));
+      return;
+    }
+    refit(node->childs[0]);
+    refit(node->childs[1]);
+    Merge(node->childs[0]->volume, node->childs[1]->volume, node->volume);
+  }
+
+  btDbvt trees_[2];
+  FloatVertices vertices_;  // of the body at hand
+};
+
+}  // namespace
+
+std::unique_ptr<Detector> make_bullet_dbvt(const Character& character) {
+  return std::make_unique<BulletDbvt>(character);
+}
+
+}  // namespace refitlab

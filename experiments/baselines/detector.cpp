@@ -1,0 +1,15 @@
+#include "experiments/baselines/detector.hpp"
+
+namespace refitlab {
+
+const char* name_of(Origin origin) {
+  switch (origin) {
+    case Origin::own: return "own";
+    case Origin::baseline: return "baseline";
+    case Origin::engine: return "engine";
+    case Origin::oracle: break;
+  }
+  return "oracle";
+}
+
+}  // namespace refitlab

@@ -1,0 +1,84 @@
+// Detector: whatever finds the touching triangles of two walkers, from poses and placements to pairs.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "algorithms/runtime/collide/collide.hpp"
+
+namespace refitlab {
+
+// Two copies of a character, each in a pose and at a place.
+struct ScenarioFrame {
+  Pose first, second;
+  RigidTransform<double> first_at, second_at;
+};
+
+// What was done in all frames since the detector was made; 0 and empty where it does not know.
+struct DetectorCounts {
+  long volume_tests = 0, triangle_tests = 0, vertices_skinned = 0, nodes_refitted = 0;
+  std::vector<long> refitted_by_level;  // by level - 1, of detectors that refit the character's sphere tree on demand
+};
+
+// A frame is its stages in this order; they are apart only so that each can be timed. The pairs that a detector finds
+// are those of triangles_meet for the corners in the world, apply(placement, corner skinned spherically), in any order.
+class Detector {
+ public:
+  virtual ~Detector() = default;
+  virtual void palette(const ScenarioFrame& frame) = 0;  // what skinning prepares
+  virtual void skin() {}                               // all vertices; detectors on demand leave it to the query
+  virtual void refit() {}                              // all volumes, likewise
+  virtual std::vector<TrianglePair> query(Query query) = 0;
+  virtual DetectorCounts counts() const = 0;
+
+  std::vector<TrianglePair> pairs(const ScenarioFrame& frame, Query kind) {
+    palette(frame);
+    skin();
+    refit();
+    return query(kind);
+  }
+};
+
+// What our own detectors have in common: two bodies that count what they did in the frame at hand, and forget it when the
+// next one begins.
+class CountingDetector : public Detector {
+ public:
+  DetectorCounts counts() const override {
+    DetectorCounts all = counts_;
+    add_frame(all);
+    all.volume_tests = tests_.ball_tests;
+    all.triangle_tests = tests_.triangle_tests;
+    return all;
+  }
+
+ protected:
+  // Adds what the bodies know of the frame at hand.
+  virtual void add_frame(DetectorCounts& counts) const = 0;
+  // Before a frame begins.
+  void keep_frame() { add_frame(counts_); }
+
+  QueryCounts tests_;
+  DetectorCounts counts_;  // of the frames before this one
+};
+
+// Where a detector comes from.
+enum class Origin {
+  own,     // ours, on demand
+  baseline,   // skins everything; written here
+  engine,  // skins everything for a general-purpose engine
+  oracle   // tries all pairs; no detector, but a row of results
+};
+
+const char* name_of(Origin origin);  // as in result files
+
+struct DetectorKind {
+  std::string name, description;
+  Origin origin;
+  std::function<std::unique_ptr<Detector>(const Character&)> make;  // the character outlives the detector
+  bool is_minor = false;                                            // left out of short runs
+  // Of the pairs of an scenario, how many may differ from the right ones: of engines whose volumes leave rounding out
+  // of account. What differs is counted.
+  double tolerated_share = 0;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,108 @@
+#include "experiments/collisions/scenarios.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "algorithms/runtime/balls/smallest_ball.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/collisions/detectors.hpp"
+
+namespace refitlab {
+namespace {
+
+Pose pose_at(const AnimatedCharacter& c, double share) {
+  if (!c.clips.empty()) return c.clips[0].sample(share * c.clips[0].duration);
+  return twist_pose(c.mesh, twist_joint(c.mesh), share * 170 * std::numbers::pi / 180);
+}
+
+// Puts a center at this place, turned about y.
+RigidTransform<double> stand(const Point3& center, double turn, const Point3& at) {
+  RigidTransform<double> out{{std::cos(turn / 2), 0, std::sin(turn / 2), 0}, Point3::Zero()};
+  out.translation = at - rotate(out.rotation, center);
+  return out;
+}
+
+Point3 deformed_center(const AnimatedCharacter& c, const Pose& pose) {
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose, Skinning::spherical);
+  return smallest_ball<double, 3>(skin(c.mesh, c.sets, palette, Skinning::spherical)).center;
+}
+
+class PairCounter {
+ public:
+  explicit PairCounter(const AnimatedCharacter& c) : detector_(detector_kind("skin_all_simd").make(c)) {}
+
+  // By frame, in increasing order.
+  std::vector<long> pairs(const std::vector<ScenarioFrame>& frames) {
+    std::vector<long> counts;
+    for (const auto& f : frames) counts.push_back(static_cast<long>(detector_->pairs(f, Query::full).size()));
+    std::sort(counts.begin(), counts.end());
+    return counts;
+  }
+
+ private:
+  std::unique_ptr<Detector> detector_;
+};
+
+constexpr int searched_frames = 12, bisections = 12;
+
+// The largest lateral distance up to high, within a share of 2^-bisections of it, at which holds(pairs); 0 if none is.
+template <class Predicate>
+double largest_lateral(PairCounter& counter, const WalkPast& walk, double high, const Predicate& holds) {
+  double low = 0;
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = (low + high) / 2;
+    (holds(counter.pairs(walk.at(middle))) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+WalkPast::WalkPast(const AnimatedCharacter& c, int frames) {
+  for (int i = 0; i < frames; ++i) {
+    const double share = frames > 1 ? i / (frames - 1.0) : 0.5;
+    Step step{pose_at(c, share), pose_at(c, std::fmod(share + 0.5, 1.0)), {}, {}, 0};
+    step.first_center = deformed_center(c, step.first);
+    step.second_center = deformed_center(c, step.second);
+    step.forward = (1 - 2 * share) * c.tree.nodes[0].reference.radius / 10;
+    steps_.push_back(std::move(step));
+  }
+}
+
+std::vector<ScenarioFrame> WalkPast::at(double lateral) const {
+  std::vector<ScenarioFrame> out;
+  for (const Step& s : steps_)
+    out.push_back({s.first, s.second, stand(s.first_center, 0, {-lateral / 2, 0, -s.forward}),
+                   stand(s.second_center, std::numbers::pi, {lateral / 2, 0, s.forward})});
+  return out;
+}
+
+std::vector<ScenarioFrame> WalkPast::in_place() const {
+  std::vector<ScenarioFrame> out;
+  for (const Step& s : steps_)
+    out.push_back({s.first, s.second, stand(s.first_center, 0, Point3::Zero()),
+                   stand(s.second_center, std::numbers::pi, Point3::Zero())});
+  return out;
+}
+
+std::vector<Scenario> scenarios(const AnimatedCharacter& c, int frames) {
+  PairCounter counter(c);
+  const WalkPast walk(c, frames), searched(c, searched_frames);
+  const auto median = [](const std::vector<long>& sorted) { return sorted[sorted.size() / 2]; };
+  const double reach = 2 * c.tree.nodes[0].reference.radius;
+  const double touch = largest_lateral(counter, searched, reach, [](const auto& pairs) { return pairs.back() > 0; });
+  const double light =
+      largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
+  const double heavy =
+      largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
+  std::vector<Scenario> out{{"far", 2 * reach, 0, walk.at(2 * reach)},
+                             {"near", touch + 0.01 * reach, 0, walk.at(touch + 0.01 * reach)},
+                             {"light", light, 0, walk.at(light)},
+                             {"heavy", heavy, 0, walk.at(heavy)},
+                             {"worst", 0, 0, walk.in_place()}};
+  for (Scenario& e : out) e.median_pairs = static_cast<double>(median(counter.pairs(e.frames)));
+  return out;
+}
+
+}  // namespace refitlab

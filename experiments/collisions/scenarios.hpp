@@ -1,0 +1,41 @@
+// Scenarios: scenes of two copies of a model that walk past each other, for collision queries (paper 5, Table 2).
+#pragma once
+
+#include "experiments/baselines/detector.hpp"
+#include "experiments/scenes/scenes.hpp"
+
+namespace refitlab {
+
+struct Scenario {
+  std::string name;     // far, near, light, heavy, worst
+  double lateral;       // the distance at which the walkers pass each other, in model units
+  double median_pairs;  // of touching triangles, over the frames
+  std::vector<ScenarioFrame> frames;
+};
+
+// How two walkers pass: both move along z, the second one turned about y to face the first, lateral apart along x. Over
+// the frames the centers of their deformed vertices' smallest balls go from a fifth of a root radius before each other
+// to as much behind. The first clip plays once for the first walker, and half a clip later for the second; without
+// clips both twist (figure_twist) up to the full angle.
+class WalkPast {
+ public:
+  WalkPast(const AnimatedCharacter& character, int frames);
+  std::vector<ScenarioFrame> at(double lateral) const;
+  // Both with their centers at the origin all the time.
+  std::vector<ScenarioFrame> in_place() const;
+
+ private:
+  struct Step {
+    Pose first, second;
+    Point3 first_center, second_center;
+    double forward;
+  };
+  std::vector<Step> steps_;
+};
+
+// far: the roots are disjoint. near: they overlap in the middle, but no triangles touch. light: a median of about 50
+// touching pairs. heavy: about 850, or at lateral 0 if that has fewer. worst: in one place all the time (the paper's
+// worst- case scenario). The distances are found by bisection on 12 of the frames.
+std::vector<Scenario> scenarios(const AnimatedCharacter& character, int frames);
+
+}  // namespace refitlab

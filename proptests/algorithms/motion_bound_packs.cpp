@@ -1,0 +1,338 @@
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/motion_bound_packs.hpp"
+
+#include <random>
+
+#include "algorithms/runtime/collide/cluster_body.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "proptests/gen/accepted.hpp"
+#include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests::suite_reach_packs {
+namespace {
+
+using namespace refitlab;
+
+RigidTransform<double> random_placement(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return {gen::random_rotation(random, 1), Point3(normal(random), normal(random), normal(random))};
+}
+
+// Rotations as files of floats have them: up to 1e-6 off in the square of their length.
+void spoil_lengths(Pose& pose, std::mt19937& random) {
+  std::uniform_real_distribution<double> off(-4.9e-7, 4.9e-7);
+  for (auto& t : pose) t.rotation *= 1 + off(random);
+}
+
+std::vector<Point3> placed_vertices(const Character& c, const Pose& pose, const RigidTransform<double>& placement,
+                                    Skinning skinning) {
+  auto out = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose, skinning), skinning);
+  for (Point3& p : out) p = apply(placement, p);
+  return out;
+}
+
+bool holds(const Box<double>& box, const Point3& p) {
+  for (int i = 0; i < 3; ++i)
+    if (!(box.low[i] <= p[i] && p[i] <= box.high[i])) return false;
+  return true;
+}
+bool holds(const Box<double>& box, const std::vector<Point3>& points, std::span<const int> vertices) {
+  for (const int v : vertices)
+    if (!holds(box, points[v])) return false;
+  return true;
+}
+
+// Of some nodes, by their position.
+struct NodeMotionBound {
+  std::vector<MotionBoundPiecePack> packs;
+  std::vector<FlippedBox> scratch;
+  std::vector<Box<double>> boxes;
+
+  NodeMotionBound(const Character& c, const std::vector<int>& nodes)
+      : packs(make_motion_bound_packs(c, pieces_of_nodes(c, nodes))), scratch(nodes.size()), boxes(nodes.size()) {}
+
+  // False if nothing is known of one.
+  bool bound(MotionBound& reach, const Pose& pose, const RigidTransform<double>& placement,
+             Target target = best_target()) {
+    return std::isfinite(reach.box(pose, placement, target).low[0]) &&
+           reach.boxes(packs, pose, placement, scratch, boxes, target);
+  }
+};
+
+std::vector<int> all_nodes(const Character& c) {
+  std::vector<int> out;
+  for (std::size_t n = 0; n < c.tree.nodes.size(); ++n) out.push_back(static_cast<int>(n));
+  return out;
+}
+
+constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion, Skinning::hejl};
+
+}  // namespace
+
+PROPTEST(motion_bound_packs) {
+  t.holds("the boxes of nodes hold their vertices on every target, however joints are turned",
+          {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 10)});
+            NodeMotionBound nodes(c, all_nodes(c));
+            if (nodes.packs.empty()) RC_DISCARD("too many joints");
+            std::mt19937 random(plan.seed);
+            const double spread = *rc::gen::element(0.0, 1e-3, 0.1, 0.5, 1.0);
+            for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+              MotionBound reach(c.mesh, c.sets, skinning);
+              for (int frame = 0; frame < 3; ++frame) {
+                Pose pose = gen::random_pose(c.mesh, random, spread);
+                if (frame == 1) spoil_lengths(pose, random);
+                const auto placement = random_placement(random);
+                const auto points = placed_vertices(c, pose, placement, skinning);
+                for (const Target target : available_targets()) {
+                  const bool is_bounded = nodes.bound(reach, pose, placement, target);
+                  if (skinning == Skinning::linear) RC_ASSERT(is_bounded);
+                  RC_TAG(is_bounded ? "bounded" : "unbounded");
+                  for (std::size_t n = 0; is_bounded && n < nodes.boxes.size(); ++n)
+                    RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
+                }
+              }
+            }
+          });
+  t.holds(
+      "boxes hold vertices that are where a ball's bound is attained, of 1 to 8 joints, at every scale and place, however "
+      "long quaternions are; and are wider by no more than what rounding is allowed",
+      {.number_type = "float", .cases = 2000}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        const double unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-18, 1e-30, 1e-45, 1e-300, 1e9, 1e10),
+                     far = *rc::gen::element(0.0, 1.0, 1e6, 1e30, 1e300);
+        const gen::Attained scene =
+            gen::attained(random, {.unit = unit, .far = far, .joints = *rc::gen::inRange(1, most_motion_bound_joints + 1)});
+        const auto c = bake(scene.mesh, {.triangles_per_leaf = 8});
+        NodeMotionBound nodes(c, {0});
+        RC_ASSERT(!nodes.packs.empty());
+        const int joints = static_cast<int>(scene.mesh.joints.size());
+        for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+          MotionBound reach(c.mesh, c.sets, skinning);
+          const auto points = placed_vertices(c, scene.pose, scene.placement, skinning);
+          for (const Target target : available_targets()) {
+            RC_LOG() << scene.what;
+            RC_ASSERT(nodes.bound(reach, scene.pose, scene.placement, target));
+            RC_ASSERT(holds(nodes.boxes[0], points, c.vertices[0]));
+            const double most = 2 * c.tree.nodes[0].reference.radius + 4 * lost_of_motion_bound * joints * scene.size + 1e-17 +
+                                1e-13 * upper_norm(scene.placement.translation);
+            for (int i = 0; i < 3; ++i) {
+              double low = infinite, high = -infinite;
+              for (const Point3& p : points) low = std::min(low, p[i]), high = std::max(high, p[i]);
+              RC_ASSERT(nodes.boxes[0].edges()[i] <= std::max(most, high - low));
+            }
+          }
+        }
+      });
+  t.holds("joints that only turn, about points of their own, by rotations that are not quite of unit length",
+          {.number_type = "float", .cases = 300}, [] {
+            const auto plan = *gen::mesh_plan();
+            const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = 1});
+            NodeMotionBound nodes(c, all_nodes(c));
+            if (nodes.packs.empty()) RC_DISCARD("too many joints");
+            std::mt19937 random(plan.seed);
+            std::normal_distribution<double> normal;
+            const double spread = *rc::gen::element(1e-4, 1e-3, 1e-2, 0.3), far = *rc::gen::element(1.0, 30.0, 1000.0);
+            Pose pose = gen::random_pose(c.mesh, random, spread);
+            for (auto& joint : pose) {
+              const Point3 pivot = Point3(normal(random), normal(random), normal(random)) * far;
+              joint.translation = pivot - rotate(joint.rotation, pivot);
+            }
+            const RigidTransform<double> all{gen::random_rotation(random, 1), {0, 0, 0}};
+            for (auto& joint : pose) joint = compose(all, joint);  // relative rotations stay small
+            if (*rc::gen::arbitrary<bool>()) spoil_lengths(pose, random);
+            for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
+              const auto placement = random_placement(random);
+              MotionBound reach(c.mesh, c.sets, skinning);
+              if (!nodes.bound(reach, pose, placement)) continue;
+              const auto points = placed_vertices(c, pose, placement, skinning);
+              for (std::size_t n = 0; n < nodes.boxes.size(); ++n)
+                RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
+            }
+          });
+  t.holds("the boxes of a body's clusters, from the joints alone or by control points, hold their vertices",
+          {.number_type = "float", .cases = 200, .degenerate_at_least = 0.3}, [] {
+            const auto plan = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto c = bake(gen::make_mesh(plan));
+            const ClusterTree tree(c, {.most_triangles = *rc::gen::element(1, 5, 30), .most_children = 20});
+            std::mt19937 random(plan.seed);
+            const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
+            for (const Skinning skinning : all_skinnings) {
+              ClusterBody body(tree, skinning);
+              for (int frame = 0; frame < 3; ++frame) {
+                const Pose pose = gen::random_pose(c.mesh, random, spread);
+                const auto placement = random_placement(random);
+                body.begin(pose, placement);
+                if (frame == 1) {  // what is refused leaves the frame as it is
+                  Pose bad = gen::random_pose(c.mesh, random, 3);
+                  bad.back().rotation *= 2;
+                  RC_ASSERT_THROWS_AS(body.begin(bad, placement), ModelError);
+                }
+                const auto points = placed_vertices(c, pose, placement, skinning);
+                for (int wide_node = 0; wide_node < static_cast<int>(tree.wide_nodes().size()); ++wide_node)
+                  for (int i = 0; i < tree.wide_nodes()[wide_node].child_count; ++i) {
+                    if (tree.child(wide_node, i).cluster < 0) continue;
+                    const Box<double> box = body.child_box(wide_node, i), whole = body.wide_node_box(wide_node);
+                    RC_ASSERT(holds(box, points, tree.vertices().vertices(tree.child(wide_node, i).cluster)));
+                    for (int k = 0; k < 3; ++k) RC_ASSERT(whole.low[k] <= box.low[k] && box.high[k] <= whole.high[k]);
+                  }
+              }
+            }
+          });
+  t.example("a rotation center far away multiplies what rotations lack of unit length", {}, [] {
+    SkinnedMesh model;
+    model.name = "turned about a far point";
+    model.vertices.assign(3, {0, 0, 0});
+    model.triangles = {{0, 1, 2}};
+    model.joints = {{"first", -1, {0, 0, 0}}, {"second", 0, {0, 0, 0}}};
+    model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+    const auto c = bake(std::move(model));
+    NodeMotionBound nodes(c, {0});
+    MotionBound reach(c.mesh, c.sets, Skinning::spherical);
+    const Point3 pivot(1000, 0, 0);
+    bool ok = true;
+    double farthest = 0;
+    for (const double angle : {4e-5, 1e-4, 1e-3})
+      for (const int who : {0, 1, 2})  // all joints, the first, the last
+        for (const double off : {0.0, -4.9e-7, 4.9e-7}) {  // what held of a frame does not hold of the next
+          RigidTransform<double> swing{{std::cos(angle / 2), 0, 0, std::sin(angle / 2)}, {0, 0, 0}};
+          swing.translation = pivot - rotate(swing.rotation, pivot);
+          const RigidTransform<double> about{{0, 0, 1, 0}, {0, 0, 0}};
+          Pose pose{about, compose(about, swing)};
+          if (who != 2) pose[0].rotation *= 1 + off;
+          if (who != 1) pose[1].rotation *= 1 + off;
+          const auto points = placed_vertices(c, pose, {}, Skinning::spherical);
+          farthest = std::max(farthest, std::abs(points[0][0]));
+          reach.box(pose, {});
+          ok = ok && reach.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
+               holds(nodes.boxes[0], points, c.vertices[0]) && (off != 0 || nodes.boxes[0].extent() < 1000 * angle * 1.1);
+        }
+    return Checked(ok && farthest > 1e-3, 27, "by up to " + std::to_string(farthest));
+  });
+  t.example("a single joint turns about its origin, however far, by a rotation that is not quite of unit length", {},
+            [] {
+              bool ok = true;
+              long tried = 0;
+              for (const double far : {1.0, 100.0, 1e3, 1e5})
+                for (const double off : {-4.9e-7, 0.0, 4.9e-7}) {
+                  SkinnedMesh model;
+                  model.name = "far from its joint";
+                  model.vertices = {{1, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+                  model.triangles = {{0, 1, 2}};
+                  model.joints = {{"far", -1, {far / 3, far, far / 7}}};
+                  model.influences.assign(3, {{0, 1}});
+                  const auto c = bake(std::move(model), {.triangles_per_leaf = 1});
+                  NodeMotionBound nodes(c, {0});
+                  for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+                    MotionBound reach(c.mesh, c.sets, skinning);
+                    std::mt19937 random(1);
+                    for (int turn = 0; turn < 20; ++turn) {
+                      Pose pose{{gen::random_rotation(random, 1), {0, 0, 0}}};
+                      pose[0].rotation *= 1 + off;
+                      const auto points = placed_vertices(c, pose, {}, skinning);
+                      const Box<double> box = reach.box(pose, {});
+                      ok = ok && holds(box, points, c.vertices[0]) &&
+                           reach.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
+                           holds(nodes.boxes[0], points, c.vertices[0]);
+                      ++tried;
+                    }
+                  }
+                }
+              return Checked(ok, tried);
+            });
+  t.holds("what is so small that its squares underflow is held too", {.number_type = "float", .cases = 200}, [] {
+    const auto plan = *gen::mesh_plan();
+    const double scale = *rc::gen::element(1e-15, 1e-17, 1e-19, 1e-22, 1e-30, 1e-50);
+    SkinnedMesh model = gen::make_mesh(plan);
+    for (Point3& v : model.vertices) v *= scale;
+    for (auto& joint : model.joints) joint.origin *= scale;
+    const auto c = bake(std::move(model), {.triangles_per_leaf = 1});
+    NodeMotionBound nodes(c, all_nodes(c));
+    if (nodes.packs.empty()) RC_DISCARD("too many joints");
+    std::mt19937 random(plan.seed);
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+      Pose pose = gen::random_pose(c.mesh, random, 0.5);
+      for (auto& joint : pose) joint.translation *= scale;
+      auto placement = random_placement(random);
+      placement.translation *= scale;
+      MotionBound reach(c.mesh, c.sets, skinning);
+      const auto points = placed_vertices(c, pose, placement, skinning);
+      if (!nodes.bound(reach, pose, placement)) continue;
+      for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
+    }
+  });
+  t.example("the clusters of a walking man have boxes little larger than their vertices'", {}, [] {
+    const auto man = bake(make_man());
+    const ClusterTree tree(man, {.most_children = 96});  // one wide node
+    const int count = tree.wide_nodes()[0].child_count;
+    std::string text = "sum of widths over that of the vertices' boxes: ";
+    bool ok = true;
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+      MotionBound reach(man.mesh, man.sets, skinning);
+      std::vector<FlippedBox> scratch(count);
+      std::vector<Box<double>> boxes(count);
+      double exact = 0, bounded = 0;
+      for (int i = 0; i < 10; ++i) {
+        const Pose pose = man.clips[0].sample(i / 10.0 * man.clips[0].duration);
+        const auto points = placed_vertices(man, pose, {}, skinning);
+        reach.box(pose, {});
+        ok = ok && reach.boxes(tree.wide_nodes()[0].reach, pose, {}, scratch, boxes);
+        for (int k = 0; k < count; ++k) {
+          const auto vertices = tree.vertices().vertices(tree.child(0, k).cluster);
+          auto box = Box<double>::empty();
+          for (const int v : vertices) box.merge(points[v]);
+          ok = ok && holds(boxes[k], points, vertices);
+          exact += box.extent(), bounded += boxes[k].extent();
+        }
+      }
+      ok = ok && bounded < (skinning == Skinning::linear ? 1.21 : 1.29) * exact;
+      text += (skinning == Skinning::linear ? "" : ", ") + std::to_string(bounded / exact);
+    }
+    return Checked(ok, 3 * 10 * count, text);
+  });
+  t.example("what turns may add to the spread of a piece's box, and what its images may lack, is what motion_bound_kernel.hpp says, rounded up", {}, [] {
+    bool ok = true;
+    long lanes = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed}));
+      std::vector<int> nodes;
+      for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
+      const auto pieces = pieces_of_nodes(c, nodes);
+      for (const MotionBoundPiecePack& pack : make_motion_bound_packs(c, pieces))
+        for (int lane = 0; lane < motion_bound_lanes; ++lane, ++lanes) {
+          const double n = pack.ball.joint_count[lane];
+          double squared_half = 0;
+          for (int i = 0; i < 3; ++i) squared_half += std::pow(static_cast<double>(pack.half[i][lane]), 2);
+          const double expected = std::sqrt(2 * n * (n - 1) * squared_half), spin = pack.spin[lane];
+          ok = ok && spin >= expected * (1 - 1e-12) && spin <= expected * (1 + 1e-5);
+          ok = ok && pack.box_unsolved[lane] >= std::sqrt(squared_half) * n / 64 * (1 - 1e-6);
+        }
+    }
+    return Checked(ok && lanes > 1000, lanes);
+  });
+  t.example("nothing is known of nodes between joints half a turn apart", {}, [] {
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
+    NodeMotionBound nodes(c, {0});
+    MotionBound reach(c.mesh, c.sets, Skinning::spherical);
+    Pose pose(c.mesh.joints.size());
+    const bool at_rest = nodes.bound(reach, pose, {});
+    for (std::size_t j = 1; j < pose.size(); j += 2) pose[j].rotation = {0, 1, 0, 0};
+    return at_rest && !nodes.bound(reach, pose, {});
+  });
+  t.example("pieces of too many joints or too far away have no packs", {}, [] {
+    SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+    const auto near = bake(model);
+    for (Point3& v : model.vertices) v *= 1e25;
+    const auto far = bake(model);
+    return Checked(!make_motion_bound_packs(near, pieces_of_nodes(near, all_nodes(near))).empty() &&
+                   make_motion_bound_packs(far, pieces_of_nodes(far, all_nodes(far))).empty());
+  });
+}
+
+}  // namespace proptests::suite_reach_packs

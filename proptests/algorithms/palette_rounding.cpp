@@ -1,0 +1,400 @@
+// The slack for rounding: that its rates are at least what the code's own operations can be off by, and not much more;
+// that the scales they are multiplied by bound what they claim to; and that no ball misses, in awkward cases.
+//
+// The rates are compared with running error bounds of the same templates. In the rates, what corners and blends are off
+// by turns a vertex once (palette_rounding.hpp); a running error would follow it into every product. So the templates run on
+// blends as they stand, and the blends' share is added by hand.
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+#include "algorithms/runtime/balls/mean_ball.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "lemmas/exact/exact.hpp"
+#include "proptests/gen/refit_case.hpp"
+#include "proptests/gen/skinned_samples.hpp"
+#include "proptests/gen/weights.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/running_error.hpp"
+
+namespace proptests::suite_pose_rounding {
+namespace {
+
+using namespace refitlab;
+using oracle::error_length;
+using Running = oracle::RunningError;
+constexpr double u = Running::u;
+constexpr int samples = 40000;
+
+// Numbers with all digits in use, some of them equal or 0 in a third of all draws, where sums are at their largest.
+class Draw {
+ public:
+  Running coordinate() {
+    if (std::uniform_int_distribution<int>(0, 2)(random_) == 0) return last_ * double(std::uniform_int_distribution<int>(-1, 1)(random_));
+    return last_ = std::uniform_real_distribution<double>(-1, 1)(random_);
+  }
+  Vec<Running, 3> point() { return {coordinate(), coordinate(), coordinate()}; }
+  Quaternion<Running> unit() {
+    for (;;) {
+      Quaternion<double> q;
+      for (int i = 0; i < 4; ++i) q[i] = coordinate().value;
+      if (squared_norm(q) > 0.01) return convert<Running>(Quaternion<double>(q / norm(q)));
+    }
+  }
+  // Of unit length, up to 4 u, at most this far from another one.
+  Quaternion<Running> near(const Quaternion<Running>& other, double distance) {
+    Quaternion<double> q;
+    for (int i = 0; i < 4; ++i) q[i] = other[i].value + distance * coordinate().value / 2;
+    return convert<Running>(Quaternion<double>(q / norm(q)));
+  }
+
+ private:
+  std::mt19937_64 random_{2006};
+  double last_ = 0.7;
+};
+
+double length(const Vec<Running, 3>& v) { return std::hypot(v[0].value, v[1].value, v[2].value); }
+
+// A script's statement with a bound of this many u, given to Gappa to prove.
+bool is_proved(const std::string& script, int bound) {
+  std::string text = read_whole("proptests/gappa/" + script + ".g");  // from the root of the repository
+  const std::string place = "BOUND";
+  const std::size_t at = text.rfind(place);
+  if (at == std::string::npos) throw std::runtime_error("proptests/gappa/" + script + ".g: without a BOUND");
+  text.replace(at, place.size(), std::to_string(bound) + "b-53");
+  FILE* gappa = popen("gappa >/dev/null 2>&1", "w");
+  if (!gappa) throw std::runtime_error("gappa could not be started");
+  std::fwrite(text.data(), 1, text.size(), gappa);
+  return pclose(gappa) == 0;
+}
+
+Checked check_elementary() {
+  const std::pair<const char*, int> bounds[] = {
+      {"squared_length", rounding::squared_length}, {"rotate", rounding::rotate},
+      {"rotate_scaled", rounding::rotate_scaled},   {"mix_weight", rounding::mix_weight},
+      {"mix_numerator", rounding::mix_numerator}};
+  bool passed = true;
+  std::string text;
+  for (const auto& [script, bound] : bounds) {
+    const bool whole = is_proved(script, bound), less = is_proved(script, bound * 3 / 4);
+    text += std::string(script) + " " + std::to_string(bound) + " u" + (whole ? "" : " NOT PROVED") + (less ? ", but less too" : "") + "; ";
+    passed = passed && whole && !less;
+  }
+  return Checked(passed, std::size(bounds), text);
+}
+
+// The greatest share of an allowance that errors make use of: at most 1 for soundness, and at least a floor, as else the
+// allowance could be halved without anyone noticing. The floor is for cases without translations.
+class Share {
+ public:
+  explicit Share(double at_least) : at_least_(at_least) {}
+  void see(double error, double allowance, bool is_at_origin = true) {
+    if (error == 0) return;
+    double& greatest = is_at_origin ? turned_ : moved_;
+    greatest = std::max(greatest, error / allowance), ++count_;
+  }
+  Checked checked() const {
+    char text[120];
+    std::snprintf(text, sizeof text, "%.0f %% of the allowance used (with translations %.0f %%), %.0f %% asked for", 100 * turned_,
+                  100 * moved_, 100 * at_least_);
+    constexpr double all = 1 + 1e-9;  // the bounds themselves are rounded
+    return Checked(turned_ <= all && moved_ <= all && turned_ >= at_least_, count_, text);
+  }
+
+ private:
+  double at_least_, turned_ = 0, moved_ = 0;
+  long count_ = 0;
+};
+
+// Scales of n joints whose quaternions are alike, of this size.
+PaletteScales<double> scales(int n, double size) { return {double(n), size, size, 1, 0}; }
+// What is left of rates for coordinates of this length and scales of this size, less the shares of blends: so many times kappa
+// and ||x||, and so many times the size.
+double left(const RoundingRates<double>& rates, double length, double of_length, double of_size, double size) {
+  return rates.per_length * length + rates.offset - u * (of_length * length + of_size * size);
+}
+
+Checked check_spherical_vertex() {
+  Draw draw;
+  Share share(0.5);
+  for (int i = 0; i < samples; ++i) {
+    const BlendedJoints<Running> blend{draw.unit(), draw.point() * Running(i % 3)};
+    const Vec<Running, 3> x = draw.point();
+    const double size = length(blend.center_image);
+    const auto placed = turn_and_place<Running>(blend, squared_norm(blend.rotation), x);
+    // x is off by 1, the blends by n.
+    share.see(error_length(placed), left(rounding_spherical(scales(2, size)).vertex, length(x), 1 + 4, 2, size), size == 0);
+  }
+  return share.checked();
+}
+
+Checked check_linear_vertex() {
+  Draw draw;
+  Share share(0.5);
+  for (int i = 0; i < samples; ++i) {
+    std::vector<RigidTransform<Running>> transforms;
+    const std::size_t n = 1 + i % 4;
+    double size = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      transforms.push_back({draw.unit(), draw.point() * Running(i % 3)});
+      size = std::max(size, length(transforms.back().translation));
+    }
+    std::vector<Running> w(n, Running(1.0 / double(n)));
+    const Vec<Running, 3> v = draw.point();
+    const auto placed = blend_linear<Running>({transforms, v, {}, {}}, w, v);
+    share.see(error_length(placed), left(rounding_linear(scales(int(n), size)).vertex, length(v), 0, 0, size), size == 0);
+  }
+  return share.checked();
+}
+
+Checked check_dual_quaternion_vertex() {
+  Draw draw;
+  Share share(0.5);
+  for (int i = 0; i < samples; ++i) {
+    const double translation = double(i % 4);
+    const BlendedDuals<Running> blend{draw.unit(), draw.unit() * Running(translation / 2)};
+    const Vec<Running, 3> v = draw.point();
+    const auto placed = move_rigidly<Running>(blend, squared_norm(blend.rotation), v);
+    // The blends are off by n each, which turns by 2 n and moves by n of d and n of q.
+    share.see(error_length(placed), left(rounding_dual_quaternion(scales(1, translation)).vertex, length(v), 2, 2, translation),
+              translation == 0);
+  }
+  return share.checked();
+}
+
+RoundingRates<double> difference(const PaletteRounding<double>& r) {
+  return {r.corners.per_length - r.vertex.per_length, 0, r.corners.offset - r.vertex.offset};
+}
+
+// Simplices of near corners of unit length: emits their control balls by way of the halving code.
+template <class Piece, class Corner, class MakeCorner>
+std::vector<Ball3<Running>> control_balls_of(Piece piece, double distance, Draw& draw, MakeCorner make) {
+  ControlLists<Running> lists;
+  std::vector<Corner> corners;
+  const Quaternion<Running> first = draw.unit();
+  for (int k = 0; k < 3; ++k) corners.push_back(make(draw.near(first, distance)));
+  ControlHull<Piece>(piece, corners, lists).cover(3, 0);
+  return lists.cap.balls;
+}
+
+Checked check_spherical_corners() {
+  Draw draw;
+  Share share(0.5);
+  for (int i = 0; i < samples / 4; ++i) {
+    const Vec<Running, 3> x = draw.point();
+    double size = 0;
+    const auto balls = control_balls_of<SphericalPiece<Running>, BlendedJoints<Running>>(
+        SphericalPiece<Running>(x, Running(0)), i % 2 ? 0.1 : 0.7, draw, [&](const Quaternion<Running>& q) {
+          const BlendedJoints<Running> corner{q, draw.point() * Running(i % 3)};
+          size = std::max(size, length(corner.center_image));
+          return corner;
+        });
+    // x is off by 1; corners by n + 4, which turns twice that, allowed for thrice.
+    const double allowance = left(difference(rounding_spherical(scales(1, size))), length(x), 1 + 3 * 5, 5, size);
+    for (const auto& b : balls) share.see(error_length(b.center), allowance, size == 0);
+  }
+  return share.checked();
+}
+
+Checked check_cap() {
+  Draw draw;
+  Share share(0.5);
+  for (int i = 0; i < samples / 4; ++i) {
+    const Quaternion<Running> first = draw.unit();
+    std::vector<Quaternion<Running>> unit;
+    for (int k = 0; k < 3; ++k) {
+      unit.push_back(draw.near(first, i % 3 ? 0.6 : 0.05));
+      for (int c = 0; c < 4; ++c) unit.back()[c].error = 5 * u * std::abs(unit.back()[c].value);  // of their normalisation
+    }
+    const std::span<const Quaternion<Running>> span(unit);
+    Quaternion<Running> direction = mean_center(span);
+    for (int c = 0; c < 4; ++c) direction[c].error = 0;  // any direction will do
+    const RotationBound<Running> bound = bound_rotations(span, direction);
+    const Vec<Running, 3> x = draw.point();
+    const Vec<Running, 3> offset = rotate<Running>(bound.apex, x) * bound.center_ratio;
+    const Running radius = bound.radius_ratio * norm(x);
+    const double allowance = left(difference(rounding_spherical(scales(1, 0))), length(x), 1 + 3 * 5, 0, 0);
+    share.see(error_length(offset) + radius.error, allowance);
+  }
+  return share.checked();
+}
+
+Checked check_dual_quaternion_corners() {
+  Draw draw;
+  Share share(0.5);
+  for (int i = 0; i < samples / 4; ++i) {
+    const Vec<Running, 3> p = draw.point();
+    const double translation = double(i % 4);
+    const auto balls = control_balls_of<DualQuaternionPiece<Running>, BlendedDuals<Running>>(
+        DualQuaternionPiece<Running>(p, Running(0), Running(0)), i % 2 ? 0.1 : 0.6, draw,
+        [&](const Quaternion<Running>& q) { return BlendedDuals<Running>{q, draw.unit() * Running(translation / 2)}; });
+    const double allowance =
+        left(difference(rounding_dual_quaternion(scales(1, translation))), length(p), 2 * 5, 2 * 5, translation);
+    for (const auto& b : balls) share.see(error_length(b.center), allowance, translation == 0);
+  }
+  return share.checked();
+}
+
+// A distance and a radius, measured and raised: relative to the sum, against the sixteen u of rounded_up.
+Checked check_measured_radius() {
+  Draw draw;
+  Share share(0.5);
+  for (int i = 0; i < samples; ++i) {
+    const Vec<Running, 3> a = draw.point(), b = draw.point() * Running(1.0 / (1 + i % 7));
+    const Running radius = norm<Running, 3>(a - b) + Running(0.1 * (i % 3)), raised = radius + Running(0);
+    if (radius.value == 0) continue;
+    const Ball3<double> up = rounded_up(Ball3<double>{{0, 0, 0}, radius.value});
+    share.see(raised.error, up.radius - radius.value);
+  }
+  return share.checked();
+}
+
+Rational as_rational(double x) { return Rational(x); }
+
+// Of the joint-sets of awkward cases in doubles, in exact numbers.
+void check_scales() {
+  const gen::RefitCase c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
+  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
+  const gen::NodeOf<double> storage(c);
+  const SkinningPalette<double>& palette = storage.node().palette;
+  for (std::size_t s = 0; s < palette.size(); ++s) {
+    const PaletteScales<double>& scales = palette.scales(s);
+    const auto& exact = c.sets[s].palette;
+    const std::size_t n = exact.transforms.size();
+    RC_ASSERT(scales.joints == double(n));
+    for (std::size_t j = 0; j < n; ++j) {
+      RC_ASSERT(squared_norm(exact.center_images[j]) <= sq(as_rational(scales.center_image)));
+      RC_ASSERT(squared_norm(exact.transforms[j].translation) <= sq(as_rational(scales.translation)));
+      const Rational defect = squared_norm(exact.transforms[j].rotation) - 1;
+      RC_ASSERT((defect < 0 ? Rational(-defect) : defect) <= as_rational(scales.unit_defect));
+    }
+    const Rational least = sq(Rational(1) / as_rational(scales.inverse_blend));
+    RC_ASSERT(least >= Rational(least_squared_length<double>()) * Rational(0.999));
+    if (least <= Rational(least_squared_length<double>())) continue;  // nothing is claimed of smaller blends
+    std::vector<std::vector<Rational>> weights = c.sets[s].weights.corners;
+    weights.push_back(std::vector<Rational>(n, Rational(1) / Rational(long(n))));
+    weights.push_back(*gen::convex_weights(static_cast<int>(n)));
+    for (const auto& w : weights) {
+      Quaternion<Rational> blend = exact.transforms[0].rotation * w[0];
+      for (std::size_t j = 1; j < n; ++j) blend = blend + exact.transforms[j].rotation * w[j];
+      RC_ASSERT(squared_norm(blend) >= least);
+    }
+  }
+}
+
+// The same with rotations off unit length, as those read from floats are, or by all that is accepted; the images and dual
+// parts stay.
+gen::RefitCase with_stretched_rotations(gen::RefitCase c) {
+  for (gen::SetCase& set : c.sets)
+    for (auto& transform : set.palette.transforms)
+      transform.rotation = transform.rotation * *rc::gen::element(Rational(1), Rational(1 + 0x1p-22), Rational(1 - 0x1p-22),
+                                                                         Rational(1 + 0.4999e-6), Rational(1 - 0.4999e-6));
+  return c;
+}
+
+// Every sound variant of a kind of skinning, its ball taken as it stands.
+void check_no_miss(Skinning skinning) {
+  const gen::RefitCase c =
+      with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
+  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
+  const gen::NodeOf<double> storage(c);
+  for (const RefitVariant& variant : compared_variants()) {
+    if (!variant.sound || variant.skinning != skinning) continue;
+    const Ball3<double> ball = variant.refit(storage.node());
+    if (ball.radius == HUGE_VAL) continue;  // all of space
+    RC_ASSERT(ball.center.allFinite() && std::isfinite(ball.radius));
+    const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
+    const Ball3<float> small = rounded_outward(ball);
+    const Ball3<Rational> of_floats{convert<Rational>(Point3(small.center.cast<double>())), Rational(double(small.radius))};
+    RC_ASSERT(encloses(of_floats, exact) == Verdict::holds);
+    for (const auto& sample : gen::samples(c, skinning, ball.center))
+      if (const auto v = gen::skinned(c, sample, skinning)) RC_ASSERT(encloses(exact, *v) == Verdict::holds);
+  }
+}
+
+// All nodes of a model in a pose: what a variant adds to its ball is at least what its pieces' rates ask for; and the
+// node's reference ball, and that of one of its joint-set's pieces, have each vertex, exactly.
+Checked check_nodes() {
+  const auto c = bake(make_snake(24));
+  const Pose pose = c.clips[0].sample(0.37 * c.clips[0].duration);
+  long pieces = 0, vertices_alone = 0, too_little = 0, outside = 0;
+  for (const RefitVariant& variant : compared_variants()) {
+    if (!variant.sound) continue;
+    const auto palette = make_skinning_palette(c.mesh, c.sets, pose, variant.skinning);
+    for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); n += 3) {
+      const RefitNode<double> node = c.refit_node(n, palette, variant.pieces);
+      const double added = variant.refit(node).radius - variant.refit_as_computed(node).radius;
+      for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+        const NodePiece& set = node.pieces[i];
+        const Ball3<double>& reference = node.piece_reference(i);
+        const bool is_alone = reference.radius == 0 && set.weight_vertex_count == 1;
+        const PaletteRounding<double>& rounding = palette.rounding(set.joint_set, variant.skinning);
+        const RoundingRates<double>& rates = is_alone ? rounding.vertex : rounding.corners;
+        const Point3 origin = variant.skinning == Skinning::spherical ? palette.rotation_center(set.joint_set) : Point3(0, 0, 0);
+        const double length = (reference.center - origin).norm() + reference.radius;
+        too_little += added < 0.999 * (rates.per_length * length + rates.per_radius * reference.radius + rates.offset);
+        ++pieces, vertices_alone += is_alone;
+      }
+      for (const int v : c.vertices[n]) {
+        const auto has = [&](const Ball3<double>& ball) {
+          return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)},
+                          convert<Rational>(c.mesh.vertices[v])) == Verdict::holds;
+        };
+        bool in_piece = false;
+        for (std::size_t i = 0; i < node.pieces.size(); ++i)
+          in_piece = in_piece || (node.pieces[i].joint_set == c.sets.of_vertex(v) && has(node.piece_reference(i)));
+        outside += !in_piece || !has(node.reference);
+      }
+    }
+  }
+  return Checked(too_little == 0 && outside == 0 && vertices_alone > 0 && vertices_alone < pieces, pieces,
+                 std::to_string(vertices_alone) + " pieces are vertices; " + std::to_string(too_little) +
+                     " nodes add too little, " + std::to_string(outside) + " vertices are outside");
+}
+
+Checked check_upper_norm() {
+  Draw draw;
+  double least = 2, greatest = 0;
+  for (int i = 0; i < samples; ++i) {
+    const Vec<Running, 3> x = draw.point();
+    if (length(x) == 0) continue;
+    const double ratio = upper_norm(Point3(x[0].value, x[1].value, x[2].value)) / length(x);
+    least = std::min(least, ratio), greatest = std::max(greatest, ratio);
+  }
+  return Checked(least >= 1 && least < 1.001 && greatest > 1.15 && greatest < 1.16, samples, std::to_string(greatest));
+}
+
+}  // namespace
+
+PROPTEST(palette_rounding) {
+  const Options options{.number_type = "running error of double"};
+  t.example("Gappa proves the elementary bounds, and not three quarters of them", {.number_type = "double"}, check_elementary);
+  t.example("a vertex under spherical blending is off by no more than its rate, and by half", options, check_spherical_vertex);
+  t.example("a vertex under linear blending is off by no more than its rate, and by half", options, check_linear_vertex);
+  t.example("a vertex under dual quaternion blending is off by no more than its rate, and by half", options,
+            check_dual_quaternion_vertex);
+  t.example("control points of degree 3 are off by no more than the corners' rate, and by half", options, check_spherical_corners);
+  t.example("a cap's center and radius are off by no more than the corners' rate", options, check_cap);
+  t.example("control points of dual quaternions are off by no more than the corners' rate, and by half", options,
+            check_dual_quaternion_corners);
+  t.example("a measured radius is off by no more than it is raised", options, check_measured_radius);
+  t.holds("the scales of a palette bound its lengths, its defects and all of its blends",
+          {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, check_scales);
+  t.example("a length bounded without a root is bounded, by at most 16 % more", options, check_upper_norm);
+  t.example("every variant adds at least what its pieces ask for, and the reference balls have their vertices", {}, check_nodes);
+  const Options awkward{.number_type = "double against rational", .cases = 400, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
+  t.holds("no ball of a linear variant misses an exactly skinned vertex of an awkward case, nor rounded to float", awkward,
+          [] { check_no_miss(Skinning::linear); });
+  t.holds("no ball of a spherical variant misses an exactly skinned vertex of an awkward case, nor rounded to float", awkward,
+          [] { check_no_miss(Skinning::spherical); });
+  t.holds("no ball of a dual quaternion variant misses an exactly skinned vertex of an awkward case, nor rounded to float",
+          awkward, [] { check_no_miss(Skinning::dual_quaternion); });
+}
+
+}  // namespace proptests::suite_pose_rounding
