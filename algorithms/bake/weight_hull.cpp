@@ -14,10 +14,10 @@ namespace refitlab {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Row = std::vector<double>;
+using WeightRow = std::vector<double>;
 
-std::vector<Row> distinct(const std::vector<std::span<const double>>& weights) {
-  std::vector<Row> rows;
+std::vector<WeightRow> distinct(const std::vector<std::span<const double>>& weights) {
+  std::vector<WeightRow> rows;
   for (const auto& w : weights) rows.emplace_back(w.begin(), w.end());
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
@@ -25,26 +25,26 @@ std::vector<Row> distinct(const std::vector<std::span<const double>>& weights) {
 }
 
 // The last weight is 1 minus the others, so the hull lives in the others' coordinates; 1 - sum is exact for such weights.
-Row complete(Row first) {
+WeightRow complete(WeightRow first) {
   double last = 1;
   for (const double w : first) last -= w;
   first.push_back(last);
   return first;
 }
 
-std::vector<Row> hull_of_three(const std::vector<Row>& rows) {
+std::vector<WeightRow> hull_of_three(const std::vector<WeightRow>& rows) {
   std::vector<Kernel::Point_2> points, hull;
-  for (const Row& r : rows) points.emplace_back(r[0], r[1]);
+  for (const WeightRow& r : rows) points.emplace_back(r[0], r[1]);
   CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
-  std::vector<Row> out;
+  std::vector<WeightRow> out;
   for (const auto& p : hull) out.push_back(complete({p.x(), p.y()}));
   return out;
 }
 
-std::vector<Row> hull_of_four(const std::vector<Row>& rows) {
+std::vector<WeightRow> hull_of_four(const std::vector<WeightRow>& rows) {
   std::vector<Kernel::Point_3> points;
-  for (const Row& r : rows) points.emplace_back(r[0], r[1], r[2]);
-  std::vector<Row> out;
+  for (const WeightRow& r : rows) points.emplace_back(r[0], r[1], r[2]);
+  std::vector<WeightRow> out;
   CGAL::Object hull;
   CGAL::convex_hull_3(points.begin(), points.end(), hull);
   if (CGAL::Polyhedron_3<Kernel> body; CGAL::assign(body, hull))
@@ -57,7 +57,7 @@ std::vector<Row> hull_of_four(const std::vector<Row>& rows) {
 
 }  // namespace
 
-std::vector<Row> extreme_rows(const std::vector<std::span<const double>>& weights) {
+std::vector<WeightRow> extreme_rows(const std::vector<std::span<const double>>& weights) {
   const DefaultFloatEnvironment environment;
   auto rows = distinct(weights);
   if (rows.size() <= 2) return rows;
@@ -69,7 +69,7 @@ std::vector<Row> extreme_rows(const std::vector<std::span<const double>>& weight
   }
 }
 
-std::vector<Row> weight_polytope(const std::vector<std::span<const double>>& weights) {
+std::vector<WeightRow> weight_polytope(const std::vector<std::span<const double>>& weights) {
   const DefaultFloatEnvironment environment;
   auto hull = extreme_rows(weights);
   WeightBounds<double> bounds{{weights[0].begin(), weights[0].end()}, {weights[0].begin(), weights[0].end()}};

@@ -16,7 +16,7 @@ constexpr int lanes = Lanes<float>::count;
 // A node is refitted whole with others of its joint-sets if these are few and the nodes fill a good part of the lanes.
 constexpr std::size_t most_sets = most_sets_of_whole_nodes, fewest_nodes = 4;
 
-std::span<const NodePiece> pieces(const SphereTree& tree, const TreeNode& node) {
+std::span<const NodePiece> pieces_of(const SphereTree& tree, const TreeNode& node) {
   return {tree.pieces.data() + node.first_piece, static_cast<std::size_t>(node.piece_count)};
 }
 
@@ -50,7 +50,7 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
   std::map<std::vector<int>, std::vector<Item>> by_sets;
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     const TreeNode& node = tree.nodes[n];
-    const auto own = joint_sets(tree, node);
+    const auto own = pieces_of(tree, node);
     by_sets[names_of(own)].push_back({&node, own, static_cast<int>(n)});
     largest_reference_ = std::max(largest_reference_, float_above(node.reference.center.norm()));
   }

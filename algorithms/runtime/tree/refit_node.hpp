@@ -37,7 +37,7 @@ struct RefitNode {
     return !piece_references.empty() && set.weight_vertex_count == 1 && piece_references[set.reference].radius == S(0);
   }
   const Ball3<S>& piece_reference(std::size_t piece) const {
-    return piece_references.empty() ? reference : piece_references[joint_sets[piece].reference];
+    return piece_references.empty() ? reference : piece_references[pieces[piece].reference];
   }
 };
 

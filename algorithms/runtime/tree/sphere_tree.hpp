@@ -19,7 +19,7 @@ struct TreeNode {
   int level;
   int first_triangle, triangle_count;      // in SphereTree::triangle_order
   int first_vertex, vertex_count;          // in SphereTree::leaf_vertices; 0 but at leaves
-  int first_piece, piece_count;    // in SphereTree::joint_sets
+  int first_piece, piece_count;    // in SphereTree::pieces
 };
 
 struct SphereTree {
@@ -32,7 +32,7 @@ struct SphereTree {
   int level_count() const { return nodes.back().level; }
   RefitNode<double> refit_node(int node, const SkinningPalette<double>& palette) const {
     const TreeNode& n = nodes[node];
-    return {n.reference, {joint_sets.data() + n.first_piece, static_cast<std::size_t>(n.piece_count)},
+    return {n.reference, {pieces.data() + n.first_piece, static_cast<std::size_t>(n.piece_count)},
             weight_vertices.data(), palette};
   }
 };
