@@ -43,9 +43,9 @@ JointGrowth measure(int joints, const SpeedSettings& speed) {
   }
   through_descendants.begin(palette);
   through_descendants.refit_all();
-  std::vector<Ball3<double>> front;
-  for (const int n : through_descendants.cut(0)) front.push_back(through_descendants[n]);
-  if (!front.empty()) timed.push_back({"known", 1, [&front] { benchmark::DoNotOptimize(few_balls_ball(front)); }});
+  std::vector<Ball3<double>> cut;
+  for (const int n : through_descendants.cut(0)) cut.push_back(through_descendants[n]);
+  if (!cut.empty()) timed.push_back({"known", 1, [&cut] { benchmark::DoNotOptimize(few_balls_ball(cut)); }});
   const auto times = ns_per_item(timed, speed);
   const auto time = [&](const char* name) { return times.count(name) ? median(times.at(name)) : 0.0; };
   JointGrowth out{joints, snake.sets.count(), static_cast<int>(many.size()), time("own"), time("through_descendants"), time("own_root"),
@@ -66,7 +66,7 @@ std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings) {
     rows.push_back(measure(joints, settings));
     const JointGrowth& r = rows.back();
     std::printf("  %4d joint-sets, %3d nodes of many: %7.1f us in all, %7.1f from below; the root %7.1f us, %7.1f from below, %5.1f if the frame "
-                "knows its front; %.3f and %.3f times optimal\n", r.pieces, r.many, r.own / 1000, r.through_descendants / 1000, r.own_root / 1000,
+                "knows its cut; %.3f and %.3f times optimal\n", r.joint_sets, r.many, r.own / 1000, r.through_descendants / 1000, r.own_root / 1000,
                 r.root_from_below / 1000, r.root_from_known / 1000, r.root_ratio, r.root_ratio_from_below);
   }
   return rows;
@@ -79,7 +79,7 @@ void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string&
       file.add({"joint_growth", "snake of " + std::to_string(r.joints) + " joints", "wave", variant, "all", quantity, format_number(value), unit,
                 std::to_string(r.joints)});
     };
-    add("own", "joint_sets", r.pieces, "1");
+    add("own", "joint_sets", r.joint_sets, "1");
     add("own", "nodes_of_many_joint_sets", r.many, "1");
     if (r.many > 0) {
       add("own", "ns_of_nodes_of_many", r.own, "ns");

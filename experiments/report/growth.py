@@ -31,7 +31,7 @@ def triangles_section(results, page):
 # --- Joints ---
 
 JOINT_LINES = [("by itself", "own", "ns_of_root"), ("from below, asked first", "through_descendants", "ns_of_root"),
-               ("from a known front", "through_descendants", "ns_of_root_from_known")]
+               ("from a known cut", "through_descendants", "ns_of_root_from_known")]
 
 
 def joint_times(results, variant, quantity):
@@ -40,7 +40,7 @@ def joint_times(results, variant, quantity):
 
 
 def joint_exponent(results):
-    """Of the root's cost from a known front."""
+    """Of the root's cost from a known cut."""
     return fitted_exponent([p for p in joint_times(results, "through_descendants", "ns_of_root_from_known") if p[0] in FITTED_JOINTS])
 
 

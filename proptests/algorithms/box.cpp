@@ -10,7 +10,7 @@
 #include "algorithms/model/model.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_box {
 namespace {
 
 using namespace refitlab;
@@ -105,4 +105,4 @@ PROPTEST(box) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_box

@@ -10,7 +10,7 @@
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_character_file {
 namespace {
 
 using namespace refitlab;
@@ -152,4 +152,4 @@ PROPTEST(character_file) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_character_file

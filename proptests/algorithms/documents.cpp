@@ -14,7 +14,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
-namespace proptests {
+namespace proptests::suite_documents {
 namespace {
 
 using namespace refitlab;
@@ -165,4 +165,4 @@ PROPTEST(documents) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_documents

@@ -10,7 +10,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
 
-namespace proptests {
+namespace proptests::suite_exact_number {
 namespace {
 
 using namespace refitlab;
@@ -55,4 +55,4 @@ PROPTEST(exact_number) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_exact_number

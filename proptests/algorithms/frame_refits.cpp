@@ -59,7 +59,7 @@ struct Drawn {
   std::vector<Point3> deformed;
 };
 
-// Two strips of triangles. Where the vertices of the first are half-way between two joints, in front of which a third has
+// Two strips of triangles. Where the vertices of the first are half-way between two joints, in cut of which a third has
 // hardly any weight, dual quaternions may blend to 0, so that their bound is all of space. The second strip is rigid.
 SkinnedMesh two_strips() {
   SkinnedMesh m;
@@ -111,25 +111,25 @@ Drawn draw() {
   return {gen::make_mesh(plan), plan.seed};
 }
 
-// The front of a node by its definition: the member of most joint-sets, of several the first, gives way to its children.
+// The cut of a node by its definition: the member of most joint-sets, of several the first, gives way to its children.
 std::vector<int> cut_by_definition(const Drawn& d, int n, const FrameOptions& options) {
   const auto children = [&](int m) {
     std::vector<int> out;
     for (int c = 0; c < d.character.tree.nodes[m].child_count; ++c) out.push_back(d.character.tree.nodes[m].first_child + c);
     return out;
   };
-  std::vector<int> front = children(n);
+  std::vector<int> cut = children(n);
   for (;;) {
     int widest = -1;
-    for (const int m : front)
+    for (const int m : cut)
       if (!children(m).empty() && d.joint_sets(m) > options.most_joint_sets &&
           (widest < 0 || d.joint_sets(m) > d.joint_sets(widest) || (d.joint_sets(m) == d.joint_sets(widest) && m < widest)))
         widest = m;
-    if (widest < 0) return front;
+    if (widest < 0) return cut;
     const auto below = children(widest);
-    if (static_cast<int>(front.size() + below.size()) - 1 > options.most_in_cut) return front;
-    front.erase(std::find(front.begin(), front.end(), widest));
-    front.insert(front.end(), below.begin(), below.end());
+    if (static_cast<int>(cut.size() + below.size()) - 1 > options.most_in_cut) return cut;
+    cut.erase(std::find(cut.begin(), cut.end(), widest));
+    cut.insert(cut.end(), below.begin(), below.end());
   }
 }
 
@@ -197,7 +197,7 @@ PROPTEST(frame_refits) {
               RC_ASSERT(d.encloses(frame[n], n));
             }
           });
-  t.holds("from below: a node of many joint-sets gets the smallest ball around its front's, which alone is refitted for it",
+  t.holds("from below: a node of many joint-sets gets the smallest ball around its cut's, which alone is refitted for it",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
             const FrameOptions options{.most_joint_sets = *rc::gen::element(1, 2, 3), .most_in_cut = *rc::gen::element(1, 3, 6, 64)};

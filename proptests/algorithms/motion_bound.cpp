@@ -9,7 +9,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests::suite_reach {
+namespace proptests::suite_motion_bound {
 namespace {
 
 using namespace refitlab;
@@ -260,4 +260,4 @@ PROPTEST(motion_bound) {
   });
 }
 
-}  // namespace proptests::suite_reach
+}  // namespace proptests::suite_motion_bound

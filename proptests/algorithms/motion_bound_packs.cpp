@@ -11,7 +11,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests::suite_reach_packs {
+namespace proptests::suite_motion_bound_packs {
 namespace {
 
 using namespace refitlab;
@@ -335,4 +335,4 @@ PROPTEST(motion_bound_packs) {
   });
 }
 
-}  // namespace proptests::suite_reach_packs
+}  // namespace proptests::suite_motion_bound_packs

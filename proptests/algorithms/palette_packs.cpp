@@ -8,7 +8,7 @@
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests::suite_pose_packs {
+namespace proptests::suite_palette_packs {
 namespace {
 
 using namespace refitlab;
@@ -104,4 +104,4 @@ PROPTEST(palette_packs) {
   });
 }
 
-}  // namespace proptests::suite_pose_packs
+}  // namespace proptests::suite_palette_packs

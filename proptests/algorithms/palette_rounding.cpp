@@ -23,7 +23,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/running_error.hpp"
 
-namespace proptests::suite_pose_rounding {
+namespace proptests::suite_palette_rounding {
 namespace {
 
 using namespace refitlab;
@@ -397,4 +397,4 @@ PROPTEST(palette_rounding) {
           awkward, [] { check_no_miss(Skinning::dual_quaternion); });
 }
 
-}  // namespace proptests::suite_pose_rounding
+}  // namespace proptests::suite_palette_rounding

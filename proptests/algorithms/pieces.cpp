@@ -10,7 +10,7 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"
-#include "proptests/oracles/corners.hpp"
+#include "proptests/oracles/weight_vertices.hpp"
 
 namespace proptests::suite_pieces {
 namespace {

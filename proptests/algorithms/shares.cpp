@@ -6,7 +6,7 @@
 #include "algorithms/bake/weight_hull.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests {
+namespace proptests::suite_shares {
 namespace {
 
 using namespace refitlab;
@@ -91,4 +91,4 @@ PROPTEST(shares) {
   });
 }
 
-}  // namespace proptests
+}  // namespace proptests::suite_shares

@@ -13,7 +13,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests::suite_skinning_pose {
+namespace proptests::suite_skinning_palette {
 namespace {
 
 using namespace refitlab;
@@ -307,4 +307,4 @@ PROPTEST(skinning_palette) {
   });
 }
 
-}  // namespace proptests::suite_skinning_pose
+}  // namespace proptests::suite_skinning_palette

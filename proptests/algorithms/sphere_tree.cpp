@@ -9,7 +9,7 @@
 #include "algorithms/bake/weight_vertices.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
-#include "proptests/oracles/corners.hpp"
+#include "proptests/oracles/weight_vertices.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
 
 namespace proptests::suite_sphere_tree {

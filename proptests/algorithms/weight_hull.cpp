@@ -8,7 +8,7 @@
 #include "proptests/gen/rational.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"
-#include "proptests/oracles/corners.hpp"
+#include "proptests/oracles/weight_vertices.hpp"
 
 namespace proptests::suite_weight_hull {
 namespace {

@@ -5,9 +5,9 @@
 #include "proptests/gen/dyadic_bounds.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/harness.hpp"
-#include "proptests/oracles/corners.hpp"
+#include "proptests/oracles/weight_vertices.hpp"
 
-namespace proptests::suite_corners {
+namespace proptests::suite_weight_vertices {
 namespace {
 
 using namespace refitlab;
@@ -38,7 +38,7 @@ WeightBounds<Rational> middle_cut(int n) {
 
 }  // namespace
 
-PROPTEST(corners) {
+PROPTEST(weight_vertices) {
   t.holds("the corners are those that trying all patterns finds, each once",
           {.number_type = "rational", .cases = 600, .degenerate_at_least = 0.3}, [] {
             const bool any = *rc::gen::arbitrary<bool>();
@@ -161,4 +161,4 @@ PROPTEST(corners) {
   });
 }
 
-}  // namespace proptests::suite_corners
+}  // namespace proptests::suite_weight_vertices

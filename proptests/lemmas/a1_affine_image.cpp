@@ -9,7 +9,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_a1_affine_image {
 namespace {
 
 using namespace refitlab;
@@ -195,4 +195,4 @@ PROPTEST(a1_affine_image) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_a1_affine_image

@@ -13,7 +13,7 @@
 #include "proptests/oracles/skinning.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_a2_two_phase_skinning {
 namespace {
 
 using namespace refitlab;
@@ -157,4 +157,4 @@ PROPTEST(a2_two_phase_skinning) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_a2_two_phase_skinning

@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_a3_morph_displacement {
 namespace {
 
 using namespace refitlab;
@@ -189,4 +189,4 @@ PROPTEST(a3_morph_displacement) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_a3_morph_displacement

@@ -9,7 +9,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_c1_chord_bound {
 namespace {
 
 using namespace refitlab;
@@ -233,4 +233,4 @@ PROPTEST(c1_chord_bound) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_c1_chord_bound

@@ -8,7 +8,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/slerp.hpp"
 
-namespace proptests {
+namespace proptests::suite_c2_channel_motion {
 namespace {
 
 using namespace refitlab;
@@ -271,4 +271,4 @@ PROPTEST(c2_channel_motion) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_c2_channel_motion

@@ -10,7 +10,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_c3_normalized_motion {
 namespace {
 
 using namespace refitlab;
@@ -278,4 +278,4 @@ PROPTEST(c3_normalized_motion) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_c3_normalized_motion

@@ -7,7 +7,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_c4_chain_motion {
 namespace {
 
 using namespace refitlab;
@@ -227,4 +227,4 @@ PROPTEST(c4_chain_motion) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_c4_chain_motion

@@ -9,7 +9,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests {
+namespace proptests::suite_c5_skinned_motion {
 namespace {
 
 using namespace refitlab;
@@ -327,4 +327,4 @@ PROPTEST(c5_skinned_motion) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_c5_skinned_motion

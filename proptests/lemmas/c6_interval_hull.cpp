@@ -9,7 +9,7 @@
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_c6_interval_hull {
 namespace {
 
 using namespace refitlab;
@@ -296,4 +296,4 @@ PROPTEST(c6_interval_hull) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_c6_interval_hull

@@ -10,7 +10,7 @@
 #include "proptests/oracles/skinning.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
-namespace proptests {
+namespace proptests::suite_c8_any_pose {
 namespace {
 
 using namespace refitlab;
@@ -220,4 +220,4 @@ PROPTEST(c8_any_pose) {
 }
 
 }  // namespace
-}  // namespace proptests
+}  // namespace proptests::suite_c8_any_pose

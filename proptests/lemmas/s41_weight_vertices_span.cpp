@@ -8,7 +8,7 @@
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
-namespace proptests::suite_s41_corners_span {
+namespace proptests::suite_s41_weight_vertices_span {
 namespace {
 
 using namespace refitlab;
@@ -342,4 +342,4 @@ PROPTEST(s41_weight_vertices_span) {
 }
 
 }  // namespace
-}  // namespace proptests::suite_s41_corners_span
+}  // namespace proptests::suite_s41_weight_vertices_span

@@ -1,4 +1,4 @@
-#include "proptests/oracles/corners.hpp"
+#include "proptests/oracles/weight_vertices.hpp"
 
 #include <algorithm>
 

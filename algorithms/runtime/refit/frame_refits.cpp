@@ -11,37 +11,37 @@
 namespace refitlab {
 namespace {
 
-// The front of a node that has children.
+// The cut of a node that has children.
 std::vector<int> cut_of(const SphereTree& tree, const FrameOptions& options, int node) {
   const auto fewer_to_gain = [&](int a, int b) {
     const auto gain = [&](int n) { return tree.nodes[n].child_count ? tree.nodes[n].piece_count : 0; };
     return std::pair(gain(a), -a) < std::pair(gain(b), -b);
   };
-  std::vector<int> front;  // a heap
+  std::vector<int> cut;  // a heap
   const auto open = [&](int n) {
     for (int child = tree.nodes[n].first_child; child < tree.nodes[n].first_child + tree.nodes[n].child_count; ++child) {
-      front.push_back(child);
-      std::push_heap(front.begin(), front.end(), fewer_to_gain);
+      cut.push_back(child);
+      std::push_heap(cut.begin(), cut.end(), fewer_to_gain);
     }
   };
   for (open(node);;) {
-    const TreeNode& most = tree.nodes[front.front()];
-    const auto opened = static_cast<int>(front.size()) - 1 + most.child_count;
-    if (most.piece_count <= options.most_joint_sets || most.child_count == 0 || opened > options.most_in_cut) return front;
-    const int n = front.front();
-    std::pop_heap(front.begin(), front.end(), fewer_to_gain);
-    front.pop_back();
+    const TreeNode& most = tree.nodes[cut.cut()];
+    const auto opened = static_cast<int>(cut.size()) - 1 + most.child_count;
+    if (most.piece_count <= options.most_joint_sets || most.child_count == 0 || opened > options.most_in_cut) return cut;
+    const int n = cut.cut();
+    std::pop_heap(cut.begin(), cut.end(), fewer_to_gain);
+    cut.pop_back();
     open(n);
   }
 }
 
 std::vector<std::vector<int>> cuts(const SphereTree& tree, const FrameOptions& options) {
-  std::vector<std::vector<int>> front(tree.nodes.size());
-  if (options.most_joint_sets == 0) return front;
-  for (std::size_t n = 0; n < front.size(); ++n)
+  std::vector<std::vector<int>> cut(tree.nodes.size());
+  if (options.most_joint_sets == 0) return cut;
+  for (std::size_t n = 0; n < cut.size(); ++n)
     if (tree.nodes[n].piece_count > options.most_joint_sets && tree.nodes[n].child_count > 0)
-      front[n] = cut_of(tree, options, static_cast<int>(n));
-  return front;
+      cut[n] = cut_of(tree, options, static_cast<int>(n));
+  return cut;
 }
 
 // Encloses the balls, which are all of space if one of them is.

@@ -2,9 +2,9 @@
 //
 // Beyond the paper's on-demand refit (5), two ways in which a node uses what the frame knows already:
 // - Nodes of many joint-sets, from below. Their own refit grows with the joint-sets and none of it is shared with other
-//   nodes. Instead such a node gets the smallest ball around the balls of its front: descendants of few joint-sets,
+//   nodes. Instead such a node gets the smallest ball around the balls of its cut: descendants of few joint-sets,
 //   or bounded from below in their turn. They are refitted once a frame, for all of their ancestors, and asking for
-//   them later costs nothing. As a front has at most so many members, a ball costs no more however many joints the
+//   them later costs nothing. As a cut has at most so many members, a ball costs no more however many joints the
 //   character has (the paper's future work: sublinear in joints).
 // - Children first. If all children of a node are refitted, their smallest enclosing ball is a bound too: the smaller
 //   one is taken. Queries go top-down, so this is for frames whose balls are made bottom-up, all or many of them.
@@ -18,8 +18,8 @@ namespace refitlab {
 struct FrameOptions {
   // A node with more joint-sets than this that is not a leaf is bounded from below; 0: none is.
   int most_joint_sets = 0;
-  // Of a front: its member of most joint-sets is replaced by its children as long as they are no more than this. A node of
-  // more children has all of them as its front.
+  // Of a cut: its member of most joint-sets is replaced by its children as long as they are no more than this. A node of
+  // more children has all of them as its cut.
   int most_in_cut = 64;
   bool children_first = false;
 };
@@ -41,7 +41,7 @@ class FrameRefits {
 
   bool is_refitted(int node) const { return made_.is_made(node); }
   // The nodes that a node is bounded from below by; empty for one that is refitted by itself.
-  const std::vector<int>& front(int node) const { return cut_[node]; }
+  const std::vector<int>& cut(int node) const { return cut_[node]; }
   // How many balls were made since begin, by level - 1.
   const std::vector<long>& refitted_by_level() const { return refitted_; }
 
