@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # refitlab_kernels(TARGET): how the SIMD kernels (*_kernel.cpp) of a library are compiled, and once more for each wider
 # target (algorithms/runtime/packs/targets.hpp).
 function(refitlab_kernels library)

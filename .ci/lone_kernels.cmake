@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Fails if the OBJECTS compiled for a wider TARGET define a symbol that other code could be linked with in place of its own
 # (algorithms/runtime/packs/targets.hpp): all that they may define lies in the target's namespace. (DW.ref.* are
 # pointers to the handlers of exceptions, the same everywhere.)

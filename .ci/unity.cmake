@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # refitlab_unite(TARGET SIZE FILE...) compiles the files of a folder together, so many at a time: headers and what they instantiate are
 # most of what a file costs, and are then paid for once. Files that have options of their own are compiled alone all the same.
 option(REFITLAB_UNITY "Compile several files of a folder at a time, for a third of the processor time" ON)

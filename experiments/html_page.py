@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A page of HTML as those who check it need it."""
 import html.parser
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // experiments: the main job. Runs the experiments on the default models or on the user's own, and writes tables and pictures.
 #include <functional>
 #include <future>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/options.hpp"
 
 #include <boost/program_options.hpp>

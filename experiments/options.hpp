@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Options: what a run of the experiments is asked for on the command line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // RunFile: out/results/run.csv, the result files that a run wrote and how long it measured. It is there once a run is done.
 #pragma once
 

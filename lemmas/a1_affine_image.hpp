@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: what an affine map makes of a ball, a box, and the hull of balls: joints that scale and shear.
 //
 // Statement. Let C x = A x + b, and s^2 the greatest sum of absolute values in a row of A^T A. Then

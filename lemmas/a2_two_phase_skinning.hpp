@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: joints that scale, with spherical and dual quaternion skinning: scales first, then rotations.
 //
 // Statement. Let joints be C_i = R_i S_i, affine S_i (scale and shear) followed by rigid R_i. Skinning in two phases, as

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: vertices that are displaced before they are skinned, by morph targets or reduced coordinates.
 //
 // Statement. Let v = v_0 + sum m_k d_k, with v_0 in the ball about c of radius r and the displacement d_k in that about c_k of

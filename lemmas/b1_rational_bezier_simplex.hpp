@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: blend skinning is a rational Bezier simplex in the weights.
 //
 // Statement. Let the corners k = 1 ... m of a simplex of weights carry what is linear in the weights, and let u have

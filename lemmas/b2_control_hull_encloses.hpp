@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: the control points hold all of a blend.
 //
 // Statement. Let N_I, W_I be the control points of a blend (b1_rational_bezier_simplex) with all W_I > 0. For every u

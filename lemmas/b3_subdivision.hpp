@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: halving a simplex of weights at an edge tightens its control points as far as wanted.
 //
 // Statement. Let a spherical blend have the corners (q'_i, r'_i), and let the halves at the edge (k, l) have its middle

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: where the control points are no bound, the cap of the rotations still is.
 //
 // Statement. Let q'_k, c and kappa^2 be as in t3_one_cap with c not 0, or let kappa^2 <= 1/2 and q'_k, c be anything.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: on a twist only the distance from the axis moves.
 //
 // Statement. Let all quaternions q'_k turn about one axis n (Im q'_k parallel to n, n not 0), and split x = a + p into

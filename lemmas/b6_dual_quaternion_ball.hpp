@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: a ball around what dual quaternions make of a point, as long as their blends keep away from 0.
 //
 // Statement. Let q_k + eps d_k, k = 1 ... m, be the corners of a dual quaternion blend (b1_rational_bezier_simplex), of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: how far a vertex can be, from the transforms of its joints alone.
 //
 // Statement. Let C_k, k = 1 ... n, be rigid transforms with unit quaternions q_k, all (q_k, q_l) >= c >= 0. For a point

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: how far a curve is from its chord, from a bound of its second derivative.
 //
 // Statement. Let f be a curve of R^d over an interval of the length h, and s in [0, 1] the share of it that has passed; the

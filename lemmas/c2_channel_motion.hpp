@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: how fast a channel of a clip goes between two keys, and how much it bends.
 //
 // Statement. Between two keys at a distance of T > 0 a channel is bounded in size, speed and acceleration

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: how a quaternion moves that is normalised after it was blended, by how the blend moves.
 //
 // Statement. Let p be a curve in R^4 with ||p|| >= m > 0, ||p'|| <= L and ||p''|| <= A. Then

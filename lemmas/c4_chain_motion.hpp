@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: how fast a point goes under a chain of joints, and how much it bends, from the joints' channels alone.
 //
 // Statement. Let each link of a chain carry y to t + R_q (s y), with the translation t, the unit quaternion q and the factors s

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: how fast a skinned vertex goes, and how much it bends, by linear, spherical and dual quaternion skinning.
 //
 // Statement. Let a vertex v have the joints 1 ... n with constant convex weights w. Over an interval let the images x_k = C_k v

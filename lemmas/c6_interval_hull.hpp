@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: bounds that hold throughout an interval, from bounds at its ends.
 //
 // Statement. (i) Let points move over an interval of the length h with ||f''|| <= M each, or ||f'|| <= L, and let a convex set

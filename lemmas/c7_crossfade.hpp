@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: how a joint moves in a crossfade of two clips, in each of their times and in the weight.
 //
 // Statement. Let the weight w in [w_0, w_1], 0 <= w_0 and w_1 <= 1, fade from a clip at the time a to another at b, with

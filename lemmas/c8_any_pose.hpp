@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: where a vertex can be in any pose whatever, from bone lengths and the range of scales alone.
 //
 // Statement. Let the links of a chain carry y to t + R (s y) with any rotations R, ||t|| <= l and factors of the scale s of at most

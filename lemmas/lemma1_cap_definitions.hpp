@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lemma 1: the two definitions of a cap are the same.
 //
 // Statement. In R^d, d >= 1, let S be the surface with center c and radius r > 0.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lemma 2: normalising the generators keeps the directions, and so the rotations, of a convex hull.
 //
 // Statement. Let q_1 ... q_m be vectors of R^d and f_1 ... f_m > 0, and p_i = q_i / f_i. For every w in W_m there are u

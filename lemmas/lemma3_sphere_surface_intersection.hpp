@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lemma 3: where a ball cuts a sphere's surface there is a cap, and its half-space is at a known distance.
 //
 // Statement. In R^d, d >= 1, let A be the surface with center a and radius r_a >= 0, and B the ball with center b != a

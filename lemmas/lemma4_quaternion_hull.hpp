@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lemma 4 and Corollary 1: a ball around unit vectors bounds the directions of all of their blends.
 //
 // Statement. In R^d, d >= 1, let n_1 ... n_m be unit vectors in the ball E = [c, r], C = E with the unit sphere's

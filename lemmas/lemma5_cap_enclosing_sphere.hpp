@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lemma 5: the smallest ball that encloses a cap.
 //
 // Statement. Let C = {x : ||x - c|| = r, (x - c, a - c) >= r^2 cos alpha}, r = ||a - c||, be a cap of R^d, d >= 2, of angle

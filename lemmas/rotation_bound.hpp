@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: lines 11 to 15 of Algorithm 1 without a ball in R^4, for any angle and without losing digits.
 //
 // Statement. Let n_1 ... n_m be unit quaternions, a a unit quaternion, and s^2 = max_k ||n_k - a||^2 / 4. If s^2 < 1/2, let

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.1, corners span W' (Equation 4).
 //
 // Statement. Weight bounds <l_i, h_i> cut W' = {w : l_i <= w_i <= h_i, sum w_i = 1} out of the plane of affine weights.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the corners.
 //
 // Statement. Let W' be the hull of the corners c_1 ... c_m (s41_weight_vertices_span) and let r_1 ... r_n be points of R^d.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.3, the range of the distance: d_H = (1 + ||c||^2 - r^2) / (2 ||c||) is in [0, 1], and arccos d_H exists.
 //
 // Statement. Let E = [c, r] be a ball of R^d with c != 0. If | ||c|| - 1 | <= r and r^2 <= 1 + ||c||^2, then d_H is in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.3, turning a ball is turning its center: Q_w(S - r_c) = Q_w(p - r_c) (+) [0, r], a Minkowski sum.
 //
 // Statement. Let q be a non-zero quaternion, R_q its rotation, S = [p, r] a ball of R^3 and c a point. Then

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.3, from a cap of rotations on S_3 to a cap of rotated vectors in R^3 ("arbitrary axis and angle").
 //
 // Statement. For non-zero quaternions p, q with the angle arccos c between them, and any v of R^3,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.3, when to fall back on the whole of S_3.
 //
 // Statement. Let n_1 ... n_m be unit vectors in the ball E = [c, r] of R^4, and let N = 1 + ||c||^2 - r^2. If N > 0,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.4, several joint-sets: one ball of the balls of all joint-sets.
 //
 // Statement. Let S = [p, r] enclose vertices that belong to joint-sets z = 1 ... Z, each joint-set with its own joints,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Section 4.4, adding the bounds: the sum of the linear and the spherical part is in one ball of equal balls.
 //
 // Statement. Let the linear part be in CH(r'_1, ..., r'_m), the spherical part of the center in the ball F = [f, s],

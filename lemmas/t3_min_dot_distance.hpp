@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: the distance d_H is a minimum of dot products, and the ball in R^4 is not needed.
 //
 // Statement. Let n_1 ... n_m be unit vectors of R^d, c != 0 and r the largest distance of an n_k from c. Then

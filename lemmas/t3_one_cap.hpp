@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: one lemma in place of Lemmas 2 to 4, for quaternions of any length.
 //
 // Statement. Let q_1 ... q_m and c be vectors of R^4 and kappa^2 >= 0, with (q_k, c) >= 0 and

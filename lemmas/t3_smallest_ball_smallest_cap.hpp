@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Beyond the paper: the smallest ball of points on the unit sphere gives the smallest cap, and is a nearest-point
 // problem.
 //

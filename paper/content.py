@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
 import report_package  # noqa: F401
 from formats import digits, escaped, power_of_ten, table, whole_number

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The counterexamples of proptests/cases/cases.json, and what follows from them, in exact rationals.
 
 What the tests decide with the library is worked out here once more, from the statements alone.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The README's measured blocks: <!-- measured: NAME --> ... <!-- /measured -->, each with the commit it was measured at."""
 import re
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the report's package (experiments/report) importable: the paper's numbers come from the same tables and statistics."""
 import pathlib
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of errors, errors.md: each with where it is thrown, and the suite that provokes it.
 #pragma once
 

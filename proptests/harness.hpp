@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The test harness: properties that say what they tried, and a run whose result is the conjunction of all of them.
 //
 //   PROPTEST(lemma5_cap_enclosing_sphere) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // proptests: runs every property (or those of --only STEM) and writes their verdicts.
 #include <boost/program_options.hpp>
 #include <charconv>

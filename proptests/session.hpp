@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One run of the tests: its options, its suites, and the outcomes so far.
 #pragma once
 

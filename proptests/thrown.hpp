@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every error that was thrown, caught or not, while the suites ran: what shows that a test provokes it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/verdict_table.hpp"
 
 #include "algorithms/results/result_file.hpp"

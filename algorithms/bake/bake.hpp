@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Baking: all that refits and queries need of a skinned mesh, made once, before any pose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pieces of a tree's nodes: the vertices of a joint-set in a node, or parts of them where these are tighter, and the hull
 // of their weight vectors in place of the weight box wherever the hull has no more corners.
 #pragma once

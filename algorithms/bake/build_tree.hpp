@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sphere tree of a skinned mesh.
 #pragma once
 

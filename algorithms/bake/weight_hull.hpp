@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Corners of a polytope that holds given weight vectors: their own convex hull, or the box around them cut by sum w = 1,
 // whichever has fewer corners.
 #pragma once

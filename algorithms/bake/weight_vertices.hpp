@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Corners: the vertices c_1 ... c_m of W' = {w : l_i <= w_i <= h_i, sum w_i = 1} (paper 4.1, Equation 4).
 //
 // W' is a box cut by a hyperplane, so at a vertex at most one coordinate lies strictly between its bounds. The search

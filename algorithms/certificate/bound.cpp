@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/certificate/bound.hpp"
 
 #include "algorithms/runtime/packs/float_environment.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bound: how it can be proved that a ball holds all that skinning makes of a piece, found by trying exactly.
 //
 // A refit's own bound is always among those tried (its axes, and its simplices halved at the same edges), so a ball that a

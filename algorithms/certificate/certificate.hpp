@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Certificate: why a ball holds a node's vertices, as a document that anyone can check.
 //
 // It has the node's vertices, each with its piece and how its weights are mixed of the piece's corners (shares.hpp), the

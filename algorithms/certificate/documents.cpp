@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/certificate/documents.hpp"
 
 #include "algorithms/certificate/exact_json.hpp"

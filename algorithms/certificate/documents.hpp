@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Documents: the model and the palette that certificates are bound to, as plain text that anyone can read and compare.
 //
 // Format: JSON, its keys sorted, indented by one space, in ASCII, ended by a line feed; a number is a string as in

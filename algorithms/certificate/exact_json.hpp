@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as exact fractions in JSON, and JSON in its one canonical form.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shares: that weights are a convex combination of the corners of a piece, as numbers that anyone can check.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What assimp 5.2 lets pass in a glTF file: it skips weights that are negative, NaN or of a joint outside the skin,
 // drops triangles whose indices are out of range, reads past the end of short tables of inverse bind matrices and of
 // keys, and takes integer weights and keys for floats. So these are looked for in the file itself, before assimp reads

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/guarded_load.hpp"
 
 #include <sys/wait.h>

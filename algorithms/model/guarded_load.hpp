@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loading files that crash the library that reads them, for command-line tools.
 #pragma once
 

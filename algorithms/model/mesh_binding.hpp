@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The meshes of a model file, each in its place in one reference pose, and the joints that move them.
 #pragma once
 

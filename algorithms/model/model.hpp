@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Model: a skinned mesh, and the clips that pose its joints.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/scene_conversion.hpp"
 
 #include <cmath>

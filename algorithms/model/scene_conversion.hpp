@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What assimp read, in double and in the terms of skeleton_motion: nodes and motions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The skeleton of a model file in motion: a tree of nodes, tracks of keys, and the skin matrices that they give.
 //
 // Skin matrix of joint j at time t: M_j(t) = (global transform of its node at t) * (its offset matrix). If it is R K

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Fingerprint: whether two contents are the same, without keeping them. For accidents, not against forgery.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One run at a time in a folder.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Result files: tables in long form whose every row says where it comes from, written whole or not at all.
 #pragma once
 

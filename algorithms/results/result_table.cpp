@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/results/result_table.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ResultTable: a result file as it was written, for the report, the paper and other programs.
 #pragma once
 

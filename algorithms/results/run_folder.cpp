@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/results/run_folder.hpp"
 
 #include <cctype>

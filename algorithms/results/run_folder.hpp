@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // RunFolder: the finished units of a run, kept so that a run that was stopped resumes where it was.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/results/write_whole.hpp"
 
 #include <fcntl.h>

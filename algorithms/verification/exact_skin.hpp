@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ExactSkin: the vertices of one pose as exact arithmetic skins them, to check balls against.
 //
 // The numbers of a palette (quaternions, rotation centers, images of the centers, dual parts) are taken as they stand. Equation

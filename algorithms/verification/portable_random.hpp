@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A stream of integers that is the same on every machine: std::mt19937_64 is standardised, its distributions are not.
 #pragma once
 

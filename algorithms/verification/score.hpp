@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scoring refits on queries: does a ball in double hold what is exactly skinned, and how much larger is it than needed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // SyntheticCase: a refit case in exact rationals, and a generator that makes the same cases of a seed on every machine.
 //
 // A query is what a node of a sphere tree stands for, without its mesh: for each joint-set all vertices of a reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a
 // leaf.
 #include "algorithms/runtime/balls/box.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What one would pick instead of refits on demand. Each skins everything, refits its volumes bottom-up or rebuilds
 // them, and has its candidates decided by triangles_meet.
 #pragma once

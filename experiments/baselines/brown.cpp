@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skins everything and refits the character's sphere tree bottom-up [Brown et al. 2001].
 #include "experiments/baselines/baselines.hpp"
 #include "experiments/baselines/skinning_detector.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/baselines/brute_force.hpp"
 
 #include "algorithms/runtime/skinning/skin.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The oracle: all pairs of triangles, slow and obvious.
 #pragma once
 

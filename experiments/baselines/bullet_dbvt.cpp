@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bullet's btDbvt: a leaf a triangle, its volumes refitted from the leaves up as btSoftBody does with its faces.
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bullet's GImpact: its quantised box sets in model space, updated, and its traversal, which moves boxes by the
 // placements.
 #include <BulletCollision/Gimpact/btGImpactQuantizedBvh.h>

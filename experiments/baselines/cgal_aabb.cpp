@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // CGAL's AABB_tree: built anew over the first body's triangles each frame, and asked with the box of each of the second
 // one's. It has no query of tree against tree.
 #include <CGAL/AABB_traits.h>

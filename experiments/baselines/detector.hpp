@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Detector: whatever finds the touching triangles of two walkers, from poses and placements to pairs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Embree: user geometry with the boxes of the placed triangles, refitted, and rtcCollide.
 #include <embree3/rtcore.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // FCL: BVHModels refitted bottom-up, its traversal, and leaf tests of our own in place of its inexact one.
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/utility.h>

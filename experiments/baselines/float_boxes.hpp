@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Boxes of triangles in float, for engines that have no double and for SIMD lanes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Median splits of a model's triangles, as the baselines' trees are built.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skins everything, refits axis-aligned boxes bottom-up, eight triangles a leaf: what one would write by hand today. A
 // node has the boxes of up to eight children in SIMD lanes, in float; the children of the lowest nodes are triangles.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What all baselines have in common: both bodies are posed and skinned whole, in SIMD packs, before any volume is refitted.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The catalogue: what the report needs to know of a run as a whole: its models, variants, detectors and constants.
 #pragma once
 

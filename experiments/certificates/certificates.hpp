@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate of one ball, for whoever wants to check it: a node of a model in a clip at a time, by a refit variant.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/collisions/clusters.hpp"
 
 #include "algorithms/runtime/collide/cluster_collide.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The collision experiment: what finding the touching triangles of two walkers costs, by scene and detector.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/collisions/on_demand.hpp"
 
 #include "experiments/scenes/methods.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's query as detectors: spheres refitted on demand, by each method.
 #pragma once
 

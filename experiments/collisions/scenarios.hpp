@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenarios: scenes of two copies of a model that walk past each other, for collision queries (paper 5, Table 2).
 #pragma once
 

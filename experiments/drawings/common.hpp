@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the drawings share: rotations about z, the unit circle and the pictures
 // that several lemmas begin with.
 //

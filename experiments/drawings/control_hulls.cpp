@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drawings of what goes beyond the paper.
 #include "experiments/drawings/common.hpp"
 #include "lemmas/b3_subdivision.hpp"

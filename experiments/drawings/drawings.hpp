@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings: a picture in the plane for each lemma, of what the lemma's own code computes in double, as a table of shapes.
 #pragma once
 

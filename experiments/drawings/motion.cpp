@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drawings of bounds over time, and of what stands before skinning: affine joints and displaced vertices.
 #include "experiments/drawings/common.hpp"
 #include "lemmas/a1_affine_image.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plane: a picture in the plane as a list of shapes, for the report to draw (experiments/report/drawings.py). y is up.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drawings of what the paper's section 4 says without a number.
 #include "algorithms/bake/weight_vertices.hpp"
 #include "experiments/drawings/common.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The refit in an engine: which bounding spheres of a posed character does a ray hit? No vertex is skinned for it.
 #include <cstdio>
 

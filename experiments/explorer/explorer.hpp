@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Explorer: what the report's interactive page shows of a character: one pose, one level of its tree, every variant.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A model small enough to stand in a page: the explorer has no reader of model files.
 #pragma once
 

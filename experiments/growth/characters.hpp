@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Growth with the number of characters in one scene: a square full of walking men, of whom each pair may touch.
 #pragma once
 

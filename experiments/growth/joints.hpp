@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Growth with the number of joints: what the balls of nodes with many joint-sets cost, each by itself and from below.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Growth with the number of triangles: the man's mesh coarser and finer, two of them passing at the same distances.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/pictures/cap_figure.hpp"
 
 #include "algorithms/runtime/balls/mean_ball.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's Figures 2, 3 and 4: caps, half-spaces and their balls, in space.
 #pragma once
 

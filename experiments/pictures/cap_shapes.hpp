@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes of spherical geometry in space, as meshes and lines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/pictures/character_scene.hpp"
 
 namespace refitlab {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes of a character: its skin, balls of its tree, and marks at vertices.
 #pragma once
 

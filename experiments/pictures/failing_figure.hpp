@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the printed algorithm fails: a pose in which its balls miss vertices, and one such ball from near.
 #pragma once
 

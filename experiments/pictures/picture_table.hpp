@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PictureTable: the pictures of a run, drawn as PNG files, and the tables that say what each of them shows.
 //
 // Which pictures are a figure, their captions and legends are the report's matter (experiments/report/pictures.py).

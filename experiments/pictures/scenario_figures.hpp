@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's Figures 6 and 7: two walkers, and which spheres a query between them refitted.
 #pragma once
 

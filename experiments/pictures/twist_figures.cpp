@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/pictures/twist_figures.hpp"
 
 #include "algorithms/methods/refit/compared_variants.hpp"

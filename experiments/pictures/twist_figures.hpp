@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's Figures 1 and 5: a twisted character, and its balls by the refit variants.
 #pragma once
 

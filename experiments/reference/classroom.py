@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What is not in the sources: the order of a class of two hours, and the pages for the programmer and the researcher."""
 
 # When, what, why, and the lemmas' stems.

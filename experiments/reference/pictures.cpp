@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // reference_pictures: what is drawn of each lemma, as a table of shapes.   usage: reference_pictures FILE.csv
 #include <iostream>
 #include <stdexcept>

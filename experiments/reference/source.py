@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the reference reads: lemma files in their fixed order, tests, and code and comments as HTML."""
 import dataclasses
 import html
@@ -70,7 +71,7 @@ class Lemma:
 
 
 def read_lemma(path):
-    lines = path.read_text().split("\n")
+    lines = path.read_text().split("\n")[1:]  # without the line of the licence
     end = lines.index("#pragma once")
     comment = [l[3:] for l in lines[:end]]
     blank = next(i for i, l in enumerate(comment) if not l.strip())

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Camera: from where, towards where, and which way is up.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Caster: where rays meet the shapes of a scene (Embree 3 behind it).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drawing: a scene, seen by a camera, as an image.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Image: what a picture is made of, and the PNG file it becomes.
 #pragma once
 

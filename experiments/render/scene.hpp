@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scene: what a picture shows. Model space, model units; y is up unless the camera says otherwise.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The report: reads the tables that the experiments and the property tests wrote, and draws the page from them.
 
 Nothing is measured here. tables reads and checks the rows, fitness says whether the paper may use them, statistics has the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Collision queries between two characters: at a glance, in full, and beside the original's Table 2."""
 from . import original
 from .plots import BarPanels, BarRow

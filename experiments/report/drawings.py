@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Drawings in the plane of what the lemmas' own code computes: from a table of shapes to SVG, for the page and the reference."""
 import pathlib
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The explorer, which experiments/explorer/build makes, and the run's own models for it."""
 import base64
 

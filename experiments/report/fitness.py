@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Whether results are fit for the paper: whole, of one run, and not older than what made them.
 
 Each row has the commit, dirty flag, compiler, flags and processor that it comes from. A file is stale if what made it has

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Growth with triangles, joints and characters."""
 from .plots import Line, Plot
 from .statistics import fitted_exponent

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the original paper printed: its Tables 1 and 2. No results of ours."""
 import csv
 import pathlib

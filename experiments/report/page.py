@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The page: its sections in order, put together by templates; one HTML file with nothing outside but its reference."""
 import pathlib
 import re

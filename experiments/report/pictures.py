@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The figures: pictures that the experiments' renderer drew, with captions from what was counted when they were drawn."""
 import base64
 from dataclasses import dataclass, field

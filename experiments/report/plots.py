@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Plots by matplotlib, as SVG that stands in the page: text stays text, and colours follow the page's light or dark scheme.
 
 Points have the numbers they stand for as titles. The legend of a line plot is HTML below it, so that it wraps on a phone.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Generated refit cases in exact rationals: what each variant misses, how loose it is, what it costs."""
 
 QUANTITIES = ["queries", "undefined", "misses", "misses_beyond_tolerance", "worst_miss"]

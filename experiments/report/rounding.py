@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Rounding: whether a vertex skinned exactly is ever outside, and what the slack adds and costs."""
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Speed of the refits, tightness against it, and batches in SIMD packs."""
 from dataclasses import dataclass
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The arithmetic of what is published: pure functions of numbers, without files and without text."""
 import math
 from collections import namedtuple

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of results: CSV files in long form, read into typed rows.
 
 A row is a value of one quantity, in a unit, with what it is of: experiment, model, pose, variant, level and, by file, what

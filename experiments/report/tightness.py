@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tightness: radii of the refitted balls beside the smallest possible, and which balls miss a vertex."""
 from collections import defaultdict
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The verdicts on the lemmas: what the property tests say of each statement, summed up here for the page, the paper and README."""
 from dataclasses import dataclass
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Boxes, k-DOPs and oriented boxes around the same control points."""
 from .statistics import mean
 from .tables import ALL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Resuming: an experiment on a model that an earlier run finished with the same program, options and model is not run
 // again.
 #pragma once

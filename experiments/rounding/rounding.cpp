@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/rounding/rounding.hpp"
 
 #include <benchmark/benchmark.h>

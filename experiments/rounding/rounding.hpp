@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rounding experiment: what certifying a refit in floating point adds to its radius and costs, and whether any vertex,
 // skinned exactly, is outside a ball: with the slack for rounding none may be; without it, how many are.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Methods: what the experiments compare, one name each in result files and in the report.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes: the models and poses that every experiment shares, defined once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Twists: the turn of one joint about its bone, where linear blending collapses and the printed refit misses vertices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/speed/balls.hpp"
 
 #include <CGAL/Min_sphere_of_spheres_d.h>

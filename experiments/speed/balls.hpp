@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ball speed experiment: what the smallest ball of few points costs, by kernel, against CGAL's.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The batch experiment: skinning, refitting a whole tree and preparing a palette in SIMD packs, against one vertex, node or
 // joint-set after the other in double.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The speed experiment: what refitting a whole tree costs, per sphere and variant, by Google Benchmark.
 #pragma once
 

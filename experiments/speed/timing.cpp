@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/speed/timing.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Timing by Google Benchmark: nanoseconds per item, repeated.
 #pragma once
 

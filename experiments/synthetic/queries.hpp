@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The queries experiment: every refit variant on many generated refit cases in exact rationals; what it misses, how
 // loose it is, what it costs.
 #pragma once

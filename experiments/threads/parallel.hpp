@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // parallel_for: independent pieces of work on all processors, for experiments that measure geometry (never time).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is counted of one level of a tree: numbers that are merged over poses and models.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measuring tightness: per level, how large each variant's balls are beside the optimal ones, and what they miss.
 #pragma once
 

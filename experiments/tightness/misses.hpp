@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which balls miss a vertex that they are to hold, and which vertices these are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tightness experiment: Table 1 for every model and pose, with what each variant misses.
 #pragma once
 

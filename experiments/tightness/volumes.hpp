@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The volumes experiment: how tight refitted boxes, k-DOPs and oriented boxes are, how large beside the refitted balls,
 // and what they cost.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pose in which the printed algorithm fails worst.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact number types: Rational decides every statement in + - * /, ExactRoot every statement with square roots too.
 //
 // ExactRoot can be very slow when two deeply nested roots are equal, so statements are put in squared form and checked

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The precision ladder: a statement about rational data is tried with ever more precise numbers until one decides it.
 //
 // A rung answers or passes the question up; only the last, exact one must answer. So the verdict is that of exact

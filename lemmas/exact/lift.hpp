@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // lift<T>(x): rational data as data of another number type T, value by value.
 //
 // For an interval type the result is a certain enclosure, for an exact type the same value, for a floating-point type a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // MultiprecisionInterval: an interval with ends of 60 decimal digits, the middle rung of the precision ladder.
 #pragma once
 

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Scales before rotations: the blend of a vertex's images by all joints is in any convex set that holds them. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Vertices displaced by morph targets, in any real inner product space. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* algorithms/methods/refit/algorithm1_printed.hpp: Algorithm 1 of the paper (section 4.5) as printed. It is not sound. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

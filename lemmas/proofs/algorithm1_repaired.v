@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* algorithms/runtime/refit/algorithm1_repaired.hpp: Algorithm 1 of the paper (section 4.5), repaired, is sound over the real numbers.
    It is composed as the program is. *)
 From Coq Require Import List Reals Lra Psatz.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Beyond the paper: blend skinning is a rational Bezier simplex in the weights. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

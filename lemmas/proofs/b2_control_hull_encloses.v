@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Beyond the paper: the control points hold all of a blend. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

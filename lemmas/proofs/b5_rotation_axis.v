@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Beyond the paper: on a twist only the distance from the axis moves. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Beyond the paper: a ball around what dual quaternions make of a point, as long as their blends keep away from 0. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* A curve with a bounded second derivative against its chord, in any real inner product space. A curve is differentiable where
    each of its dot products with a vector is. *)
 From Coq Require Import Reals Lra Psatz.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* How p / ||p||^2 moves, by how p moves, in any real inner product space. Its derivatives g', g'' are those that
    ||p||^2 g = p has, by the rule of Leibniz. *)
 From Coq Require Import List Reals Lra Psatz.

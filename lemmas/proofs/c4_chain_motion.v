@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* The rule of Leibniz for bounds: of a product whose length is at most that of its factors. Quaternions are an instance. *)
 From Coq Require Import Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.quaternion.

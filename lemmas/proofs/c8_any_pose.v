@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Where a point below a chain of joints can be in any pose, from lengths and scales alone. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* algorithms/runtime/refit/control_hull.hpp: the control balls of a piece, with halving and the fallback, hold its vertices under
    spherical blending. It is composed as the program is; so is its halving for any kind of blend. *)
 From Coq Require Import List Reals Lra Psatz Lia.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Lemma 1: the two definitions of a cap are the same. Section 4.3 and appendix of the paper. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.cap.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Lemma 2: normalising the generators keeps the directions, and so the rotations, of a convex hull. Appendix of the
    paper; section 4.3 and line 9 of Algorithm 1. *)
 From Coq Require Import List Reals Lra Psatz.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Lemma 3: where a ball cuts a sphere's surface there is a cap, and its half-space is at a known distance. Appendix of
    the paper; section 4.3 and line 13 of Algorithm 1, with a = 0 and r_a = 1. *)
 From Coq Require Import List Reals Lra Psatz.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Lemma 4 and Corollary 1: a ball around unit vectors bounds the directions of all of their blends. Appendix of the
    paper, for d = 4 and r < 1; section 4.3 and lines 11 to 13 of Algorithm 1. *)
 From Coq Require Import List Reals Lra Psatz.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Lemma 5: the smallest ball that encloses a cap. Appendix of the paper; section 4.3 and line 15 of Algorithm 1. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.cap.

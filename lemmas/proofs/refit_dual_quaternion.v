@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* algorithms/runtime/refit/dual_quaternion.hpp: refitting for dual quaternion skinning. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* lemmas/rotation_bound.hpp: a ball around all images of a vector under a hull of unit quaternions. Section 4.3,
    repaired; lines 11 to 15 of Algorithm 1. *)
 From Coq Require Import List Reals Lra Psatz.

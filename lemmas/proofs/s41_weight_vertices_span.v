@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.1, corners span W' (Equation 4). *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the corners. For
    quaternions also section 4.3. It holds as printed. *)
 From Coq Require Import List Reals Lra Psatz Lia.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.3, after Equation 6: d_H = (1 + ||c||^2 - r^2) / (2 ||c||) is in [0, 1], so that arccos d_H exists. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.cap.

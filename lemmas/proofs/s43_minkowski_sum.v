@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.3, turning a ball is turning its center: Q_w(S - r_c) = Q_w(p - r_c) (+) [0, r], a Minkowski sum. It holds as
    printed, for blends that are not 0. *)
 From Coq Require Import List Reals Lra Psatz.

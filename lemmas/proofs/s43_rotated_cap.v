@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.3, after Figure 2: from a cap of rotations on S_3 to a cap of rotated vectors in R^3 ("an arbitrary axis and
    angle within <0, 2 alpha_C>", without a proof). *)
 From Coq Require Import List Reals Lra Psatz.

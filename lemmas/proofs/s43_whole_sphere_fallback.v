@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.3, the paragraph before Equation 6: when to fall back on the whole of S_3. Lines 12 to 15 of Algorithm 1. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

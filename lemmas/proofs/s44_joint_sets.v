@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.4, several joint-sets: one ball of the balls of all joint-sets. Lines 4 to 8 of Algorithm 1. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Section 4.4, adding the bounds: the sum of the linear and the spherical part is in one ball of equal balls. Line 16 of
    Algorithm 1. It holds as printed. *)
 From Coq Require Import List Reals Lra Psatz.

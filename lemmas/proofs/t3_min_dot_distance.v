@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Beyond the paper: the distance d_H is a minimum of dot products, and the ball in R^4 is not needed. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.s43_distance_range.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* algorithms/methods/refit/volume_refit.hpp: boxes, oriented boxes and k-DOPs around the control balls hold the node's vertices. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two blendings of rotations: Equation (1) of the paper, and dual quaternion linear blending. What is linear in the
 // weights is blended first; where the blend carries a vertex is a quotient of polynomials in that.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cap: the part of a sphere surface in a half-space (paper 4.3), in the paper's second form: center, apex and angle.
 //
 // The angle is kept as its cosine, so that a cap is an algebraic object: {x : ||x - c|| = r, (x - c, a - c) >= r^2 cos},

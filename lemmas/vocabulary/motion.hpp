@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Motion: how long a curve's points are at most, how fast it is and how much it bends, over an interval of its parameter.
 //
 // Bounds of curves multiply by the rule of Leibniz, so that what a chain of joints makes of a point is bounded link by link

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a blended quaternion is a rotation: certainly not 0, also where it was computed with rounding.
 #pragma once
 

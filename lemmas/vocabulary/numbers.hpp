@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Number types: what every lemma and every refit may ask of its number type S.
 //
 // Each statement is one template over S. The same source then runs in float and double (an answer, no claim),

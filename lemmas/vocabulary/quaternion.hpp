@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Quaternions as vectors of R^4, in the order (w, x, y, z): the real part first, as in the paper's q = (1, 0, 0, 0).
 //
 // A non-zero quaternion q stands for the rotation x -> q x q* / ||q||^2 of R^3, angle in radians, right-handed. q and any

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rigid transforms C_j: x -> R(rotation) x + translation, from the reference pose to the animated one (paper 3).
 #pragma once
 

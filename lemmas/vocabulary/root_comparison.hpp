@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Comparisons with a square root, in squared form: + - * alone decide them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ball: the paper's "sphere" [c, r], a solid ball {x : ||x - c|| <= r} of R^d, and what it encloses.
 //
 // The paper says sphere for both the surface and the solid; here Ball is the solid, and a surface is always named so.

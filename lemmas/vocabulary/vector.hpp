@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vectors of R^d over any number type, and the two products that need care.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Verdict: the three-valued answer of a checked statement.
 //
 // An interval may not decide a comparison, so a statement holds, fails, or stays undecided. Combine verdicts with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Convex weights W_n = {w in R^n : w_i >= 0, sum w_i = 1}, weight boxes, and convex combinations.
 #pragma once
 

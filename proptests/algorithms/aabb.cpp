@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The axis-aligned box is the k-DOP of k = 6, whose suite tests it; here is what boxes alone have.
 #include "algorithms/methods/volumes/aabb.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Algorithm 1 as printed: where it fails, and where it is right.
 #include "algorithms/methods/refit/algorithm1_printed.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The theorem: the repaired Algorithm 1 encloses every vertex of S with admissible weights.
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Blending one vertex, against matrices.
 #include "algorithms/runtime/skinning/blend.hpp"
 

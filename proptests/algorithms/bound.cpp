@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The search for a certificate's bound, on balls that hold and on balls that do not: something is found for the least ball
 // that the bounds to be tried prove, computed anew, and nothing for a smaller one.
 #include "algorithms/certificate/bound.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/methods/volumes/box_orientation.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each pinned counterexample and the case of the file that is its twin hold the same numbers.
 #include "proptests/cases/case_file.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The file of cases: every case has its verdict, every pinned counterexample its twin, and bad files get clear errors.
 #include <map>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates of refitted balls and their checker, proptests/certificate/check: what is true is accepted, whatever is
 // changed is noticed, and no bound proves what is false.
 #include "algorithms/methods/refit/compared_variants.hpp"

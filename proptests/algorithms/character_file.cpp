@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A baked character comes back from its bytes as it was; bytes that are no such file, or that fit nothing, are refused.
 #include "algorithms/runtime/tree/character_file.hpp"
 

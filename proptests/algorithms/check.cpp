@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The independent checker, proptests/certificate/check: each of its conditions at its edge, what it says of hostile files,
 // and that it refuses what would take long before it begins.
 #include <sys/stat.h>

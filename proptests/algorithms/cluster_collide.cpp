@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"

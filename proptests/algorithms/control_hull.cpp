@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The control balls hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the
 // fallback.
 #include "algorithms/runtime/refit/control_hull.hpp"

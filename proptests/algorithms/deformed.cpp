@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/bake/build_tree.hpp"
 #include "algorithms/methods/refit/deformed.hpp"
 

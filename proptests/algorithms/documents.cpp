@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates that are bound to documents of their model and palette: one that is about these is accepted against them, and
 // whatever it says otherwise of a vertex, a node or a joint is noticed.
 #include "algorithms/methods/refit/compared_variants.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every public entry that bounds or decides, over all that the interface accepts: joint-sets of 1 to 90 joints, lengths from
 // denormal to 1e40, quaternions as doubles, as floats and at the edge of the tolerance, leaves of one triangle and of all. What
 // was drawn is labelled, and each label has a least share. Vertices are skinned exactly; pairs are compared with all pairs.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers without rounding: sums, differences and products of any doubles have the sign that rationals give them.
 #include "algorithms/runtime/collide/exact_number.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ExactSkin, by which balls are judged, against matrices in rationals and against balls that end at the vertex itself.
 #include "algorithms/verification/exact_skin.hpp"
 

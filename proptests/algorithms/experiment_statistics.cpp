@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the experiments make of their measurements: medians, and levels merged from parts.
 #include <algorithm>
 #include <cmath>

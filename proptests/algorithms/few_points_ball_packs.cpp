@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/methods/balls/few_points_ball_packs.hpp"
 
 #include "proptests/gen/point_cloud.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fingerprints: those that are published for FNV-1a, and of parts in order.
 #include "algorithms/results/fingerprint.hpp"
 

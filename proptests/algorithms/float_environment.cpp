@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every public entry in every floating-point mode that a caller may have set.
 #include "proptests/oracles/workers_on_threads.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"

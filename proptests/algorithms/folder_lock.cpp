@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One run at a time in a folder, however the last one ended.
 #include "algorithms/results/folder_lock.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The fuzz targets without a fuzzer: their corpus, whatever was ever found, and random changes of both.
 #include <filesystem>
 #include <set>

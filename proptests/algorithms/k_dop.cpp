@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // k-DOPs of every k, in exact arithmetic; the axis-aligned box is the one of k = 6.
 #include "algorithms/methods/volumes/k_dop.hpp"
 

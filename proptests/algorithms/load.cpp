@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loading rigged files: what they palette, against assimp's own matrices, and what is refused.
 #include "algorithms/model/guarded_load.hpp"
 #include "algorithms/model/load.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Through the smallest kernel that looks numbers up, so that every target's own way is tried: pieces of one joint that
 // only moves are boxed where the table says the joint is.
 #include "algorithms/runtime/packs/look_up.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/mean_ball.hpp"
 
 #include "algorithms/runtime/balls/smallest_ball.hpp"

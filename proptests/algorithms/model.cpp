@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What makes a model, or a pose of it, one that is refused.
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is refused of scenes that no file of the other tests can bring about.
 #include "algorithms/model/model_of_scene.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 

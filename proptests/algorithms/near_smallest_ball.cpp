@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/methods/balls/near_smallest_ball.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Oriented boxes, in exact arithmetic wherever an orientation is given: rotations of rational quaternions are rational.
 #include "algorithms/methods/volumes/obb.hpp"
 

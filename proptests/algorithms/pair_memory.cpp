@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/collide/pair_memory.hpp"
 
 #include "proptests/harness.hpp"

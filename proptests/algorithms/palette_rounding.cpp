@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The slack for rounding: that its rates are at least what the code's own operations can be off by, and not much more;
 // that the scales they are multiplied by bound what they claim to; and that no ball misses, in awkward cases.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Volume and surface area of polytopes, of k-DOPs that are known solids and of random ones.
 #include "algorithms/methods/volumes/polytope.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Generated queries and their scoring, which the experiment of that name rests on.
 #include <fstream>
 #include <iterator>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every sound refit variant on nodes of whole models, against vertices that are skinned exactly and as skin() does: none
 // may be outside, not by the last bit. What the slack for rounding is for is counted beside it: how many are outside
 // without it.

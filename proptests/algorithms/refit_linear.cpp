@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Refitting for linear blending.
 #include "algorithms/runtime/refit/linear.hpp"
 #include "proptests/gen/skinned_samples.hpp"

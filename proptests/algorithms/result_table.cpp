@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Result files read back: what was written, or a refusal with file, line and reason.
 #include "algorithms/results/result_table.hpp"
 

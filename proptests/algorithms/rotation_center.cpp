@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotation centers, against a stacked least-squares solution and against their neighbours.
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 

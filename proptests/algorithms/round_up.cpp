@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is raised encloses, and by no more than is needed: radii by rounded_up, balls in float, and the least float above.
 #include "algorithms/runtime/balls/round_up.hpp"
 

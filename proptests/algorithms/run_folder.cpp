@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Units of a run: found again only if nothing about them changed, and a run killed at any moment resumes.
 #include "algorithms/results/run_folder.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Balls of clouds of every size, from the least denormal to the largest squares: of what is as large as 1, the same but
 // for the underflow that rounded_up adds; and nothing that is finite has a center or a radius that is not a number.
 #include "algorithms/runtime/balls/scaling.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shares: whatever is a mixture of corners has shares that make it, and nothing else has.
 #include "algorithms/certificate/shares.hpp"
 

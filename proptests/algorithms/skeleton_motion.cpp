@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skin matrices of a moving skeleton as rigid transforms.
 #include "algorithms/model/skeleton_motion.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A frame's skinning data and the skinned vertices of whole models.
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 
 #include "proptests/gen/point_cloud.hpp"

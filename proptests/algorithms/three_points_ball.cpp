@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/three_points_ball.hpp"
 
 #include "algorithms/runtime/balls/few_balls_ball.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each variant is what its name and description say: these pieces, this algorithm, these balls.
 #include "algorithms/bake/build_pieces.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Refitted volumes hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the fallback;
 // in double up to rounding. And the table of variants, on whole models.
 #include "algorithms/methods/refit/volume_refit.hpp"

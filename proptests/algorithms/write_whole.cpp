@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that are written whole or not at all, under kill -9 and by several writers at once.
 #include "algorithms/results/write_whole.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Case files: counterexamples and degenerate cases as exact rationals with the expected verdict (format: README.md
 // here).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lemmas 1 to 5 as statements about cases.
 #include "lemmas/lemma1_cap_definitions.hpp"
 #include "lemmas/lemma2_normalization.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Section 4 and what goes beyond the paper as statements about cases.
 #include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/s43_distance_range.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/cases/statements.hpp"
 
 #include "algorithms/methods/refit/algorithm1_printed.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The statements that cases can be about: each judges a case in exact arithmetic and in intervals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // write_certificates COUNT SEED FOLDER: certificates of random nodes, each by some sound variant, for the checkers to agree on.
 //
 // FOLDER gets a folder for each model and pose and skinning, with a file model, a file palette and the certificates. The

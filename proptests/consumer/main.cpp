@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A twisted man, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not. Writes
 // the baked man into a file that it is given.
 #include <cstdio>

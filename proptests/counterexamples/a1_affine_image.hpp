@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of a1_affine_image: a joint that scales.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of a3_morph_displacement: a smile that leaves the ball of the face.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned refits on which Algorithm 1 as printed fails or is undefined, and the repaired one holds.
 #pragma once
 

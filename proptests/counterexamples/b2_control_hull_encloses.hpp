@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of b2_control_hull_encloses: what goes wrong without each hypothesis.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of b3_subdivision: what goes wrong without each hypothesis.
 #pragma once
 

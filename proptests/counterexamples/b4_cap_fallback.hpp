@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of b4_cap_fallback: what goes wrong without each hypothesis, and that neither bound is inside the other.
 #pragma once
 

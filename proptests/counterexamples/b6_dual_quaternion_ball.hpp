@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of b6_dual_quaternion_ball: what goes wrong without each hypothesis, and that near 0 there is no ball.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c1_chord_bound: what goes wrong without each hypothesis, and what the ends alone do not tell.
 #pragma once
 

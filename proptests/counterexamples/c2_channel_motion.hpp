@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c2_channel_motion: where a channel goes between keys, and what the keys alone would say.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c3_normalized_motion: blends that are short turn fast.
 #pragma once
 

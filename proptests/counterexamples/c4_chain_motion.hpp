@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c4_chain_motion: a hinge that reaches its bounds, and what each of them is for.
 #pragma once
 

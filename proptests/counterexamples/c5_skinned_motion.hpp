@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c5_skinned_motion: what blending adds to the motion of joints.
 #pragma once
 

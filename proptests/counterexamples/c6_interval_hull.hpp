@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c6_interval_hull: what leaves the hull of the ends.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c7_crossfade: what lies between two clips.
 #pragma once
 

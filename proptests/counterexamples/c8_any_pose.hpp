@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of c8_any_pose: an arm, folded in the reference pose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of lemma1_cap_definitions, in the plane.
 #pragma once
 

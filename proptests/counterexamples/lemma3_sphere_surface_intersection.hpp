@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of lemma3_sphere_surface_intersection: a ball and the unit circle.
 #pragma once
 

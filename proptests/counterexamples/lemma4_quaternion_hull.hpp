@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of lemma4_quaternion_hull: a disc and unit vectors of the plane.
 #pragma once
 

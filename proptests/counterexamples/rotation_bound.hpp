@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of rotation_bound: what goes wrong where the cap is more than half of S_3.
 #pragma once
 

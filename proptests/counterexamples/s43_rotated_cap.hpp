@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of s43_rotated_cap: what goes wrong without each hypothesis, and where the paper is wrong.
 #pragma once
 

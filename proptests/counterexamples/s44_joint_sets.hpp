@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of s44_joint_sets: where Algorithm 1's single list of corners and single rotation center go wrong.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned cases of t3_smallest_ball_smallest_cap: what goes wrong without each hypothesis, and what the mean ball loses.
 #pragma once
 

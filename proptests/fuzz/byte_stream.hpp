@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small choices taken from bytes, for targets whose input has a structure. Past the end all choices are the first.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The reader of case files: cases whose fields can be read, or a refusal.
 #include "proptests/cases/case_file.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The audit of glTF files, binary and text: it ends, without an error or with a ModelError.
 #include "algorithms/model/gltf_audit.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The conversion of scenes: a valid model whose clips give rigid poses or say why not, or a refusal.
 #include "algorithms/model/model_of_scene.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The reader of result files: a table that fits its columns and is written as it was read, or a refusal.
 #include "algorithms/results/result_table.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A scene as assimp could have read it from some file, from bytes: mostly a sensible rig, and anything may be wrong.
 #pragma once
 

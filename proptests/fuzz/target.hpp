@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fuzz targets: what is tried on any bytes whatever. One file each, named as its target:
 //
 //   FUZZ_TARGET(result_table, bytes) { ... }

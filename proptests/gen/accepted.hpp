@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations, placements and scenes at the edges of what the interface accepts: rotations off unit length, lengths from
 // denormal to huge, and vertices put where a bound is attained.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Affine maps: rotations behind scales along axes, and any.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/gen/ball_lists.hpp"
 
 #include "proptests/gen/point_cloud.hpp"

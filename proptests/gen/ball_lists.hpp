@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of rational balls for volumes to be put around, and points of their convex hull.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Simplices of blends in exact rationals: what is linear in the weights at each corner, with weights, made to be
 // awkward.
 #pragma once

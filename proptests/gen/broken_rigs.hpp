@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rigs with one thing wrong each, and what their refusal has to say.
 #pragma once
 

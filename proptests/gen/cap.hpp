@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational caps in R^d: any center, radius 0 and angles 0, pi/2, pi at a good share; with points of the cap and of its
 // rim.
 #pragma once

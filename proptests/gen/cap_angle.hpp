@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational angles of [0, pi] as (cos, sin) = ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2)).
 #pragma once
 

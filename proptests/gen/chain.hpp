@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chains of joints that move within bounds, at a moment, exactly.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A copy of this process that does something until it is done or killed.
 #pragma once
 

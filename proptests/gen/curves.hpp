@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curves with bounds: cubics by what they are at their ends, and moments of anything that moves within bounds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A property over spaces of several dimensions: one of R^low ... R^high is drawn for each case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Weight bounds that are multiples of 2^-24, as models have them: exact in double and as rationals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Models at the ends of what a model may be, each in a pose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational convex hulls of R^d with an element of each: scaled unit vectors (Lemma 2), unit vectors in a ball (Lemma
 // 4).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of a generated length, of which a third repeat one of their elements: repeated points are a degenerate case.
 #pragma once
 

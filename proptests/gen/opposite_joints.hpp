@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles anywhere among joints that are turned nearly opposite ways, so that blends of them nearly vanish.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clouds of points in the positions that are hard for balls: repeated, on a line, in a plane, on a sphere, on a grid.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small rigged models in a pose: a random tree of joints, a handful of vertices, joints that only turn.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Poses and placements drawn from a standard generator, for scenes whose seed a property draws.
 #pragma once
 

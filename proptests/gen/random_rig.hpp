@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random rigs in the shape of glTF files: right ones, with everything that makes a rig awkward.
 #pragma once
 

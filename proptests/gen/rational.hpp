@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational numbers of a few digits, that shrink towards 0, then towards integers of either sign.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Refits in exact rationals: a reference ball, and joint-sets in a pose with weight bounds, made to be awkward.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small rigged glTF files, right ones and broken ones: a description that is written out byte by byte, without checks.
 #pragma once
 

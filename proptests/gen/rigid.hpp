@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational rigid transforms: a rational unit quaternion and a rational translation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small skinned meshes for trees: a tube of one to four joints with random weights, and what is awkward about meshes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One piece of a node in doubles, drawn from all that a certificate can be about: joints off unit length, any signs, poses
 // whose corners have no axis that they are all ahead of, one corner or many.
 #pragma once

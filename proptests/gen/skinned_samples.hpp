@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exactly skinned vertices of a refit case: its joint-sets' admissible weights, and vertices in its reference ball.
 #pragma once
 

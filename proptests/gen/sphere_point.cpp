@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/gen/sphere_point.hpp"
 
 #include "proptests/gen/list.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational points of the unit sphere's surface in R^d, by inverse stereographic projection, and rational frames.
 #pragma once
 

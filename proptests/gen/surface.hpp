@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational sphere surfaces of R^d with a half-space, or with a ball, and a point of the surface. d >= 1.
 //
 // The plane of the half-space and the surface of the ball often pass through the point, or touch the sphere.

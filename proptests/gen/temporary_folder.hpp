@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A new folder that goes away with its owner.
 #pragma once
 

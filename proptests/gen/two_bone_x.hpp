@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small rigged file in the text form of X: a strip of two squares with a bone for each.
 #pragma once
 

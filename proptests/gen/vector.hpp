@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational vectors of R^d, d = 1, 2, 3, 4, with the zero vector and the coordinate axes at a good share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cases that break one part of one hypothesis: the hypothesis must say so, and the conclusion must fail for a share of
 // them.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Weight bounds of a joint-set with their corners, and weights that they admit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational convex weights of W_n, with corners and zero entries at a good share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Models in poses from all over what validate and check_pose accept: up to 90 joints of a vertex, coordinates of any
 // size, quaternions that are of unit length only nearly.
 #pragma once

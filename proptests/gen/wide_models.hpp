@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small models in a pose, drawn from all that validate() and check_pose() accept, their edges above all.
 #pragma once
 

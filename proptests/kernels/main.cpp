@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every kernel on every target that this program has and this processor runs, on a walking man: what is rounded as the
 // scalars are must be bit-identical to them, what bounds must hold all vertices. Exits with 1 where that fails, or where a
 // target that the processor runs was not compiled. For the compilers that the test suites are not built by.

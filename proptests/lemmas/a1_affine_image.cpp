@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What affine maps make of balls, boxes and hulls.
 #include "lemmas/a1_affine_image.hpp"
 

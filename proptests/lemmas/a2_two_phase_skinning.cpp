@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scales blended first, then rotations.
 #include "lemmas/a2_two_phase_skinning.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices displaced by morph targets.
 #include "lemmas/a3_morph_displacement.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 
 #include "proptests/counterexamples/b1_rational_bezier_simplex.hpp"

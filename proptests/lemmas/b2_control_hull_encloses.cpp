@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b2_control_hull_encloses.hpp"
 
 #include "proptests/counterexamples/b2_control_hull_encloses.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b3_subdivision.hpp"
 
 #include <cmath>

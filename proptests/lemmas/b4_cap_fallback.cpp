@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b4_cap_fallback.hpp"
 
 #include "lemmas/b2_control_hull_encloses.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b5_rotation_axis.hpp"
 
 #include "proptests/counterexamples/b5_rotation_axis.hpp"

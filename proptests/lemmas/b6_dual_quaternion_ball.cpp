@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 
 #include "proptests/counterexamples/b6_dual_quaternion_ball.hpp"

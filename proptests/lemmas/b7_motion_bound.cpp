@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b7_motion_bound.hpp"
 
 #include "proptests/counterexamples/b7_motion_bound.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A curve against its chord.
 #include "lemmas/c1_chord_bound.hpp"
 

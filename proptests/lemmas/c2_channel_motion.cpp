@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Channels of clips between two keys.
 #include "lemmas/c2_channel_motion.hpp"
 

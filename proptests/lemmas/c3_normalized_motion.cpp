@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What normalising a blend of quaternions does to its motion.
 #include "lemmas/c3_normalized_motion.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points under chains of joints that move.
 #include "lemmas/c4_chain_motion.hpp"
 

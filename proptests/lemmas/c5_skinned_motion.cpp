@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices skinned while their joints move.
 #include "lemmas/c5_skinned_motion.hpp"
 

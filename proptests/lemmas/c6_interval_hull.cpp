@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bounds throughout an interval.
 #include "lemmas/c6_interval_hull.hpp"
 

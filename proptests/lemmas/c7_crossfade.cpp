@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Crossfades of two clips.
 #include "lemmas/c7_crossfade.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any pose of a chain of joints.
 #include "lemmas/c8_any_pose.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/lemma1_cap_definitions.hpp"
 
 #include "proptests/counterexamples/lemma1_cap_definitions.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/lemma2_normalization.hpp"
 
 #include "proptests/counterexamples/lemma2_normalization.hpp"

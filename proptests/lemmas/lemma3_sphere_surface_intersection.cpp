@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"
 
 #include "proptests/counterexamples/lemma3_sphere_surface_intersection.hpp"

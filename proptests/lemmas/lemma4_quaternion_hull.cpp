@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/lemma4_quaternion_hull.hpp"
 
 #include "proptests/counterexamples/lemma4_quaternion_hull.hpp"

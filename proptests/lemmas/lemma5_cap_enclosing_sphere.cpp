@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 
 #include "proptests/counterexamples/lemma5_cap_enclosing_sphere.hpp"

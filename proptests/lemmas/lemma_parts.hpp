@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two tests of one part of a hypothesis (one sign, one element of a list, one side of an inequality): without it
 // another theorem would be stated, and a false one.
 #pragma once

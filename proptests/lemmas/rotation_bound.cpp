@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ball around all images of a vector under a hull of quaternions.
 #include "lemmas/rotation_bound.hpp"
 

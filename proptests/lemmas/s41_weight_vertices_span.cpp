@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/s41_weight_vertices_span.hpp"
 
 #include "algorithms/bake/weight_vertices.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/s42_linear_part_hull.hpp"
 
 #include "proptests/counterexamples/s42_linear_part_hull.hpp"

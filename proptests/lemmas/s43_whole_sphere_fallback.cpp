@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/s43_whole_sphere_fallback.hpp"
 
 #include "proptests/counterexamples/s43_whole_sphere_fallback.hpp"

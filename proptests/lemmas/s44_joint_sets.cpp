@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/s44_joint_sets.hpp"
 
 #include "proptests/counterexamples/s44_joint_sets.hpp"

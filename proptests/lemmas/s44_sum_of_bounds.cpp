@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/s44_sum_of_bounds.hpp"
 
 #include "proptests/counterexamples/s44_sum_of_bounds.hpp"

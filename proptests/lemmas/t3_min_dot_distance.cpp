@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/t3_min_dot_distance.hpp"
 
 #include "proptests/counterexamples/t3_min_dot_distance.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the lemmas are written in has tests of its own: by truth table, by integers, by exact rationals at the edges.
 #include <array>
 #include <cmath>

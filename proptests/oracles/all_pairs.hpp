@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which triangles touch, by testing all pairs of triangles whose vertices are all skinned beforehand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts what this thread takes from the heap by operator new, which the test program replaces for that.
 #pragma once
 

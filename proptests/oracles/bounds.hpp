@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the bounds of a certificate prove, in double and written anew: the least radius that each leaves to a ball.
 #pragma once
 

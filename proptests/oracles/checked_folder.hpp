@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Running proptests/certificate/check on certificates in a folder.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a point is a convex combination of others, in exact arithmetic, by trying every simplex of them.
 #pragma once
 

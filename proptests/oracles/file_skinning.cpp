@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/oracles/file_skinning.hpp"
 
 #include <assimp/postprocess.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The skin of a model file as assimp's own types palette it: single precision, straight matrices, no welding, no rigidity.
 #pragma once
 

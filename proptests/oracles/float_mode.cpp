@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/oracles/float_mode.hpp"
 
 #if defined(__x86_64__)

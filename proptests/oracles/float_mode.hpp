@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Floating-point modes that a calling program may have set: every direction of rounding, denormals flushed to zero on the way
 // out (FTZ), taken for zero on the way in (DAZ), and exceptions that trap.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Is a point in the convex hull of balls? Asked along one direction: the best that a search in double finds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Jet: a number with its first two derivatives. Any template over a number type, run on jets, differentiates itself exactly:
 // an independent way to the derivatives that lemmas bound.
 #pragma once

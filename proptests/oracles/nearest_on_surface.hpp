@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The point of a sphere's surface in a given direction from its center, with exact roots: a slow and obvious way to see
 // whether a half-space or a ball meets the surface.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The point of a hull nearest to 0, by trying every subset of the points: slow, obvious, exact.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One statement decided by every number type on the same case: no interval may contradict the exact verdict.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The vertices of a polytope given by half-spaces, by trying every three planes: slow, obvious, exact.
 #pragma once
 

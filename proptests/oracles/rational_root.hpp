@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Square roots in Rational, for code that takes one on some of its paths only: the root if it is rational, else a
 // refusal.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Deciding whether a refitted ball encloses a rational point: the refit itself runs in ever more precise intervals, and
 // at last, for points on its surface, its ball in squared form is asked.
 #pragma once

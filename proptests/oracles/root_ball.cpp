@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/oracles/root_ball.hpp"
 
 #include "algorithms/runtime/skinning/blend.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The refits' balls without nested roots: rational centers, and radii that are a sum of two square roots.
 //
 // An axis of rotations that is rational up to a factor makes all of the repaired Algorithm 1 rational but for the last

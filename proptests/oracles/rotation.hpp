@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether two quaternions are one rotation, seen by what they do to the coordinate axes.
 #pragma once
 

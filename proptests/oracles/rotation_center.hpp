@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rotation center as one stacked least-squares problem, by a singular value decomposition.
 #pragma once
 

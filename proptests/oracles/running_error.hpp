@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // RunningError: a double with a bound of how far it is from what exact arithmetic would have made [Wilkinson 1963], carried
 // along operation by operation. A number type for the code's own templates: what it reports is derived from the very
 // operations that run.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skinning by matrices, written from the paper's equations and from nothing in algorithms/: slow and obvious.
 #pragma once
 

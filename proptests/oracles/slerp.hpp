@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Slerp by its sines, over any number type that has them: intervals of 60 digits, and jets of those, which differentiate it.
 #pragma once
 

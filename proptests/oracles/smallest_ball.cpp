@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/oracles/smallest_ball.hpp"
 
 #include <CGAL/Cartesian_d.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What proves a ball to be the smallest one, in exact arithmetic and without any solver; and CGAL's exact solver beside it.
 #pragma once
 

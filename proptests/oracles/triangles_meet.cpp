@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/oracles/triangles_meet.hpp"
 
 #include "proptests/oracles/convex_combination.hpp"

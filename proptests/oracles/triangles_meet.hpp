@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether two triangles have a point in common, in exact arithmetic.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A rational number just above a square root, for radii that must be rational and enclose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The corners of weight bounds from nothing in algorithms/: every pattern is tried, and hulls are climbed down pair by pair.
 #pragma once
 

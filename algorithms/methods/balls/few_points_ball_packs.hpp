@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Smallest enclosing balls of as many clouds as a SIMD pack has lanes, a cloud a lane: the pivots of
 // few_points_ball.hpp under masks.
 //

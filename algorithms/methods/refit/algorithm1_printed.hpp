@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Algorithm 1 of the paper (4.5), as printed. Unsound: see algorithm1_repaired.hpp, which stands beside it.
 //
 // Kept: the angle of line 13 and the ball of line 15 for any angle (Lemma 5 as printed), the division by norms that may be

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/methods/refit/compared_variants.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All refit variants that are compared: those of the runtime, and Algorithm 1 as printed, which misses vertices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/methods/refit/deformed.hpp"
 
 #include "algorithms/runtime/balls/few_balls_ball.hpp"

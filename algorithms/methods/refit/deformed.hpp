@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Balls of the deformed vertices themselves: what a refit is measured against, and the classic way to refit.
 #pragma once
 

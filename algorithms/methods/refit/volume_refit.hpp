@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Refitting a node to any convex volume: the volume around the control balls, whose hull holds the node's vertices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/methods/refit/volume_variants.hpp"
 
 #include "algorithms/runtime/packs/float_environment.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The refits to volumes other than balls, by name: like those of variants.hpp each node by itself in any order, no
 // vertex touched.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Aabb: the box with edges along the axes, which is the k-DOP of the axes alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/methods/volumes/box_orientation.hpp"
 
 #include <Eigen/Eigenvalues>

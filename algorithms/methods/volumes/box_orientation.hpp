@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Orientations of boxes that are likely to be small around given balls, from the balls' centers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // KDop: a discrete-orientation polytope, the points between k/2 pairs of parallel planes of fixed directions [Klosowski
 // et al. 1998, "Efficient collision detection using bounding volume hierarchies of k-DOPs"].
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Obb: a box of any orientation, kept as three slabs along orthonormal axes [Gottschalk et al. 1996, "OBBTree: a
 // hierarchical structure for rapid interference detection"].
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Volume and surface area of a polytope given as a bounded intersection of half-spaces: each face is what the others
 // leave of its plane.
 #pragma once

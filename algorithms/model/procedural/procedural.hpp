@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The built-in models, made by code alone: no input files, the same bits at every call. Units are metres, y is up, the
 // models face +z, left is +x. Each skin is one closed, connected surface without handles.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/procedural/procedural_body.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A body as an implicit surface: smooth unions and differences of simple parts given by signed distance.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/procedural/procedural_mesh.hpp"
 
 #include <CGAL/Simple_cartesian.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/procedural/procedural_motion.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Motions of the built-in models: joints turned about their origins through the hierarchy.
 #pragma once
 

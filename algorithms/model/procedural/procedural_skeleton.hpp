@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Skeletons of the built-in models, their vertex weights, and poses by turning joints.
 #pragma once
 

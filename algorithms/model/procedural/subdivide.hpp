@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A finer mesh of the same model: the same surface in the reference pose, the same skeleton and clips.
 #pragma once
 

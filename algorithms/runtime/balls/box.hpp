@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Box: a box with edges along the axes, whose corners are least and greatest coordinates.
 //
 // Of one scalar type, or of packs: then a box a lane. Point may be a row of registers, whose fourth number is then not looked

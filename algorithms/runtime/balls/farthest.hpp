@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The greatest of numbers that belong to points, looked for two points at a time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest enclosing ball of few balls of R^3, by pivoting as in few_points_ball.hpp.
 //
 // Around [c, R] all is enclosed if no power ||c_k - c||^2 + r_k (2 R - r_k) exceeds R^2. For a given R the center with

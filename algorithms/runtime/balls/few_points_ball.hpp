@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest enclosing ball of few points of R^3 or R^4 in float or double, by pivoting.
 //
 // The support starts as a point far from the first one and the point farthest from that; as long as a point is outside

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ball near the smallest one of balls whose first ones are likely to be its support: one pass, where that is true.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The support of a ball that grows: at most D + 1 affinely independent points of R^D, the ball's center as their convex
 // combination, and what makes points enter and leave at the cost of a few products [the dual active set method of
 // Goldfarb and Idnani 1983, for the smallest ball's quadratic program].

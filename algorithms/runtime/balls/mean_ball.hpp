@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mean ball: centered at the mean of the centers, with the smallest radius that encloses all (paper 4.4, the
 // BOUNDINGSPHERE of Algorithm 1 [James and Pai 2004]).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Quad: a vector of R^3 or R^4 as two rows of two coordinates, the width that every 64-bit processor multiplies at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Raising the radius of a ball that was measured in float or double by more than the rounding of the measurement.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Clouds whose lengths are so small or so large that their higher powers leave the range of float or double: a power of
 // two brings them to a size of about 1, without rounding.
 #pragma once

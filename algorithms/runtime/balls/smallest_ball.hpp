@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest enclosing ball of points of R^d, with its support, by walking [Fischer, Gaertner and Kutz 2003, "Fast
 // smallest-enclosing-ball computation in high dimensions"].
 //

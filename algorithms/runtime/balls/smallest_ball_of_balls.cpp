@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 
 #include <Eigen/QR>

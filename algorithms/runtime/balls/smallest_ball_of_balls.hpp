@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest enclosing ball of any number of balls of R^3, however they lie: slower than few_balls_ball.hpp, which leaves to
 // it what its pivots do not settle.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest enclosing ball of three points, in closed form: most nodes of a sphere tree are single triangles.
 //
 // If the angle at a point is not acute, the ball has the opposite side as a diameter. Else it is the ball of the circle

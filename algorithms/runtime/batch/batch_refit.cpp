@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/batch/batch_refit.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // BatchRefit: the balls of all nodes of a tree in one go, in float, by Algorithm 1 repaired or by the linear refit, with mean
 // balls: what refit_algorithm1_repaired<MeanBalls> and refit_linear<MeanBalls> find node by node.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/batch/node_refit.hpp"
 
 #include <algorithm>

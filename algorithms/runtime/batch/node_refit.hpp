@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // NodeRefit: Algorithm 1 repaired, of one node at a time, in float: a quaternion or a point is one Row. For a query that
 // touches few nodes, where BatchRefit would make all of them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/batch/packed_nodes.hpp"
 
 #include <algorithm>

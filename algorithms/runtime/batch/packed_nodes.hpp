@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PackedNodes: a tree's nodes laid out for the kernels of the batch refit (refit_kernel.hpp).
 //
 // Most nodes are moved by one to a few joint-sets, which many other nodes are moved by as well: those are refitted whole,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 
 #include <algorithm>

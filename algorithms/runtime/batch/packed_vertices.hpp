@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PackedVertices: groups of a model's vertices, laid out so that packs skin a group at a time, bit-identical to skin().
 //
 // Within a group vertices are sorted by joint-set; each run of one joint-set is padded to whole blocks of Lanes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/batch/palette_kernel.hpp"
 
 #include <cstring>

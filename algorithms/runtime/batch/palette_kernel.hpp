@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of PalettePacks: the frame's data of eight joint-sets of the same number of joints at a time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PalettePacks: make_skinning_palette in packs, eight joint-sets at a time, with the very same numbers.
 #pragma once
 

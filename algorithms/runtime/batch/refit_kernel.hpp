@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernels of the batch refit: Algorithm 1 repaired, and the linear refit, of as many nodes as there are lanes, all of
 // them moved by the same joint-sets; in float, with mean balls.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // bound_rotations (lemmas/rotation_bound.hpp) in packs: where that returns early, lanes are selected.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The range of refits in single precision, which square their lengths.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of batch skinning: vertices of one joint-set, a vertex a lane.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/body.hpp"
 
 #include "algorithms/runtime/packs/float_environment.hpp"

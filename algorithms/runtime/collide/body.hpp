@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Body: a character in one frame, as queries see it: balls refitted and vertices skinned only where a query gets to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // BoxBlock: eight boxes, side by side as packs compare them with one box.
 #pragma once
 

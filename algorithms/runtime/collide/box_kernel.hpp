@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernels of ClusterBody: boxes around control points, and boxes against boxes.
 #pragma once
 

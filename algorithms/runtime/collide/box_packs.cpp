@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/box_packs.hpp"
 
 #include <algorithm>

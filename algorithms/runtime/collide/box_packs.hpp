@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes around many nodes at once, from the control points of their pieces, sixteen pieces side by side.
 //
 // A piece is what a node holds of one joint-set: a ball around its vertices in the reference pose, and the simplex

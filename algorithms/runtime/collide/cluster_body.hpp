@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ClusterBody: a placed character in one frame, as the fast queries see it: at first only how far it can reach; then
 // wide nodes bounded and clusters skinned where a query gets to.
 #pragma once

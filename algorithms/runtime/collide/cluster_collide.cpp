@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which triangles of two skinned characters touch: the fast query, over wide nodes of boxes and clusters (cluster_tree.hpp).
 #pragma once
 

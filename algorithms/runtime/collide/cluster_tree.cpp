@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/cluster_tree.hpp"
 
 #include <algorithm>

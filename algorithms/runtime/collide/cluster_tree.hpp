@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ClusterTree: a character as the fast queries see it. Wide wide nodes of bounded nodes on top, clusters of triangles below.
 //
 // Bounding a node costs more than skinning the few vertices under it once it is small, so bounds end at clusters of

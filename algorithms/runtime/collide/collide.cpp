@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/collide.hpp"
 
 #include <cmath>

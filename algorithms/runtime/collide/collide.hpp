@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which triangles of two skinned characters touch, by their sphere trees, refitted on demand (paper 5).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which of many bodies touch, and where: boxes first, then each pair whose boxes meet.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/exact_number.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ExactNumber: integers times powers of two, of any length. Every finite double is one, and so are sums, differences and
 // products: signs of polynomials in doubles are decided without rounding, overflow or underflow.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // FlippedBox: low and -high, each with an unused fourth, so that merging two boxes is one minimum.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // MotionBound: a box that holds all of a skinned character, from the transforms of its joints alone.
 //
 // What a query asks first: it needs no rotation centers and no blends, and its price goes by joints and joint-sets, not

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of MotionBound: sixteen groups of joint-sets side by side, and before that all joints side by side.
 //
 // Rounding. u = 2^-24. A joint's quaternion and the placement's are off by u a component when they come as floats,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/motion_bound_kernel.hpp"
 #include "algorithms/runtime/packs/kernel_table.hpp"
 

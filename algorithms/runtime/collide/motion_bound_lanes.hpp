@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // For the kernels of MotionBound: the numbers of all joints, and the bounds of a pack's lanes.
 #pragma once
 

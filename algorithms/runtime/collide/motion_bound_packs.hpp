@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What joints reach, in packs for the kernel of MotionBound: whole groups of joint-sets, or pieces of nodes.
 #pragma once
 

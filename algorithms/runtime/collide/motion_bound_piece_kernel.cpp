@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel that bounds nodes from their joints alone: as that of MotionBound, but by target, and by a ball and a box.
 //
 // By b7_motion_bound with f = v a vertex is within s A(v) of the hull of its images: so it is in the hull of the images of a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PairMemory: what two bodies were to each other in earlier frames. Bodies move little from one frame to the next: of a
 // few pairs of triangles that touched some pair often touches again, and bodies whose bounds met meet again.
 #pragma once

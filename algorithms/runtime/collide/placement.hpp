@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a body's placement in the world must be.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/simplex_pieces.hpp"
 
 #include <algorithm>

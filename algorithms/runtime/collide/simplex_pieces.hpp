@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pieces of nodes: what a node holds of each joint-set, which is bounded by itself.
 #pragma once
 

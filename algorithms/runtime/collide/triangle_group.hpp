@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // TriangleGroup: some triangles of a cluster that lie side by side and are boxed together.
 #pragma once
 

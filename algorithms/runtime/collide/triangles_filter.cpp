@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/triangles_filter.hpp"
 
 #include "algorithms/runtime/packs/float_environment.hpp"

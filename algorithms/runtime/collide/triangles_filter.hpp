@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A quick answer to whether two triangles have a point in common, in double or in packs of doubles, or none where
 // rounding might decide.
 //

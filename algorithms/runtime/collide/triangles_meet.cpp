@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/triangles_meet.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether two triangles have a point in common, decided exactly.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/mesh/joint_sets.hpp"
 
 #include <map>

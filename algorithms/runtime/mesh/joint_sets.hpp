@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Joint-sets: the distinct sets of joints that influence a vertex (paper 3, J(v)), and each vertex's weights in them.
 #pragma once
 

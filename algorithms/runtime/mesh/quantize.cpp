@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/mesh/quantize.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weights as multiples of 2^-24 that sum to 1 exactly.
 //
 // Weights in files sum to 1 only up to rounding. Rounded to multiples of 2^-24 (finer than the 8- and 16-bit weights of

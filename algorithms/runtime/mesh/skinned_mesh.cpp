@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 #include "algorithms/runtime/packs/float_environment.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SkinnedMesh: a triangle mesh, the joints that move it, and how much of each joint is in each vertex (paper 3).
 //
 // Frames: everything is in model space of the reference pose, right-handed, in the units of whatever it was made from.

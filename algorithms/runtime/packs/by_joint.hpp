@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ByJoint: an array of as many entries as a joint-set has joints, on the stack if the compiler knows how many these are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The least float that is not below a double.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 #if defined(__x86_64__)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The floating-point environment that all derivations of rounding count on: rounding to nearest, denormal numbers kept.
 //
 // Programs change it for themselves: engines and whatever is linked with -ffast-math have denormals flushed to zero, on the

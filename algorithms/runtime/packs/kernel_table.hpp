@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which of the tables that a kernel's translation units define, one in the namespace of each target, is a target's.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lanes: how numbers for packs lie in memory, the same for every width of a pack: aligned, and padded to the widest.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers of a table, one a lane, each from the lane's own place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pack: as many numbers as the processor handles at once, as one number type S of refitlab's templates.
 //
 // Lemmas, quaternions, blends and refits run in it unchanged, one case a lane, where they decide nothing: a comparison has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Row: the few numbers of one record (a point, a quaternion, a ball, a box), side by side in registers.
 //
 // The counterpart of a pack: that has one number of as many records as the processor handles at once, a row has all numbers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/packs/targets.hpp"
 
 namespace refitlab {

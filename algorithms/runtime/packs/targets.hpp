@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Targets: the instruction sets that kernels are compiled for, of which one is picked when the program runs.
 //
 // A kernel is one source file, *_kernel.cpp, compiled once a target into the namespace REFITLAB_TARGET. Other code calls it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // As many rows as a row has numbers, to as many columns: what brings a record a lane into packs, and back, without gathering
 // numbers one by one.
 #pragma once

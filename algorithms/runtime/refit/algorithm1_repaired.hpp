@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Algorithm 1, repaired: sound for every pose and every weight bound; in intervals and exact numbers without exception,
 // in float and double up to rounding.
 //

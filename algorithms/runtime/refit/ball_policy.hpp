@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // BOUNDINGSPHERE, the subroutine of Algorithm 1 that the variants exchange: mean balls as printed, or smallest balls.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control balls: blend skinning as a rational Bezier simplex in the weights, whose control points hold all of it.
 //
 // Let q'_k and r'_k be a piece's corner quaternions and corner images of the rotation center, and x = p - r_c. The control

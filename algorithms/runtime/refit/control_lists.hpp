@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ControlLists: what the control balls of a node are made in, for every kind of skinning. The balls are the result.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Refitting for dual quaternion skinning: its control balls, of degree 2, and one ball around them.
 //
 // Let q'_k + eps d'_k be a piece's corner dual quaternions and p the center of its reference ball. With W_kl and P_kl

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/refit/frame_refits.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // FrameRefits: the balls of one character in one frame, each refitted when it is first asked for, and once.
 //
 // Beyond the paper's on-demand refit (5), two ways in which a node uses what the frame knows already:

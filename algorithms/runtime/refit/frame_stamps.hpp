@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // FrameStamps: which of some things were made in the current frame; a new frame forgets all of them at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Refitting for linear blend skinning [Kavan and Zara 2005a]: the balls whose centers are the corner-blended images of
 // the reference ball's center, all of its radius, and one ball around them. They are the control balls of degree 1.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The certified ball of a node: what a refit computed, with a slack for all rounding, as derived in
 // algorithms/runtime/skinning/palette_rounding.hpp.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The refits that are proved to enclose, by name: one interface, each node by itself in any order, no vertex touched.
 #pragma once
 

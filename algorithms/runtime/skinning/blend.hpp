@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Blending one vertex, over any number type: linear, spherical by Equation (1), and by dual quaternions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A joint-set's palette of one number type as that of another: doubles as the exact numbers they are, for example.
 #pragma once
 

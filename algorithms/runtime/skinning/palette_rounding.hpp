@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PaletteRounding: how far rounding may carry what is computed with a joint-set's blends from what is true.
 //
 // Truth is exact arithmetic on the numbers of the node and of the palette as they stand: quaternions that are of unit length

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rotation centers: the point whose images under a joint-set's transforms lie closest together [Kavan and Zara 2005b].
 //
 // For two joints let (w, v) be the relative rotation q_a* q_b and e = R_a^T (C_a p - C_b p) how far apart they carry the

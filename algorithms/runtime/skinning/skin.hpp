@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Skinning a whole model: the deformed vertices of a pose.
 #pragma once
 

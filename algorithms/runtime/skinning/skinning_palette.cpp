@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 #include "algorithms/runtime/packs/float_environment.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What skinning prepares once a frame, by joint-set: signed quaternions, rotation centers and their images (paper 3).
 #pragma once
 

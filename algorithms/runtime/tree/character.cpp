@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/character.hpp"
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Character: a skinned mesh with all that was made from it before any pose, as algorithms/bake makes it.
 #pragma once
 

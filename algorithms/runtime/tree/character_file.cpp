@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/character_file.hpp"
 
 #include <bit>

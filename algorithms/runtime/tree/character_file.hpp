@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A character as bytes: what baking made, kept in a file that the runtime reads without any other library.
 //
 // Format, version 1; all numbers little-endian, lists as a count (8 bytes) and their members one after the other:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether the parts of a character that was read fit each other: what refits and queries rely on without looking.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PieceTable: tighter descriptions of what a node holds than the paper's one ball and one weight box a joint-set.
 //
 // A piece is some of the node's vertices of one joint-set, with a reference ball of these vertices alone and a polytope that

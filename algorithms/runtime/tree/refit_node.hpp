@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // RefitNode: all that refitting one node may look at. The vertices are not among it.
 #pragma once
 

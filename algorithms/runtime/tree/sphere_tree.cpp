@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/sphere_tree.hpp"
 
 #include <algorithm>

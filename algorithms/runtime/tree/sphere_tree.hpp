@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SphereTree: the bounding spheres of a skinned mesh, as algorithms/bake/build_tree makes them in the
 // reference pose (paper 3 and 4.1).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // explorer_numbers: what the library itself, compiled for this machine, says to what the explorer shows in a browser.
 //
 // Reads a JSON list from standard input: settings as the page sends them (see ExplorerSettings), or {"page", "values"}

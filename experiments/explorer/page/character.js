@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The character: its skin, the balls of a level of its tree, the vertices that they miss, and joints to drag.
 import * as THREE from 'three';
 import {Stage, colors, disc, isDark} from './stage.js';

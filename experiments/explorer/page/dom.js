@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small parts of pages.
 export function element(name, properties = {}, ...children) {
   const made = Object.assign(document.createElement(name), properties);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drives the report's explorer in a headless browser and compares what it shows with what the library says.
 //   node drive.mjs PAGE.html NUMBERS_PROGRAM FOLDER_FOR_PICTURES
 import {spawnSync} from 'node:child_process';

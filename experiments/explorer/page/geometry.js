@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The project's C++ in WebAssembly: settings in, numbers out. Nothing here computes geometry.
 import load_explorer from 'refitlab-explorer-wasm';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The lemmas' pages: sliders of whole numbers, and the scene and verdicts that the lemma's own code makes of them.
 import * as THREE from 'three';
 import {Stage, colors, dispose, isDark, label} from './stage.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Starts when the explorer comes into view: the geometry is opened once, for both parts.
 import {openGeometry} from './geometry.js';
 import {CharacterView} from './character.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lemma 1 to play with: a half-space cuts a cap from the unit sphere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lemma 2 to play with: a convex hull, and that of its normalised generators.
 #pragma once
 

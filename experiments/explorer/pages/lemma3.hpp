@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lemma 3 to play with: where a ball cuts the unit sphere.
 #pragma once
 

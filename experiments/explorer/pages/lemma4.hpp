@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lemma 4 to play with: a ball around unit vectors bounds the directions of their blends.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lemma 5 to play with: the smallest ball around a cap, printed and repaired.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A page of a lemma: sliders, and the scene that they make, computed by the lemma's own code in exact rational numbers.
 //
 // A slider has whole numbers, so that all coordinates are rational and every verdict is decided. Scenes are of R^3: the

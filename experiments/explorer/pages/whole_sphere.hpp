@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Section 4.3 to play with: from quaternions in a ball to the ball around a rotated point, and when nothing but the
 // whole sphere will do.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the page calls: settings in as JSON, numbers out as JSON, long lists as places in memory.
 //
 // Each function returns a text that is valid until the next call of the same function. An error is {"error": "…"}.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* A certificate against the document of its model: an accepted one is about all vertices of a node's triangles, as the model
    has them. The program, what it claims, and the proof over any exact numbers. *)
 From Coq Require Import List Reals Lia Bool PeanoNat PArith FMapPositive.

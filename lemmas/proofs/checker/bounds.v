@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Over the reals: what is checked of the corners of a piece holds all of their blends. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

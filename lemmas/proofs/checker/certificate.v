@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Certificates of refitted balls (algorithms/certificate/certificate.hpp), and what an accepted one claims. *)
 From Coq Require Import List Reals.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* The checker: a program over any numbers that are exact. It is extracted, and run in Coq's kernel; sound.v proves it. *)
 From Coq Require Import List Bool PeanoNat.
 Require Import Refitlab.theory.linear Refitlab.b3_subdivision Refitlab.checker.certificate.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Numbers that are exact: what the checker makes of them is what it would make of the real numbers that they stand for. *)
 From Coq Require Import List Reals Lra Bool.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

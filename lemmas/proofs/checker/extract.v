@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* The checker as an OCaml program (ocaml/main.ml reads files for it). Natural numbers become machine integers, which is right
    for lengths and places of lists that fit in memory; integers become Zarith's. *)
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt ExtrOcamlZBigInt ZArith.

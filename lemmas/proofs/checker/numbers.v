@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* The checker over exact numbers, m 2^e where that is enough and fractions in lowest terms elsewhere, and the theorem about
    it. *)
 From Coq Require Import List Reals Lra Lia ZArith QArith Qreals.

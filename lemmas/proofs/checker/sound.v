@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* About the checker over any exact numbers: a certificate that it accepts claims what is true. *)
 From Coq Require Import List Reals Lra Lia Bool PeanoNat.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Surfaces of spheres, half-spaces, and caps, as section 4.3 of the paper defines them. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Convex combinations, convex sets, hulls and cones. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Real inner product spaces: R^d for every d at once. Statements about R^d are proved for any of them; R, R^3, the
    quaternions (R^4) and products of them are instances, and so is every R^d as a product of d times R. *)
 From Coq Require Import List Reals Lra Psatz.

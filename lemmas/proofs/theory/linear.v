@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Vectors of R^3, quaternions and linear combinations. They are polymorphic in the number type, so that a program that
    is extracted from Coq can compute with the very definitions that the theorems are about. *)
 From Coq Require Import List Reals.

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Rotations of R^3 by quaternions of any length, and the three ways of blending that the project bounds. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A program of the lemmas alone: a twist of half a turn, bounded by its cap and by its control points.
 #if __has_include(<CGAL/version.h>) || __has_include(<gmp.h>) || __has_include(<mpfi.h>) || __has_include(<boost/version.hpp>)
 #error "a library that the lemmas do not need is within reach, so that this program would not show that"

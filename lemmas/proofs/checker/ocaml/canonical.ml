@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* JSON in its canonical form: keys sorted, indented by one space, in ASCII, ended by a line feed. *)
 exception Rejected of string
 

@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* Certificates, models and poses from JSON: exactly the members that the format has (algorithms/certificate). *)
 module Integer = Z
 module Rational = Q

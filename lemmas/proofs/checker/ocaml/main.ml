@@ -1,3 +1,4 @@
+(* SPDX-License-Identifier: MIT *)
 (* check [--against MODEL [--pose POSE]] FILE_OR_FOLDER...: what proptests/certificate/check does, by the program that is
    extracted from the proofs. Its verdicts are the same; the sentences after them need not be. *)
 open Canonical
