@@ -26,10 +26,10 @@ std::vector<int> cut_of(const SphereTree& tree, const FrameOptions& options, int
     }
   };
   for (open(node);;) {
-    const TreeNode& most = tree.nodes[cut.cut()];
+    const TreeNode& most = tree.nodes[cut.front()];
     const auto opened = static_cast<int>(cut.size()) - 1 + most.child_count;
     if (most.piece_count <= options.most_joint_sets || most.child_count == 0 || opened > options.most_in_cut) return cut;
-    const int n = cut.cut();
+    const int n = cut.front();
     std::pop_heap(cut.begin(), cut.end(), fewer_to_gain);
     cut.pop_back();
     open(n);
