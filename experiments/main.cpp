@@ -10,8 +10,8 @@
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/pictures/cap_figure.hpp"
-#include "experiments/pictures/scenario_figures.hpp"
 #include "experiments/pictures/failing_figure.hpp"
+#include "experiments/pictures/scenario_figures.hpp"
 #include "experiments/pictures/twist_figures.hpp"
 #include "experiments/resume/resume.hpp"
 #include "experiments/run_file.hpp"
@@ -64,9 +64,9 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
            }));
   if (options.wants("speed")) {
     append(results.speed, resumed_or(run, "speed" + of_model, options.speed, identity,
-                                    [&] { return run_speed(character, twist, options.speed); }));
+                                     [&] { return run_speed(character, twist, options.speed); }));
     append(results.batches, resumed_or(run, "batch speed" + of_model, options.speed, identity,
-                                      [&] { return run_batch_speed(character, twist, options.speed); }));
+                                       [&] { return run_batch_speed(character, twist, options.speed); }));
   }
   if (options.wants("volumes")) {
     const VolumeResults volumes = resumed_or(run, "volumes" + of_model, options.volumes, identity, [&] {
@@ -79,10 +79,10 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
   }
   if (options.wants("rounding"))
     append(results.rounding, resumed_or(run, "rounding" + of_model, options.rounding, identity,
-                                       [&] { return run_rounding(character, twist, options.rounding); }));
+                                        [&] { return run_rounding(character, twist, options.rounding); }));
   if (options.wants("collisions") && !(options.collisions.first_model_only && !results.collisions.empty()))
     append(results.collisions, resumed_or(run, "collisions" + of_model, options.collisions, identity,
-                                         [&] { return run_collisions(character, options.collisions); }));
+                                          [&] { return run_collisions(character, options.collisions); }));
 }
 
 // Each file once all of its rows are there: until then the one of the last whole run stays.
@@ -124,15 +124,16 @@ bool runs_without_model(const Options& options) { return options.files.empty() |
 std::size_t unit_count(const Options& options, std::size_t models) {
   const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
-  std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) + count("rounding", models) +
-                      count("collisions", with_collisions);
+  std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
+                      count("rounding", models) + count("collisions", with_collisions);
   if (runs_without_model(options)) units += count("growth", 3) + count("speed", 1) + count("queries", 1);
   return units;
 }
 
 // What the report needs to know of the run as a whole.
 void write_catalogue(const Options& options, const DefaultModels& models, RunFile& result) {
-  const auto packed = options.packs_models ? pack_models(models.models, options.out + "/results/models") : std::vector<std::string>{};
+  const auto packed =
+      options.packs_models ? pack_models(models.models, options.out + "/results/models") : std::vector<std::string>{};
   write_models(models, packed, result("models.csv"));
   write_variants(result("variants.csv"));
   write_detectors(result("detectors.csv"));
@@ -152,10 +153,9 @@ int main(int argc, char** argv) try {
   }
 
   DefaultModels models;
-  const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") || options.wants("rounding") ||
-                            options.wants("collisions");
-  if (options.files.empty() && wants_models)
-    models = default_models(options.models);
+  const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") ||
+                            options.wants("rounding") || options.wants("collisions");
+  if (options.files.empty() && wants_models) models = default_models(options.models);
   else
     for (const auto& file : options.files) models.models.push_back(load_named(file));
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";

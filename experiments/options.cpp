@@ -43,16 +43,16 @@ bool parse(int argc, char** argv, Options& o) {
   std::string names;
   for (const char* name : experiments) names += std::string(names.empty() ? "" : ", ") + name;
   po::options_description description("experiments: refit variants compared on skinned characters");
-  description.add_options()("help", "this text")(
-      "model", po::value(&o.files)->multitoken(), "rigged files of one's own, in place of the default models")(
+  description.add_options()("help", "this text")("model", po::value(&o.files)->multitoken(),
+                                                 "rigged files of one's own, in place of the default models")(
       "only", po::value(&o.only)->multitoken(), ("experiments to run, of: " + names).c_str())(
       "quick", "few sampled times per clip, short timings: a smoke run")(
       "full", "many sampled times per clip, long timings, all detectors, up to a million triangles: the paper's numbers")(
       "anew", "run everything, also what an earlier run of this very program finished with the same options and models")(
       "models", po::value(&o.models), "folder of the real models")("out", po::value(&o.out), "folder for all that is generated")(
       "certificate", po::value(&o.certificate.file),
-      "write why a refitted ball holds its vertices to this file, and do nothing else; of the model given, or the procedural man")(
-      "node", po::value(&o.certificate.node), "of the certificate: in the sphere tree, 0 being its root")(
+      "write why a refitted ball holds its vertices to this file, and do nothing else; of the model given, or the procedural "
+      "man")("node", po::value(&o.certificate.node), "of the certificate: in the sphere tree, 0 being its root")(
       "clip", po::value(&o.certificate.clip), "of the certificate: the first unless given")(
       "time", po::value(&o.certificate.seconds), "of the certificate: seconds into the clip")(
       "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given")(

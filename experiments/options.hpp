@@ -9,9 +9,9 @@
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/triangles.hpp"
-#include "experiments/synthetic/queries.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/timing.hpp"
+#include "experiments/synthetic/queries.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
 
@@ -31,9 +31,7 @@ struct Options {
   QuerySettings queries{.count = 2000};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
-  bool wants(const std::string& name) const {
-    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
-  }
+  bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }
 };
 
 // False if only help was asked for. Throws what boost::program_options does for options that it does not know, and for

@@ -137,8 +137,8 @@ Verdict box_is_carried(const AffineMap<S>& map, const HalfBox<S>& box, const Vec
 
 // (iii): the image of the point is as near to that combination of the images.
 template <class S>
-Verdict hull_is_carried(const AffineMap<S>& map, std::span<const Vec<S, 3>> points, std::span<const S> w,
-                        const Vec<S, 3>& beside, const S& squared_radius) {
+Verdict hull_is_carried(const AffineMap<S>& map, std::span<const Vec<S, 3>> points, std::span<const S> w, const Vec<S, 3>& beside,
+                        const S& squared_radius) {
   Vec<S, 3> of_images = apply(map, points[0]) * w[0];
   for (std::size_t k = 1; k < w.size(); ++k) of_images = of_images + apply(map, points[k]) * w[k];
   const Vec<S, 3> image = apply<S>(map, combine<S, 3>(w, points) + beside);

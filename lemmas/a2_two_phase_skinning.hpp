@@ -31,8 +31,8 @@ std::vector<SquaredBall<S, 3>> scaled_balls(std::span<const AffineMap<S>> scales
 
 // The ball encloses the images of the vertex, and the weights are convex.
 template <class S>
-Verdict two_phase_hypotheses(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& around,
-                             const Vec<S, 3>& vertex, std::span<const S> w) {
+Verdict two_phase_hypotheses(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& around, const Vec<S, 3>& vertex,
+                             std::span<const S> w) {
   Verdict v = is_convex(w);
   for (const AffineMap<S>& scale : scales) v &= encloses(around, apply(scale, vertex));
   return v;
@@ -76,8 +76,8 @@ Verdict is_scaled_vertex(std::span<const AffineMap<S>> scales, const SquaredBall
 
 // What a refit that does not know of scales takes for v''.
 template <class S>
-Verdict stays_in_reference_ball(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& reference,
-                                const Vec<S, 3>& vertex, std::span<const S> w) {
+Verdict stays_in_reference_ball(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& reference, const Vec<S, 3>& vertex,
+                                std::span<const S> w) {
   return encloses(reference, linear_blend(scales, w, vertex));
 }
 

@@ -25,25 +25,22 @@ namespace refitlab {
 
 // (i).
 template <class S>
-Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> displacements,
-                        std::span<const S> weights) {
+Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> displacements, std::span<const S> weights) {
   Ball3<S> out = reference;
   for (std::size_t k = 0; k < weights.size(); ++k)
-    out = {out.center + displacements[k].center * weights[k],
-           out.radius + absolute<S>(weights[k]) * displacements[k].radius};
+    out = {out.center + displacements[k].center * weights[k], out.radius + absolute<S>(weights[k]) * displacements[k].radius};
   return out;
 }
 
 // (ii). lengths: no less than those of the centers of the displacements.
 template <class S>
-Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> displacements,
-                        std::span<const Slab<S>> weights, std::span<const S> lengths) {
+Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> displacements, std::span<const Slab<S>> weights,
+                        std::span<const S> lengths) {
   Ball3<S> out = reference;
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const S middle = (weights[k].low + weights[k].high) / S(2), half = (weights[k].high - weights[k].low) / S(2);
     const S greatest = max_of(absolute<S>(weights[k].low), absolute<S>(weights[k].high));
-    out = {out.center + displacements[k].center * middle,
-           out.radius + half * lengths[k] + greatest * displacements[k].radius};
+    out = {out.center + displacements[k].center * middle, out.radius + half * lengths[k] + greatest * displacements[k].radius};
   }
   return out;
 }
@@ -55,8 +52,7 @@ Slab<S> product_of_slabs(const Slab<S>& a, const Slab<S>& b) {
   return {min_of(min_of(p, q), min_of(r, s)), max_of(max_of(p, q), max_of(r, s))};
 }
 template <class S>
-Slab<S> displaced_slab(const Slab<S>& reference, std::span<const Slab<S>> displacements,
-                       std::span<const Slab<S>> weights) {
+Slab<S> displaced_slab(const Slab<S>& reference, std::span<const Slab<S>> displacements, std::span<const Slab<S>> weights) {
   Slab<S> out = reference;
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const Slab<S> more = product_of_slabs(weights[k], displacements[k]);
@@ -83,8 +79,7 @@ struct MorphedVertex {
 };
 
 template <class S>
-Verdict morph_hypotheses(const MorphedVertex<S>& vertex, const Ball3<S>& reference,
-                         std::span<const Ball3<S>> displacements) {
+Verdict morph_hypotheses(const MorphedVertex<S>& vertex, const Ball3<S>& reference, std::span<const Ball3<S>> displacements) {
   Verdict v = encloses(reference, vertex.reference);
   for (std::size_t k = 0; k < displacements.size(); ++k) v &= encloses(displacements[k], vertex.displacements[k]);
   return v;

@@ -72,15 +72,13 @@ Vec<S, 3> scaled_translation(const Quaternion<S>& dual, const Quaternion<S>& rot
 template <class S>
 MixedCorners<S> mix_motions(const BlendedDuals<S>& a, const BlendedDuals<S>& b, const Vec<S, 3>& point) {
   const MixedCorners<S> turned = mix_rotations(a.rotation, b.rotation, point);
-  return {turned.weight,
-          turned.numerator + scaled_translation(a.dual, b.rotation) + scaled_translation(b.dual, a.rotation)};
+  return {turned.weight, turned.numerator + scaled_translation(a.dual, b.rotation) + scaled_translation(b.dual, a.rotation)};
 }
 
 // 3 N_jkl and 3 W_jkl: the control point of degree 3, of the mixed pairs of its corners and their center images.
 template <class S>
 ScaledPoint<S> spherical_control_point(const MixedCorners<S>& jk, const MixedCorners<S>& kl, const MixedCorners<S>& jl,
-                                       const Vec<S, 3>& center_j, const Vec<S, 3>& center_k,
-                                       const Vec<S, 3>& center_l) {
+                                       const Vec<S, 3>& center_j, const Vec<S, 3>& center_k, const Vec<S, 3>& center_l) {
   const Vec<S, 3> turned = jk.numerator + kl.numerator + jl.numerator;
   const Vec<S, 3> moved = center_j * kl.weight + center_k * jl.weight + center_l * jk.weight;
   return {turned + moved, jk.weight + kl.weight + jl.weight};
@@ -136,8 +134,8 @@ struct SphericalBlend {
   ControlPoint<S> control_point(const std::vector<std::size_t>& index) const {
     const std::size_t j = index[0], k = index[1], l = index[2];
     const auto mix = [&](std::size_t a, std::size_t b) { return mix_rotations(rotations[a], rotations[b], x); };
-    const ScaledPoint<S> thrice = spherical_control_point(mix(j, k), mix(k, l), mix(j, l), center_images[j],
-                                                          center_images[k], center_images[l]);
+    const ScaledPoint<S> thrice =
+        spherical_control_point(mix(j, k), mix(k, l), mix(j, l), center_images[j], center_images[k], center_images[l]);
     return {index, thrice.numerator / S(3), thrice.denominator / S(3)};
   }
 };

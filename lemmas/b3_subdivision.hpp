@@ -94,8 +94,7 @@ struct HalfPoint {
 
 // Independent check: the same quaternion and the same image of the rotation center, so the same deformed vertices.
 template <class S>
-Verdict is_same_blend(const SphericalBlend<S>& a, std::span<const S> u, const SphericalBlend<S>& b,
-                      std::span<const S> v) {
+Verdict is_same_blend(const SphericalBlend<S>& a, std::span<const S> u, const SphericalBlend<S>& b, std::span<const S> v) {
   Verdict same = verdict_of(a.weight_vertex_count() == u.size() && b.weight_vertex_count() == v.size());
   if (same == Verdict::fails) return same;
   const Quaternion<S> p = combine<S, 4>(u, a.rotations), q = combine<S, 4>(v, b.rotations);
@@ -107,8 +106,7 @@ Verdict is_same_blend(const SphericalBlend<S>& a, std::span<const S> u, const Sp
 
 template <class S>
 Verdict is_half_point(const SphericalBlend<S>& blend, std::span<const S> u, const HalfPoint<S>& witness) {
-  return is_convex<S>(witness.coefficients) &
-         is_same_blend<S>(blend, u, half_of(blend, witness.half), witness.coefficients);
+  return is_convex<S>(witness.coefficients) & is_same_blend<S>(blend, u, half_of(blend, witness.half), witness.coefficients);
 }
 
 // Which half of the edge (k, l) holds the blend with u.

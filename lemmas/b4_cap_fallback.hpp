@@ -39,8 +39,7 @@ S fallback_height(const CapFallback<S>& cap) {
 // The ball around the rotated x: what is added to each r'_k.
 template <class S>
 SquaredBall<S, 3> fallback_ball(const CapFallback<S>& cap, const Vec<S, 3>& x) {
-  if (less_equal(cap.squared_cosine, S(S(1) / S(2))) == Verdict::holds)
-    return {Vec<S, 3>::Constant(S(0)), squared_norm(x)};
+  if (less_equal(cap.squared_cosine, S(S(1) / S(2))) == Verdict::holds) return {Vec<S, 3>::Constant(S(0)), squared_norm(x)};
   const Cap<S, 3> rotated{Vec<S, 3>::Constant(S(0)), rotate_by(cap.axis, x), fallback_height(cap)};
   return cap_ball_repaired(rotated);
 }
@@ -51,8 +50,8 @@ template <class S>
 Verdict cap_is_valid(const CapFallback<S>& cap) {
   const Verdict nothing_claimed = less_equal(cap.squared_cosine, S(S(1) / S(2)));
   return nothing_claimed |
-         (less(S(0), squared_norm(cap.axis)) & less_equal(cap.squared_cosine, S(1)) &
-          are_ahead<S>(cap.rotations, cap.axis) & are_within_cosine<S>(cap.rotations, cap.axis, cap.squared_cosine));
+         (less(S(0), squared_norm(cap.axis)) & less_equal(cap.squared_cosine, S(1)) & are_ahead<S>(cap.rotations, cap.axis) &
+          are_within_cosine<S>(cap.rotations, cap.axis, cap.squared_cosine));
 }
 
 template <class S>
@@ -78,8 +77,7 @@ Verdict is_fallback_steps(const CapFallback<S>& cap, const Vec<S, 3>& x, std::sp
   std::vector<Vec<S, 3>> centers;
   for (const auto& r : cap.center_images) centers.push_back(r + ball.center);
   const Vec<S, 3> rotated = ball.center + steps.rotation_step;
-  Verdict v = is_hull_point<S, 3>(centers, steps.hull_point, u) &
-              is_rotated<S>(combine<S, 4>(u, cap.rotations), x, rotated) &
+  Verdict v = is_hull_point<S, 3>(centers, steps.hull_point, u) & is_rotated<S>(combine<S, 4>(u, cap.rotations), x, rotated) &
               less_equal(squared_norm(steps.rotation_step), ball.squared_radius);
   for (int i = 0; i < 3; ++i) v &= equal(S(steps.hull_point[i] + steps.rotation_step[i] + offset[i]), steps.vertex[i]);
   return v;

@@ -76,8 +76,7 @@ Verdict is_twisted_point(const Vec<S, 3>& axis, const CapFallback<S>& cap, const
 }
 
 template <class S>
-TwistedPoint<S> twist_keeps_axis(const Vec<S, 3>& axis, const CapFallback<S>& cap, const Vec<S, 3>& x,
-                                 std::span<const S> u) {
+TwistedPoint<S> twist_keeps_axis(const Vec<S, 3>& axis, const CapFallback<S>& cap, const Vec<S, 3>& x, std::span<const S> u) {
   TwistedPoint<S> out{Verdict::undecided, split_at_axis(axis, x), rotate_by<S>(combine<S, 4>(u, cap.rotations), x)};
   out.verdict = is_twisted_point(axis, cap, x, u, out);
   return out;
@@ -85,8 +84,7 @@ TwistedPoint<S> twist_keeps_axis(const Vec<S, 3>& axis, const CapFallback<S>& ca
 
 // The control points keep the part along the axis too.
 template <class S>
-Verdict control_points_keep_axis(const Vec<S, 3>& axis, const Quaternion<S>& p, const Quaternion<S>& q,
-                                 const Vec<S, 3>& x) {
+Verdict control_points_keep_axis(const Vec<S, 3>& axis, const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x) {
   const AxisParts<S> parts = split_at_axis(axis, x);
   const MixedCorners<S> mixed = mix_rotations(p, q, x), of_across = mix_rotations(p, q, parts.across);
   const Vec<S, 3> rest = mixed.numerator - parts.along * mixed.weight, &expected = of_across.numerator;

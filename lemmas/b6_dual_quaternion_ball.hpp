@@ -43,15 +43,13 @@ Quaternion<S> reach_at(const DualQuaternionBlend<S>& blend, std::size_t k, const
 
 // ||E_k||^2 / (q_k, a)^2: what the squared radius is the greatest of, but for ||a||^2.
 template <class S>
-S squared_reach(const BlendedDuals<S>& corner, const Vec<S, 3>& point, const Quaternion<S>& axis,
-                const Vec<S, 3>& center) {
+S squared_reach(const BlendedDuals<S>& corner, const Vec<S, 3>& point, const Quaternion<S>& axis, const Vec<S, 3>& center) {
   return squared_norm(reach_of(corner, point, center)) / sq(dot(corner.rotation, axis));
 }
 
 // The ball of the statement.
 template <class S>
-SquaredBall<S, 3> dual_quaternion_ball(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis,
-                                       const Vec<S, 3>& center) {
+SquaredBall<S, 3> dual_quaternion_ball(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis, const Vec<S, 3>& center) {
   S greatest(0);
   for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k)
     greatest = max_of(greatest, squared_reach<S>({blend.rotations[k], blend.duals[k]}, blend.point, axis, center));
@@ -68,8 +66,7 @@ Verdict are_strictly_ahead(const std::vector<Quaternion<S>>& rotations, const Qu
 }
 
 template <class S>
-Verdict dual_quaternion_ball_hypotheses(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis,
-                                        std::span<const S> u) {
+Verdict dual_quaternion_ball_hypotheses(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis, std::span<const S> u) {
   return are_strictly_ahead(blend.rotations, axis) & is_convex(u);
 }
 
@@ -92,8 +89,7 @@ Verdict is_reached_image(const DualQuaternionBlend<S>& blend, const Quaternion<S
   const Quaternion<S> q = combine<S, 4>(u, blend.rotations);
   const Vec<S, 3> led = imaginary(multiply(witness.reach, conjugate(q)));
   Verdict v = less(S(0), at.denominator) & is_blended_image(blend, u, witness.image) &
-              less_equal(S(squared_norm(witness.reach) * squared_norm(axis)),
-                         S(ball.squared_radius * sq(dot(q, axis))));
+              less_equal(S(squared_norm(witness.reach) * squared_norm(axis)), S(ball.squared_radius * sq(dot(q, axis))));
   for (int i = 0; i < 3; ++i) v &= equal(led[i], S(at.denominator * (witness.image[i] - ball.center[i])));
   return v;
 }

@@ -81,8 +81,7 @@ S squared_spread_of_sums(const S& count, const S& squares, const Vec<S, 3>& sum)
 // 3/5 to 1, (13 - 5 c) / 64, is above. Without a quotient, and for packs too.
 template <class S>
 S squared_deviation_share(const S& cosine) {
-  return (S(1) - cosine) *
-         choose(S(5) * cosine >= S(3), S(S(13) / S(64) - S(5) / S(64) * cosine), S(S(9) / S(16)));
+  return (S(1) - cosine) * choose(S(5) * cosine >= S(3), S(S(13) / S(64) - S(5) / S(64) * cosine), S(S(9) / S(16)));
 }
 
 // The blend that carries a point by dual quaternions.
@@ -128,8 +127,7 @@ Verdict is_least_squares_center(const std::vector<RigidTransform<S>>& transforms
   for (std::size_t k = 0; k < transforms.size(); ++k)
     for (std::size_t l = k + 1; l < transforms.size(); ++l) {
       const Vec<S, 3> gap = apply(transforms[k], center) - apply(transforms[l], center);
-      gradient =
-          gradient + rotate(conjugate(transforms[k].rotation), gap) - rotate(conjugate(transforms[l].rotation), gap);
+      gradient = gradient + rotate(conjugate(transforms[k].rotation), gap) - rotate(conjugate(transforms[l].rotation), gap);
     }
   return equal(gradient[0], S(0)) & equal(gradient[1], S(0)) & equal(gradient[2], S(0));
 }
@@ -178,9 +176,8 @@ ReachedVertex<S> dual_reach(const std::vector<RigidTransform<S>>& transforms, co
 
 // Spherical blending about a center. The sum is the vertex's image by Equation (1).
 template <class S>
-ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine,
-                                 const Vec<S, 3>& center, const Vec<S, 3>& point, std::span<const S> u,
-                                 const Vec<S, 3>& vertex) {
+ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& center,
+                                 const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& vertex) {
   const auto alone = rotations_alone(transforms);
   const auto turn = [&](const Vec<S, 3>& x) {
     const auto at = dual_blend(alone, x).at(u);
@@ -195,8 +192,7 @@ ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transform
 
 // The identity of the proof: ||q||^2 (B - L) by pairs, each of two perpendicular vectors.
 template <class S>
-Verdict deviates_by_pairs(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point,
-                        std::span<const S> u) {
+Verdict deviates_by_pairs(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point, std::span<const S> u) {
   const auto images = images_of(transforms, point);
   const auto blend = dual_blend(transforms, point);
   const auto at = blend.at(u);
@@ -227,10 +223,8 @@ Verdict turns_little(const std::vector<RigidTransform<S>>& transforms, const S& 
 
 // Pythagoras' theorem for a least-squares center.
 template <class S>
-Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& center,
-                      const Vec<S, 3>& point) {
-  const S at_point = squared_spread(images_of(transforms, point)),
-          at_center = squared_spread(images_of(transforms, center)),
+Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& center, const Vec<S, 3>& point) {
+  const S at_point = squared_spread(images_of(transforms, point)), at_center = squared_spread(images_of(transforms, center)),
           turned = squared_spread(images_of(rotations_alone(transforms), Vec<S, 3>(center - point)));
   return implies(is_least_squares_center(transforms, center), equal(at_point, S(at_center + turned)));
 }

@@ -113,8 +113,8 @@ Verdict first_order_hypotheses(const CubicCurve<S, D>& curve, const S& speed, co
 
 // (i) for three points of any curve: at its ends, and at the share s.
 template <class S, int D>
-Verdict is_near_chord(const Vec<S, D>& from, const Vec<S, D>& to, const Vec<S, D>& at, const S& acceleration,
-                      const S& duration, const S& share) {
+Verdict is_near_chord(const Vec<S, D>& from, const Vec<S, D>& to, const Vec<S, D>& at, const S& acceleration, const S& duration,
+                      const S& share) {
   const S allowed = acceleration * share * (S(1) - share) * sq(duration) / S(2);
   return less_equal(squared_distance(at, between<S, D>(from, to, share)), sq(allowed));
 }
@@ -136,14 +136,12 @@ struct ChordPoint {
 
 // Independent check: on_chord is on the chord, and k leads there and is short enough.
 template <class S, int D>
-Verdict is_chord_point(const CubicCurve<S, D>& curve, const S& acceleration, const S& share,
-                       const ChordPoint<S, D>& witness) {
+Verdict is_chord_point(const CubicCurve<S, D>& curve, const S& acceleration, const S& share, const ChordPoint<S, D>& witness) {
   const Vec<S, D> at = curve.at(share);
   Verdict v = less_equal(squared_norm(witness.bend), sq(acceleration));
   for (int i = 0; i < D; ++i)
     v &= equal(witness.on_chord[i], S(curve.points[0][i] + (curve.points[3][i] - curve.points[0][i]) * share)) &
-         equal(S(S(2) * (witness.on_chord[i] - at[i])),
-               S(witness.bend[i] * share * (S(1) - share) * sq(curve.duration)));
+         equal(S(S(2) * (witness.on_chord[i] - at[i])), S(witness.bend[i] * share * (S(1) - share) * sq(curve.duration)));
   return v;
 }
 
@@ -151,8 +149,7 @@ template <class S, int D>
 ChordPoint<S, D> point_near_chord(const CubicCurve<S, D>& curve, const S& acceleration, const S& share) {
   const auto ends = curve.accelerations();
   return {is_near_chord<S, D>(curve.points[0], curve.points[3], curve.at(share), acceleration, curve.duration, share),
-          between<S, D>(curve.points[0], curve.points[3], share),
-          (ends[0] * S(S(2) - share) + ends[1] * S(S(1) + share)) / S(3)};
+          between<S, D>(curve.points[0], curve.points[3], share), (ends[0] * S(S(2) - share) + ends[1] * S(S(1) + share)) / S(3)};
 }
 
 // The witness of (ii): the mean velocities before and after.
@@ -163,8 +160,7 @@ struct ChordSteps {
 };
 
 template <class S, int D>
-Verdict are_chord_steps(const CubicCurve<S, D>& curve, const S& speed, const S& share,
-                        const ChordSteps<S, D>& witness) {
+Verdict are_chord_steps(const CubicCurve<S, D>& curve, const S& speed, const S& share, const ChordSteps<S, D>& witness) {
   const Vec<S, D> at = curve.at(share);
   Verdict v = less_equal(squared_norm(witness.before), sq(speed)) & less_equal(squared_norm(witness.after), sq(speed));
   for (int i = 0; i < D; ++i)
@@ -178,8 +174,7 @@ ChordSteps<S, D> steps_near_chord(const CubicCurve<S, D>& curve, const S& speed,
   const auto v = curve.velocities();
   const Vec<S, D> early = between<S, D>(v[0], v[1], share), late = between<S, D>(v[1], v[2], share),
                   now = between<S, D>(early, late, share);
-  return {is_near_chord_to_first_order<S, D>(curve.points[0], curve.points[3], curve.at(share), speed, curve.duration,
-                                             share),
+  return {is_near_chord_to_first_order<S, D>(curve.points[0], curve.points[3], curve.at(share), speed, curve.duration, share),
           (v[0] + early + now) / S(3), (now + late + v[2]) / S(3)};
 }
 

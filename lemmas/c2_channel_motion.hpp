@@ -129,8 +129,8 @@ Verdict is_moment_of(const CubicCurve<S, D>& curve, const S& share, const Moment
     const Vec<S, D> at = by_bernstein(curve, there);
     for (int i = 0; i < D; ++i)
       v &= equal(moment.value[i], here[i]) &
-           equal(at[i], S(moment.value[i] + moment.velocity[i] * seconds +
-                          moment.acceleration[i] * seconds * seconds / S(2) + third[i] * step * step * step));
+           equal(at[i], S(moment.value[i] + moment.velocity[i] * seconds + moment.acceleration[i] * seconds * seconds / S(2) +
+                          third[i] * step * step * step));
   }
   return v;
 }
@@ -153,8 +153,7 @@ ChannelMoment<S, D> spline_moves(const CubicCurve<S, D>& curve, const S& share, 
 }
 
 template <class S, int D, class Norm>
-ChannelMoment<S, D> line_moves(const Vec<S, D>& from, const Vec<S, D>& to, const S& duration, const S& share,
-                               const Norm& norm) {
+ChannelMoment<S, D> line_moves(const Vec<S, D>& from, const Vec<S, D>& to, const S& duration, const S& share, const Norm& norm) {
   const Moment<S, D> moment{between<S, D>(from, to, share), (to - from) / duration, Vec<S, D>::Constant(S(0))};
   return {is_within(moment, linear_motion(from, to, duration, norm), norm), moment};
 }
@@ -162,8 +161,7 @@ ChannelMoment<S, D> line_moves(const Vec<S, D>& from, const Vec<S, D>& to, const
 // Of a slerp that turns at this speed along the great circle from q towards an e across it, both of length 1: q' is the
 // speed times e, and q'' points back to 0.
 template <class S>
-ChannelMoment<S, 4> slerp_moves(const Quaternion<S>& q, const Quaternion<S>& across, const S& speed,
-                                const Motion<S>& motion) {
+ChannelMoment<S, 4> slerp_moves(const Quaternion<S>& q, const Quaternion<S>& across, const S& speed, const Motion<S>& motion) {
   const Moment<S, 4> moment{q, across * speed, q * S(-sq(speed))};
   return {moves_within(moment, motion), moment};
 }

@@ -98,8 +98,7 @@ template <class S>
 Verdict is_normalized_moment(const Moment<S, 4>& blend, const Motion<S>& motion, const S& least,
                              const NormalizedMoment<S>& witness) {
   const S length = squared_norm(blend.value), stretch = dot(blend.value, blend.velocity);
-  const Quaternion<S> rest =
-      (blend.acceleration - witness.acceleration) * length - witness.velocity * S(S(2) * stretch);
+  const Quaternion<S> rest = (blend.acceleration - witness.acceleration) * length - witness.velocity * S(S(2) * stretch);
   const Motion<S> bounds = normalized_motion(motion, least);
   return equal(dot(blend.value, witness.velocity), S(0)) &
          equal(dot(blend.value, witness.acceleration), S(-squared_norm(witness.velocity))) &
@@ -129,8 +128,7 @@ struct InverseMoment {
 
 // Independent check: ||p||^2 g = p, with its derivatives.
 template <class S>
-Verdict is_inverse_moment(const Moment<S, 4>& blend, const Motion<S>& motion, const S& least,
-                          const Moment<S, 4>& witness) {
+Verdict is_inverse_moment(const Moment<S, 4>& blend, const Motion<S>& motion, const S& least, const Moment<S, 4>& witness) {
   const S length = squared_norm(blend.value), faster = S(2) * dot(blend.value, blend.velocity),
           bend = S(2) * (squared_norm(blend.velocity) + dot(blend.value, blend.acceleration));
   Verdict v = moves_within(witness, inverse_motion(motion, least));
@@ -145,8 +143,7 @@ Verdict is_inverse_moment(const Moment<S, 4>& blend, const Motion<S>& motion, co
 template <class S>
 InverseMoment<S> inverse_moves(const Moment<S, 4>& blend, const Motion<S>& motion, const S& least) {
   const Quaternion<S>&p = blend.value, &v = blend.velocity, &a = blend.acceleration;
-  const S length = squared_norm(p), stretch = S(2) * dot(p, v) / length,
-          bend = S(2) * (squared_norm(v) + dot(p, a)) / length;
+  const S length = squared_norm(p), stretch = S(2) * dot(p, v) / length, bend = S(2) * (squared_norm(v) + dot(p, a)) / length;
   const Quaternion<S> value = p / length, velocity = v / length - value * stretch;
   const Moment<S, 4> moment{value, velocity, a / length - velocity * S(S(2) * stretch) - value * bend};
   return {moves_within(moment, inverse_motion(motion, least)), moment};
@@ -155,16 +152,14 @@ InverseMoment<S> inverse_moves(const Moment<S, 4>& blend, const Motion<S>& motio
 // (iii).
 template <class S>
 Verdict blend_is_long(std::span<const Quaternion<S>> units, const S& cosine, std::span<const S> w) {
-  return less_equal(least_squared_blend(cosine, S(static_cast<int>(units.size()))),
-                    squared_norm(combine<S, 4>(w, units)));
+  return less_equal(least_squared_blend(cosine, S(static_cast<int>(units.size()))), squared_norm(combine<S, 4>(w, units)));
 }
 
 // (iv): m is at most 0, or the blend is as long.
 template <class S>
 Verdict blend_is_long_by_axis(std::span<const Quaternion<S>> blended, const Quaternion<S>& axis, std::span<const S> w) {
   const S least = least_along(blended, axis);
-  return less_equal(least, S(0)) |
-         less_equal(sq(least), S(squared_norm(axis) * squared_norm(combine<S, 4>(w, blended))));
+  return less_equal(least, S(0)) | less_equal(sq(least), S(squared_norm(axis) * squared_norm(combine<S, 4>(w, blended))));
 }
 
 // --- Erratum: as if a blend were not normalised ---

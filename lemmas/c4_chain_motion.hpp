@@ -79,9 +79,8 @@ Moment<S, 3> turned_moment(const Moment<S, 4>& q, const Moment<S, 3>& y) {
 }
 template <class S>
 Moment<S, 3> scaled_moment(const Moment<S, 3>& scale, const Moment<S, 3>& y) {
-  return product(scale, y, [](const Vec<S, 3>& a, const Vec<S, 3>& b) {
-    return Vec<S, 3>(a[0] * b[0], a[1] * b[1], a[2] * b[2]);
-  });
+  return product(scale, y,
+                 [](const Vec<S, 3>& a, const Vec<S, 3>& b) { return Vec<S, 3>(a[0] * b[0], a[1] * b[1], a[2] * b[2]); });
 }
 template <class S>
 Moment<S, 3> link_moment(const LinkMoment<S>& link, const Moment<S, 3>& y) {
@@ -93,8 +92,8 @@ Moment<S, 3> link_moment(const LinkMoment<S>& link, const Moment<S, 3>& y) {
 template <class S>
 Verdict link_hypotheses(const LinkMoment<S>& link, const LinkMotion<S>& motion) {
   return moves_within(link.translation, motion.translation) & moves_within(link.rotation, motion.rotation) &
-         is_within(link.scale, motion.scale, by_greatest_factor) & is_motion(motion.translation) &
-         is_motion(motion.rotation) & is_motion(motion.scale);
+         is_within(link.scale, motion.scale, by_greatest_factor) & is_motion(motion.translation) & is_motion(motion.rotation) &
+         is_motion(motion.scale);
 }
 
 // --- Conclusion ---
@@ -115,8 +114,8 @@ ChainMotion<S> chain_motion(std::span<const LinkMotion<S>> links) {
 }
 
 template <class S>
-ChainSteps<S> chain_moves(std::span<const LinkMoment<S>> links, std::span<const LinkMotion<S>> motions,
-                          const Moment<S, 3>& point, const Motion<S>& below) {
+ChainSteps<S> chain_moves(std::span<const LinkMoment<S>> links, std::span<const LinkMotion<S>> motions, const Moment<S, 3>& point,
+                          const Motion<S>& below) {
   ChainSteps<S> out{Verdict::undecided, {point}};
   for (std::size_t k = links.size(); k-- > 0;) out.steps.push_back(link_moment(links[k], out.steps.back()));
   out.verdict = moves_within(out.steps.back(), carried_motion(chain_motion(motions), below));
@@ -126,8 +125,8 @@ ChainSteps<S> chain_moves(std::span<const LinkMoment<S>> links, std::span<const 
 // Independent check: each step by Im(q y q*) alone, which is quadratic in q: its derivative in a direction is half of a
 // difference, and the last step is within the bounds.
 template <class S>
-Verdict are_chain_steps(std::span<const LinkMoment<S>> links, std::span<const LinkMotion<S>> motions,
-                        const Moment<S, 3>& point, const Motion<S>& below, std::span<const Moment<S, 3>> steps) {
+Verdict are_chain_steps(std::span<const LinkMoment<S>> links, std::span<const LinkMotion<S>> motions, const Moment<S, 3>& point,
+                        const Motion<S>& below, std::span<const Moment<S, 3>> steps) {
   Verdict v = verdict_of(steps.size() == links.size() + 1) & moves_within(point, below);
   if (v != Verdict::holds) return v;
   const auto along = [](const Quaternion<S>& q, const Quaternion<S>& d, const Vec<S, 3>& x) {

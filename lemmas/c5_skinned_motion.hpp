@@ -38,8 +38,8 @@ Motion<S> widest(std::span<const Motion<S>> motions) {
 // (i) is widest(images).
 // (ii).
 template <class S>
-Motion<S> spherical_motion(std::span<const Motion<S>> pivot_images, std::span<const Motion<S>> rotations,
-                           const S& distance, const S& least) {
+Motion<S> spherical_motion(std::span<const Motion<S>> pivot_images, std::span<const Motion<S>> rotations, const S& distance,
+                           const S& least) {
   const Motion<S> blend = widest(rotations);
   const Motion<S> turn = product(Motion<S>{S(1), blend.speed, blend.acceleration}, inverse_motion(blend, least));
   return product(turn, at_rest(distance)) + widest(pivot_images);
@@ -73,8 +73,8 @@ Moment<S, D> blended(std::span<const S> w, std::span<const Moment<S, D>> moments
 
 // The joints move within their bounds, and their blend is long enough.
 template <class S>
-Verdict skin_hypotheses(const SkinMoment<S>& skin, std::span<const Motion<S>> images,
-                        std::span<const Motion<S>> rotations, const S& least) {
+Verdict skin_hypotheses(const SkinMoment<S>& skin, std::span<const Motion<S>> images, std::span<const Motion<S>> rotations,
+                        const S& least) {
   Verdict v = is_convex<S>(skin.weights) & less(S(0), least);
   for (std::size_t k = 0; k < images.size(); ++k)
     v &= moves_within(skin.images[k], images[k]) & moves_within(skin.rotations[k], rotations[k]) &
@@ -107,8 +107,7 @@ Moment<S, 4> reach_moment(const SkinMoment<S>& skin) {
 // Im(a b*).
 template <class S>
 Moment<S, 3> imaginary_of_product(const Moment<S, 4>& a, const Moment<S, 4>& b) {
-  return product(
-      a, b, [](const Quaternion<S>& x, const Quaternion<S>& y) { return imaginary<S>(multiply<S>(x, conjugate(y))); });
+  return product(a, b, [](const Quaternion<S>& x, const Quaternion<S>& y) { return imaginary<S>(multiply<S>(x, conjugate(y))); });
 }
 
 template <class S>
@@ -128,19 +127,16 @@ template <class S>
 SkinnedMoment<S> spherical_moves(const SkinMoment<S>& skin, const Vec<S, 3>& arm, std::span<const Motion<S>> images,
                                  std::span<const Motion<S>> rotations, const S& distance, const S& least) {
   const Moment<S, 4> q = blended<S, 4>(skin.weights, skin.rotations);
-  const auto by_arm = [&](const Quaternion<S>& x) {
-    return multiply<S>(x, Quaternion<S>(S(0), arm[0], arm[1], arm[2]));
-  };
+  const auto by_arm = [&](const Quaternion<S>& x) { return multiply<S>(x, Quaternion<S>(S(0), arm[0], arm[1], arm[2])); };
   const Moment<S, 4> moved{by_arm(q.value), by_arm(q.velocity), by_arm(q.acceleration)};
-  const Moment<S, 3> vertex =
-      imaginary_of_product(moved, blend_inverse(q, least)) + blended<S, 3>(skin.weights, skin.images);
+  const Moment<S, 3> vertex = imaginary_of_product(moved, blend_inverse(q, least)) + blended<S, 3>(skin.weights, skin.images);
   return {moves_within(vertex, spherical_motion(images, rotations, distance, least)), vertex};
 }
 
 // (iii).
 template <class S>
-SkinnedMoment<S> dual_moves(const SkinMoment<S>& skin, std::span<const Motion<S>> images,
-                            std::span<const Motion<S>> rotations, const S& least) {
+SkinnedMoment<S> dual_moves(const SkinMoment<S>& skin, std::span<const Motion<S>> images, std::span<const Motion<S>> rotations,
+                            const S& least) {
   const Moment<S, 4> q = blended<S, 4>(skin.weights, skin.rotations);
   const Moment<S, 3> vertex = imaginary_of_product(reach_moment(skin), blend_inverse(q, least));
   return {moves_within(vertex, dual_motion(images, rotations, least)), vertex};
@@ -161,8 +157,8 @@ Verdict is_divided(const Moment<S, 4>& q, const Moment<S, 3>& quotient, const Mo
 }
 
 template <class S>
-Verdict is_dual_moment(const SkinMoment<S>& skin, std::span<const Motion<S>> images,
-                       std::span<const Motion<S>> rotations, const S& least, const Moment<S, 3>& vertex) {
+Verdict is_dual_moment(const SkinMoment<S>& skin, std::span<const Motion<S>> images, std::span<const Motion<S>> rotations,
+                       const S& least, const Moment<S, 3>& vertex) {
   const Moment<S, 4> q = blended<S, 4>(skin.weights, skin.rotations);
   return is_divided(q, vertex, imaginary_of_product(reach_moment(skin), q)) &
          moves_within(vertex, dual_motion(images, rotations, least));
@@ -170,8 +166,7 @@ Verdict is_dual_moment(const SkinMoment<S>& skin, std::span<const Motion<S>> ima
 
 template <class S>
 Verdict is_spherical_moment(const SkinMoment<S>& skin, const Vec<S, 3>& arm, std::span<const Motion<S>> images,
-                            std::span<const Motion<S>> rotations, const S& distance, const S& least,
-                            const Moment<S, 3>& vertex) {
+                            std::span<const Motion<S>> rotations, const S& distance, const S& least, const Moment<S, 3>& vertex) {
   const Moment<S, 4> q = blended<S, 4>(skin.weights, skin.rotations);
   const Moment<S, 3> placed = blended<S, 3>(skin.weights, skin.images);
   const Vec<S, 3> still = Vec<S, 3>::Constant(S(0));

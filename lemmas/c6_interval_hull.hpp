@@ -68,8 +68,7 @@ struct BentPatch {
 
   static Vec<S, 3> interpolated(std::vector<Vec<S, 3>> corners, std::span<const S> shares) {
     for (const S& share : shares) {
-      for (std::size_t k = 0; 2 * k < corners.size(); ++k)
-        corners[k] = between<S, 3>(corners[2 * k], corners[2 * k + 1], share);
+      for (std::size_t k = 0; 2 * k < corners.size(); ++k) corners[k] = between<S, 3>(corners[2 * k], corners[2 * k + 1], share);
       corners.resize(corners.size() / 2);
     }
     return corners[0];
@@ -93,8 +92,7 @@ Verdict in_slab(const Slab<S>& slab, const Vec<S, 3>& direction, const Vec<S, 3>
 // Of (i), for a slab and for a ball.
 template <class S>
 Verdict interval_hypotheses(std::span<const CubicCurve<S, 3>> curves, const S& acceleration, const Slab<S>& start,
-                            const Slab<S>& end, const Vec<S, 3>& direction, const Ball3<S>& around_both,
-                            const S& share) {
+                            const Slab<S>& end, const Vec<S, 3>& direction, const Ball3<S>& around_both, const S& share) {
   Verdict v = is_share(share);
   for (const auto& curve : curves)
     v &= less(S(0), curve.duration) & bends_within(curve, acceleration) & in_slab(start, direction, curve.points[0]) &
@@ -119,8 +117,8 @@ Verdict patch_hypotheses(const BentPatch<S>& patch, std::span<const Motion<S>> m
 // (i): every curve at the share is in the slab and in the ball of the interval. The slack is that of M.
 template <class S>
 Verdict stays_in_interval(std::span<const CubicCurve<S, 3>> curves, const S& acceleration, const Slab<S>& start,
-                          const Slab<S>& end, const Vec<S, 3>& direction, const S& direction_length,
-                          const Ball3<S>& around_both, const S& share) {
+                          const Slab<S>& end, const Vec<S, 3>& direction, const S& direction_length, const Ball3<S>& around_both,
+                          const S& share) {
   Verdict v = Verdict::holds;
   for (const auto& curve : curves) {
     const S slack = chord_slack(acceleration, curve.duration);
@@ -147,8 +145,7 @@ Verdict is_near_hull(const BentPatch<S>& patch, std::span<const Motion<S>> motio
   Verdict v = is_convex<S>(witness.weights);
   for (int i = 0; i < 3; ++i) v &= equal(there[i], witness.in_hull[i]);
   S allowed(0);
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    allowed = allowed + motions[i].acceleration * sq(patch.sides[i]) / S(8);
+  for (std::size_t i = 0; i < shares.size(); ++i) allowed = allowed + motions[i].acceleration * sq(patch.sides[i]) / S(8);
   return v & less_equal(squared_distance(patch.at(shares), witness.in_hull), sq(allowed));
 }
 

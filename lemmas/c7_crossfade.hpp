@@ -74,8 +74,7 @@ Motion<S> slerp_by_time(const Motion<S>& moving) {
 // --- Hypotheses ---
 
 template <class S>
-Verdict crossfade_hypotheses(const Quaternion<S>& first, const Quaternion<S>& second, const S& cosine,
-                             const S& weight) {
+Verdict crossfade_hypotheses(const Quaternion<S>& first, const Quaternion<S>& second, const S& cosine, const S& weight) {
   return equal(squared_norm(first), S(1)) & equal(squared_norm(second), S(1)) & less(S(-1), cosine) &
          less_equal(cosine, dot(first, second)) & is_share(weight);
 }
@@ -119,16 +118,14 @@ Verdict nlerp_moves(const Moment<S, 4>& blend, const Motion<S>& motion, const S&
 template <class S>
 Verdict is_slerp_moment(const Moment<S, 4>& moment, const Motion<S>& motion) {
   return equal(squared_norm(moment.value), S(1)) & equal(dot(moment.value, moment.velocity), S(0)) &
-         equal(S(dot(moment.value, moment.acceleration) + squared_norm(moment.velocity)), S(0)) &
-         moves_within(moment, motion);
+         equal(S(dot(moment.value, moment.acceleration) + squared_norm(moment.velocity)), S(0)) & moves_within(moment, motion);
 }
 
 // --- Erratum: the clips' own bounds ---
 
 // A slab that holds a point in both clips, for all that is between.
 template <class S>
-Verdict stays_in_slab_of_clips(const Slab<S>& first, const Slab<S>& second, const Vec<S, 3>& direction,
-                               const Vec<S, 3>& x) {
+Verdict stays_in_slab_of_clips(const Slab<S>& first, const Slab<S>& second, const Vec<S, 3>& direction, const Vec<S, 3>& x) {
   return in_slab(slab_of_keys(first, second), direction, x);
 }
 

@@ -66,16 +66,14 @@ struct PosedLink {
 template <class S>
 Verdict is_in_range(const PosedLink<S>& link, const LinkRange<S>& range) {
   return equal(squared_norm(link.rotation), S(1)) & less_equal(S(0), range.length) &
-         less_equal(squared_norm(link.translation), sq(range.length)) &
-         less_equal(by_greatest_factor(link.scale), range.stretch);
+         less_equal(squared_norm(link.translation), sq(range.length)) & less_equal(by_greatest_factor(link.scale), range.stretch);
 }
 
 // --- Conclusion ---
 
 template <class S>
 Vec<S, 3> posed(const PosedLink<S>& link, const Vec<S, 3>& y) {
-  return rotate<S>(link.rotation, Vec<S, 3>(link.scale[0] * y[0], link.scale[1] * y[1], link.scale[2] * y[2])) +
-         link.translation;
+  return rotate<S>(link.rotation, Vec<S, 3>(link.scale[0] * y[0], link.scale[1] * y[1], link.scale[2] * y[2])) + link.translation;
 }
 
 // The witness: the point in each frame from the last to the first.
@@ -86,8 +84,8 @@ struct ReachSteps {
 };
 
 template <class S>
-ReachSteps<S> stays_in_reach(std::span<const PosedLink<S>> links, std::span<const LinkRange<S>> ranges,
-                             const Vec<S, 3>& point, const S& distance) {
+ReachSteps<S> stays_in_reach(std::span<const PosedLink<S>> links, std::span<const LinkRange<S>> ranges, const Vec<S, 3>& point,
+                             const S& distance) {
   ReachSteps<S> out{Verdict::undecided, {point}};
   for (std::size_t k = links.size(); k-- > 0;) out.steps.push_back(posed(links[k], out.steps.back()));
   out.verdict = less_equal(squared_norm(out.steps.back()), sq(reach_of_chain(ranges, distance)));
@@ -96,8 +94,8 @@ ReachSteps<S> stays_in_reach(std::span<const PosedLink<S>> links, std::span<cons
 
 // Independent check, link by link: turned back, a step is the one before it, scaled, and no longer than its own reach.
 template <class S>
-Verdict are_reach_steps(std::span<const PosedLink<S>> links, std::span<const LinkRange<S>> ranges,
-                        const Vec<S, 3>& point, const S& distance, std::span<const Vec<S, 3>> steps) {
+Verdict are_reach_steps(std::span<const PosedLink<S>> links, std::span<const LinkRange<S>> ranges, const Vec<S, 3>& point,
+                        const S& distance, std::span<const Vec<S, 3>> steps) {
   Verdict v = verdict_of(steps.size() == links.size() + 1) & less_equal(squared_norm(point), sq(distance));
   if (v != Verdict::holds) return v;
   for (int i = 0; i < 3; ++i) v &= equal(steps[0][i], point[i]);

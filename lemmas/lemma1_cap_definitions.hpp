@@ -115,14 +115,12 @@ Verdict definitions_agree(const HalfSpace<S, D>& h, const Cap<S, D>& cap, const 
 // Independent check of the witness, for all points at once: (x - c, a - c) - r^2 cos = s ((x, d) - D), or the whole
 // surface.
 template <class S, int D>
-Verdict is_cap_of_half_space(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h,
-                             const CapOfHalfSpace<S, D>& witness) {
+Verdict is_cap_of_half_space(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h, const CapOfHalfSpace<S, D>& witness) {
   const Cap<S, D>& cap = witness.cap;
-  Verdict v = less(S(0), witness.scale) & equal(squared_radius(cap), surface.squared_radius) &
-              less_equal(S(-1), cap.cos_angle) & less_equal(cap.cos_angle, S(1));
+  Verdict v = less(S(0), witness.scale) & equal(squared_radius(cap), surface.squared_radius) & less_equal(S(-1), cap.cos_angle) &
+              less_equal(cap.cos_angle, S(1));
   for (int i = 0; i < D; ++i)
-    v &=
-        equal(cap.center[i], surface.center[i]) & equal(S(cap.apex[i] - cap.center[i]), S(h.normal[i] * witness.scale));
+    v &= equal(cap.center[i], surface.center[i]) & equal(S(cap.apex[i] - cap.center[i]), S(h.normal[i] * witness.scale));
   const S reach = offset_from_center(surface, h) * witness.scale;
   const Verdict same = equal(S(surface.squared_radius * cap.cos_angle), reach);
   const Verdict whole = equal(cap.cos_angle, S(-1)) & less_equal(reach, S(-surface.squared_radius));

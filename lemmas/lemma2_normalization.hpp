@@ -121,8 +121,7 @@ Verdict are_same_rotation(const Vec<S, D>& p, const Vec<S, D>& q) {
 
 // The blends with weights w and u are both 0 or both not.
 template <class S, int D>
-Verdict blends_vanish_together(const VecList<S, D>& vectors, const std::vector<S>& factors,
-                               const std::vector<S>& weights) {
+Verdict blends_vanish_together(const VecList<S, D>& vectors, const std::vector<S>& factors, const std::vector<S>& weights) {
   const Vec<S, D> a = combine<S, D>(weights, vectors);
   const auto witness = weights_on_same_ray(weights, factors);
   const Vec<S, D> b = combine<S, D>(witness.weights, divided<S, D>(vectors, factors));

@@ -89,8 +89,7 @@ Verdict ball_and_half_space_agree(const SquaredBall<S, D>& ball, const HalfSpace
 }
 
 template <class S, int D>
-Verdict intersection_is_cap_repaired(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball,
-                                     const Vec<S, D>& x) {
+Verdict intersection_is_cap_repaired(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball, const Vec<S, D>& x) {
   const auto made = intersection_cap(surface, ball);
   return implies(are_eccentric(surface, ball) & surface_meets_ball(surface, ball) & on_surface(surface, x),
                  made.verdict & ball_and_half_space_agree(ball, made.half_space, x));
@@ -147,12 +146,10 @@ Verdict intersection_distance_repaired(const SquaredBall<S, D>& surface, const S
 
 // Printed: any surface and any ball have a cap in common.
 template <class S, int D>
-Verdict intersection_is_cap_printed(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball,
-                                    const Vec<S, D>& x) {
+Verdict intersection_is_cap_printed(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball, const Vec<S, D>& x) {
   const auto made = intersection_cap(surface, ball);
   const Verdict has_radii = less_equal(S(0), surface.squared_radius) & less_equal(S(0), ball.squared_radius);
-  return implies(has_radii & on_surface(surface, x),
-                 made.verdict & ball_and_half_space_agree(ball, made.half_space, x));
+  return implies(has_radii & on_surface(surface, x), made.verdict & ball_and_half_space_agree(ball, made.half_space, x));
 }
 
 // Printed: for a = 0 and r_a = 1, r_b < 1 makes 0 lie outside H and (1 + ||b||^2 - r_b^2) / (2 ||b||) the distance.

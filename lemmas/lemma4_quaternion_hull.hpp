@@ -45,7 +45,8 @@ Verdict ball_keeps_hulls(const SquaredBall<S, D>& ball) {
 // b / ||b|| is in E, for b != 0: o ||b|| <= 2 (b, c).
 template <class S, int D>
 Verdict direction_is_enclosed(const SquaredBall<S, D>& ball, const Vec<S, D>& b) {
-  return multiple_of_root_at_most(scaled_distance(ball.center, ball.squared_radius), squared_norm(b), S(S(2) * dot(b, ball.center)));
+  return multiple_of_root_at_most(scaled_distance(ball.center, ball.squared_radius), squared_norm(b),
+                                  S(S(2) * dot(b, ball.center)));
 }
 
 // b / ||b||; takes a root. b != 0.
@@ -62,8 +63,7 @@ struct HullElement {
 };
 
 template <class S, int D>
-HullElement<S, D> hull_element(const SquaredBall<S, D>& ball, const VecList<S, D>& units,
-                               const std::vector<S>& weights) {
+HullElement<S, D> hull_element(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   const Vec<S, D> b = combine<S, D>(weights, units);
   return {direction_is_enclosed(ball, b), b, dot(b, ball.center)};
 }
@@ -85,12 +85,12 @@ Verdict is_hull_element(const SquaredBall<S, D>& ball, const VecList<S, D>& unit
 }
 
 template <class S, int D>
-Verdict hull_stays_in_cap_repaired(const SquaredBall<S, D>& ball, const VecList<S, D>& units,
-                                   const std::vector<S>& weights) {
+Verdict hull_stays_in_cap_repaired(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   const auto made = hull_element(ball, units, weights);
   const Verdict is_direction = less(S(0), squared_norm(made.blend));
-  return implies(are_units_enclosed(ball, units) & is_convex<S>(weights) & ball_keeps_hulls(ball),
-                 implies(less(S(0), scaled_distance(ball.center, ball.squared_radius)), is_direction) & implies(is_direction, made.verdict));
+  return implies(
+      are_units_enclosed(ball, units) & is_convex<S>(weights) & ball_keeps_hulls(ball),
+      implies(less(S(0), scaled_distance(ball.center, ball.squared_radius)), is_direction) & implies(is_direction, made.verdict));
 }
 
 // --- Corollary 1 ---
@@ -103,8 +103,7 @@ Verdict rotation_is_enclosed(const SquaredBall<S, D>& ball, const Vec<S, D>& b) 
 }
 
 template <class S, int D>
-Verdict rotations_stay_in_cap_repaired(const SquaredBall<S, D>& ball, const VecList<S, D>& units,
-                                       const std::vector<S>& weights) {
+Verdict rotations_stay_in_cap_repaired(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   const Vec<S, D> b = combine<S, D>(weights, units);
   return implies(are_units_enclosed(ball, units) & is_convex<S>(weights) & less(S(0), squared_norm(b)),
                  rotation_is_enclosed(ball, b));
@@ -115,26 +114,22 @@ Verdict rotations_stay_in_cap_repaired(const SquaredBall<S, D>& ball, const VecL
 // cap.
 
 template <class S, int D>
-Verdict hull_hypotheses_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units,
-                                const std::vector<S>& weights) {
+Verdict hull_hypotheses_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   return are_units_enclosed(ball, units) & is_convex<S>(weights) & less(ball.squared_radius, S(1));
 }
 
 // Printed Lemma 4.
 template <class S, int D>
-Verdict hull_stays_in_cap_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units,
-                                  const std::vector<S>& weights) {
+Verdict hull_stays_in_cap_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   const auto made = hull_element(ball, units, weights);
   return implies(hull_hypotheses_printed(ball, units, weights), less(S(0), squared_norm(made.blend)) & made.verdict);
 }
 
 // Printed Corollary 1.
 template <class S, int D>
-Verdict rotations_stay_in_cap_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units,
-                                      const std::vector<S>& weights) {
+Verdict rotations_stay_in_cap_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   const Vec<S, D> b = combine<S, D>(weights, units);
-  return implies(hull_hypotheses_printed(ball, units, weights),
-                 less(S(0), squared_norm(b)) & rotation_is_enclosed(ball, b));
+  return implies(hull_hypotheses_printed(ball, units, weights), less(S(0), squared_norm(b)) & rotation_is_enclosed(ball, b));
 }
 
 // What the fallback of section 4.3 on the whole of S_3 takes for granted: no ball with a radius of 1 or more bounds

@@ -32,8 +32,8 @@ Verdict cap_has_points(const Cap<S, D>& cap) {
 template <class S, int D>
 Verdict is_rim(const Cap<S, D>& cap, const S& sine, const Vec<S, D>& rim_direction) {
   const Vec<S, D> axis = cap.apex - cap.center;
-  return equal(dot(axis, rim_direction), S(0)) & equal(squared_norm(rim_direction), squared_norm(axis)) &
-         less_equal(S(0), sine) & equal(S(sq(cap.cos_angle) + sq(sine)), S(1));
+  return equal(dot(axis, rim_direction), S(0)) & equal(squared_norm(rim_direction), squared_norm(axis)) & less_equal(S(0), sine) &
+         equal(S(sq(cap.cos_angle) + sq(sine)), S(1));
 }
 
 // --- Conclusion ---
@@ -115,8 +115,7 @@ Verdict is_smallest_cap_ball(const Cap<S, D>& cap, const CapBall<S, D>& witness)
               on_surface(witness.ball, witness.first) &
               less_equal(S(squared_radius(cap) * (S(1) - S(2) * witness.height * cap.cos_angle + sq(witness.height))),
                          witness.ball.squared_radius);
-  for (int i = 0; i < D; ++i)
-    v &= equal(along[i], S(axis[i] * witness.height)) & equal(sum[i], S(witness.ball.center[i] * S(2)));
+  for (int i = 0; i < D; ++i) v &= equal(along[i], S(axis[i] * witness.height)) & equal(sum[i], S(witness.ball.center[i] * S(2)));
   return v;
 }
 
@@ -125,8 +124,8 @@ template <class S, int D>
 Verdict no_other_ball_that_small(const CapBall<S, D>& witness, const SquaredBall<S, D>& other) {
   const Verdict holds_both = encloses(other, witness.first) & encloses(other, witness.second);
   const Verdict larger = less(witness.ball.squared_radius, other.squared_radius);
-  const Verdict same = equal(witness.ball.squared_radius, other.squared_radius) &
-                       equal(squared_distance(witness.ball.center, other.center), S(0));
+  const Verdict same =
+      equal(witness.ball.squared_radius, other.squared_radius) & equal(squared_distance(witness.ball.center, other.center), S(0));
   return implies(holds_both, larger | same);
 }
 

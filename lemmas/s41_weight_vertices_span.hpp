@@ -83,8 +83,7 @@ Verdict corners_are_proper(const WeightBounds<S>& bounds, const Corners<S>& corn
   Verdict v = corners_are_admissible(bounds, corners);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     Verdict tight = Verdict::fails;
-    for_each_corner_candidate(bounds,
-                              [&](const std::vector<S>& candidate) { tight |= same_weights(corners[k], candidate); });
+    for_each_corner_candidate(bounds, [&](const std::vector<S>& candidate) { tight |= same_weights(corners[k], candidate); });
     v &= tight;
     for (std::size_t l = 0; l < k; ++l) v &= !same_weights(corners[k], corners[l]);
   }
@@ -99,8 +98,7 @@ Verdict is_corner_combination(const Corners<S>& corners, const std::vector<S>& w
   Verdict v = verdict_of(coefficients.size() == corners.size()) & is_convex<S>(coefficients);
   for (std::size_t i = 0; i < w.size(); ++i) {
     S sum(0);
-    for (std::size_t k = 0; k < corners.size() && k < coefficients.size(); ++k)
-      sum = sum + coefficients[k] * corners[k][i];
+    for (std::size_t k = 0; k < corners.size() && k < coefficients.size(); ++k) sum = sum + coefficients[k] * corners[k][i];
     v &= equal(sum, w[i]);
   }
   return v;

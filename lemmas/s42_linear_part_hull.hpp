@@ -31,8 +31,7 @@ std::vector<Vec<S, D>> corner_images(const Corners<S>& corners, std::span<const 
 
 // The corners are those of W', and there is one point a weight.
 template <class S, int D>
-Verdict linear_part_hull_hypotheses(const WeightBounds<S>& bounds, const Corners<S>& corners,
-                                    std::span<const Vec<S, D>> points) {
+Verdict linear_part_hull_hypotheses(const WeightBounds<S>& bounds, const Corners<S>& corners, std::span<const Vec<S, D>> points) {
   return verdict_of(points.size() == bounds.low.size()) & weight_vertices_span_hypotheses(bounds, corners);
 }
 

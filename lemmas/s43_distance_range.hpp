@@ -74,8 +74,8 @@ template <class S, int D>
 Verdict is_distance_range(const Vec<S, D>& center, const S& radius, const DistanceRange<S>& witness) {
   const S n = scaled_distance(center, sq(radius));
   return less_equal(S(0), witness.from_outside) & less_equal(S(0), witness.from_inside) &
-         equal(S(witness.from_outside * witness.from_inside), S(S(4) * squared_norm(center) - sq(n))) &
-         less_equal(S(0), n) & less(S(0), squared_norm(center));
+         equal(S(witness.from_outside * witness.from_inside), S(S(4) * squared_norm(center) - sq(n))) & less_equal(S(0), n) &
+         less(S(0), squared_norm(center));
 }
 
 template <class S, int D>

@@ -51,8 +51,7 @@ struct TurnedPoint {
 };
 
 template <class S>
-Verdict is_turned_point(const Quaternion<S>& blend, const Ball3<S>& ball, const Vec<S, 3>& pivot,
-                        const TurnedPoint<S>& witness) {
+Verdict is_turned_point(const Quaternion<S>& blend, const Ball3<S>& ball, const Vec<S, 3>& pivot, const TurnedPoint<S>& witness) {
   Verdict v = encloses(ball, witness.point) & less_equal(squared_norm(witness.offset), sq(ball.radius)) &
               is_rotated<S>(blend, ball.center - pivot, witness.turned_center) &
               is_rotated<S>(blend, witness.point - pivot, witness.turned_point);

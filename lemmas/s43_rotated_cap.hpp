@@ -35,8 +35,7 @@ RotationSlack<S> rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, 
 
 // The slack is what is claimed, and a square.
 template <class S>
-Verdict is_rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& v,
-                          const RotationSlack<S>& witness) {
+Verdict is_rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& v, const RotationSlack<S>& witness) {
   const Vec<S, 3> a = rotate_scaled(p, v), b = rotate_scaled(q, v);
   const S right = squared_norm(v) * (S(2) * sq(dot(p, q)) - squared_norm(p) * squared_norm(q));
   return equal(S(dot(a, b) - right), witness.slack) & equal(witness.slack, S(S(2) * sq(witness.along_axis)));
@@ -65,8 +64,7 @@ Verdict rotated_cap_hypotheses(const Quaternion<S>& apex, const S& cos_angle, co
 
 // x is on the sphere of v and within the rotated cap: what a rotation of the cap can make of v.
 template <class S>
-Verdict filled_cap_hypotheses(const Quaternion<S>& apex, const Vec<S, 3>& v, const Vec<S, 3>& x,
-                              const S& rotated_cosine) {
+Verdict filled_cap_hypotheses(const Quaternion<S>& apex, const Vec<S, 3>& v, const Vec<S, 3>& x, const S& rotated_cosine) {
   return less(S(0), squared_norm(apex)) & equal(squared_norm(x), squared_norm(v)) &
          within_angle<S, 3>(rotate_scaled(apex, v), x, rotated_cosine);
 }
@@ -117,8 +115,7 @@ Verdict is_rotated_pair(const Quaternion<S>& apex, const Quaternion<S>& q, const
 }
 
 template <class S>
-RotatedPair<S> rotated_cap(const Quaternion<S>& apex, const Quaternion<S>& q, const Vec<S, 3>& v,
-                           const S& rotated_cosine) {
+RotatedPair<S> rotated_cap(const Quaternion<S>& apex, const Quaternion<S>& q, const Vec<S, 3>& v, const S& rotated_cosine) {
   const Vec<S, 3> at_apex = rotate_by(apex, v), rotated = rotate_by(q, v);
   return {less_equal(S(squared_norm(v) * rotated_cosine), dot(at_apex, rotated)), at_apex, rotated};
 }
@@ -143,12 +140,9 @@ RotationOnto<S> rotation_onto(const Quaternion<S>& apex, const S& cos_angle, con
   // The shortest rotation from u to x; half a turn about any perpendicular axis if x = -u, none if v = 0.
   Quaternion<S> shortest = {squared_norm(v) + dot(u, x), axis[0], axis[1], axis[2]};
   if (!certainly_less(S(0), shortest[0])) {
-    if (equal(squared_norm(u), S(0)) == Verdict::holds)
-      shortest = identity_quaternion<S>();
-    else if (certainly_less(S(0), S(sq(u[0]) + sq(u[1]))))
-      shortest = {S(0), -u[1], u[0], S(0)};
-    else
-      shortest = {S(0), S(1), S(0), S(0)};
+    if (equal(squared_norm(u), S(0)) == Verdict::holds) shortest = identity_quaternion<S>();
+    else if (certainly_less(S(0), S(sq(u[0]) + sq(u[1])))) shortest = {S(0), -u[1], u[0], S(0)};
+    else shortest = {S(0), S(1), S(0), S(0)};
   }
   const Quaternion<S> rotation = multiply(shortest, apex);
   return {is_rotation_onto(apex, cos_angle, v, x, rotation), rotation};

@@ -25,8 +25,7 @@ namespace refitlab {
 template <class S>
 Verdict units_in_ball(std::span<const Quaternion<S>> units, const Quaternion<S>& center, const S& squared_radius) {
   Verdict v = Verdict::holds;
-  for (const auto& n : units)
-    v &= equal(squared_norm(n), S(1)) & less_equal(squared_distance(n, center), squared_radius);
+  for (const auto& n : units) v &= equal(squared_norm(n), S(1)) & less_equal(squared_distance(n, center), squared_radius);
   return v;
 }
 

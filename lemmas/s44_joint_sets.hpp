@@ -113,8 +113,8 @@ struct JointSetVertex {
 // The three parts make the deformed vertex, the linear one is where the coefficients take the corner images, and the
 // other two are no longer than ||p - r_c|| and r.
 template <class S>
-Verdict is_joint_set_vertex(const PosedJointSet<S>& set, const Ball3<S>& reference, std::span<const S> w,
-                            const Vec<S, 3>& v, const std::vector<S>& coefficients, const JointSetVertex<S>& witness) {
+Verdict is_joint_set_vertex(const PosedJointSet<S>& set, const Ball3<S>& reference, std::span<const S> w, const Vec<S, 3>& v,
+                            const std::vector<S>& coefficients, const JointSetVertex<S>& witness) {
   const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
   const auto at_corners = corner_images<S, 3>(set.corners, images);
   const Vec<S, 3> vertex = blend_vertex(set, w, v), sum = witness.linear + witness.spherical + witness.offset;

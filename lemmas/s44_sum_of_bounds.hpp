@@ -49,8 +49,7 @@ Verdict parts_are_bounded(const PartBounds<S>& bounds, const Parts<S>& parts) {
 template <class S>
 Verdict encloses_equal_balls(const Ball3<S>& ball, const PartBounds<S>& bounds) {
   Verdict v = verdict_of(!bounds.linear.empty());
-  for (const auto& r : bounds.linear)
-    v &= encloses(ball, Ball3<S>{r + bounds.spherical.center, bounds.spherical.radius});
+  for (const auto& r : bounds.linear) v &= encloses(ball, Ball3<S>{r + bounds.spherical.center, bounds.spherical.radius});
   return v;
 }
 
@@ -68,8 +67,7 @@ struct SumSteps {
 };
 
 template <class S>
-Verdict is_sum_steps(const Ball3<S>& ball, const PartBounds<S>& bounds, const Vec<S, 3>& vertex,
-                     const SumSteps<S>& steps) {
+Verdict is_sum_steps(const Ball3<S>& ball, const PartBounds<S>& bounds, const Vec<S, 3>& vertex, const SumSteps<S>& steps) {
   const S slack = ball.radius - bounds.spherical.radius;
   Verdict v = less_equal(S(0), slack) & less_equal(squared_norm(steps.to_center), sq(slack)) &
               less_equal(squared_norm(steps.to_spherical), sq(bounds.spherical.radius)) &

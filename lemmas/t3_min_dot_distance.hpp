@@ -38,8 +38,7 @@ Verdict is_largest_distance(std::span<const Vec<S, D>> points, const Vec<S, D>& 
 }
 
 template <class S, int D>
-Verdict min_dot_distance_hypotheses(std::span<const Vec<S, D>> units, const Vec<S, D>& center,
-                                    const S& squared_radius) {
+Verdict min_dot_distance_hypotheses(std::span<const Vec<S, D>> units, const Vec<S, D>& center, const S& squared_radius) {
   return are_units(units) & less(S(0), squared_norm(center)) & is_largest_distance(units, center, squared_radius);
 }
 

@@ -26,9 +26,7 @@ namespace refitlab {
 // kappa^2 of non-zero quaternions and a non-zero axis: the best there is.
 template <class S>
 S squared_cap_cosine(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis) {
-  const auto ratio = [&](const Quaternion<S>& q) {
-    return S(sq(dot(q, axis)) / (squared_norm(q) * squared_norm(axis)));
-  };
+  const auto ratio = [&](const Quaternion<S>& q) { return S(sq(dot(q, axis)) / (squared_norm(q) * squared_norm(axis))); };
   S least = ratio(quaternions[0]);
   for (const auto& q : quaternions.subspan(1)) least = min_of(least, ratio(q));
   return least;
@@ -46,17 +44,15 @@ Verdict are_ahead(std::span<const Quaternion<S>> quaternions, const Quaternion<S
 
 // kappa^2 bounds the angle of each quaternion.
 template <class S>
-Verdict are_within_cosine(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis,
-                          const S& squared_cosine) {
+Verdict are_within_cosine(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis, const S& squared_cosine) {
   Verdict v = Verdict::holds;
-  for (const auto& q : quaternions)
-    v &= less_equal(S(squared_cosine * squared_norm(q) * squared_norm(axis)), sq(dot(q, axis)));
+  for (const auto& q : quaternions) v &= less_equal(S(squared_cosine * squared_norm(q) * squared_norm(axis)), sq(dot(q, axis)));
   return v;
 }
 
 template <class S>
-Verdict one_cap_hypotheses(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis,
-                           const S& squared_cosine, std::span<const S> coefficients) {
+Verdict one_cap_hypotheses(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis, const S& squared_cosine,
+                           std::span<const S> coefficients) {
   return are_ahead(quaternions, axis) & are_within_cosine(quaternions, axis, squared_cosine) & is_convex(coefficients);
 }
 

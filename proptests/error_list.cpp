@@ -31,9 +31,7 @@ std::vector<std::string> sources() {
   return out;
 }
 
-std::string without_comments(const std::string& text) {
-  return std::regex_replace(text, std::regex("(^|\\s)//[^\\n]*"), "");
-}
+std::string without_comments(const std::string& text) { return std::regex_replace(text, std::regex("(^|\\s)//[^\\n]*"), ""); }
 
 // The texts that stand in quotes in a statement, those with a letter.
 std::vector<std::string> literals_of(const std::string& statement) {
@@ -98,9 +96,9 @@ std::vector<std::string> unseen_errors(const std::vector<ListedError>& list, con
   for (const ListedError& error : list) {
     if (!suites.contains(error.suite)) continue;
     const auto of_suite = messages.find(error.suite);
-    const bool seen = of_suite != messages.end() &&
-                      std::any_of(of_suite->second.begin(), of_suite->second.end(),
-                                  [&](const std::string& message) { return is_like(message, error.message); });
+    const bool seen =
+        of_suite != messages.end() && std::any_of(of_suite->second.begin(), of_suite->second.end(),
+                                                  [&](const std::string& message) { return is_like(message, error.message); });
     if (!seen) out.push_back(error.suite + ": " + error.message);
   }
   return out;

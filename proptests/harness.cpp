@@ -56,7 +56,8 @@ std::string complaint_about_shares(const Outcome& outcome) {
   if (degenerate > options.degenerate_at_most) return complaint("generic", 1 - degenerate, 1 - options.degenerate_at_most);
   for (const auto& [tag, wanted] : options.tags_at_least) {
     const auto found = outcome.tags.find(tag);
-    const double share = found == outcome.tags.end() ? 0 : static_cast<double>(found->second) / static_cast<double>(outcome.cases);
+    const double share =
+        found == outcome.tags.end() ? 0 : static_cast<double>(found->second) / static_cast<double>(outcome.cases);
     if (share < wanted) return complaint("'" + tag + "'", share, wanted);
   }
   return "";

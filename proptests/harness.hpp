@@ -23,13 +23,13 @@ namespace proptests {
 
 // What a record belongs to and how much is to be tried.
 struct Options {
-  std::string form = "";          // "printed", "repaired", "beyond", or empty for a check that is no statement of a lemma
-  std::string number_type = "";   // "rational", "interval", "double", ...
-  int cases = 1000;               // random cases, unless --cases says otherwise
-  int max_size = 100;             // RapidCheck's size: how wild a generated value may be
-  double degenerate_at_least = 0; // the share of degenerate cases below which the test fails
-  double degenerate_at_most = 1;  // the share above which it fails: too few generic cases then test the statement
-  std::string hypothesis = "";    // the hypothesis whose necessity this shows, for a counterexample without it
+  std::string form = "";           // "printed", "repaired", "beyond", or empty for a check that is no statement of a lemma
+  std::string number_type = "";    // "rational", "interval", "double", ...
+  int cases = 1000;                // random cases, unless --cases says otherwise
+  int max_size = 100;              // RapidCheck's size: how wild a generated value may be
+  double degenerate_at_least = 0;  // the share of degenerate cases below which the test fails
+  double degenerate_at_most = 1;   // the share above which it fails: too few generic cases then test the statement
+  std::string hypothesis = "";     // the hypothesis whose necessity this shows, for a counterexample without it
   std::map<std::string, double> tags_at_least = {};  // by label of RC_TAG: the share of cases below which the test fails
 };
 
@@ -81,8 +81,7 @@ class Suite {
   void example(const std::string& sentence, const Options& options, const std::function<Checked()>& check);
 
  private:
-  void run(const std::string& sentence, const std::string& kind, const Options& options,
-           const rc::detail::Property& property);
+  void run(const std::string& sentence, const std::string& kind, const Options& options, const rc::detail::Property& property);
   std::string stem_;
 };
 
@@ -91,8 +90,8 @@ struct Registration {
   Registration(const char* stem, SuiteFunction function);
 };
 
-#define PROPTEST(stem)                                                    \
-  static void proptest_##stem(::proptests::Suite& t);                     \
+#define PROPTEST(stem)                                                            \
+  static void proptest_##stem(::proptests::Suite& t);                             \
   static const ::proptests::Registration register_##stem(#stem, proptest_##stem); \
   static void proptest_##stem([[maybe_unused]] ::proptests::Suite& t)
 

@@ -35,12 +35,12 @@ int main(int argc, char** argv) try {
   int cases = 0;
   std::string out;
   po::options_description options("proptests: the property tests of refitlab");
-  options.add_options()("help", "this text")("list", "the stems, a line each")(
-      "only", po::value(&only)->multitoken(), "run the suites whose stem contains one of these")(
+  options.add_options()("help", "this text")("list", "the stems, a line each")("only", po::value(&only)->multitoken(),
+                                                                               "run the suites whose stem contains one of these")(
       "seed", po::value(&seed_text), "seed of the random cases, or 'random' for a fresh one (fixed unless given)")(
       "cases", po::value(&cases), "cases of every property, for a campaign as long as wanted")(
-      "out", po::value(&out), "folder for verdicts.csv")(
-      "print-cases", "print proptests/cases/cases.json as Markdown, and nothing else");
+      "out", po::value(&out), "folder for verdicts.csv")("print-cases",
+                                                         "print proptests/cases/cases.json as Markdown, and nothing else");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, options), map);
   po::notify(map);
@@ -72,17 +72,18 @@ int main(int argc, char** argv) try {
     for (const auto function : suites) function(suite);
   }
   proptests::Suite("errors").example("the suites that ran provoked every error that is listed of them", {}, [&] {
-      std::string unseen;
-      const auto list = proptests::read_error_list("proptests/errors.md");
-      for (const auto& error : proptests::unseen_errors(list, run, proptests::recorded_errors())) unseen += error + "; ";
-      return proptests::Checked(unseen.empty(), static_cast<long>(list.size()), unseen);
-    });
+    std::string unseen;
+    const auto list = proptests::read_error_list("proptests/errors.md");
+    for (const auto& error : proptests::unseen_errors(list, run, proptests::recorded_errors())) unseen += error + "; ";
+    return proptests::Checked(unseen.empty(), static_cast<long>(list.size()), unseen);
+  });
   if (run.empty()) throw po::error("no suite's stem contains what --only names; --list lists them");
   long passed = 0, failed = 0, skipped = 0;
   for (const auto& o : session.outcomes()) ++(o.skipped ? skipped : o.passed ? passed : failed);
   if (!out.empty()) proptests::write_verdicts(session.outcomes(), out);
   for (const auto& o : session.outcomes())
-    if (!o.passed) std::cout << (o.skipped ? "SKIPPED " : "FAILED ") << o.stem << ": " << o.sentence << "\n       " << o.detail << '\n';
+    if (!o.passed)
+      std::cout << (o.skipped ? "SKIPPED " : "FAILED ") << o.stem << ": " << o.sentence << "\n       " << o.detail << '\n';
   std::printf("%.0f s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   std::printf("%ld passed, %ld failed", passed, failed);
   if (skipped > 0) std::printf(", %ld skipped", skipped);

@@ -5,10 +5,10 @@
 #include <map>
 #include <queue>
 
+#include "algorithms/bake/weight_hull.hpp"
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/bake/weight_hull.hpp"
 
 namespace refitlab {
 namespace {
@@ -71,7 +71,9 @@ using Corners = std::vector<std::vector<double>>;
 class NodeClusters {
  public:
   NodeClusters(const SkinnedMesh& mesh, const JointSets& sets, const PieceOptions& options)
-      : mesh_(mesh), sets_(sets), options_(options) {}
+      : mesh_(mesh),
+        sets_(sets),
+        options_(options) {}
 
   std::vector<Cluster> of(const TreeNode& node, std::span<const int> vertices) const {
     const Clustering clustering(mesh_, sets_, node.reference.radius);
@@ -139,7 +141,8 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
     for (const int v : vertices[static_cast<int>(n)]) {
       if (listed[v].joint_set >= 0) continue;
       const auto weights = sets.weights(v);
-      listed[v] = {sets.of_vertex(v), static_cast<int>(table.weight_vertices.size()), 1, static_cast<int>(table.references.size())};
+      listed[v] = {sets.of_vertex(v), static_cast<int>(table.weight_vertices.size()), 1,
+                   static_cast<int>(table.references.size())};
       table.weight_vertices.insert(table.weight_vertices.end(), weights.begin(), weights.end());
       table.references.push_back({mesh.vertices[v], 0});
     }
@@ -156,7 +159,7 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
         continue;
       }
       table.pieces.push_back({c.joint_set, static_cast<int>(table.weight_vertices.size()), static_cast<int>(corners.size()),
-                         static_cast<int>(table.references.size())});
+                              static_cast<int>(table.references.size())});
       table.references.push_back(c.ball);
       for (const auto& corner : corners) table.weight_vertices.insert(table.weight_vertices.end(), corner.begin(), corner.end());
     }

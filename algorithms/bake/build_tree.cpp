@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "algorithms/bake/weight_vertices.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/bake/weight_vertices.hpp"
 
 namespace refitlab {
 namespace {
@@ -26,7 +26,9 @@ struct BinaryNode {
 class Builder {
  public:
   Builder(const SkinnedMesh& mesh, const JointSets& sets, const TreeOptions& options)
-      : mesh_(mesh), sets_(sets), options_(options) {}
+      : mesh_(mesh),
+        sets_(sets),
+        options_(options) {}
 
   SphereTree build() {
     for (const Triangle& t : mesh_.triangles)
@@ -57,9 +59,8 @@ class Builder {
     for (const int t : range) low = low.cwiseMin(centroids_[t]), high = high.cwiseMax(centroids_[t]);
     int axis;
     (high - low).maxCoeff(&axis);
-    std::nth_element(range.begin(), range.begin() + count / 2, range.end(), [&](int a, int b) {
-      return std::pair(centroids_[a][axis], a) < std::pair(centroids_[b][axis], b);
-    });
+    std::nth_element(range.begin(), range.begin() + count / 2, range.end(),
+                     [&](int a, int b) { return std::pair(centroids_[a][axis], a) < std::pair(centroids_[b][axis], b); });
     const int left = split(first, count / 2);
     const int right = split(first + count / 2, count - count / 2);
     binary_[index].children[0] = left;
@@ -71,10 +72,8 @@ class Builder {
   void kept_children(int binary, double radius, std::vector<int>& out) const {
     for (const int child : binary_[binary].children) {
       const BinaryNode& c = binary_[child];
-      if (!c.is_leaf() && c.ball.radius > options_.prune_ratio * radius)
-        kept_children(child, radius, out);
-      else
-        out.push_back(child);
+      if (!c.is_leaf() && c.ball.radius > options_.prune_ratio * radius) kept_children(child, radius, out);
+      else out.push_back(child);
     }
   }
 
@@ -100,9 +99,17 @@ class Builder {
 
   TreeNode node_of(int binary, int parent, int level) const {
     const BinaryNode& b = binary_[binary];
-    return {.reference = b.ball, .parent = parent, .first_child = 0, .child_count = 0, .level = level,
-            .first_triangle = b.first_triangle, .triangle_count = b.triangle_count, .first_vertex = 0, .vertex_count = 0,
-            .first_piece = 0, .piece_count = 0};
+    return {.reference = b.ball,
+            .parent = parent,
+            .first_child = 0,
+            .child_count = 0,
+            .level = level,
+            .first_triangle = b.first_triangle,
+            .triangle_count = b.triangle_count,
+            .first_vertex = 0,
+            .vertex_count = 0,
+            .first_piece = 0,
+            .piece_count = 0};
   }
 
   void add_leaf_vertices(TreeNode& leaf) {
@@ -117,8 +124,8 @@ class Builder {
     std::map<int, WeightBounds<double>> bounds;
     for (const int v : distinct_vertices(mesh_, triangles(node.first_triangle, node.triangle_count))) {
       const auto w = sets_.weights(v);
-      auto& b = bounds.try_emplace(sets_.of_vertex(v), WeightBounds<double>{{w.begin(), w.end()}, {w.begin(), w.end()}})
-                    .first->second;
+      auto& b =
+          bounds.try_emplace(sets_.of_vertex(v), WeightBounds<double>{{w.begin(), w.end()}, {w.begin(), w.end()}}).first->second;
       for (std::size_t i = 0; i < w.size(); ++i) {
         b.low[i] = std::min(b.low[i], w[i]);
         b.high[i] = std::max(b.high[i], w[i]);

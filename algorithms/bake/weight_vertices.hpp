@@ -19,7 +19,12 @@ template <class S>
 class WeightVertexSearch {
  public:
   WeightVertexSearch(const WeightBounds<S>& bounds, std::size_t limit)
-      : bounds_(bounds), limit_(limit), n_(bounds.low.size()), low_after_(n_ + 1, S(0)), high_after_(n_ + 1, S(0)), w_(n_) {
+      : bounds_(bounds),
+        limit_(limit),
+        n_(bounds.low.size()),
+        low_after_(n_ + 1, S(0)),
+        high_after_(n_ + 1, S(0)),
+        w_(n_) {
     for (std::size_t i = n_; i-- > 0;) {
       low_after_[i] = low_after_[i + 1] + bounds.low[i];
       high_after_[i] = high_after_[i + 1] + bounds.high[i];

@@ -8,8 +8,8 @@
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
-#include "lemmas/s44_joint_sets.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s44_joint_sets.hpp"
 
 namespace refitlab {
 namespace {
@@ -88,7 +88,8 @@ struct SphericalClaim {
     }
     const SquaredBall<Rational, 3> turned = fallback_ball(cap, x);
     for (const Corner& c : corners)
-      if (encloses_part<Rational>(target, {c.exact.center_image + turned.center, turned.squared_radius}) != Verdict::holds) return false;
+      if (encloses_part<Rational>(target, {c.exact.center_image + turned.center, turned.squared_radius}) != Verdict::holds)
+        return false;
     return true;
   }
 
@@ -117,8 +118,7 @@ struct DualQuaternionClaim {
     return blend_duals(palette, w);
   }
   static Corner middle(const Corner& a, const Corner& b) {
-    return {DualQuaternionPiece<Rational>::middle(a.exact, b.exact),
-            DualQuaternionPiece<double>::middle(a.rounded, b.rounded)};
+    return {DualQuaternionPiece<Rational>::middle(a.exact, b.exact), DualQuaternionPiece<double>::middle(a.rounded, b.rounded)};
   }
 
   std::optional<Bound> prove(const std::vector<Corner>& corners) const {
@@ -200,8 +200,7 @@ bool linear_holds(const PaletteEntry<Rational>& palette, const std::vector<std::
 
 }  // namespace
 
-std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning,
-                                const Ball3<double>& ball) {
+std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning, const Ball3<double>& ball) {
   const DefaultFloatEnvironment environment;
   const NodePiece& set = node.pieces[piece];
   const PaletteEntry<double> rounded = node.palette[set.joint_set];

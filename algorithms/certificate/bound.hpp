@@ -30,7 +30,6 @@ struct Bound {
 };
 
 // Nothing if none of those tried proves it. All numbers are taken as exact rationals; they must be finite.
-std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning,
-                                const Ball3<double>& ball);
+std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning, const Ball3<double>& ball);
 
 }  // namespace refitlab

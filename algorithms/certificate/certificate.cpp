@@ -111,8 +111,7 @@ const char* certified_name(Skinning skinning) {
   }
 }
 
-std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball,
-                        const CertifiedNode& of) {
+std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball, const CertifiedNode& of) {
   const DefaultFloatEnvironment environment;
   json document;
   document["about"] = of.about;

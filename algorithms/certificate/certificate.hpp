@@ -24,8 +24,8 @@
 // [k, l], halves: [the bound with the middle in place of corner k, that in place of l]}.
 #pragma once
 
-#include <stdexcept>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,9 +40,9 @@ class NoProof : public std::runtime_error {
 };
 
 struct CertifiedVertex {
-  int id;         // in the model
+  int id;  // in the model
   Point3 position;
-  int joint_set;  // in the palette
+  int joint_set;                    // in the palette
   std::span<const double> weights;  // by joint of it
 };
 
@@ -59,7 +59,6 @@ struct CertifiedNode {
 // spherical. Takes milliseconds a piece, for exact arithmetic.
 // Throws NoProof, also for a vertex that no piece holds; std::invalid_argument for a number that is not finite or weights
 // that are negative or whose sum is not 1 exactly: skinning by them is not what the proofs are about.
-std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball,
-                        const CertifiedNode& of);
+std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball, const CertifiedNode& of);
 
 }  // namespace refitlab

@@ -29,8 +29,8 @@ std::string pose_document(const Character& character, const SkinningPalette<doub
   return canonical(document);
 }
 
-CertifiedNode certified_node(const Character& character, int node, const std::string& about,
-                             const std::string& model_digest, const std::string& pose_digest) {
+CertifiedNode certified_node(const Character& character, int node, const std::string& about, const std::string& model_digest,
+                             const std::string& pose_digest) {
   CertifiedNode out{about, node, {}, {}, model_digest, pose_digest};
   const JointSets& sets = character.sets;
   for (const int v : character.vertices[node])

@@ -24,7 +24,7 @@ std::string model_document(const Character& character);
 std::string pose_document(const Character& character, const SkinningPalette<double>& palette, Skinning skinning);
 
 // The vertices of a node, and which documents they are of (by digest).
-CertifiedNode certified_node(const Character& character, int node, const std::string& about,
-                             const std::string& model_digest, const std::string& pose_digest);
+CertifiedNode certified_node(const Character& character, int node, const std::string& about, const std::string& model_digest,
+                             const std::string& pose_digest);
 
 }  // namespace refitlab

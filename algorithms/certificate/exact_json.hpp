@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "lemmas/exact/exact.hpp"  // as_text
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
+#include "lemmas/exact/exact.hpp"  // as_text
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {

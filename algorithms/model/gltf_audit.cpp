@@ -113,10 +113,10 @@ class Audit {
       const std::string thing = "buffer " + std::to_string(buffers_.size());
       const std::size_t comma = uri.find(',');
       if (uri.empty() && !binary) throw ModelError(file_, thing, "has no bytes");
-      buffers_.push_back(uri.empty()                ? *binary
-                         : uri.starts_with("data:") ? decode_base64(uri.substr(comma + 1))
-                                                    : read_bytes(std::filesystem::path(file_).parent_path() / uri,
-                                                                 file_, thing + " (" + uri + ")"));
+      buffers_.push_back(uri.empty() ? *binary
+                         : uri.starts_with("data:")
+                             ? decode_base64(uri.substr(comma + 1))
+                             : read_bytes(std::filesystem::path(file_).parent_path() / uri, file_, thing + " (" + uri + ")"));
     }
   }
 
@@ -171,9 +171,9 @@ class Audit {
     if (!skin.contains("inverseBindMatrices")) throw ModelError(file_, thing, "no inverse bind matrices");
     const std::size_t count = float_table(skin.at("inverseBindMatrices"), thing).count;
     if (count < skin.at("joints").size())
-      throw ModelError(file_, thing,
-                       "only " + std::to_string(count) + " inverse bind matrices for " +
-                           std::to_string(skin.at("joints").size()) + " joints");
+      throw ModelError(
+          file_, thing,
+          "only " + std::to_string(count) + " inverse bind matrices for " + std::to_string(skin.at("joints").size()) + " joints");
   }
 
   void check_animation(std::size_t index) const {
@@ -206,13 +206,11 @@ class Audit {
             throw ModelError(file_, thing, "index " + std::to_string(i) + " names a vertex out of range");
       }
       if (node.contains("skin"))
-        check_influences(attributes, count,
-                         json_.at("skins").at(node.at("skin").get<std::size_t>()).at("joints").size(), thing);
+        check_influences(attributes, count, json_.at("skins").at(node.at("skin").get<std::size_t>()).at("joints").size(), thing);
     }
   }
 
-  void check_influences(const json& attributes, std::size_t vertices, std::size_t skin_joints,
-                        const std::string& thing) const {
+  void check_influences(const json& attributes, std::size_t vertices, std::size_t skin_joints, const std::string& thing) const {
     std::optional<int> component;
     for (int set = 0;; ++set) {
       const std::string suffix = "_" + std::to_string(set);

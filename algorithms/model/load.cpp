@@ -15,9 +15,7 @@ namespace refitlab {
 namespace {
 
 // What assimp says of its last failure; some of its messages quote the rest of the file.
-std::string complaint(const Assimp::Importer& importer) {
-  return std::string(importer.GetErrorString()).substr(0, 200);
-}
+std::string complaint(const Assimp::Importer& importer) { return std::string(importer.GetErrorString()).substr(0, 200); }
 
 // The scene as the file has it, checked, then triangulated.
 const aiScene& read_scene(Assimp::Importer& importer, const std::string& path) {

@@ -2,7 +2,6 @@
 #include "algorithms/model/mesh_binding.hpp"
 
 #include <Eigen/LU>
-
 #include <algorithm>
 #include <set>
 
@@ -23,8 +22,7 @@ std::vector<Eigen::Vector4d> box_corners(const aiMesh& mesh) {
 }
 
 // a and b take the box to the same place, within `tolerance` of its diagonal.
-bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const std::vector<Eigen::Vector4d>& box,
-           double tolerance) {
+bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const std::vector<Eigen::Vector4d>& box, double tolerance) {
   double apart = 0;
   for (const auto& corner : box) apart = std::max(apart, ((a - b) * corner).norm());
   return apart <= tolerance * (a * (box[7] - box[0])).norm();
@@ -125,8 +123,7 @@ std::vector<int> order_joints(std::vector<BoundJoint>& joints, const std::vector
     fresh[j] = index;
     ordered.push_back(joints[j]);
     BoundJoint& joint = ordered.back();
-    for (int n = nodes[joint.node].parent; n >= 0 && joint.parent < 0; n = nodes[n].parent)
-      joint.parent = first_of_node[n];
+    for (int n = nodes[joint.node].parent; n >= 0 && joint.parent < 0; n = nodes[n].parent) joint.parent = first_of_node[n];
     if (first_of_node[joint.node] < 0) first_of_node[joint.node] = index;
   }
   joints = std::move(ordered);

@@ -12,7 +12,7 @@ namespace refitlab {
 
 struct Clip {
   std::string name;
-  double duration;                        // seconds
+  double duration;                     // seconds
   std::function<Pose(double)> sample;  // at a time in [0, duration]; throws ModelError for a pose that is not rigid
 };
 

@@ -8,8 +8,8 @@
 
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/mesh_binding.hpp"
-#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -101,8 +101,7 @@ void factor_out(const Eigen::Matrix4d& factor, BoundSkeleton& skeleton, std::vec
 
 std::vector<Joint> rest_joints(const BoundSkeleton& skeleton) {
   std::vector<Joint> joints;
-  for (const BoundJoint& j : skeleton.joints)
-    joints.push_back({j.name, j.parent, j.offset.inverse().topRightCorner<3, 1>()});
+  for (const BoundJoint& j : skeleton.joints) joints.push_back({j.name, j.parent, j.offset.inverse().topRightCorner<3, 1>()});
   return joints;
 }
 
@@ -140,8 +139,8 @@ Model model_of_scene(const aiScene& scene, const std::string& file) {
   for (const Motion& motion : motions) {
     for (const double time : key_times(motion, max_checked_times))
       model.rigidity_defect = std::max(model.rigidity_defect, pose(*skeleton, motion, time).rigidity_defect);
-    model.clips.push_back({motion.name, motion.duration,
-                           [skeleton, motion](double time) { return pose(*skeleton, motion, time).pose; }});
+    model.clips.push_back(
+        {motion.name, motion.duration, [skeleton, motion](double time) { return pose(*skeleton, motion, time).pose; }});
   }
   validate(model);
   return model;

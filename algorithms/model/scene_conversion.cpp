@@ -25,16 +25,15 @@ Eigen::Quaterniond in_standard_form(const Eigen::Quaterniond& q) { return q.norm
 
 // The keys of one kind, or the node's own value where the channel has none. thing: clip and joint, for errors.
 template <class Value, class SourceKey, class SourceValue>
-std::vector<Key<Value>> convert_keys(const SourceKey* keys, unsigned count, double ticks_per_second,
-                                     const SourceValue& otherwise, const std::string& file, const std::string& thing) {
+std::vector<Key<Value>> convert_keys(const SourceKey* keys, unsigned count, double ticks_per_second, const SourceValue& otherwise,
+                                     const std::string& file, const std::string& thing) {
   if (count == 0) return {{0, to_eigen(otherwise)}};
   std::vector<Key<Value>> out;
   for (unsigned k = 0; k < count; ++k) {
     const double time = keys[k].mTime / ticks_per_second;
     const std::string at = thing + ", key " + std::to_string(k) + " at " + std::to_string(time) + " s";
     const Value value = to_eigen(keys[k].mValue);
-    if (!std::isfinite(time) || !is_usable(value))
-      throw ModelError(file, at, "not finite, or a rotation by a zero quaternion");
+    if (!std::isfinite(time) || !is_usable(value)) throw ModelError(file, at, "not finite, or a rotation by a zero quaternion");
     if (!out.empty() && time < out.back().time) throw ModelError(file, at, "keys are not in order of time");
     out.push_back({time, in_standard_form(value)});
   }
@@ -46,13 +45,11 @@ NodeTrack convert_track(const aiNodeAnim& channel, int node, const aiNode& sourc
   aiVector3D scale, position;
   aiQuaternion rotation;
   source.mTransformation.Decompose(scale, rotation, position);
-  return {node,
-          convert_keys<Eigen::Vector3d>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, position,
-                                        file, thing),
-          convert_keys<Eigen::Quaterniond>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_second, rotation,
-                                           file, thing),
-          convert_keys<Eigen::Vector3d>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale, file,
-                                        thing)};
+  return {
+      node,
+      convert_keys<Eigen::Vector3d>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, position, file, thing),
+      convert_keys<Eigen::Quaterniond>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_second, rotation, file, thing),
+      convert_keys<Eigen::Vector3d>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale, file, thing)};
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "algorithms/model/skeleton_motion.hpp"
 
 #include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -19,8 +18,7 @@ Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond
 
 template <class Value>
 Value value_at(const std::vector<Key<Value>>& keys, double time) {
-  const auto after =
-      std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; });
+  const auto after = std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; });
   if (after == keys.begin()) return keys.front().value;
   if (after == keys.end()) return keys.back().value;
   const auto before = after - 1;
@@ -29,8 +27,7 @@ Value value_at(const std::vector<Key<Value>>& keys, double time) {
 
 Eigen::Matrix4d local_transform(const NodeTrack& track, double time) {
   Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-  local.topLeftCorner<3, 3>() =
-      value_at(track.rotations, time).toRotationMatrix() * value_at(track.scales, time).asDiagonal();
+  local.topLeftCorner<3, 3>() = value_at(track.rotations, time).toRotationMatrix() * value_at(track.scales, time).asDiagonal();
   local.topRightCorner<3, 1>() = value_at(track.positions, time);
   return local;
 }
@@ -54,12 +51,9 @@ std::string reason_against(const Eigen::Matrix3d& m) {
   if (!m.allFinite()) return "the skin matrix is not finite";
   const Eigen::Vector3d s = m.jacobiSvd().singularValues();
   std::ostringstream text;
-  if (s[0] - s[2] > 1e-3 * s[0])
-    text << "the skin matrix shears or scales unevenly, by " << s[2] << " to " << s[0];
-  else if (m.determinant() < 0)
-    text << "the skin matrix mirrors";
-  else
-    text << "the skin matrix scales by " << s[1];
+  if (s[0] - s[2] > 1e-3 * s[0]) text << "the skin matrix shears or scales unevenly, by " << s[2] << " to " << s[0];
+  else if (m.determinant() < 0) text << "the skin matrix mirrors";
+  else text << "the skin matrix scales by " << s[1];
   text << " (relative to the other joints in the first pose); only rotations with one constant scale are supported";
   return text.str();
 }

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-
 #include <string>
 #include <vector>
 

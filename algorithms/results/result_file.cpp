@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
-
 #include "refitlab_build.hpp"  // generated at build time: commit, compiler, flags
 
 namespace refitlab {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -94,9 +94,9 @@ ResultTable parse_results(std::string_view text, const std::string& file) {
     table.lines.push_back(records.line());
     table.rows.push_back(records.next());
     if (table.rows.back().size() != table.columns.size())
-      throw ResultError(file, table.lines.back(),
-                        std::to_string(table.rows.back().size()) + " values for " +
-                            std::to_string(table.columns.size()) + " columns");
+      throw ResultError(
+          file, table.lines.back(),
+          std::to_string(table.rows.back().size()) + " values for " + std::to_string(table.columns.size()) + " columns");
   }
   return table;
 }

@@ -11,7 +11,11 @@
 namespace refitlab {
 
 ExactSkin::ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning)
-    : mesh_(mesh), sets_(sets), palette_(palette), skinning_(skinning), quick_(mesh.vertices.size()),
+    : mesh_(mesh),
+      sets_(sets),
+      palette_(palette),
+      skinning_(skinning),
+      quick_(mesh.vertices.size()),
       exact_(mesh.vertices.size()) {}
 
 template <class S>

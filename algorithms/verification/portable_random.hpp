@@ -13,9 +13,7 @@ class PortableRandom {
   PortableRandom(std::uint64_t seed, std::uint64_t number) : engine_(mix(mix(seed) + number)) {}
 
   // low <= result <= high. The bias of the remainder is below 2^-50 for the small ranges asked for.
-  int between(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
+  int between(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1)); }
   bool one_in(int n) { return between(1, n) == 1; }
 
  private:

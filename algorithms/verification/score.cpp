@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/bake/weight_vertices.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
-#include "algorithms/bake/weight_vertices.hpp"
 
 namespace refitlab {
 namespace {
@@ -117,8 +117,7 @@ Ball3<S> SkinnedCase::skinned(const Target& target) const {
 CaseScore SkinnedCase::score(const Ball3<double>& ball) {
   const DefaultFloatEnvironment environment;
   CaseScore out;
-  if (skinning_ == Skinning::dual_quaternion && ball.center.allFinite() && ball.radius == HUGE_VAL)
-    return {.unbounded = true};
+  if (skinning_ == Skinning::dual_quaternion && ball.center.allFinite() && ball.radius == HUGE_VAL) return {.unbounded = true};
   if (!(ball.center.allFinite() && std::isfinite(ball.radius) && ball.radius >= 0))
     return {.undefined = true, .misses = true, .worst_miss = 1};
   const double size = size_ + norm(ball.center) + ball.radius;

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "algorithms/verification/synthetic_case.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/verification/synthetic_case.hpp"
 #include "lemmas/exact/ladder.hpp"
 
 namespace refitlab {

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/verification/portable_random.hpp"
-#include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/bake/weight_vertices.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/verification/portable_random.hpp"
 
 namespace refitlab {
 namespace {
@@ -101,15 +101,9 @@ std::string make_degenerate(PortableRandom& random, SyntheticSet& set) {
   const int kind = random.between(c.size() > 1 ? 0 : 4, 7);
   const RationalQuaternion half_turn(0, 1, 0, 0);
   switch (kind) {
-    case 0:
-      c[1].rotation = c[0].rotation;
-      return "equal quaternions";
-    case 1:
-      c[1].rotation = -c[0].rotation;
-      return "antipodal quaternions";
-    case 2:
-      c[1].rotation = multiply(c[0].rotation, half_turn);
-      return "half a turn";
+    case 0: c[1].rotation = c[0].rotation; return "equal quaternions";
+    case 1: c[1].rotation = -c[0].rotation; return "antipodal quaternions";
+    case 2: c[1].rotation = multiply(c[0].rotation, half_turn); return "half a turn";
     case 3:
       c[1].rotation = -c[0].rotation;
       set.bounds.low.assign(c.size(), Rational(0));
@@ -117,18 +111,10 @@ std::string make_degenerate(PortableRandom& random, SyntheticSet& set) {
       set.bounds.low[0] = Rational(1, 2);
       set.bounds.high[0] = 1;
       return "zero blend at a corner";
-    case 4:
-      set.reference.radius = 0;
-      return "r = 0";
-    case 5:
-      set.bounds.high = set.bounds.low = vertex_weights(random, c.size());
-      return "one corner";
-    case 6:
-      set.palette.rotation_center = set.reference.center;
-      return "rotation center at p";
-    default:
-      c.assign(c.size(), {});
-      return "at rest";
+    case 4: set.reference.radius = 0; return "r = 0";
+    case 5: set.bounds.high = set.bounds.low = vertex_weights(random, c.size()); return "one corner";
+    case 6: set.palette.rotation_center = set.reference.center; return "rotation center at p";
+    default: c.assign(c.size(), {}); return "at rest";
   }
 }
 
@@ -147,9 +133,7 @@ Json json_of(const RationalWeights& w) {
   return out;
 }
 
-Json json_of(const Ball3<Rational>& ball) {
-  return {{"center", json_of(ball.center)}, {"radius", json_of(ball.radius)}};
-}
+Json json_of(const Ball3<Rational>& ball) { return {{"center", json_of(ball.center)}, {"radius", json_of(ball.radius)}}; }
 
 Json json_of(const SyntheticSet& set) {
   Json transforms = Json::array();

@@ -21,7 +21,7 @@ using RationalWeights = std::vector<Rational>;
 
 struct SyntheticSet {
   Ball3<Rational> reference;             // S_z: the joint-set's vertices, in the reference pose
-  OwnedPaletteEntry<Rational> palette;      // rotations of exactly unit length, with the skinning's signs
+  OwnedPaletteEntry<Rational> palette;   // rotations of exactly unit length, with the skinning's signs
   WeightBounds<Rational> bounds;         // multiples of 2^-24
   std::vector<RationalWeights> corners;  // of W': all of them
 };

@@ -2,8 +2,8 @@
 // Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a
 // leaf.
 #include "algorithms/runtime/balls/box.hpp"
-#include "experiments/baselines/median_split.hpp"
 #include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/median_split.hpp"
 #include "experiments/baselines/skinning_detector.hpp"
 
 namespace refitlab {
@@ -38,15 +38,15 @@ class Builder {
 class AabbTree : public SkinningDetector {
  public:
   explicit AabbTree(const Character& character)
-      : SkinningDetector(character, Placing::when_asked), nodes_(Builder(character.mesh).nodes) {
+      : SkinningDetector(character, Placing::when_asked),
+        nodes_(Builder(character.mesh).nodes) {
     for (auto& boxes : boxes_) boxes.resize(nodes_.size());
   }
 
   void refit() override {
     refit(0, skinned(0));
     const RigidTransform<double> to_first = this->to_first();
-    const Point3 x = rotate<double>(to_first.rotation, Point3::UnitX()),
-                 y = rotate<double>(to_first.rotation, Point3::UnitY()),
+    const Point3 x = rotate<double>(to_first.rotation, Point3::UnitX()), y = rotate<double>(to_first.rotation, Point3::UnitY()),
                  z = rotate<double>(to_first.rotation, Point3::UnitZ());
     moved_.resize(skinned(1).size());
     for (std::size_t v = 0; v < moved_.size(); ++v) {

@@ -6,12 +6,12 @@ namespace refitlab {
 std::vector<DetectorKind> baseline_kinds() {
   const auto baseline = Origin::baseline;
   return {{"brown", "sphere tree, refitted bottom-up [Brown et al. 2001]", baseline, make_brown},
-          {"aabb_tree", "tree of axis-aligned boxes, one triangle a leaf, refitted bottom-up [van den Bergen 1997]",
-           baseline, make_aabb_tree},
+          {"aabb_tree", "tree of axis-aligned boxes, one triangle a leaf, refitted bottom-up [van den Bergen 1997]", baseline,
+           make_aabb_tree},
           {"skin_all_simd", "the same with eight boxes a node in SIMD lanes, and eight triangles a leaf", baseline,
            make_skin_all_simd},
-          {"cgal_aabb", "CGAL's AABB_tree of the first body, rebuilt, asked with the second one's triangles' boxes",
-           baseline, make_cgal_aabb}};
+          {"cgal_aabb", "CGAL's AABB_tree of the first body, rebuilt, asked with the second one's triangles' boxes", baseline,
+           make_cgal_aabb}};
 }
 
 std::vector<DetectorKind> engine_kinds() {
@@ -22,12 +22,11 @@ std::vector<DetectorKind> engine_kinds() {
   kinds.push_back({"fcl_aabb", "FCL's BVHModel of axis-aligned boxes, refitted bottom-up", engine, make_fcl_aabb});
   kinds.push_back({"fcl_kdop16", "FCL's BVHModel of k-DOPs of 16 planes, refitted bottom-up", engine, make_fcl_kdop16});
   kinds.push_back({"fcl_obbrss",
-                   "FCL's BVHModel of oriented boxes and swept spheres, refitted bottom-up; misses a pair now and then",
-                   engine, make_fcl_obbrss, false, 0.01});
+                   "FCL's BVHModel of oriented boxes and swept spheres, refitted bottom-up; misses a pair now and then", engine,
+                   make_fcl_obbrss, false, 0.01});
 #endif
 #ifdef REFITLAB_BULLET
-  kinds.push_back(
-      {"bullet_dbvt", "Bullet's btDbvt, refitted bottom-up as its soft bodies do", engine, make_bullet_dbvt});
+  kinds.push_back({"bullet_dbvt", "Bullet's btDbvt, refitted bottom-up as its soft bodies do", engine, make_bullet_dbvt});
   kinds.push_back({"bullet_gimpact", "Bullet's quantised box sets of GImpact, updated", engine, make_bullet_gimpact});
 #endif
   return kinds;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/baselines/brute_force.hpp"
 
-#include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/runtime/balls/box.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 
 namespace refitlab {
 namespace {
@@ -14,7 +14,7 @@ struct BoxedTriangles {
 };
 
 BoxedTriangles boxes_of(const SkinnedMesh& model, const JointSets& sets, const Pose& pose,
-               const RigidTransform<double>& placement, Skinning skinning) {
+                        const RigidTransform<double>& placement, Skinning skinning) {
   const auto skinned = skin(model, sets, make_skinning_palette(model, sets, pose, skinning), skinning);
   BoxedTriangles out;
   for (const Triangle& t : model.triangles) {

@@ -2,8 +2,8 @@
 // Bullet's btDbvt: a leaf a triangle, its volumes refitted from the leaves up as btSoftBody does with its faces.
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
-#include "experiments/baselines/float_boxes.hpp"
 #include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/float_boxes.hpp"
 #include "experiments/baselines/skinning_detector.hpp"
 
 namespace refitlab {
@@ -23,8 +23,7 @@ class BulletDbvt : public SkinningDetector {
       scattered.insert(volume_of(vertices_.box(m.triangles[i])), nullptr)->dataAsInt = static_cast<int>(i);
     scattered.optimizeTopDown();
     btDbvt::IClone nothing_more;
-    for (btDbvt& tree : trees_)
-      scattered.clone(tree, &nothing_more);  // its nodes lie side by side where they belong together
+    for (btDbvt& tree : trees_) scattered.clone(tree, &nothing_more);  // its nodes lie side by side where they belong together
   }
 
   void refit() override {
@@ -75,8 +74,6 @@ class BulletDbvt : public SkinningDetector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_bullet_dbvt(const Character& character) {
-  return std::make_unique<BulletDbvt>(character);
-}
+std::unique_ptr<Detector> make_bullet_dbvt(const Character& character) { return std::make_unique<BulletDbvt>(character); }
 
 }  // namespace refitlab

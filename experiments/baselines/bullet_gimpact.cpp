@@ -3,8 +3,8 @@
 // placements.
 #include <BulletCollision/Gimpact/btGImpactQuantizedBvh.h>
 
-#include "experiments/baselines/float_boxes.hpp"
 #include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/float_boxes.hpp"
 #include "experiments/baselines/skinning_detector.hpp"
 
 namespace refitlab {
@@ -37,7 +37,8 @@ class Boxes : public btPrimitiveManagerBase {
 class BulletGimpact : public SkinningDetector {
  public:
   explicit BulletGimpact(const Character& character)
-      : SkinningDetector(character, Placing::when_asked), boxes_{Boxes(character.mesh), Boxes(character.mesh)} {
+      : SkinningDetector(character, Placing::when_asked),
+        boxes_{Boxes(character.mesh), Boxes(character.mesh)} {
     // Boxes are rounded to 2^16 steps within the bounds at the build, and cut off there. So these get a margin that no
     // pose leaves, and each box later a margin of one step.
     const float reach = static_cast<float>(2 * character.tree.nodes[0].reference.radius);
@@ -84,8 +85,6 @@ class BulletGimpact : public SkinningDetector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_bullet_gimpact(const Character& character) {
-  return std::make_unique<BulletGimpact>(character);
-}
+std::unique_ptr<Detector> make_bullet_gimpact(const Character& character) { return std::make_unique<BulletGimpact>(character); }
 
 }  // namespace refitlab

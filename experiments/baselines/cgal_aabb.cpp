@@ -62,9 +62,7 @@ class CgalAabb : public SkinningDetector {
   void fill(int side) {
     triangles_[side].clear();
     for (const Triangle& t : model().triangles) {
-      const auto point = [&](int v) {
-        return Kernel::Point_3(placed(side)[v][0], placed(side)[v][1], placed(side)[v][2]);
-      };
+      const auto point = [&](int v) { return Kernel::Point_3(placed(side)[v][0], placed(side)[v][1], placed(side)[v][2]); };
       triangles_[side].emplace_back(point(t[0]), point(t[1]), point(t[2]));
     }
   }

@@ -27,8 +27,8 @@ class Detector {
  public:
   virtual ~Detector() = default;
   virtual void palette(const ScenarioFrame& frame) = 0;  // what skinning prepares
-  virtual void skin() {}                               // all vertices; detectors on demand leave it to the query
-  virtual void refit() {}                              // all volumes, likewise
+  virtual void skin() {}                                 // all vertices; detectors on demand leave it to the query
+  virtual void refit() {}                                // all volumes, likewise
   virtual std::vector<TrianglePair> query(Query query) = 0;
   virtual DetectorCounts counts() const = 0;
 
@@ -64,10 +64,10 @@ class CountingDetector : public Detector {
 
 // Where a detector comes from.
 enum class Origin {
-  own,     // ours, on demand
-  baseline,   // skins everything; written here
-  engine,  // skins everything for a general-purpose engine
-  oracle   // tries all pairs; no detector, but a row of results
+  own,       // ours, on demand
+  baseline,  // skins everything; written here
+  engine,    // skins everything for a general-purpose engine
+  oracle     // tries all pairs; no detector, but a row of results
 };
 
 const char* name_of(Origin origin);  // as in result files

@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "experiments/baselines/float_boxes.hpp"
 #include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/float_boxes.hpp"
 #include "experiments/baselines/skinning_detector.hpp"
 
 namespace refitlab {
@@ -13,8 +13,7 @@ namespace {
 
 class Embree : public SkinningDetector {
  public:
-  explicit Embree(const Character& character)
-      : SkinningDetector(character, Placing::all), device_(rtcNewDevice("threads=1")) {
+  explicit Embree(const Character& character) : SkinningDetector(character, Placing::all), device_(rtcNewDevice("threads=1")) {
     for (int side = 0; side < 2; ++side) {
       bodies_[side] = {this, side};
       RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);

@@ -54,8 +54,7 @@ class Fcl : public SkinningDetector {
     if constexpr (is_oriented<Volume>)
       fcl::detail::initialize(node, std::as_const(trees_[0]), std::as_const(at[0]), std::as_const(trees_[1]),
                               std::as_const(at[1]), request, unused);
-    else
-      fcl::detail::initialize(node, trees_[0], at[0], trees_[1], at[1], request, unused);
+    else fcl::detail::initialize(node, trees_[0], at[0], trees_[1], at[1], request, unused);
     fcl::detail::collisionRecurse<double>(&traversal, 0, 0, nullptr);
     counts_.volume_tests += traversal.num_bv_tests;
     return std::move(traversal.found);
@@ -93,9 +92,7 @@ class Fcl : public SkinningDetector {
 }  // namespace
 
 std::unique_ptr<Detector> make_fcl_aabb(const Character& c) { return std::make_unique<Fcl<fcl::AABB<double>>>(c); }
-std::unique_ptr<Detector> make_fcl_kdop16(const Character& c) {
-  return std::make_unique<Fcl<fcl::KDOP<double, 16>>>(c);
-}
+std::unique_ptr<Detector> make_fcl_kdop16(const Character& c) { return std::make_unique<Fcl<fcl::KDOP<double, 16>>>(c); }
 std::unique_ptr<Detector> make_fcl_obbrss(const Character& c) { return std::make_unique<Fcl<fcl::OBBRSS<double>>>(c); }
 
 }  // namespace refitlab

@@ -20,7 +20,7 @@ class FloatVertices {
   void set(const std::vector<Point3>& vertices, const std::vector<int>& order, const RigidTransform<double>& by) {
     const auto turned = [&](const Point3& p) { return rounded(rotate<double>(by.rotation, p)); };
     const Row<float, 4> x = turned(Point3::UnitX()), y = turned(Point3::UnitY()), z = turned(Point3::UnitZ()),
-                         t = rounded(by.translation);
+                        t = rounded(by.translation);
     vertices_.resize(order.size());
     for (std::size_t v = 0; v < order.size(); ++v) {
       const Point3& p = vertices[order[v]];

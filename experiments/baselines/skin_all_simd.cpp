@@ -7,9 +7,9 @@
 
 #include "algorithms/runtime/collide/box_block.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
+#include "experiments/baselines/baselines.hpp"
 #include "experiments/baselines/float_boxes.hpp"
 #include "experiments/baselines/median_split.hpp"
-#include "experiments/baselines/baselines.hpp"
 #include "experiments/baselines/skinning_detector.hpp"
 
 namespace refitlab {
@@ -88,7 +88,8 @@ class Builder {
 class SkinAllSimd : public SkinningDetector {
  public:
   explicit SkinAllSimd(const Character& character)
-      : SkinningDetector(character, Placing::when_asked), shapes_(Builder(character.mesh).shapes) {
+      : SkinningDetector(character, Placing::when_asked),
+        shapes_(Builder(character.mesh).shapes) {
     for (Side& s : sides_) {
       s.lanes.resize(shapes_.size());
       s.boxes.resize(shapes_.size());
@@ -103,8 +104,8 @@ class SkinAllSimd : public SkinningDetector {
     for (Side& s : sides_) refit(s);
     const auto most = [](const Row<float, 4>& p) { return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}); };
     const auto size = [&](const RowBox<float>& b) { return most(b.low) + most(b.high); };
-    slack_ = rounding_slack *
-             (size(sides_[0].boxes[0]) + size(sides_[1].boxes[0]) + static_cast<float>(norm(to_first.translation)));
+    slack_ =
+        rounding_slack * (size(sides_[0].boxes[0]) + size(sides_[1].boxes[0]) + static_cast<float>(norm(to_first.translation)));
     counts_.nodes_refitted += 2 * static_cast<long>(shapes_.size());
   }
 
@@ -191,8 +192,6 @@ class SkinAllSimd : public SkinningDetector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_skin_all_simd(const Character& character) {
-  return std::make_unique<SkinAllSimd>(character);
-}
+std::unique_ptr<Detector> make_skin_all_simd(const Character& character) { return std::make_unique<SkinAllSimd>(character); }
 
 }  // namespace refitlab

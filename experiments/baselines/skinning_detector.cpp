@@ -10,8 +10,7 @@ SkinningDetector::SkinningDetector(const Character& character, Placing placing)
       packed_(character.mesh, character.sets),
       sides_{{.is_placed = FrameStamps(character.mesh.vertices.size())},
              {.is_placed = FrameStamps(character.mesh.vertices.size())}} {
-  for (Side& s : sides_)
-    s.skinned.resize(character.mesh.vertices.size()), s.placed.resize(character.mesh.vertices.size());
+  for (Side& s : sides_) s.skinned.resize(character.mesh.vertices.size()), s.placed.resize(character.mesh.vertices.size());
 }
 
 void SkinningDetector::palette(const ScenarioFrame& frame) {

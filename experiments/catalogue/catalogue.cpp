@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/verification/score.hpp"
-#include "algorithms/results/result_file.hpp"
-#include "experiments/collisions/detectors.hpp"
 #include "experiments/baselines/baselines.hpp"
+#include "experiments/collisions/detectors.hpp"
 #include "experiments/scenes/methods.hpp"
 #include "experiments/tightness/measure.hpp"
 
@@ -30,7 +30,8 @@ struct Comparison {
 const std::vector<Comparison>& comparisons() {
   static const std::vector<Comparison> all{
       {"reference", "reference", Skinning::spherical, ""},
-      {"linear_under_spherical", "comparison", Skinning::spherical, "the linear refit's balls against spherically blended vertices"},
+      {"linear_under_spherical", "comparison", Skinning::spherical,
+       "the linear refit's balls against spherically blended vertices"},
       {"bottom_up", "comparison", Skinning::spherical,
        "smallest balls of the deformed leaf vertices, then of the children [Brown et al. 2001]"},
       {"optimal", "optimal", Skinning::spherical, ""},
@@ -52,7 +53,8 @@ void write_models(const DefaultModels& models, const std::vector<std::string>& p
 void write_variants(const std::string& path) {
   ResultFile file({"variant", "role", "skinning", "sound", "default", "description"});
   for (const std::string& column : tightness_columns()) {
-    const auto at = std::find_if(comparisons().begin(), comparisons().end(), [&](const Comparison& c) { return c.name == column; });
+    const auto at =
+        std::find_if(comparisons().begin(), comparisons().end(), [&](const Comparison& c) { return c.name == column; });
     if (at != comparisons().end()) {
       file.add({at->name, at->role, name_of(at->skinning), "yes", "no", at->description});
       continue;

@@ -22,13 +22,11 @@ void check(const Model& model, const Model& unpacked) {
   for (std::size_t v = 0; same && v < model.vertices.size(); ++v) {
     const auto &a = model.influences[v], &b = unpacked.influences[v];
     same = near(model.vertices[v], unpacked.vertices[v]) &&
-           std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Influence& x, const Influence& y) {
-             return x.joint == y.joint && x.weight == y.weight;
-           });
+           std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Influence& x, const Influence& y) { return x.joint == y.joint && x.weight == y.weight; });
   }
   for (std::size_t i = 0; same && i < model.clips.size(); ++i) {
-    const Pose a = model.clips[i].sample(model.clips[i].duration),
-                  b = unpacked.clips[i].sample(model.clips[i].duration);
+    const Pose a = model.clips[i].sample(model.clips[i].duration), b = unpacked.clips[i].sample(model.clips[i].duration);
     for (std::size_t j = 0; same && j < a.size(); ++j)
       same = near(apply(a[j], model.joints[j].origin), apply(b[j], unpacked.joints[j].origin));
   }

@@ -9,7 +9,9 @@ namespace {
 class Clusters : public CountingDetector {
  public:
   explicit Clusters(const Character& character)
-      : tree_(character), first_(tree_, Skinning::spherical), second_(tree_, Skinning::spherical) {}
+      : tree_(character),
+        first_(tree_, Skinning::spherical),
+        second_(tree_, Skinning::spherical) {}
 
   void palette(const ScenarioFrame& frame) override {
     keep_frame();
@@ -35,11 +37,11 @@ class Clusters : public CountingDetector {
 }  // namespace
 
 std::vector<DetectorKind> cluster_kinds() {
-  return {
-      {"clusters",
-       "boxes that hold all that the joints can make of many nodes at a time, down to clusters of up to 256 triangles, which are skinned; "
-       "yes/no tries pairs of earlier frames first",
-       Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c); }}};
+  return {{"clusters",
+           "boxes that hold all that the joints can make of many nodes at a time, down to clusters of up to 256 triangles, which "
+           "are skinned; "
+           "yes/no tries pairs of earlier frames first",
+           Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c); }}};
 }
 
 }  // namespace refitlab

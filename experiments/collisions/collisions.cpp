@@ -10,10 +10,10 @@
 #include <stdexcept>
 
 #include "algorithms/results/result_file.hpp"
+#include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/brute_force.hpp"
 #include "experiments/collisions/detectors.hpp"
 #include "experiments/collisions/on_demand.hpp"
-#include "experiments/baselines/brute_force.hpp"
-#include "experiments/baselines/baselines.hpp"
 
 namespace refitlab {
 namespace {
@@ -35,12 +35,9 @@ long differing(std::vector<TrianglePair> found, const std::vector<TrianglePair>&
   std::sort(found.begin(), found.end());
   std::vector<TrianglePair> difference;
   if (query == Query::full)
-    std::set_symmetric_difference(found.begin(), found.end(), expected.begin(), expected.end(),
-                                  std::back_inserter(difference));
-  else if (found.size() != std::min<std::size_t>(expected.size(), 1))
-    return 1;
-  else
-    std::set_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(difference));
+    std::set_symmetric_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(difference));
+  else if (found.size() != std::min<std::size_t>(expected.size(), 1)) return 1;
+  else std::set_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(difference));
   return static_cast<long>(difference.size());
 }
 
@@ -76,8 +73,8 @@ CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query
     out.pairs += static_cast<double>(pairs.size()) / n;
   }
   if (static_cast<double>(out.differing_pairs) > kind.tolerated_share * static_cast<double>(of))
-    throw std::logic_error("collisions: " + kind.name + ", " + c.mesh.name + ", " + e.name + ", " + name_of(query) +
-                           ": " + std::to_string(out.differing_pairs) + " pairs differ from the " + std::to_string(of) +
+    throw std::logic_error("collisions: " + kind.name + ", " + c.mesh.name + ", " + e.name + ", " + name_of(query) + ": " +
+                           std::to_string(out.differing_pairs) + " pairs differ from the " + std::to_string(of) +
                            " expected ones, in frames" + frames);
   const DetectorCounts counts = detector->counts();
   out.volume_tests = static_cast<double>(counts.volume_tests) / n;
@@ -88,8 +85,7 @@ CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query
   if (!of_level.empty())
     for (const TreeNode& node : c.tree.nodes) ++of_level[node.level - 1];
   for (std::size_t l = 0; l < of_level.size(); ++l)
-    out.share_refitted.push_back(static_cast<double>(counts.refitted_by_level[l]) /
-                                 (2 * n * static_cast<double>(of_level[l])));
+    out.share_refitted.push_back(static_cast<double>(counts.refitted_by_level[l]) / (2 * n * static_cast<double>(of_level[l])));
 
   out.stages_us = time_stages(*detector, e, query);
   return out;
@@ -112,8 +108,7 @@ CollisionResult ask_oracle(const AnimatedCharacter& c, const Scenario& e, Skinni
 bool is_in_table_2(const Scenario& e) { return e.name == "light" || e.name == "worst"; }
 
 void print(const std::vector<CollisionResult>& results) {
-  std::printf("%s, %s, %s: means of a frame\n", results[0].model.c_str(), results[0].scene.c_str(),
-              name_of(results[0].query));
+  std::printf("%s, %s, %s: means of a frame\n", results[0].model.c_str(), results[0].scene.c_str(), name_of(results[0].query));
   for (const CollisionResult& r : results)
     std::printf(
         "  %-32s %7.1f pairs %9.1f us (palette %6.1f skinning %6.1f refit %8.1f query %8.1f) %7.3f of the fastest engine "
@@ -167,8 +162,8 @@ std::vector<CollisionResult> run_collisions(const AnimatedCharacter& c, const Co
     std::cout << "[collisions] absent: " << engine << ", which was not found at configure time\n";
   std::cout << "[collisions] " << c.mesh.name << ": looking for the distances of the scenes" << std::endl;
   for (const Scenario& e : scenarios(c, settings.frames)) {
-    std::cout << "[collisions] " << c.mesh.name << ", " << e.name << ": " << e.frames.size()
-              << " frames by brute force" << std::endl;
+    std::cout << "[collisions] " << c.mesh.name << ", " << e.name << ": " << e.frames.size() << " frames by brute force"
+              << std::endl;
     PairLists expected, expected_of_linear;
     results.push_back(ask_oracle(c, e, Skinning::spherical, expected));
     if (is_in_table_2(e)) ask_oracle(c, e, Skinning::linear, expected_of_linear);
@@ -189,8 +184,8 @@ void write_collisions(const std::vector<CollisionResult>& results, const std::st
   for (const CollisionResult& r : results) {
     const std::string scene = r.scene + ", " + name_of(r.query);
     const auto add = [&](const std::string& level, const char* quantity, double value, const char* unit) {
-      file.add({"collisions", r.model, scene, r.detector, level, quantity, format_number(value), unit, r.scene,
-                name_of(r.query), name_of(r.origin)});
+      file.add({"collisions", r.model, scene, r.detector, level, quantity, format_number(value), unit, r.scene, name_of(r.query),
+                name_of(r.origin)});
     };
     add("all", "us_per_frame", r.us_per_frame, "us");
     add("all", "pairs", r.pairs, "1");

@@ -3,16 +3,17 @@
 
 #include <stdexcept>
 
+#include "experiments/baselines/baselines.hpp"
 #include "experiments/collisions/clusters.hpp"
 #include "experiments/collisions/on_demand.hpp"
-#include "experiments/baselines/baselines.hpp"
 
 namespace refitlab {
 
 const std::vector<DetectorKind>& detector_kinds() {
   static const std::vector<DetectorKind> all = [] {
     std::vector<DetectorKind> kinds = on_demand_kinds();
-    for (const auto& more : {cluster_kinds(), baseline_kinds(), engine_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
+    for (const auto& more : {cluster_kinds(), baseline_kinds(), engine_kinds()})
+      kinds.insert(kinds.end(), more.begin(), more.end());
     return kinds;
   }();
   return all;

@@ -42,8 +42,7 @@ class OnDemand : public CountingDetector {
 
 // The paper's refit, the default one, by itself and from below, and the tightest.
 bool is_major(const Method& c) {
-  return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" ||
-         c.name == "control_many_pieces";
+  return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" || c.name == "control_many_pieces";
 }
 
 DetectorKind kind_of(const Method& c) {
@@ -56,8 +55,7 @@ DetectorKind kind_of(const Method& c) {
 std::vector<DetectorKind> on_demand_kinds() {
   std::vector<DetectorKind> kinds;
   for (const Method& c : methods())  // queries go top-down: what takes the children first has nothing to take
-    if (c.variant->sound && c.variant->skinning == Skinning::spherical && !c.options.children_first)
-      kinds.push_back(kind_of(c));
+    if (c.variant->sound && c.variant->skinning == Skinning::spherical && !c.options.children_first) kinds.push_back(kind_of(c));
   return kinds;
 }
 

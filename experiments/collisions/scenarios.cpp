@@ -82,8 +82,8 @@ std::vector<ScenarioFrame> WalkPast::at(double lateral) const {
 std::vector<ScenarioFrame> WalkPast::in_place() const {
   std::vector<ScenarioFrame> out;
   for (const Step& s : steps_)
-    out.push_back({s.first, s.second, stand(s.first_center, 0, Point3::Zero()),
-                   stand(s.second_center, std::numbers::pi, Point3::Zero())});
+    out.push_back(
+        {s.first, s.second, stand(s.first_center, 0, Point3::Zero()), stand(s.second_center, std::numbers::pi, Point3::Zero())});
   return out;
 }
 
@@ -93,15 +93,13 @@ std::vector<Scenario> scenarios(const AnimatedCharacter& c, int frames) {
   const auto median = [](const std::vector<long>& sorted) { return sorted[sorted.size() / 2]; };
   const double reach = 2 * c.tree.nodes[0].reference.radius;
   const double touch = largest_lateral(counter, searched, reach, [](const auto& pairs) { return pairs.back() > 0; });
-  const double light =
-      largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
-  const double heavy =
-      largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
+  const double light = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
+  const double heavy = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
   std::vector<Scenario> out{{"far", 2 * reach, 0, walk.at(2 * reach)},
-                             {"near", touch + 0.01 * reach, 0, walk.at(touch + 0.01 * reach)},
-                             {"light", light, 0, walk.at(light)},
-                             {"heavy", heavy, 0, walk.at(heavy)},
-                             {"worst", 0, 0, walk.in_place()}};
+                            {"near", touch + 0.01 * reach, 0, walk.at(touch + 0.01 * reach)},
+                            {"light", light, 0, walk.at(light)},
+                            {"heavy", heavy, 0, walk.at(heavy)},
+                            {"worst", 0, 0, walk.in_place()}};
   for (Scenario& e : out) e.median_pairs = static_cast<double>(median(counter.pairs(e.frames)));
   return out;
 }

@@ -53,8 +53,7 @@ inline void draw_hull_in_cap(Plane &p, const std::vector<Point> &units) {
   const auto element = hull_element(ball, units, w);
   p.path("curve", {{0, 0}, direction_by_root(element.blend)});
   for (const Point &n : units) p.dot("dot", n);
-  p.dot("dot_in", element.blend, "b"), p.dot("dot_in", direction_by_root(element.blend)),
-      p.dot("dot", ball.center, "c");
+  p.dot("dot_in", element.blend, "b"), p.dot("dot_in", direction_by_root(element.blend)), p.dot("dot", ball.center, "c");
 }
 inline void draw_balls_and_theirs(Plane &p, const std::vector<Ball3<double>> &balls) {
   for (const auto &b : balls) p.ball("ball", flat(b)), p.dot("dot", flat(b.center));

@@ -47,8 +47,7 @@ void lemma5(Plane &p) {
   p.ball("ball", cap_ball_repaired(cap));
   p.ball("printed", cap_ball_printed(cap));
   p.cap(cap);
-  p.dot("dot_out", cap.apex, "apex"), p.dot("dot", cap_ball_printed(cap).center, "printed"),
-      p.dot("dot_in", {0, 0}, "repaired");
+  p.dot("dot_out", cap.apex, "apex"), p.dot("dot", cap_ball_printed(cap).center, "printed"), p.dot("dot_in", {0, 0}, "repaired");
 }
 
 }  // namespace

@@ -59,8 +59,7 @@ void c3(Plane &p) {
 // Two hinges with bones of the length 1, over a second.
 const double outer_turn = 50, inner_turn = 35;
 std::vector<RigidTransform<double>> arm_at(double time) {
-  const RigidTransform<double> shoulder{turn(outer_turn * time - 20), {0, 0, 0}},
-      elbow{turn(inner_turn * time), {1, 0, 0}};
+  const RigidTransform<double> shoulder{turn(outer_turn * time - 20), {0, 0, 0}}, elbow{turn(inner_turn * time), {1, 0, 0}};
   return {shoulder, compose(shoulder, elbow)};
 }
 LinkMotion<double> hinge(double degrees, double bone) {
@@ -114,8 +113,7 @@ void c7(Plane &p) {
   const double cosine = dot(first, second);
   std::vector<Point> path;
   for (int i = 0; i <= steps; ++i)
-    path.push_back(
-        flat(rotate<double>(between<double, 4>(first, second, i / double(steps)).normalized(), Point3D(1, 0, 0))));
+    path.push_back(flat(rotate<double>(between<double, 4>(first, second, i / double(steps)).normalized(), Point3D(1, 0, 0))));
   const auto motion = carried_motion(
       chain_of<double>({at_rest(0.), nlerp_motion(faded_by_weight(1., 1., gap_of_units(cosine)), cosine), at_rest(1.)}),
       at_rest(1.));
@@ -149,8 +147,7 @@ void a2(Plane &p) {
   const std::vector<AffineMap<double>> scales{{{Point3D(1, 0, 0), Point3D(0, 1, 0), Point3D(0, 0, 1)}, {0, 0, 0}},
                                               {{Point3D(2, 0, 0), Point3D(0, 0.6, 0), Point3D(0, 0, 1)}, {0, 0, 0}}};
   const SquaredBall<double, 3> reference{{1, 0.4, 0}, 0.09};
-  for (const auto &ball : scaled_balls<double>(scales, reference))
-    p.ball("ball", flat(ball)), p.dot("dot", flat(ball.center));
+  for (const auto &ball : scaled_balls<double>(scales, reference)) p.ball("ball", flat(ball)), p.dot("dot", flat(ball.center));
   std::vector<Point> blends;
   for (int i = 0; i <= 8; ++i)
     blends.push_back(flat(linear_blend<double>(scales, std::vector<double>{1 - i / 8., i / 8.}, Point3D(1.2, 0.6, 0))));
@@ -162,8 +159,7 @@ void a3(Plane &p) {
   const std::vector<Ball3<double>> displacements{{{1.2, 0.5, 0}, 0.2}};
   for (const double weight : {0., 0.5, 1.})
     p.ball("ball", flat(displaced_ball<double>(reference, displacements, std::vector{weight})));
-  p.ball("outer",
-         flat(displaced_ball<double>(reference, displacements, std::vector{Slab<double>{0, 1}}, std::vector{1.3})));
+  p.ball("outer", flat(displaced_ball<double>(reference, displacements, std::vector{Slab<double>{0, 1}}, std::vector{1.3})));
   p.path("line", {{0, 0}, flat(displacements[0].center)});
 }
 
@@ -171,8 +167,7 @@ void a3(Plane &p) {
 
 const std::vector<Drawing> &drawings_of_motion() {
   static const std::vector<Drawing> all{
-      {"c1_chord_bound", c1,
-       "A curve, its chord, and balls about the chord that are as large as the curve’s bend allows."},
+      {"c1_chord_bound", c1, "A curve, its chord, and balls about the chord that are as large as the curve’s bend allows."},
       {"c2_channel_motion", c2,
        "A cubic spline between two keys stays in the hull of its Bézier points; so do its derivatives in theirs."},
       {"c3_normalized_motion", c3,
@@ -188,10 +183,8 @@ const std::vector<Drawing> &drawings_of_motion() {
       {"c7_crossfade", c7,
        "The same joint in two clips, and what lies between: the way of the hand as the weight fades, and its bound."},
       {"c8_any_pose", c8, "An arm in three poses, and the ball that holds it in all: its reach."},
-      {"a1_affine_image", a1,
-       "A ball, its image under a scale with shear, and the ball that is said to hold it (dashed)."},
-      {"a2_two_phase_skinning", a2,
-       "A reference ball under two scales, and where the weights put a vertex before it is turned."},
+      {"a1_affine_image", a1, "A ball, its image under a scale with shear, and the ball that is said to hold it (dashed)."},
+      {"a2_two_phase_skinning", a2, "A reference ball under two scales, and where the weights put a vertex before it is turned."},
       {"a3_morph_displacement", a3,
        "A ball displaced by a morph target of the weights 0, 1/2 and 1, and the ball of all weights between "
        "(dashed)."}};

@@ -25,7 +25,9 @@ struct Shape {
 
 class Plane {
  public:
-  void circle(const std::string& kind, const Point& center, double radius) { shapes_.push_back({"circle", kind, {center}, radius}); }
+  void circle(const std::string& kind, const Point& center, double radius) {
+    shapes_.push_back({"circle", kind, {center}, radius});
+  }
   void ball(const std::string& kind, const SquaredBall<double, 2>& b) {
     circle(kind, b.center, std::sqrt(std::max(0., b.squared_radius)));
   }
@@ -45,8 +47,7 @@ class Plane {
     path("cap", arc);
   }
   void border(const HalfSpace<double, 2>& h) {
-    const Point foot = h.normal * (h.offset / squared_norm(h.normal)),
-                along = turned(h.normal.normalized(), 1.5707963267948966);
+    const Point foot = h.normal * (h.offset / squared_norm(h.normal)), along = turned(h.normal.normalized(), 1.5707963267948966);
     path("plane", {foot - along * 1.3, foot + along * 1.3});
     path("plane", {foot, foot + h.normal.normalized() * 0.2});
   }

@@ -10,9 +10,7 @@ namespace refitlab::drawings {
 namespace {
 
 // The weights of three joints as a triangle.
-Point in_triangle(const std::vector<double> &w) {
-  return on_circle(90) * w[2] + on_circle(210) * w[0] + on_circle(330) * w[1];
-}
+Point in_triangle(const std::vector<double> &w) { return on_circle(90) * w[2] + on_circle(210) * w[0] + on_circle(330) * w[1]; }
 const WeightBounds<double> box{{0.1, 0.15, 0.05}, {0.6, 0.5, 0.55}};
 std::vector<Point> around_their_middle(std::vector<Point> points) {
   const Point middle = mean_center(std::span<const Point>(points));
@@ -27,8 +25,7 @@ void s41(Plane &p) {
   for (const auto &c : weight_vertices_or_simplex(box)) corners.push_back(in_triangle(c));
   p.path("hull", around_their_middle(corners), true);
   for (const Point &c : corners) p.dot("dot_in", c);
-  p.text(in_triangle({1, 0, 0}), "w1 = 1"), p.text(in_triangle({0, 1, 0}), "w2 = 1"),
-      p.text(in_triangle({0, 0, 1}), "w3 = 1");
+  p.text(in_triangle({1, 0, 0}), "w1 = 1"), p.text(in_triangle({0, 1, 0}), "w2 = 1"), p.text(in_triangle({0, 0, 1}), "w3 = 1");
 }
 
 std::vector<Point> deformed_centers() { return {{0, 0}, {1.6, 0.2}, {0.7, 1.3}}; }
@@ -53,8 +50,7 @@ void s43_distance_range(Plane &p) {
 void s43_minkowski_sum(Plane &p) {
   const Point3D center(1.2, 0, 0);
   std::vector<Point> path;
-  for (int i = 0; i <= 20; ++i)
-    path.push_back(flat(rotate_by<double>(turn(0) * (1 - i / 20.) + turn(120) * (i / 20.), center)));
+  for (int i = 0; i <= 20; ++i) path.push_back(flat(rotate_by<double>(turn(0) * (1 - i / 20.) + turn(120) * (i / 20.), center)));
   for (int i = 0; i <= 20; i += 5) p.circle("ball", path[i], 0.35);
   p.path("curve", path);
   p.dot("dot", {0, 0}, "r_c"), p.dot("dot", path[0], "p");

@@ -2,10 +2,10 @@
 // The refit in an engine: which bounding spheres of a posed character does a ray hit? No vertex is skinned for it.
 #include <cstdio>
 
-#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/tree/character.hpp"
 
 using namespace refitlab;
@@ -13,7 +13,8 @@ using namespace refitlab;
 const RefitVariant& variant = default_variant(Skinning::spherical);
 
 // Each frame, on demand: a node is refitted only when the ray reaches it.
-int leaves_hit(const Character& character, int node, const SkinningPalette<double>& palette, const Point3& from, const Point3& direction) {
+int leaves_hit(const Character& character, int node, const SkinningPalette<double>& palette, const Point3& from,
+               const Point3& direction) {
   const Ball3<double> ball = variant.refit(character.refit_node(node, palette, variant.pieces));
   const Point3 to_center = ball.center - from;
   const double along = dot(to_center, direction);

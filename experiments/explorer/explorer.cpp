@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/explorer/packed_model.hpp"
 #include "experiments/scenes/twist.hpp"
@@ -21,8 +21,7 @@ Pose pose_of(const Model& model, const ExplorerSettings& s) {
   if (s.joint < 0 || s.joint >= static_cast<int>(model.joints.size())) throw std::invalid_argument("no such joint");
   Pose pose = reference_pose(model);
   if (!s.clip.empty()) {
-    const auto clip =
-        std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == s.clip; });
+    const auto clip = std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == s.clip; });
     if (clip == model.clips.end()) throw std::invalid_argument("no clip named '" + s.clip + "'");
     pose = clip->sample(std::clamp(s.time, 0., clip->duration));
   }
@@ -39,7 +38,9 @@ struct Frame {
 class LevelView {
  public:
   LevelView(const AnimatedCharacter& character, const Pose& pose, int level)
-      : c_(character), pose_(pose), nodes_(nodes_of_level(character.tree, level)) {}
+      : c_(character),
+        pose_(pose),
+        nodes_(nodes_of_level(character.tree, level)) {}
 
   const std::vector<int>& nodes() const { return nodes_; }
 
@@ -68,8 +69,8 @@ class LevelView {
   VariantSummary summarise(const RefitVariant& variant, const std::vector<Ball3<double>>& balls, ExplorerView* view) {
     const Frame& f = frame(variant.skinning);
     Misses misses = find_misses(c_, nodes_, balls, f.vertices);
-    VariantSummary out{variant.name, static_cast<int>(balls.size()), misses.undefined,
-                       static_cast<int>(misses.outside_count()), misses.worst};
+    VariantSummary out{variant.name, static_cast<int>(balls.size()), misses.undefined, static_cast<int>(misses.outside_count()),
+                       misses.worst};
     double radii = 0, optimal = 0;
     for (std::size_t b = 0; b < balls.size(); ++b)
       if (is_defined(balls[b])) radii += balls[b].radius, optimal += f.optimal_radii[b];

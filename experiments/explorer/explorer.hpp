@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 
 namespace refitlab {
 

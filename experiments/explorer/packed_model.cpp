@@ -35,8 +35,7 @@ void add(std::vector<float>& to, const auto& from) {
 }
 
 json pack_clip(const Clip& clip) {
-  const int steps =
-      std::clamp(static_cast<int>(std::ceil(clip.duration * poses_per_second)), 1, static_cast<int>(most_steps));
+  const int steps = std::clamp(static_cast<int>(std::ceil(clip.duration * poses_per_second)), 1, static_cast<int>(most_steps));
   std::vector<float> numbers;
   for (int i = 0; i <= steps; ++i)
     for (const auto& c : clip.sample(clip.duration * i / steps)) add(numbers, c.rotation), add(numbers, c.translation);
@@ -73,8 +72,7 @@ std::vector<std::uint8_t> pack(const Model& m) {
   for (const Joint& j : m.joints) names.push_back(j.name), parents.push_back(j.parent), add(origins, j.origin);
   for (const auto& influences : m.influences) {
     counts.push_back(static_cast<int>(influences.size()));
-    for (const Influence& i : influences)
-      joints.push_back(i.joint), weights.push_back(static_cast<int>(i.weight / weight_unit));
+    for (const Influence& i : influences) joints.push_back(i.joint), weights.push_back(static_cast<int>(i.weight / weight_unit));
   }
   for (const Clip& clip : m.clips) clips.push_back(pack_clip(clip));
   return json::to_cbor({{"name", m.name},
@@ -92,9 +90,8 @@ std::vector<std::uint8_t> pack(const Model& m) {
 Model unpack(const std::vector<std::uint8_t>& packed) {
   const json j = json::from_cbor(packed);
   const auto vertices = list<float>(j.at("vertices")), origins = list<float>(j.at("origins"));
-  const auto triangles = list<int>(j.at("triangles")), parents = list<int>(j.at("parents")),
-             counts = list<int>(j.at("counts")), joints = list<int>(j.at("joints")),
-             weights = list<int>(j.at("weights"));
+  const auto triangles = list<int>(j.at("triangles")), parents = list<int>(j.at("parents")), counts = list<int>(j.at("counts")),
+             joints = list<int>(j.at("joints")), weights = list<int>(j.at("weights"));
   const auto names = j.at("names").get<std::vector<std::string>>();
   if (parents.size() != names.size() || origins.size() != 3 * names.size() || joints.size() != weights.size() ||
       vertices.size() != 3 * counts.size())

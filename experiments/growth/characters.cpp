@@ -15,9 +15,9 @@
 #endif
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/runtime/collide/crowd.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/runtime/collide/crowd.hpp"
 
 namespace refitlab {
 namespace {
@@ -37,8 +37,8 @@ class Square {
       for (int f = 0; f < frames; ++f) {
         poses_[f].push_back(walk.sample(std::fmod(start + f / 30.0 / walk.duration, 1.0) * walk.duration));
         const double ahead = 1.2 * f / 30;  // metres, at walking speed
-        placements_[f].push_back({{std::cos(turn / 2), 0, std::sin(turn / 2), 0},
-                                  {x + ahead * std::sin(turn), 0, z + ahead * std::cos(turn)}});
+        placements_[f].push_back(
+            {{std::cos(turn / 2), 0, std::sin(turn / 2), 0}, {x + ahead * std::sin(turn), 0, z + ahead * std::cos(turn)}});
       }
     }
   }
@@ -84,8 +84,8 @@ class Crowd {
         out.triangle_pairs += static_cast<double>(c.pairs.size()) / frames;
       }
       for (const ClusterBody* b : list_)
-        out.clusters_skinned += static_cast<double>(b->clusters_skinned()) /
-                                static_cast<double>(b->tree().clusters().size() * list_.size() * frames);
+        out.clusters_skinned +=
+            static_cast<double>(b->clusters_skinned()) / static_cast<double>(b->tree().clusters().size() * list_.size() * frames);
     }
     out.pairs_of_boxes = static_cast<double>(counts.pairs_of_boxes) / frames;
   }
@@ -142,8 +142,8 @@ std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings)
         "  %6.0f pairs of boxes, %5.0f contacts, %6.0f pairs of triangles, %4.1f %% of the clusters skinned: %8.0f us "
         "full, %8.0f on two "
         "threads, %8.0f yes/no; skinning all of them alone %8.0f us\n",
-        r.pairs_of_boxes, r.contacts, r.triangle_pairs, 100 * r.clusters_skinned, r.full, r.full_on_two_threads,
-        r.yes_no, r.skin_all);
+        r.pairs_of_boxes, r.contacts, r.triangle_pairs, 100 * r.clusters_skinned, r.full, r.full_on_two_threads, r.yes_no,
+        r.skin_all);
   }
   return rows;
 }
@@ -152,8 +152,8 @@ void write_character_growth(const std::vector<CharacterGrowth>& rows, const std:
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "characters"});
   for (const CharacterGrowth& r : rows) {
     const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
-      file.add({"character_growth", std::to_string(r.characters) + " men", "walk", variant, "all", quantity,
-                format_number(value), unit, std::to_string(r.characters)},
+      file.add({"character_growth", std::to_string(r.characters) + " men", "walk", variant, "all", quantity, format_number(value),
+                unit, std::to_string(r.characters)},
                seed);
     };
     add("clusters", "pairs_of_boxes", r.pairs_of_boxes, "1");

@@ -8,11 +8,11 @@
 #include <cstdio>
 #include <iostream>
 
-#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/scenes/methods.hpp"
 
@@ -49,8 +49,16 @@ JointGrowth measure(int joints, const SpeedSettings& speed) {
   if (!cut.empty()) timed.push_back({"known", 1, [&cut] { benchmark::DoNotOptimize(few_balls_ball(cut)); }});
   const auto times = ns_per_item(timed, speed);
   const auto time = [&](const char* name) { return times.count(name) ? median(times.at(name)) : 0.0; };
-  JointGrowth out{joints, snake.sets.count(), static_cast<int>(many.size()), time("own"), time("through_descendants"), time("own_root"),
-                  time("from_below_root"), time("known"), 0, 0};
+  JointGrowth out{joints,
+                  snake.sets.count(),
+                  static_cast<int>(many.size()),
+                  time("own"),
+                  time("through_descendants"),
+                  time("own_root"),
+                  time("from_below_root"),
+                  time("known"),
+                  0,
+                  0};
   const auto deformed = skin(snake.mesh, snake.sets, palette, variant.skinning);
   const double optimal = as_ball(smallest_ball<double, 3>(deformed)).radius;
   out.root_ratio = own[0].radius / optimal;
@@ -66,9 +74,12 @@ std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings) {
     std::cout << "[growth] a snake of " << joints << " joints; the last will have 1000" << std::endl;
     rows.push_back(measure(joints, settings));
     const JointGrowth& r = rows.back();
-    std::printf("  %4d joint-sets, %3d nodes of many: %7.1f us in all, %7.1f from below; the root %7.1f us, %7.1f from below, %5.1f if the frame "
-                "knows its cut; %.3f and %.3f times optimal\n", r.joint_sets, r.many, r.own / 1000, r.through_descendants / 1000, r.own_root / 1000,
-                r.root_from_below / 1000, r.root_from_known / 1000, r.root_ratio, r.root_ratio_from_below);
+    std::printf(
+        "  %4d joint-sets, %3d nodes of many: %7.1f us in all, %7.1f from below; the root %7.1f us, %7.1f from below, %5.1f if "
+        "the frame "
+        "knows its cut; %.3f and %.3f times optimal\n",
+        r.joint_sets, r.many, r.own / 1000, r.through_descendants / 1000, r.own_root / 1000, r.root_from_below / 1000,
+        r.root_from_known / 1000, r.root_ratio, r.root_ratio_from_below);
   }
   return rows;
 }
@@ -77,8 +88,8 @@ void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string&
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "joints"});
   for (const JointGrowth& r : rows) {
     const auto add = [&](const char* variant, const char* quantity, double value, const char* unit) {
-      file.add({"joint_growth", "snake of " + std::to_string(r.joints) + " joints", "wave", variant, "all", quantity, format_number(value), unit,
-                std::to_string(r.joints)});
+      file.add({"joint_growth", "snake of " + std::to_string(r.joints) + " joints", "wave", variant, "all", quantity,
+                format_number(value), unit, std::to_string(r.joints)});
     };
     add("own", "joint_sets", r.joint_sets, "1");
     add("own", "nodes_of_many_joint_sets", r.many, "1");

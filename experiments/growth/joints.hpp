@@ -13,11 +13,11 @@ namespace refitlab {
 struct JointGrowth {
   int joints = 0;
   int joint_sets = 0;
-  int many = 0;                     // nodes of more than 16 joint-sets
-  double own = 0, through_descendants = 0;   // all their balls in a frame; from below with all that is refitted for them
-  double own_root = 0;              // the root's ball by itself
-  double root_from_below = 0;       // the same from below, as the first question to a frame
-  double root_from_known = 0;       // and where the frame knows the root's front already
+  int many = 0;                                      // nodes of more than 16 joint-sets
+  double own = 0, through_descendants = 0;           // all their balls in a frame; from below with all that is refitted for them
+  double own_root = 0;                               // the root's ball by itself
+  double root_from_below = 0;                        // the same from below, as the first question to a frame
+  double root_from_known = 0;                        // and where the frame knows the root's front already
   double root_ratio = 0, root_ratio_from_below = 0;  // the root's radius / the optimal one, at half of the clip
 };
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr const char* scene_names[] = {"near", "light", "heavy"};
 constexpr const char* reference = "skin_all_simd";
-constexpr const char* detectors[] = {"clusters", "spherical_repaired", "control_mixed", "control_mixed_through_descendants", reference,
-                                     "embree"};
+constexpr const char* detectors[] = {
+    "clusters", "spherical_repaired", "control_mixed", "control_mixed_through_descendants", reference, "embree"};
 
 // Made with so many triangles, and then subdivided so many times.
 struct Size {
@@ -53,7 +53,8 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
   for (const Size& size : all) {
     const auto man = bake(make(size));
     const int triangles = static_cast<int>(man.mesh.triangles.size());
-    std::cout << "[growth] " << man.mesh.name << ", " << man.sets.count() << " joint-sets (" << ++begun << "/" << all.size() << ")" << std::endl;
+    std::cout << "[growth] " << man.mesh.name << ", " << man.sets.count() << " joint-sets (" << ++begun << "/" << all.size()
+              << ")" << std::endl;
     for (const Scenario& scene : scenes) {
       PairLists expected;
       const auto first = detector_kind(reference).make(man);
@@ -75,9 +76,8 @@ void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::s
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "triangles"});
   for (const TriangleGrowth& r : rows) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add(
-          {"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit,
-           std::to_string(r.triangles)});
+      file.add({"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit,
+                std::to_string(r.triangles)});
     };
     add("triangles", r.triangles, "1");
     add("us_per_frame", r.result.us_per_frame, "us");

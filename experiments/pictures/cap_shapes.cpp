@@ -43,8 +43,7 @@ render::MeshShape cap_shape(const Cap<double, 3>& cap, render::Color color) {
 
 render::MeshShape border_shape(const HalfSpace<double, 3>& h, double radius, render::Color color) {
   const Point3 foot = h.normal * (h.offset / h.normal.squaredNorm());
-  return revolution(h.normal, color,
-                    [&](double share, const Point3& out) -> Point3 { return foot + share * radius * out; });
+  return revolution(h.normal, color, [&](double share, const Point3& out) -> Point3 { return foot + share * radius * out; });
 }
 
 }  // namespace refitlab

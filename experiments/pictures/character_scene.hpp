@@ -11,8 +11,7 @@ namespace refitlab {
 // What the colours of skins, balls and marks mean in every picture.
 namespace figure_colors {
 inline constexpr render::Color holding = render::palette::blue, missing = render::palette::vermillion,
-                               without = render::palette::purple, idle{0.85, 0.85, 0.85},
-                               touching{0.835, 0.369, 0};
+                               without = render::palette::purple, idle{0.85, 0.85, 0.85}, touching{0.835, 0.369, 0};
 }
 
 // Those of the wanted levels that the tree has; its last one if it has none of them.

@@ -100,8 +100,7 @@ class FailingPose {
     const Ball3<double> ball = ball_by(compared_variant("spherical_repaired"));
     std::vector<Point3> points;
     for (const int side : {-1, 1})
-      for (int axis = 0; axis < 3; ++axis)
-        points.push_back(ball.center + 0.9 * side * ball.radius * Point3::Unit(axis));
+      for (int axis = 0; axis < 3; ++axis) points.push_back(ball.center + 0.9 * side * ball.radius * Point3::Unit(axis));
     return points;
   }
   // From where the node's triangles are seen from outside.

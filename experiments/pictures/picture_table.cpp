@@ -23,8 +23,9 @@ void PictureTable::draw(const render::Scene& scene, const render::Camera& camera
   render::draw(scene, camera, options).write_png(folder_ + "/" + file);
   empty_ = false;
   const auto add = [&](const PictureNumber& n) {
-    pictures_.add({"pictures", subject.model, subject.pose, subject.variant, subject.level ? std::to_string(subject.level) : "all",
-                   n.quantity, format_number(n.value), n.unit, subject.figure, file});
+    pictures_.add({"pictures", subject.model, subject.pose, subject.variant,
+                   subject.level ? std::to_string(subject.level) : "all", n.quantity, format_number(n.value), n.unit,
+                   subject.figure, file});
   };
   add({"width", static_cast<double>(options.width), "pixel"});
   add({"height", static_cast<double>(options.height), "pixel"});

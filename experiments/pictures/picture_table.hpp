@@ -37,8 +37,9 @@ class PictureTable {
   // folder: of the PNG files.
   explicit PictureTable(std::string folder) : folder_(std::move(folder)) {}
   // Draws on white, which the page's style turns into its own ground, to a file of the folder, and adds the picture's rows.
-  void draw(const render::Scene& scene, const render::Camera& camera, const render::Options& options, const PictureSubject& subject,
-            const std::string& file, const std::vector<PictureNumber>& numbers = {}, const std::vector<PictureLabel>& labels = {});
+  void draw(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
+            const PictureSubject& subject, const std::string& file, const std::vector<PictureNumber>& numbers = {},
+            const std::vector<PictureLabel>& labels = {});
   bool empty() const { return empty_; }
   // pictures.csv, picture_labels.csv (where words stand, in pixels from the upper left) and picture_colors.csv.
   // result: the path of a table of this run, by name.

@@ -31,8 +31,7 @@ struct Met {
 void check(const SphereTree& tree, const std::vector<bool>& refitted, const std::vector<long>& by_level) {
   std::vector<long> counts(tree.level_count());
   for (std::size_t n = 0; n < refitted.size(); ++n) counts[tree.nodes[n].level - 1] += refitted[n];
-  if (counts != by_level)
-    throw std::logic_error("scenario figures: the refitted nodes are not as many as were counted");
+  if (counts != by_level) throw std::logic_error("scenario figures: the refitted nodes are not as many as were counted");
 }
 
 Met meet(const AnimatedCharacter& c, const RefitVariant& variant, const ScenarioFrame& frame) {
@@ -49,8 +48,7 @@ Met meet(const AnimatedCharacter& c, const RefitVariant& variant, const Scenario
       const Ball3<double>& ball = body.ball(static_cast<int>(n));
       w.balls.push_back({apply(at, ball.center), ball.radius});
     }
-    w.vertices =
-        skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose, variant.skinning), variant.skinning);
+    w.vertices = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose, variant.skinning), variant.skinning);
     for (Point3& v : w.vertices) v = apply(at, v);
     w.touches.resize(w.vertices.size());
   };
@@ -100,8 +98,8 @@ void draw(const AnimatedCharacter& c, const std::string& scene_name, const std::
   const std::string file = c.mesh.name + "_" + scene_name + "_";
   render::Scene bare;
   add_skins(bare, c.mesh, met);
-  pictures.draw(bare, camera, {.width = encounter_width, .height = encounter_height},
-                {figure, c.mesh.name, scene_name, asked}, file + "bare.png",
+  pictures.draw(bare, camera, {.width = encounter_width, .height = encounter_height}, {figure, c.mesh.name, scene_name, asked},
+                file + "bare.png",
                 {{"touching_pairs", static_cast<double>(met.pairs)}, {"tree_levels", static_cast<double>(c.tree.level_count())}});
   for (const int level : levels_there(c.tree, levels)) {
     render::Scene scene;
@@ -111,8 +109,7 @@ void draw(const AnimatedCharacter& c, const std::string& scene_name, const std::
         if (w.refitted[n]) scene.balls.push_back({w.balls[n], figure_colors::holding, 0.16});
         else scene.balls.push_back({w.balls[n], figure_colors::idle, 0.03});
     pictures.draw(scene, camera, {.width = encounter_width, .height = encounter_height},
-                  {figure, c.mesh.name, scene_name, asked, level},
-                  file + "level" + std::to_string(level) + ".png",
+                  {figure, c.mesh.name, scene_name, asked, level}, file + "level" + std::to_string(level) + ".png",
                   {{"share_refitted", share_refitted(c.tree, met, level)},
                    {"share_refitted_by_default", share_refitted(c.tree, ours, level)}});
   }
@@ -120,7 +117,9 @@ void draw(const AnimatedCharacter& c, const std::string& scene_name, const std::
 
 }  // namespace
 
-void draw_walking(const AnimatedCharacter& c, PictureTable& pictures) { draw(c, "light", "walking", {0.35, 0.2, 1}, {6, 9}, pictures); }
+void draw_walking(const AnimatedCharacter& c, PictureTable& pictures) {
+  draw(c, "light", "walking", {0.35, 0.2, 1}, {6, 9}, pictures);
+}
 
 void draw_walk_through(const AnimatedCharacter& c, PictureTable& pictures) {
   draw(c, "worst", "walk_through", {1, 0.3, 0.6}, {4, 6}, pictures);

@@ -42,8 +42,7 @@ void draw_twist(const AnimatedCharacter& c, const NamedPose& pose, PictureTable&
   const auto draw = [&](const Dressed& d, const render::Scene& scene, const std::string& figure, int level,
                         const std::vector<PictureNumber>& numbers) {
     const std::string what = level ? "level" + std::to_string(level) : "bare";
-    pictures.draw(scene, camera, {.width = twist_width, .height = twist_height},
-                  {figure, c.mesh.name, pose.name, d.name, level},
+    pictures.draw(scene, camera, {.width = twist_width, .height = twist_height}, {figure, c.mesh.name, pose.name, d.name, level},
                   c.mesh.name + "_" + d.name + "_" + what + ".png", numbers);
   };
 

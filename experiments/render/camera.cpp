@@ -11,7 +11,9 @@ double height_at_one(double field_of_view) { return 2 * std::tan(field_of_view /
 }  // namespace
 
 Camera::Camera(const Point3& eye, const Point3& back, const Point3& up, double field_of_view, double height)
-    : eye_(eye), field_of_view_(field_of_view), height_(height) {
+    : eye_(eye),
+      field_of_view_(field_of_view),
+      height_(height) {
   back_ = back.normalized();
   right_ = up.cross(back_);
   if (!eye.allFinite() || !(back.norm() > 0) || !(right_.norm() > 1e-9 * up.norm()))
@@ -30,8 +32,8 @@ Camera Camera::orthographic(const Point3& eye, const Point3& target, double heig
   return Camera(eye, eye - target, up, 0, height);
 }
 
-Camera Camera::frame(const Box<double>& box, const Point3& from, double aspect, double field_of_view,
-                     double margin, const Point3& up) {
+Camera Camera::frame(const Box<double>& box, const Point3& from, double aspect, double field_of_view, double margin,
+                     const Point3& up) {
   if (box.is_empty()) throw std::invalid_argument("camera: nothing to frame, the box is empty");
   const Point3 center = box.center();
   const double half_diagonal = std::max(box.edges().norm() / 2, 1e-6);
@@ -51,17 +53,14 @@ Camera Camera::frame(const Box<double>& box, const Point3& from, double aspect, 
   return camera;
 }
 
-Camera Camera::frame(std::span<const Point3> points, const Point3& from, double aspect, double margin,
-                     const Point3& up) {
+Camera Camera::frame(std::span<const Point3> points, const Point3& from, double aspect, double margin, const Point3& up) {
   if (points.empty()) throw std::invalid_argument("camera: nothing to frame, there are no points");
   Camera camera(points[0], from, up, 0, 1);
   auto seen = Box<double>::empty();  // in the camera's own frame
-  for (const Point3& p : points)
-    seen.merge(Point3(p.dot(camera.right_), p.dot(camera.up_), p.dot(camera.back_)));
+  for (const Point3& p : points) seen.merge(Point3(p.dot(camera.right_), p.dot(camera.up_), p.dot(camera.back_)));
   const Point3 size = seen.edges(), center = seen.center();
   camera.height_ = std::max({size.y(), size.x() / aspect, 1e-6}) / (1 - 2 * margin);
-  camera.eye_ = center.x() * camera.right_ + center.y() * camera.up_ +
-                (center.z() + size.z() + camera.height_) * camera.back_;
+  camera.eye_ = center.x() * camera.right_ + center.y() * camera.up_ + (center.z() + size.z() + camera.height_) * camera.back_;
   return camera;
 }
 

@@ -20,8 +20,7 @@ class Camera {
  public:
   // field_of_view: of the picture's height, in degrees, in (0, 180). Throws std::invalid_argument if there is no such
   // camera (eye = target, up along the view, not finite).
-  static Camera perspective(const Point3& eye, const Point3& target, double field_of_view = 30,
-                            const Point3& up = {0, 1, 0});
+  static Camera perspective(const Point3& eye, const Point3& target, double field_of_view = 30, const Point3& up = {0, 1, 0});
   // height: what the picture's height covers, in model units.
   static Camera orthographic(const Point3& eye, const Point3& target, double height, const Point3& up = {0, 1, 0});
 

@@ -48,7 +48,9 @@ Caster::Caster(const Scene& scene) {
   center_ = bounds.is_empty() ? Point3(Point3::Zero()) : Point3(bounds.center());
   diagonal_ = bounds.is_empty() ? 1 : std::max(bounds.edges().norm(), 1e-6);
   // One thread and one instruction set, so that the picture depends neither on cores nor on the processor.
-  device_ = {rtcNewDevice("threads=1,max_isa=sse4.2"), [](RTCDevice d) { if (d) rtcReleaseDevice(d); }};
+  device_ = {rtcNewDevice("threads=1,max_isa=sse4.2"), [](RTCDevice d) {
+               if (d) rtcReleaseDevice(d);
+             }};
   if (!device_) throw std::runtime_error("Embree: cannot make a device");
   opaque_ = build(scene, true);
   translucent_ = build(scene, false);
@@ -197,8 +199,7 @@ std::vector<Surface> Caster::translucent(const Ray& ray, double far) const {
   const auto id = [](const RTCRayHit& h) { return std::pair(h.hit.geomID, h.hit.primID); };
   auto& hits = collector.hits;
   std::sort(hits.begin(), hits.end(), [&](const auto& a, const auto& b) { return id(a) < id(b); });
-  hits.erase(std::unique(hits.begin(), hits.end(), [&](const auto& a, const auto& b) { return id(a) == id(b); }),
-             hits.end());
+  hits.erase(std::unique(hits.begin(), hits.end(), [&](const auto& a, const auto& b) { return id(a) == id(b); }), hits.end());
   for (const auto& h : hits) {
     const Part& part = translucent_.parts[h.hit.geomID];
     if (part.mesh) {

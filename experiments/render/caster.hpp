@@ -14,14 +14,14 @@ namespace refitlab::render {
 
 // Where a ray meets a shape. Normals are of unit length and point towards where the ray came from.
 struct Surface {
-  double distance;                 // along the ray
+  double distance;  // along the ray
   Point3 point;
-  Point3 normal;                   // for shading: interpolated if the mesh is smooth
-  Point3 face_normal;              // of the geometry
-  Point3 lifted;                   // point moved out to the smooth surface, from where light is looked for
-  Eigen::Array3d color;            // linear, not sRGB
+  Point3 normal;         // for shading: interpolated if the mesh is smooth
+  Point3 face_normal;    // of the geometry
+  Point3 lifted;         // point moved out to the smooth surface, from where light is looked for
+  Eigen::Array3d color;  // linear, not sRGB
   double opacity = 1;
-  bool from_inside = false;        // the ray leaves the shape here
+  bool from_inside = false;                                            // the ray leaves the shape here
   double inside_silhouette = std::numeric_limits<double>::infinity();  // of a ball: ball's radius minus ray's distance
 };
 

@@ -34,7 +34,8 @@ class Pattern {
  public:
   // per_pixel: how many points at least; each ray gets as many as any other, and one or more.
   Pattern(int per_pixel, const Options& options)
-      : rays_(options.supersampling * options.supersampling), per_ray_((per_pixel + rays_ - 1) / rays_),
+      : rays_(options.supersampling * options.supersampling),
+        per_ray_((per_pixel + rays_ - 1) / rays_),
         points_(rays_ * per_ray_) {
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const double side = std::sqrt((k + 0.5) / points_.size());
@@ -60,7 +61,11 @@ class Pattern {
 class Shader {
  public:
   Shader(const Caster& caster, const Camera& camera, const Options& options)
-      : caster_(caster), camera_(camera), options_(options), sky_pattern_(36, options), key_pattern_(9, options) {
+      : caster_(caster),
+        camera_(camera),
+        options_(options),
+        sky_pattern_(36, options),
+        key_pattern_(9, options) {
     const auto towards = [&](double right, double up, double back) -> Point3 {
       return (right * camera.right() + up * camera.up() + back * camera.back()).normalized();
     };
@@ -148,8 +153,7 @@ Image draw(const Scene& scene, const Camera& camera, const Options& options) {
   for (int y = 0; y < options.height; ++y)
     for (int x = 0; x < options.width; ++x) {
       // Interleaved gradient noise (Jimenez 2014): neighbouring pixels turn the pattern by well spread angles.
-      const double angle =
-          2 * std::numbers::pi * std::fmod(52.9829189 * std::fmod(0.06711056 * x + 0.00583715 * y, 1.0), 1.0);
+      const double angle = 2 * std::numbers::pi * std::fmod(52.9829189 * std::fmod(0.06711056 * x + 0.00583715 * y, 1.0), 1.0);
       const Vec<double, 2> turn(std::cos(angle), std::sin(angle));
       Eigen::Array4d sum = Eigen::Array4d::Zero();
       for (int i = 0; i < n * n; ++i) {

@@ -17,9 +17,9 @@ struct Color {
 // Okabe and Ito's eight colours, told apart under every common colour blindness (jfly.uni-koeln.de/color, 2008), and
 // the neutrals that go with them.
 namespace palette {
-inline constexpr Color black{0, 0, 0}, orange{0.902, 0.624, 0}, sky_blue{0.337, 0.706, 0.914},
-    green{0, 0.620, 0.451}, yellow{0.941, 0.894, 0.259}, blue{0, 0.447, 0.698}, vermillion{0.835, 0.369, 0},
-    purple{0.800, 0.475, 0.655}, clay{0.82, 0.80, 0.77}, gray{0.45, 0.45, 0.45}, white{1, 1, 1};
+inline constexpr Color black{0, 0, 0}, orange{0.902, 0.624, 0}, sky_blue{0.337, 0.706, 0.914}, green{0, 0.620, 0.451},
+    yellow{0.941, 0.894, 0.259}, blue{0, 0.447, 0.698}, vermillion{0.835, 0.369, 0}, purple{0.800, 0.475, 0.655},
+    clay{0.82, 0.80, 0.77}, gray{0.45, 0.45, 0.45}, white{1, 1, 1};
 // In the order in which series of data should take them.
 inline constexpr std::array<Color, 7> series{blue, vermillion, green, orange, purple, sky_blue, yellow};
 }  // namespace palette

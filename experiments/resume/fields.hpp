@@ -10,11 +10,11 @@
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/growth/triangles.hpp"
-#include "experiments/synthetic/queries.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
+#include "experiments/synthetic/queries.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
 
@@ -90,10 +90,10 @@ inline auto fields(RoundingResult& v) {
   return std::tie(model, variant, checks, misses, float_misses, as_computed, inflation, float_inflation, cost);
 }
 inline auto fields(CollisionResult& v) {
-  auto& [model, scene, detector, origin, query, differing, pairs, volumes, triangles, nodes, vertices, share, us,
-         stages, to_engine, to_skin_all, to_repaired] = v;
-  return std::tie(model, scene, detector, origin, query, differing, pairs, volumes, triangles, nodes, vertices, share,
-                  us, stages, to_engine, to_skin_all, to_repaired);
+  auto& [model, scene, detector, origin, query, differing, pairs, volumes, triangles, nodes, vertices, share, us, stages,
+         to_engine, to_skin_all, to_repaired] = v;
+  return std::tie(model, scene, detector, origin, query, differing, pairs, volumes, triangles, nodes, vertices, share, us, stages,
+                  to_engine, to_skin_all, to_repaired);
 }
 inline auto fields(TriangleGrowth& v) {
   auto& [triangles, result] = v;

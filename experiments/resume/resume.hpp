@@ -37,7 +37,8 @@ class Units {
   Units(const RunFolder& folder, std::size_t total) : folder(folder), total_(total) {}
   void begin(const std::string& unit) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    std::cout << "== " << unit << " (" << ++begun_ << " of " << total_ << " parts; " << std::lround(passed.count()) << " s so far)" << std::endl;
+    std::cout << "== " << unit << " (" << ++begun_ << " of " << total_ << " parts; " << std::lround(passed.count())
+              << " s so far)" << std::endl;
   }
   const RunFolder& folder;
 

@@ -10,10 +10,10 @@
 #include <random>
 
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/runtime/balls/round_up.hpp"
-#include "algorithms/verification/exact_skin.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
 
 namespace refitlab {
 namespace {
@@ -34,7 +34,10 @@ std::vector<Pose> sampled_poses(const AnimatedCharacter& c, int count) {
 class VariantChecks {
  public:
   VariantChecks(const AnimatedCharacter& c, const RefitVariant& variant, const RoundingSettings& settings)
-      : c_(c), variant_(variant), vertices_(settings.vertices_per_node), random_(settings.seed) {
+      : c_(c),
+        variant_(variant),
+        vertices_(settings.vertices_per_node),
+        random_(settings.seed) {
     result_.model = c.mesh.name, result_.variant = variant.name;
   }
 
@@ -84,7 +87,8 @@ class VariantChecks {
 };
 
 // Of all nodes, with the slack over without.
-double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const SkinningPalette<double>& palette, const SpeedSettings& settings) {
+double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const SkinningPalette<double>& palette,
+               const SpeedSettings& settings) {
   const auto all_nodes = [&](Refit refit) {
     return [&c, &variant, &palette, refit] {
       for (std::size_t n = 0; n < c.tree.nodes.size(); ++n)
@@ -92,8 +96,8 @@ double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const Sk
     };
   };
   const int count = static_cast<int>(c.tree.nodes.size());
-  const auto times = ns_per_item({{"certified", count, all_nodes(variant.refit)},
-                                  {"as computed", count, all_nodes(variant.refit_as_computed)}}, settings);
+  const auto times = ns_per_item(
+      {{"certified", count, all_nodes(variant.refit)}, {"as computed", count, all_nodes(variant.refit_as_computed)}}, settings);
   return median_ratio(times.at("certified"), times.at("as computed"));
 }
 

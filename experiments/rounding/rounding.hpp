@@ -13,7 +13,7 @@
 namespace refitlab {
 
 struct RoundingSettings {
-  int poses = 6;           // of all clips together
+  int poses = 6;              // of all clips together
   int vertices_per_node = 4;  // the one that comes out farthest from the center, and others at random
   SpeedSettings speed;
   std::uint64_t seed = 2006;
@@ -30,7 +30,8 @@ struct RoundingResult {
 };
 
 // Every sound variant. Progress on stdout.
-std::vector<RoundingResult> run_rounding(const AnimatedCharacter& character, const NamedPose& timed, const RoundingSettings& settings);
+std::vector<RoundingResult> run_rounding(const AnimatedCharacter& character, const NamedPose& timed,
+                                         const RoundingSettings& settings);
 
 void write_rounding(const std::vector<RoundingResult>& results, const RoundingSettings& settings, const std::string& path);
 

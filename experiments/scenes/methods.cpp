@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/scenes/methods.hpp"
 
 #include <stdexcept>
+
+#include "algorithms/methods/refit/compared_variants.hpp"
 
 namespace refitlab {
 namespace {
@@ -17,8 +18,11 @@ std::vector<Method> make_methods() {
     out.push_back({v.name + "_through_descendants",
                    "the same, but nodes of more than " + std::to_string(joint_sets_through_descendants) +
                        " joint-sets by the balls of descendants that have no more, refitted once a frame",
-                   &v, {.most_joint_sets = joint_sets_through_descendants}});
-    out.push_back({v.name + "_children_first", "the same, or the smallest ball around the children's balls where that is smaller", &v,
+                   &v,
+                   {.most_joint_sets = joint_sets_through_descendants}});
+    out.push_back({v.name + "_children_first",
+                   "the same, or the smallest ball around the children's balls where that is smaller",
+                   &v,
                    {.children_first = true}});
   }
   return out;

@@ -2,8 +2,8 @@
 // Methods: what the experiments compare, one name each in result files and in the report.
 #pragma once
 
-#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
 
 namespace refitlab {
 

@@ -27,10 +27,8 @@ DefaultModels default_models(const std::string& folder) {
   out.models.push_back(make_creature());
   for (const char* file : real_models) {
     const std::string path = (std::filesystem::path(folder) / file).string();
-    if (std::filesystem::exists(path))
-      out.models.push_back(load_named(path));
-    else
-      out.absent.push_back(file);
+    if (std::filesystem::exists(path)) out.models.push_back(load_named(path));
+    else out.absent.push_back(file);
   }
   return out;
 }
@@ -50,7 +48,8 @@ NamedPose figure_twist(const AnimatedCharacter& character) {
   for (const Clip& clip : character.clips)
     if (clip.name == "twist") return {"full twist", clip.sample(clip.duration)};
   const int joint = twist_joint(character.mesh);
-  return {character.mesh.joints[joint].name + " twisted by 170 degrees", twist_pose(character.mesh, joint, 170 * std::numbers::pi / 180)};
+  return {character.mesh.joints[joint].name + " twisted by 170 degrees",
+          twist_pose(character.mesh, joint, 170 * std::numbers::pi / 180)};
 }
 
 }  // namespace refitlab

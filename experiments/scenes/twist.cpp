@@ -21,8 +21,8 @@ Point3 bone_axis(const SkinnedMesh& model, int joint) {
   for (const Joint& j : model.joints)
     if (j.parent == joint) sum += j.origin, ++children;
   const Point3& origin = model.joints[joint].origin;
-  Point3 axis = children ? Point3(sum / children - origin)
-                         : Point3(origin - model.joints[std::max(0, model.joints[joint].parent)].origin);
+  Point3 axis =
+      children ? Point3(sum / children - origin) : Point3(origin - model.joints[std::max(0, model.joints[joint].parent)].origin);
   return axis.norm() > 0 ? Point3(axis.normalized()) : Point3::UnitY();
 }
 
@@ -48,8 +48,7 @@ Pose twist_pose(const SkinnedMesh& model, int joint, double radians) {
 int twist_joint(const SkinnedMesh& model) {
   for (const char* part : {"neck", "hals", "head", "kopf", "wrist", "spine"})
     for (std::size_t j = 0; j < model.joints.size(); ++j)
-      if (lower(model.joints[j].name).find(part) != std::string::npos && model.joints[j].parent >= 0)
-        return static_cast<int>(j);
+      if (lower(model.joints[j].name).find(part) != std::string::npos && model.joints[j].parent >= 0) return static_cast<int>(j);
   return static_cast<int>(model.joints.size() / 2);
 }
 

@@ -12,8 +12,8 @@
 
 #include "algorithms/methods/balls/few_points_ball_packs.hpp"
 #include "algorithms/methods/balls/near_smallest_ball.hpp"
-#include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/runtime/packs/pack.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 
 namespace refitlab {
@@ -51,7 +51,7 @@ template <int D>
 struct Clouds {
   std::vector<std::vector<Vec<double, D>>> points;
   std::vector<std::vector<PackPoint<Doubles, D>>> packs;  // the same, a cloud a lane
-  std::vector<std::vector<Ball3<double>>> balls;       // the same with radius 0, in R^3
+  std::vector<std::vector<Ball3<double>>> balls;          // the same with radius 0, in R^3
 };
 
 Quaternion<double> any_unit(std::mt19937_64& random, const Quaternion<double>& near, double spread) {
@@ -78,10 +78,8 @@ std::vector<Vec<double, D>> cloud(std::mt19937_64& random, const std::string& ki
     const double u = uniform(random), v = uniform(random) * (1 - u);
     const Quaternion<double> blend = corners[0] * u + corners[1] * v + corners[2] * (1 - u - v);
     const Quaternion<double> unit = blend / norm(blend);
-    if constexpr (D == 3)
-      p = rotate(unit, x);
-    else
-      p = unit;
+    if constexpr (D == 3) p = rotate(unit, x);
+    else p = unit;
   }
   return points;
 }
@@ -113,9 +111,8 @@ void require_equal_radii(const Clouds<D>& clouds) {
     for (const double other : {as_ball(smallest_ball(points)).radius, ball_by_cgal(points).radius,
                                std::sqrt(packs.squared_radius[c % Doubles::size()])})
       if (!(std::abs(other - radius) <= slack))
-        throw std::runtime_error("ball speed: of " + std::to_string(points.size()) + " points of R^" +
-                                 std::to_string(D) + ", two kernels find radii " + format_number(radius) + " and " +
-                                 format_number(other));
+        throw std::runtime_error("ball speed: of " + std::to_string(points.size()) + " points of R^" + std::to_string(D) +
+                                 ", two kernels find radii " + format_number(radius) + " and " + format_number(other));
   }
 }
 
@@ -145,8 +142,8 @@ void measure(const std::string& kind, int n, const SpeedSettings& settings, std:
   for (const Timed& t : timed) {
     results.push_back({kind, "R^" + std::to_string(D), t.name, n, least(t.name), least(t.name) / least("cgal")});
     const BallSpeed& r = results.back();
-    std::printf("  %-14s %s %2d points %-22s %7.1f ns, %5.3f times cgal\n", kind.c_str(), r.space.c_str(), n,
-                t.name.c_str(), r.ns, r.ratio_to_cgal);
+    std::printf("  %-14s %s %2d points %-22s %7.1f ns, %5.3f times cgal\n", kind.c_str(), r.space.c_str(), n, t.name.c_str(),
+                r.ns, r.ratio_to_cgal);
   }
 }
 
@@ -170,8 +167,7 @@ void write_ball_speed(const std::vector<BallSpeed>& results, const std::string& 
   for (const BallSpeed& r : results) {
     const std::string points = std::to_string(r.points);
     file.add({"ball_speed", r.clouds, r.space, r.variant, points, "ns", format_number(r.ns), "ns"}, seed);
-    file.add({"ball_speed", r.clouds, r.space, r.variant, points, "ratio_to_cgal", format_number(r.ratio_to_cgal), "1"},
-             seed);
+    file.add({"ball_speed", r.clouds, r.space, r.variant, points, "ratio_to_cgal", format_number(r.ratio_to_cgal), "1"}, seed);
   }
   file.write(path);
 }

@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
-#include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 
 namespace refitlab {
@@ -21,13 +21,17 @@ struct Kind {
   std::string name;
   Skinning skinning;
 };
-const Kind kinds[] = {{"linear", Skinning::linear}, {"spherical", Skinning::spherical},
-                      {"dual_quaternion", Skinning::dual_quaternion}};
+const Kind kinds[] = {
+    {"linear", Skinning::linear}, {"spherical", Skinning::spherical}, {"dual_quaternion", Skinning::dual_quaternion}};
 
 class BatchExperiment {
  public:
   BatchExperiment(const AnimatedCharacter& c, const NamedPose& pose, const SpeedSettings& settings)
-      : c_(c), pose_(pose), settings_(settings), packed_(c.mesh, c.sets), batch_(c.tree, c.sets) {}
+      : c_(c),
+        pose_(pose),
+        settings_(settings),
+        packed_(c.mesh, c.sets),
+        batch_(c.tree, c.sets) {}
 
   std::vector<BatchSpeed> run() {
     for (const Kind& kind : kinds) skin(kind);
@@ -42,9 +46,8 @@ class BatchExperiment {
     const auto palette = palette_of(kind);
     const auto expected = refitlab::skin(c_.mesh, c_.sets, palette, kind.skinning);
     std::vector<Point3> out(expected.size());
-    std::vector<Timed> timed{{"scalar", size_of(expected), [&] {
-                                benchmark::DoNotOptimize(refitlab::skin(c_.mesh, c_.sets, palette, kind.skinning));
-                              }}};
+    std::vector<Timed> timed{{"scalar", size_of(expected),
+                              [&] { benchmark::DoNotOptimize(refitlab::skin(c_.mesh, c_.sets, palette, kind.skinning)); }}};
     for (const Target target : available_targets()) {
       packed_.skin_all(palette, kind.skinning, out, target);
       if (out != expected) fail("skinning, " + kind.name + ", is not bit-identical", name_of(target));
@@ -69,13 +72,15 @@ class BatchExperiment {
     };
     for (const Target target : available_targets()) {
       const PackedBalls& balls = refit_all(target);
-      require_no_miss(kind, [&](int n) { return balls[n]; }, palette, name_of(target));
+      require_no_miss(
+          kind, [&](int n) { return balls[n]; }, palette, name_of(target));
       timed.push_back({name_of(target), size_of(c_.tree.nodes), [&, target] { benchmark::DoNotOptimize(refit_all(target)[0]); }});
     }
     NodeRefit one(c_.tree, c_.sets);
     one.begin(palette);
     if (!is_linear) {
-      require_no_miss(kind, [&](int n) { return one(n); }, palette, "node by node");
+      require_no_miss(
+          kind, [&](int n) { return one(n); }, palette, "node by node");
       timed.push_back({"node_by_node", size_of(c_.tree.nodes), [&] {
                          for (int n = 0; n < size_of(c_.tree.nodes); ++n) benchmark::DoNotOptimize(one(n));
                        }});
@@ -93,7 +98,8 @@ class BatchExperiment {
   }
 
   template <class Balls>
-  void require_no_miss(const Kind& kind, const Balls& balls, const SkinningPalette<double>& palette, const std::string& how) const {
+  void require_no_miss(const Kind& kind, const Balls& balls, const SkinningPalette<double>& palette,
+                       const std::string& how) const {
     const auto deformed = refitlab::skin(c_.mesh, c_.sets, palette, kind.skinning);
     for (int n = 0; n < size_of(c_.tree.nodes); ++n) {
       const Ball3<float> ball = balls(n);
@@ -109,7 +115,8 @@ class BatchExperiment {
       results_.push_back({c_.mesh.name, pose_.name, what, t.name, item, median(times.at(t.name)),
                           median_ratio(times.at(t.name), times.at("scalar")), 0});
       const BatchSpeed& r = results_.back();
-      std::printf("  %-22s %-9s %8.2f ns per %s, 1/%.1f of scalar\n", what.c_str(), r.how.c_str(), r.ns, item.c_str(), 1 / r.ratio);
+      std::printf("  %-22s %-9s %8.2f ns per %s, 1/%.1f of scalar\n", what.c_str(), r.how.c_str(), r.ns, item.c_str(),
+                  1 / r.ratio);
     }
   }
 
@@ -150,7 +157,8 @@ void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "operation", "method"});
   for (const BatchSpeed& r : results) {
     const auto add = [&](const std::string& quantity, double value, const char* unit) {
-      file.add({"batch_speed", r.model, r.pose, r.what + "_" + r.how, "all", quantity, format_number(value), unit, r.what, r.how});
+      file.add(
+          {"batch_speed", r.model, r.pose, r.what + "_" + r.how, "all", quantity, format_number(value), unit, r.what, r.how});
     };
     add("ns_per_" + r.item, r.ns, "ns");
     add("ratio_to_scalar", r.ratio, "1");

@@ -13,12 +13,12 @@ namespace refitlab {
 
 struct BatchSpeed {
   std::string model, pose;
-  std::string what;    // "skin_linear", ..., "refit_linear", "refit_spherical", "skinning_palette"
-  std::string how;     // "scalar", a target of packs, or "node_by_node": NodeRefit
-  std::string item;    // that ns is for: "vertex", "sphere", "joint_set"
-  double ns;           // median over the repetitions
-  double ratio;        // to scalar, the median over the repetitions
-  double to_linear;    // of refits: to the linear refit done the same way, else 0
+  std::string what;  // "skin_linear", ..., "refit_linear", "refit_spherical", "skinning_palette"
+  std::string how;   // "scalar", a target of packs, or "node_by_node": NodeRefit
+  std::string item;  // that ns is for: "vertex", "sphere", "joint_set"
+  double ns;         // median over the repetitions
+  double ratio;      // to scalar, the median over the repetitions
+  double to_linear;  // of refits: to the linear refit done the same way, else 0
 };
 
 // By every target that there is. Throws std::logic_error if a batch's result is wrong: skinned vertices not bit-identical,

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <memory>
 
-#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
 #include "experiments/scenes/methods.hpp"
 
 namespace refitlab {
@@ -51,11 +51,10 @@ std::vector<SpeedResult> run_speed(const AnimatedCharacter& c, const NamedPose& 
     for (std::size_t n = 0; n < c.tree.nodes.size(); ++n)
       if (level == 0 || c.tree.nodes[n].level == level) nodes.push_back(static_cast<int>(n));
     const double share = level == 0 ? 1 : 0.1;
-    const auto times = ns_per_item(refits_of(c, pose.pose, nodes),
-                                   {settings.seconds_per_run * share, settings.repetitions});
+    const auto times = ns_per_item(refits_of(c, pose.pose, nodes), {settings.seconds_per_run * share, settings.repetitions});
     for (const auto& [variant, entries] : times)
-      results.push_back({c.mesh.name, pose.name, variant, level, median(entries),
-                         median_ratio(entries, times.at("spherical_repaired"))});
+      results.push_back(
+          {c.mesh.name, pose.name, variant, level, median(entries), median_ratio(entries, times.at("spherical_repaired"))});
     if (level > 0) continue;
     for (const SpeedResult& r : results)
       std::printf("  %-32s %8.1f ns per sphere, %6.2f times spherical_repaired\n", r.variant.c_str(), r.ns_per_sphere,

@@ -12,9 +12,9 @@ namespace refitlab {
 
 struct SpeedResult {
   std::string model, pose, variant;
-  int level;                    // 0: all of them
-  double ns_per_sphere;         // median over the repetitions
-  double ratio_to_repaired;     // median over the repetitions of the ratio to spherical_repaired in the same repetition
+  int level;                 // 0: all of them
+  double ns_per_sphere;      // median over the repetitions
+  double ratio_to_repaired;  // median over the repetitions of the ratio to spherical_repaired in the same repetition
 };
 
 // Times every sound variant (the others' time says nothing) on one thread: all nodes of the tree in the pose, and, a

@@ -33,7 +33,8 @@ class Collector : public benchmark::BenchmarkReporter {
 class Progress {
  public:
   Progress(std::size_t calls, const SpeedSettings& settings)
-      : seconds_per_run_(settings.seconds_per_run), total_(calls * static_cast<std::size_t>(settings.repetitions)) {}
+      : seconds_per_run_(settings.seconds_per_run),
+        total_(calls * static_cast<std::size_t>(settings.repetitions)) {}
   // Runs that are shorter than asked only find out how often to call.
   void ran(std::chrono::duration<double> run) {
     done_ = std::min(done_ + (run.count() >= seconds_per_run_), total_);

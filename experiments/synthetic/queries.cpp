@@ -10,8 +10,8 @@
 #include <map>
 
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/verification/score.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/verification/score.hpp"
 #include "experiments/threads/parallel.hpp"
 
 namespace refitlab {
@@ -23,8 +23,7 @@ constexpr int timed_queries = 500, passes = 3;
 
 struct Measured {
   CaseScore score;
-  double looseness =
-      std::numeric_limits<double>::quiet_NaN();  // not a number: no ball, or nothing to enclose
+  double looseness = std::numeric_limits<double>::quiet_NaN();  // not a number: no ball, or nothing to enclose
 };
 
 struct MeasuredQuery {
@@ -97,13 +96,12 @@ std::vector<double> nanoseconds(const QuerySettings& settings) {
 }
 
 void print_table(const std::vector<QueryResult>& results) {
-  std::printf("  %-30s %9s %9s %12s %9s | %8s %8s %8s | %9s\n", "all queries", "undefined", "missed", "> tolerance",
-              "worst", "mean", "median", "max", "ns, rough");
+  std::printf("  %-30s %9s %9s %12s %9s | %8s %8s %8s | %9s\n", "all queries", "undefined", "missed", "> tolerance", "worst",
+              "mean", "median", "max", "ns, rough");
   for (const QueryResult& r : results)
     if (r.share == "all")
-      std::printf("  %-30s %9ld %9ld %12ld %9.1e | %8.3f %8.3f %8.3g | %9.0f\n", r.variant.c_str(), r.undefined,
-                  r.misses, r.misses_beyond_tolerance, r.worst_miss, r.looseness_mean, r.looseness_median,
-                  r.looseness_max, r.ns_per_refit);
+      std::printf("  %-30s %9ld %9ld %12ld %9.1e | %8.3f %8.3f %8.3g | %9.0f\n", r.variant.c_str(), r.undefined, r.misses,
+                  r.misses_beyond_tolerance, r.worst_miss, r.looseness_mean, r.looseness_median, r.looseness_max, r.ns_per_refit);
   std::printf(
       "  missed: queries with a vertex outside, decided exactly; beyond the tolerance of %.0e of the coordinates' size "
       "it is not "
@@ -138,8 +136,7 @@ void write_queries(const std::vector<QueryResult>& results, const QuerySettings&
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit"});
   for (const QueryResult& r : results) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"queries", "generated", r.share, r.variant, "all", quantity, format_number(value), unit},
-               settings.seed);
+      file.add({"queries", "generated", r.share, r.variant, "all", quantity, format_number(value), unit}, settings.seed);
     };
     add("queries", static_cast<double>(r.queries), "1");
     add("undefined", static_cast<double>(r.undefined), "1");

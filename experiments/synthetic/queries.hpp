@@ -12,7 +12,7 @@ namespace refitlab {
 struct QueryResult {
   std::string variant, share;  // share: "all", "general" or "degenerate" queries
   long queries = 0, undefined = 0;
-  long unbounded = 0;  // all of space: no ball holds what dual quaternions make of a blend near 0
+  long unbounded = 0;                            // all of space: no ball holds what dual quaternions make of a blend near 0
   long misses = 0, misses_beyond_tolerance = 0;  // queries with a missed vertex, undefined ones among them
   double worst_miss = 0;                         // of a defined ball, relative to the size of the coordinates
   double looseness_mean = 0, looseness_median = 0,

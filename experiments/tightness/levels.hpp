@@ -8,12 +8,12 @@ namespace refitlab {
 
 // Of one variant's balls on one level, over the poses of a set.
 struct LevelTightness {
-  long nodes = 0;                     // balls seen: nodes of the level times poses
-  long undefined = 0;                 // of them not a number or of negative radius; left out of the radii
+  long nodes = 0;      // balls seen: nodes of the level times poses
+  long undefined = 0;  // of them not a number or of negative radius; left out of the radii
   double radius_min = 1e300, radius_max = 0, radius_sum = 0;
-  double optimal_sum = 0;             // of the optimal radii of the same balls
-  long misses = 0;                    // balls with a vertex outside (an undefined ball is one)
-  double worst_miss = 0;              // how far outside, in model units, over the balls that are defined
+  double optimal_sum = 0;  // of the optimal radii of the same balls
+  long misses = 0;         // balls with a vertex outside (an undefined ball is one)
+  double worst_miss = 0;   // how far outside, in model units, over the balls that are defined
   double radius_avg() const { return radius_sum / static_cast<double>(nodes - undefined); }
   double ratio_to_optimal() const { return radius_sum / optimal_sum; }
   void merge(const LevelTightness& o) {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/tightness/measure.hpp"
 
-#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/methods/refit/deformed.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "experiments/threads/parallel.hpp"
 #include "experiments/scenes/methods.hpp"
+#include "experiments/threads/parallel.hpp"
 
 namespace refitlab {
 namespace {
 
 // "optimal" is of spherical blending.
-constexpr std::pair<Skinning, const char*> other_optimal_columns[] = {
-    {Skinning::linear, "optimal_linear"}, {Skinning::dual_quaternion, "optimal_dual_quaternion"}};
+constexpr std::pair<Skinning, const char*> other_optimal_columns[] = {{Skinning::linear, "optimal_linear"},
+                                                                      {Skinning::dual_quaternion, "optimal_dual_quaternion"}};
 
 // How far the farthest vertex of a node is outside its ball; at most 0 if none is.
 double excess(const Ball3<double>& ball, std::span<const int> vertices, std::span<const Point3> deformed) {
@@ -25,7 +25,9 @@ double excess(const Ball3<double>& ball, std::span<const int> vertices, std::spa
 class PoseMeasurement {
  public:
   PoseMeasurement(const AnimatedCharacter& c, const Pose& pose)
-      : c_(c), pose_(pose), tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {}
+      : c_(c),
+        pose_(pose),
+        tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {}
 
   Tightness all() {
     const Frame& spherical = frame(Skinning::spherical);
@@ -40,8 +42,7 @@ class PoseMeasurement {
     }
     add("bottom_up", refit_bottom_up(c_.tree, spherical.deformed), spherical, true);
     add("optimal", spherical.optimal, spherical, true);
-    for (const auto& [skinning, column] : other_optimal_columns)
-      add(column, frame(skinning).optimal, frame(skinning), true);
+    for (const auto& [skinning, column] : other_optimal_columns) add(column, frame(skinning).optimal, frame(skinning), true);
     return std::move(out_);
   }
 

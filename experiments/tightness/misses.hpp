@@ -13,9 +13,7 @@ namespace refitlab {
 inline constexpr double miss_tolerance = 1e-12;
 
 // A ball that is not a number or of negative radius holds nothing.
-inline bool is_defined(const Ball3<double>& b) {
-  return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0;
-}
+inline bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
 
 struct Misses {
   std::vector<bool> balls;    // by ball: undefined, or a vertex of its node is outside

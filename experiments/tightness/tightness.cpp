@@ -11,10 +11,11 @@ namespace refitlab {
 namespace {
 
 void print_table(const TightnessResult& r) {
-  const char* const shown[] = {"reference", "linear", "spherical_printed_signed", "spherical_repaired", "spherical_miniball", "optimal"};
+  const char* const shown[] = {"reference",          "linear", "spherical_printed_signed", "spherical_repaired",
+                               "spherical_miniball", "optimal"};
   const char* const heads[] = {"Reference", "Linear", "Printed*", "Repaired", "Exact balls", "Optimal"};
-  std::printf("\n%s, %s (%d pose%s): radii min / avg / max, and avg / Optimal\n", r.model.c_str(), r.pose.c_str(),
-              r.poses, r.poses == 1 ? "" : "s");
+  std::printf("\n%s, %s (%d pose%s): radii min / avg / max, and avg / Optimal\n", r.model.c_str(), r.pose.c_str(), r.poses,
+              r.poses == 1 ? "" : "s");
   std::printf("%5s %7s", "level", "nodes");
   for (const char* head : heads) std::printf(" | %-29s", head);
   std::printf("\n");
@@ -37,7 +38,8 @@ void print_table(const TightnessResult& r) {
   for (const auto& column : tightness_columns()) {
     LevelTightness all;
     for (const auto& level : r.tightness.at(column)) all.merge(level);
-    if (all.misses) std::printf("  %s %ld of %ld (%ld; %.3g)", column.c_str(), all.misses, all.nodes, all.undefined, all.worst_miss);
+    if (all.misses)
+      std::printf("  %s %ld of %ld (%ld; %.3g)", column.c_str(), all.misses, all.nodes, all.undefined, all.worst_miss);
   }
   std::printf("\n");
 }
@@ -52,7 +54,8 @@ std::vector<TightnessResult> run_tightness(const AnimatedCharacter& c, const std
   for (std::size_t i = 0; i < sets.size(); ++i) {
     std::cout << "[tightness] " << c.mesh.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
               << sets[i].poses.size() << " poses" << std::endl;
-    results.push_back({c.mesh.name, sets[i].name, sets[i].kind, static_cast<int>(sets[i].poses.size()), measure_tightness(c, sets[i])});
+    results.push_back(
+        {c.mesh.name, sets[i].name, sets[i].kind, static_cast<int>(sets[i].poses.size()), measure_tightness(c, sets[i])});
     print_table(results.back());
   }
   return results;

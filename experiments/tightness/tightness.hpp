@@ -11,7 +11,7 @@ namespace refitlab {
 
 struct TightnessResult {
   std::string model, pose, pose_kind;  // pose_kind: "clip", "twist" or "worst_twist"
-  int poses;                              // how many were sampled
+  int poses;                           // how many were sampled
   Tightness tightness;
 };
 

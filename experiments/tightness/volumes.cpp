@@ -90,8 +90,8 @@ Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const
 }
 
 void print_table(const VolumeResult& r) {
-  std::printf("\n%s, %s (%d pose%s): size / the same volume of the deformed vertices; volume / the ball's\n",
-              r.model.c_str(), r.pose.c_str(), r.poses, r.poses == 1 ? "" : "s");
+  std::printf("\n%s, %s (%d pose%s): size / the same volume of the deformed vertices; volume / the ball's\n", r.model.c_str(),
+              r.pose.c_str(), r.poses, r.poses == 1 ? "" : "s");
   std::printf("%5s %7s", "level", "nodes");
   for (const VolumeVariant& variant : volume_variants()) std::printf(" | %-13s", variant.name.c_str());
   std::printf("\n");
@@ -135,15 +135,14 @@ std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPos
 
 }  // namespace
 
-void run_volumes(const AnimatedCharacter& c, const NamedPose& pose, const VolumeSettings& settings,
-                 VolumeResults& results) {
+void run_volumes(const AnimatedCharacter& c, const NamedPose& pose, const VolumeSettings& settings, VolumeResults& results) {
   auto sets = pose_sets(c, settings.times_per_clip);
   sets.push_back({pose.name, {pose.pose}, pose.kind});
   const std::vector<int> nodes = some_nodes(c.tree, settings.nodes_per_level);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const int poses = static_cast<int>(sets[i].poses.size());
-    std::cout << "[volumes] " << c.mesh.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), "
-              << poses << " poses" << std::endl;
+    std::cout << "[volumes] " << c.mesh.name << ": " << sets[i].name << " (" << i + 1 << "/" << sets.size() << "), " << poses
+              << " poses" << std::endl;
     results.tightness.push_back({c.mesh.name, sets[i].name, sets[i].kind, poses, measure(c, nodes, sets[i])});
     print_table(results.tightness.back());
   }
@@ -158,8 +157,8 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
       for (std::size_t l = 0; l < column.second.size(); ++l) {
         const LevelVolumes& level = column.second[l];
         const auto add = [&](const char* quantity, double value, const char* unit) {
-          file.add({"volumes", r.model, r.pose, column.first, std::to_string(l + 1), quantity, format_number(value),
-                    unit, r.pose_kind, std::to_string(r.poses)});
+          file.add({"volumes", r.model, r.pose, column.first, std::to_string(l + 1), quantity, format_number(value), unit,
+                    r.pose_kind, std::to_string(r.poses)});
         };
         add("size_avg", level.size_avg(), "model unit");
         // What is a single point has no ratio.
@@ -171,8 +170,8 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
       }
   for (const VolumeCost& cost : results.costs) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"volumes", cost.model, cost.pose, cost.variant, "all", quantity, format_number(value), unit,
-                cost.pose_kind, "1"});
+      file.add(
+          {"volumes", cost.model, cost.pose, cost.variant, "all", quantity, format_number(value), unit, cost.pose_kind, "1"});
     };
     add("ns_per_node", cost.ns_per_node, "ns");
     add("ratio_to_ball", cost.ratio_to_ball, "1");

@@ -18,7 +18,7 @@ namespace refitlab {
 
 struct VolumeResult {
   std::string model, pose, pose_kind;
-  int poses;                                              // how many were sampled
+  int poses;                                                 // how many were sampled
   std::map<std::string, std::vector<LevelVolumes>> volumes;  // by variant, by level - 1
 };
 

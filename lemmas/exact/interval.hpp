@@ -13,20 +13,14 @@ namespace refitlab {
 
 using Interval = CGAL::Interval_nt<true>;
 
-inline Verdict verdict_of(CGAL::Uncertain<bool> u) {
-  return u.is_certain() ? verdict_of(u.inf()) : Verdict::undecided;
-}
+inline Verdict verdict_of(CGAL::Uncertain<bool> u) { return u.is_certain() ? verdict_of(u.inf()) : Verdict::undecided; }
 
 template <>
 struct NumberTraits<Interval> {
   static Interval square(const Interval& x) { return CGAL::square(x); }
   static Interval sqrt(const Interval& x) { return CGAL::sqrt(x); }
-  static Interval max(const Interval& a, const Interval& b) {
-    return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
-  }
-  static Interval min(const Interval& a, const Interval& b) {
-    return {std::min(a.inf(), b.inf()), std::min(a.sup(), b.sup())};
-  }
+  static Interval max(const Interval& a, const Interval& b) { return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())}; }
+  static Interval min(const Interval& a, const Interval& b) { return {std::min(a.inf(), b.inf()), std::min(a.sup(), b.sup())}; }
   static Verdict less_equal(const Interval& a, const Interval& b) { return verdict_of(a <= b); }
   static Verdict less(const Interval& a, const Interval& b) { return verdict_of(a < b); }
   static Verdict equal(const Interval& a, const Interval& b) { return verdict_of(a == b); }

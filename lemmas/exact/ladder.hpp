@@ -12,9 +12,7 @@ namespace refitlab {
 enum class Rung { interval, multiprecision_interval, exact };
 
 inline const char* name_of(Rung rung) {
-  return rung == Rung::interval                  ? "interval"
-         : rung == Rung::multiprecision_interval ? "multiprecision interval"
-                                                 : "exact";
+  return rung == Rung::interval ? "interval" : rung == Rung::multiprecision_interval ? "multiprecision interval" : "exact";
 }
 
 struct Decision {

@@ -8,10 +8,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "lemmas/vocabulary/cap.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "lemmas/exact/interval.hpp"
 #include "lemmas/exact/multiprecision_interval.hpp"
+#include "lemmas/vocabulary/cap.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 #include "lemmas/vocabulary/weights.hpp"

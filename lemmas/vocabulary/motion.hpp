@@ -63,8 +63,7 @@ auto product(const Moment<S, D>& a, const Moment<S, E>& b, const Product& times)
 // All three lengths are within the bounds.
 template <class S, int D>
 Verdict moves_within(const Moment<S, D>& moment, const Motion<S>& bounds) {
-  return less_equal(squared_norm(moment.value), sq(bounds.size)) &
-         less_equal(squared_norm(moment.velocity), sq(bounds.speed)) &
+  return less_equal(squared_norm(moment.value), sq(bounds.size)) & less_equal(squared_norm(moment.velocity), sq(bounds.speed)) &
          less_equal(squared_norm(moment.acceleration), sq(bounds.acceleration));
 }
 

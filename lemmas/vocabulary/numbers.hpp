@@ -50,10 +50,8 @@ S min_of(const S& a, const S& b) {
 // The first or the second number, by a comparison's answer: a bool, or a mask of lanes (algorithms/runtime/packs/pack.hpp).
 template <class Mask, class S>
 S choose(const Mask& first, const S& a, const S& b) {
-  if constexpr (std::is_convertible_v<Mask, bool>)
-    return first ? a : b;
-  else
-    return NumberTraits<S>::choose(first, a, b);
+  if constexpr (std::is_convertible_v<Mask, bool>) return first ? a : b;
+  else return NumberTraits<S>::choose(first, a, b);
 }
 template <class S>
 Verdict less_equal(const S& a, const S& b) {

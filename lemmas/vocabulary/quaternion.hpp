@@ -51,8 +51,7 @@ Vec<S, 3> rotate(const Quaternion<S>& unit, const Vec<S, 3>& x) {
   const Vec<S, 3> v = imaginary(unit);
   const Vec<S, 3> t = cross(v, x);
   const Vec<S, 3> tt = cross(v, t);
-  return {x[0] + S(2) * (unit[0] * t[0] + tt[0]), x[1] + S(2) * (unit[0] * t[1] + tt[1]),
-          x[2] + S(2) * (unit[0] * t[2] + tt[2])};
+  return {x[0] + S(2) * (unit[0] * t[0] + tt[0]), x[1] + S(2) * (unit[0] * t[1] + tt[1]), x[2] + S(2) * (unit[0] * t[2] + tt[2])};
 }
 
 }  // namespace refitlab

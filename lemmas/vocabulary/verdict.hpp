@@ -16,18 +16,14 @@ constexpr Verdict verdict_of(bool b) { return b ? Verdict::holds : Verdict::fail
 // Kleene's strong three-valued logic: & is the least certain, | the most certain of both.
 constexpr Verdict operator&(Verdict a, Verdict b) { return a < b ? a : b; }
 constexpr Verdict operator|(Verdict a, Verdict b) { return a < b ? b : a; }
-constexpr Verdict operator!(Verdict a) {
-  return a == Verdict::undecided ? a : verdict_of(a == Verdict::fails);
-}
+constexpr Verdict operator!(Verdict a) { return a == Verdict::undecided ? a : verdict_of(a == Verdict::fails); }
 constexpr Verdict& operator&=(Verdict& a, Verdict b) { return a = a & b; }
 constexpr Verdict& operator|=(Verdict& a, Verdict b) { return a = a | b; }
 
 // "if p then q": fails only when p holds and q does not.
 constexpr Verdict implies(Verdict p, Verdict q) { return (!p) | q; }
 
-inline const char* name_of(Verdict v) {
-  return v == Verdict::holds ? "holds" : v == Verdict::fails ? "fails" : "undecided";
-}
+inline const char* name_of(Verdict v) { return v == Verdict::holds ? "holds" : v == Verdict::fails ? "fails" : "undecided"; }
 inline std::ostream& operator<<(std::ostream& out, Verdict v) { return out << name_of(v); }
 
 }  // namespace refitlab

@@ -20,8 +20,7 @@ PROPTEST(aabb) {
     const auto list_a = *gen::ball_list();
     auto list_b = *gen::ball_list();
     RC_CLASSIFY(list_a.is_degenerate || list_b.is_degenerate, "degenerate");
-    const RationalVec<3> by =
-        gen::hull_point(list_a.balls) - gen::hull_point(list_b.balls) + *gen::rational_vector<3>();
+    const RationalVec<3> by = gen::hull_point(list_a.balls) - gen::hull_point(list_b.balls) + *gen::rational_vector<3>();
     for (auto& ball : list_b.balls) ball.center += by;
     const auto a = Aabb<Rational>::around(list_a.balls), b = Aabb<Rational>::around(list_b.balls);
     RationalVec<3> shared;
@@ -31,8 +30,7 @@ PROPTEST(aabb) {
     RC_ASSERT(a.overlaps(b) == both);
   });
   t.example("of these cases many share a point and many do not", {}, [] {
-    return Checked(shares * 5 > disjoint && disjoint * 5 > shares, shares + disjoint,
-                   std::to_string(shares) + " share a point");
+    return Checked(shares * 5 > disjoint && disjoint * 5 > shares, shares + disjoint, std::to_string(shares) + " share a point");
   });
   t.holds("the volume is the product of the edges", options, [] {
     const auto list = *gen::ball_list();

@@ -43,8 +43,7 @@ void check_theorem(gen::Turns turns) {
   oracle::RefitLadder ladder(c, Printed<signs>{});
   const Ball3<double> ball = Repaired{}(gen::NodeOf<double>(c).node());
   for (const Sample& sample : gen::samples(c, Blending::spherical, ball.center))
-    if (const auto v = gen::skinned(c, sample, Blending::spherical))
-      RC_ASSERT(ladder.encloses(*v).verdict != Verdict::fails);
+    if (const auto v = gen::skinned(c, sample, Blending::spherical)) RC_ASSERT(ladder.encloses(*v).verdict != Verdict::fails);
 }
 
 bool is_finite(const Ball3<double>& ball) { return ball.center.allFinite() && std::isfinite(ball.radius); }
@@ -96,8 +95,7 @@ OneCorner refit_one_corner(int joints, int balls) {
     out.not_a_number += std::isnan(refit_algorithm1_printed<MeanBalls>(node, Signs::of_skinning, lists).radius);
     const Ball3<S> repaired = refit_algorithm1_repaired<MeanBalls>(node, lists);
     const Vec<S, 3> image = blend_spherical<S>(palette[0], weights, node.reference.center);
-    out.repaired_wrong +=
-        !(norm<S, 3>(repaired.center - image) < 1e-5 && repaired.radius >= 1 && repaired.radius < S(1.00001));
+    out.repaired_wrong += !(norm<S, 3>(repaired.center - image) < 1e-5 && repaired.radius >= 1 && repaired.radius < S(1.00001));
   }
   return out;
 }
@@ -121,25 +119,22 @@ PROPTEST(algorithm1_printed) {
             {.form = "printed", .number_type = "interval to exact"}, [] {
               const auto& pinned = counterexamples::algorithm1()[0];
               oracle::RefitLadder ladder(pinned.input, Printed<Signs::of_skinning>{});
-              const auto v =
-                  gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
+              const auto v = gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
               return ladder.encloses(*v).verdict == Verdict::fails;
             });
   t.example("the pinned quaternions of lost sign are bounded once the skinning's signs are used",
             {.number_type = "interval to exact"}, [] {
               const auto& pinned = counterexamples::algorithm1().back();
               oracle::RefitLadder ladder(pinned.input, Printed<Signs::of_skinning>{});
-              const auto v =
-                  gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
+              const auto v = gen::skinned(pinned.input, {0, pinned.weights, pinned.input.reference.center}, Blending::spherical);
               return ladder.encloses(*v).verdict != Verdict::fails;  // the ball is the vertex
             });
   t.refuted("the ball encloses every vertex of S with admissible weights, given the skinning's signs",
             {.form = "printed", .number_type = "interval to exact", .cases = 2000},
             [] { check_theorem<Signs::of_skinning>(gen::Turns::any); });
-  t.refuted(
-      "the ball encloses every vertex of S with admissible weights, with signs of matrices, for turns up to 90 degrees",
-      {.form = "printed", .number_type = "interval to exact", .cases = 2000},
-      [] { check_theorem<Signs::of_matrices>(gen::Turns::moderate); });
+  t.refuted("the ball encloses every vertex of S with admissible weights, with signs of matrices, for turns up to 90 degrees",
+            {.form = "printed", .number_type = "interval to exact", .cases = 2000},
+            [] { check_theorem<Signs::of_matrices>(gen::Turns::moderate); });
   t.holds(
       "where any two joints of a set differ by at most 90 degrees, mean balls and the skinning's signs enclose every "
       "vertex",

@@ -133,9 +133,8 @@ std::pair<double, double> miss_of_short_blend(int off) {
 
 Checked report(const Misses& m) {
   char text[160];
-  std::snprintf(text, sizeof text,
-                "%ld of %ld vertices missed by rounding (%.1f %%), by at most %.1e of the coordinates' size", m.missed,
-                m.vertices, 100.0 * double(m.missed) / double(m.vertices), m.worst);
+  std::snprintf(text, sizeof text, "%ld of %ld vertices missed by rounding (%.1f %%), by at most %.1e of the coordinates' size",
+                m.missed, m.vertices, 100.0 * double(m.missed) / double(m.vertices), m.worst);
   return Checked(m.worst <= 1e-12, m.vertices, text);
 }
 
@@ -144,11 +143,19 @@ Checked report(const Misses& m) {
 PROPTEST(algorithm1_repaired) {
   static Misses mean_misses, smallest_misses;
   t.holds("the ball encloses every vertex of S with admissible weights",
-          {.form = "repaired", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+          {.form = "repaired",
+           .number_type = "interval to exact",
+           .cases = 2000,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5,
            .tags_at_least = {{"mostly by intervals of doubles", 0.5}, {"decided exactly", 0.5}}},
           [] { check_theorem<MeanBalls>(oracle::Gather::at_mean); });
   t.holds("whatever centers the balls are given, the ball encloses every vertex of S with admissible weights",
-          {.form = "repaired", .number_type = "interval to exact", .cases = 1000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+          {.form = "repaired",
+           .number_type = "interval to exact",
+           .cases = 1000,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5,
            .tags_at_least = {{"decided exactly", 1}}},
           [] { check_theorem<FirstPoints>(oracle::Gather::at_first); });
   t.holds("intervals hold the ball of the squared form, or miss no point of it where they fall back on all rotations",
@@ -159,9 +166,8 @@ PROPTEST(algorithm1_repaired) {
             const auto ball = Repaired<FirstPoints>{}(gen::NodeOf<MultiprecisionInterval>(c).node());
             MultiprecisionInterval radius(0);
             for (const auto& reach : exact->reaches)
-              radius =
-                  max_of<MultiprecisionInterval>(radius, root(lift<MultiprecisionInterval>(reach.squared_distance)) +
-                                                             root(lift<MultiprecisionInterval>(reach.squared_radius)));
+              radius = max_of<MultiprecisionInterval>(radius, root(lift<MultiprecisionInterval>(reach.squared_distance)) +
+                                                                  root(lift<MultiprecisionInterval>(reach.squared_radius)));
             const Ball3<MultiprecisionInterval> expected{lift<MultiprecisionInterval>(exact->center),
                                                          radius + lift<MultiprecisionInterval>(exact->extra)};
             Verdict same = equal(ball.radius, expected.radius);
@@ -170,11 +176,9 @@ PROPTEST(algorithm1_repaired) {
           });
   t.holds("in double with mean balls it misses no exactly skinned vertex by more than 1e-12 of the coordinates' size",
           {.number_type = "double", .cases = 2000}, [] { check_double<MeanBalls>(mean_misses); });
-  t.example("how often mean balls in double miss by rounding", {.number_type = "double"},
-            [] { return report(mean_misses); });
-  t.holds(
-      "in double with smallest balls it misses no exactly skinned vertex by more than 1e-12 of the coordinates' size",
-      {.number_type = "double", .cases = 2000}, [] { check_double<SmallestBalls>(smallest_misses); });
+  t.example("how often mean balls in double miss by rounding", {.number_type = "double"}, [] { return report(mean_misses); });
+  t.holds("in double with smallest balls it misses no exactly skinned vertex by more than 1e-12 of the coordinates' size",
+          {.number_type = "double", .cases = 2000}, [] { check_double<SmallestBalls>(smallest_misses); });
   t.example("how often smallest balls in double miss by rounding", {.number_type = "double"},
             [] { return report(smallest_misses); });
   t.example(

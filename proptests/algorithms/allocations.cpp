@@ -4,11 +4,11 @@
 #include <bit>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_allocations {
@@ -31,8 +31,8 @@ PROPTEST(allocations) {
     struct alignas(64) Wide {
       char of[64];
     };
-    const long list = allocations_in([] { std::vector<int>(100); }),
-               wide = allocations_in([] { std::vector<Wide>(3); }), none = allocations_in([] {});
+    const long list = allocations_in([] { std::vector<int>(100); }), wide = allocations_in([] { std::vector<Wide>(3); }),
+               none = allocations_in([] {});
     return Checked(list == 1 && wide == 1 && none == 0, 3);
   });
   t.example("a query takes nothing from the heap but its answer, once it was asked in each place", {}, [] {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/bake/build_tree.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
-#include "algorithms/runtime/batch/node_refit.hpp"
-#include "algorithms/runtime/batch/single_precision.hpp"
 
 #include <algorithm>
 #include <random>
 
+#include "algorithms/bake/build_tree.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/verification/exact_skin.hpp"
+#include "algorithms/runtime/batch/node_refit.hpp"
+#include "algorithms/runtime/batch/single_precision.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "algorithms/runtime/refit/linear.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/verification/exact_skin.hpp"
 #include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
@@ -119,7 +119,8 @@ std::string what_is_missed(const gen::WideModel& wide) {
     try {
       BatchRefit batch(tree, sets);
       for (const Target target : available_targets()) {
-        const PackedBalls& balls = skinning == Skinning::linear ? batch.linear(palette, target) : batch.spherical(palette, target);
+        const PackedBalls& balls =
+            skinning == Skinning::linear ? batch.linear(palette, target) : batch.spherical(palette, target);
         if (const auto wrong = complaint(name_of(target), [&](int n) { return balls[n]; }); !wrong.empty()) return wrong;
       }
       if (skinning == Skinning::linear) continue;
@@ -142,7 +143,8 @@ std::pair<SkinnedMesh, Pose> lopsided(std::mt19937& random) {
   for (int j = 0; j < 4; ++j) model.joints.push_back({"joint " + std::to_string(j), j - 1, Point3(uniform(random), 0, 0)});
   for (int v = 0; v < 9; ++v) {
     model.vertices.push_back({uniform(random), uniform(random), uniform(random)});
-    const double first = 0.01 + 0.05 * uniform(random), other = v == 0 ? 0.5 + 0.3 * uniform(random) : 0.01, share = 0.02 + 0.9 * uniform(random);
+    const double first = 0.01 + 0.05 * uniform(random), other = v == 0 ? 0.5 + 0.3 * uniform(random) : 0.01,
+                 share = 0.02 + 0.9 * uniform(random);
     const double rest = 1 - first - other;
     model.influences.emplace_back();
     for (const auto& [joint, w] : quantize_weights({{0, first}, {1, share * rest}, {2, other}, {3, (1 - share) * rest}}))
@@ -151,7 +153,8 @@ std::pair<SkinnedMesh, Pose> lopsided(std::mt19937& random) {
   }
   Pose pose = reference_pose(model);
   const double near = 0.1 * uniform(random);
-  for (int j = 1; j < 4; ++j) pose[j].rotation = Quaternion<double>(near, j == 2 ? -1 : 1, 0, 0.05 * uniform(random)).normalized();
+  for (int j = 1; j < 4; ++j)
+    pose[j].rotation = Quaternion<double>(near, j == 2 ? -1 : 1, 0, 0.05 * uniform(random)).normalized();
   return {std::move(model), std::move(pose)};
 }
 
@@ -171,7 +174,8 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
       out.mesh.vertices.push_back(Point3::Unit(i) * (side * r));
       // The turned vertex goes on outwards.
       const bool is_last = i == axis && side == 1;
-      if (are_shared) out.mesh.influences.push_back({{0, is_last ? little : 1 - little}, {joints - 1, is_last ? 1 - little : little}});
+      if (are_shared)
+        out.mesh.influences.push_back({{0, is_last ? little : 1 - little}, {joints - 1, is_last ? 1 - little : little}});
       else out.mesh.influences.push_back({{is_last ? joints - 1 : 0, 1}});
     }
   out.mesh.triangles = {{0, 2, 4}, {1, 3, 5}};
@@ -179,7 +183,8 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
   const int about = (axis + 1) % 3;
   const double defects[] = {0, 1e-7, 1e-6, -1e-6};
   for (int j = 0; j < joints; ++j)
-    out.pose.push_back({gen::of_defect(Quaternion<double>::Unit(1 + about), defects[random() % 4]), Point3::Unit(axis) * (j == 0 ? way : -way)});
+    out.pose.push_back(
+        {gen::of_defect(Quaternion<double>::Unit(1 + about), defects[random() % 4]), Point3::Unit(axis) * (j == 0 ? way : -way)});
   out.largest_length = 2;
   out.what = std::to_string(joints) + " joints, r " + std::to_string(r);
   return out;
@@ -188,8 +193,7 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
 // A node of one joint-set whose rotations are not all.
 bool is_bounded(const RefitNode<double>& node) {
   std::vector<Quaternion<double>> scratch;
-  return node.pieces.size() == 1 &&
-         bound_joint_set_rotations<MeanBalls>(node, node.pieces[0], scratch).center_ratio > 0;
+  return node.pieces.size() == 1 && bound_joint_set_rotations<MeanBalls>(node, node.pieces[0], scratch).center_ratio > 0;
 }
 
 // Nothing if all is well.
@@ -328,45 +332,47 @@ PROPTEST(batch_refit) {
       if (const auto wrong = what_is_wrong(model, pose, skinning); !wrong.empty()) return Checked(false, 1, wrong);
     return Checked(true, 2);
   });
-  t.example("lengths are taken up to 2^58, by 0.1 % more or less for rounding, and refused beyond, be they of a node or of a joint", {}, [] {
-    long refused = 0, taken = 0;
-    for (const double share : {0.998, 1.002})
-      for (const bool moved : {true, false}) {
-        const double length = share * largest_single_length;
-        SkinnedMesh model;
-        model.name = "a far triangle";
-        model.joints = {{"a", -1, Point3::Zero()}};
-        const Point3 p(moved ? 0 : length, 0, 0);
-        model.vertices = {p, p + Point3::UnitY(), p + Point3::UnitZ()};
-        model.triangles = {{0, 1, 2}};
-        model.influences.assign(3, {{0, 1}});
-        Pose pose = reference_pose(model);
-        if (moved) pose[0].translation = {length, 0, 0};
-        const JointSets sets(model);
-        const SphereTree tree = build_sphere_tree(model, sets);
-        for (const Skinning skinning : {Skinning::linear, Skinning::spherical})
-          for (const bool one_by_one : {true, false}) {
-            if (one_by_one && skinning == Skinning::linear) continue;
-            try {
-              const auto palette = make_skinning_palette(model, sets, pose, skinning);
-              Ball3<float> ball;
-              if (one_by_one) {
-                NodeRefit one(tree, sets);
-                one.begin(palette);
-                ball = one(0);
-              } else {
-                BatchRefit batch(tree, sets);
-                ball = (skinning == Skinning::linear ? batch.linear(palette) : batch.spherical(palette))[0];
+  t.example(
+      "lengths are taken up to 2^58, by 0.1 % more or less for rounding, and refused beyond, be they of a node or of a joint", {},
+      [] {
+        long refused = 0, taken = 0;
+        for (const double share : {0.998, 1.002})
+          for (const bool moved : {true, false}) {
+            const double length = share * largest_single_length;
+            SkinnedMesh model;
+            model.name = "a far triangle";
+            model.joints = {{"a", -1, Point3::Zero()}};
+            const Point3 p(moved ? 0 : length, 0, 0);
+            model.vertices = {p, p + Point3::UnitY(), p + Point3::UnitZ()};
+            model.triangles = {{0, 1, 2}};
+            model.influences.assign(3, {{0, 1}});
+            Pose pose = reference_pose(model);
+            if (moved) pose[0].translation = {length, 0, 0};
+            const JointSets sets(model);
+            const SphereTree tree = build_sphere_tree(model, sets);
+            for (const Skinning skinning : {Skinning::linear, Skinning::spherical})
+              for (const bool one_by_one : {true, false}) {
+                if (one_by_one && skinning == Skinning::linear) continue;
+                try {
+                  const auto palette = make_skinning_palette(model, sets, pose, skinning);
+                  Ball3<float> ball;
+                  if (one_by_one) {
+                    NodeRefit one(tree, sets);
+                    one.begin(palette);
+                    ball = one(0);
+                  } else {
+                    BatchRefit batch(tree, sets);
+                    ball = (skinning == Skinning::linear ? batch.linear(palette) : batch.spherical(palette))[0];
+                  }
+                  if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return Checked(false, taken, "not finite");
+                  taken += share < 1;
+                } catch (const std::range_error&) {
+                  refused += share > 1;
+                }
               }
-              if (!ball.center.allFinite() || !std::isfinite(ball.radius)) return Checked(false, taken, "not finite");
-              taken += share < 1;
-            } catch (const std::range_error&) {
-              refused += share > 1;
-            }
           }
-      }
-    return Checked(taken == 6 && refused == 6, taken + refused);
-  });
+        return Checked(taken == 6 && refused == 6, taken + refused);
+      });
   t.example("of the built-in man's nodes most are refitted whole and some are merged, in lanes of unlike corners too", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);

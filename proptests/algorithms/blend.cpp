@@ -82,9 +82,7 @@ PROPTEST(blend) {
             const Blend b = draw();
             RC_PRE(!b.vanishes());
             classify(b);
-            const auto image = [&](const RationalVec<3>& v) {
-              return blend_dual_quaternion<Rational>(b.palette, b.weights, v);
-            };
+            const auto image = [&](const RationalVec<3>& v) { return blend_dual_quaternion<Rational>(b.palette, b.weights, v); };
             const RationalVec<3> other = *gen::rational_vector<3>(), third = *gen::rational_vector<3>();
             const RationalVec<3> p = image(b.vertex), q = image(other), r = image(third);
             RC_ASSERT(squared_distance(p, q) == squared_distance(b.vertex, other));
@@ -93,11 +91,10 @@ PROPTEST(blend) {
             RC_ASSERT((dot<Rational, 3>(p - origin, cross<Rational>(q - origin, r - origin))) == before);
             std::vector<Rational> first(b.weights.size(), Rational(0));
             first[0] = 1;
-            RC_ASSERT(blend_dual_quaternion<Rational>(b.palette, first, b.vertex) ==
-                      apply(b.palette.transforms[0], b.vertex));
+            RC_ASSERT(blend_dual_quaternion<Rational>(b.palette, first, b.vertex) == apply(b.palette.transforms[0], b.vertex));
           });
-  t.holds("dual quaternion blending of joints that agree at a point is spherical blending about it",
-          {.number_type = "rational"}, [] {
+  t.holds("dual quaternion blending of joints that agree at a point is spherical blending about it", {.number_type = "rational"},
+          [] {
             Blend b = draw();
             RC_PRE(!b.vanishes());
             const RationalVec<3> joint = *gen::rational_vector<3>(), image = *gen::rational_vector<3>();
@@ -107,16 +104,15 @@ PROPTEST(blend) {
             RC_ASSERT(blend_dual_quaternion<Rational>(b.palette, b.weights, b.vertex) ==
                       blend_spherical<Rational>(b.palette, b.weights, b.vertex));
           });
-  t.holds("dual quaternion blending does not depend on the choice of coordinates, before or after",
-          {.number_type = "rational"}, [] {
+  t.holds("dual quaternion blending does not depend on the choice of coordinates, before or after", {.number_type = "rational"},
+          [] {
             Blend b = draw();
             RC_PRE(!b.vanishes());
             const auto image = blend_dual_quaternion<Rational>(b.palette, b.weights, b.vertex);
             const auto before = *gen::rigid_transform(), after = *gen::rigid_transform();
             for (auto& c : b.palette.transforms) c = compose(after, compose(c, inverse(before)));
             place_duals(b.palette);
-            RC_ASSERT(blend_dual_quaternion<Rational>(b.palette, b.weights, apply(before, b.vertex)) ==
-                      apply(after, image));
+            RC_ASSERT(blend_dual_quaternion<Rational>(b.palette, b.weights, apply(before, b.vertex)) == apply(after, image));
           });
   const auto moves_no_vertex = [](Skinning skinning, std::size_t negated) {
     Blend b = draw();
@@ -128,33 +124,34 @@ PROPTEST(blend) {
     RC_PRE(!b.vanishes());
     RC_ASSERT(blend<Rational>(skinning, b.palette, b.weights, b.vertex) == before);
   };
-  for (const auto& [skinning, name] : {std::pair(Skinning::spherical, "spherical"),
-                                       std::pair(Skinning::dual_quaternion, "dual quaternion")}) {
-    t.holds(std::string("negating all quaternions of a joint-set moves no vertex: ") + name,
-            {.number_type = "rational"}, [=, kind = skinning] { moves_no_vertex(kind, 5); });
-    t.refuted(std::string("negating one quaternion of a joint-set moves no vertex: ") + name,
-              {.number_type = "rational"}, [=, kind = skinning] { moves_no_vertex(kind, 1); });
+  for (const auto& [skinning, name] :
+       {std::pair(Skinning::spherical, "spherical"), std::pair(Skinning::dual_quaternion, "dual quaternion")}) {
+    t.holds(std::string("negating all quaternions of a joint-set moves no vertex: ") + name, {.number_type = "rational"},
+            [=, kind = skinning] { moves_no_vertex(kind, 5); });
+    t.refuted(std::string("negating one quaternion of a joint-set moves no vertex: ") + name, {.number_type = "rational"},
+              [=, kind = skinning] { moves_no_vertex(kind, 1); });
   }
-  t.holds("all blendings agree with Eigen's quaternions and transforms up to 1e-12 of the coordinates' size",
-          {.number_type = "double"}, [] {
-            const Blend b = draw();
-            // Rounding is magnified by 1 over the length of the blend: keep away from vanishing ones.
-            RC_PRE(squared_norm(blend_quaternion<Rational>(b.palette, b.weights)) > Rational(1, 10000));
-            const auto palette = in_double(b.palette);
-            const std::vector<double> w = lift<double>(b.weights);
-            const Point3 v = lift<double>(b.vertex);
-            double size = 1;
-            for (const auto& c : palette.transforms) size = std::max(size, c.translation.norm());
-            size += v.norm() + 2 * palette.rotation_center.norm();
-            RC_ASSERT((blend_linear<double>(palette, w, v) - oracle::linear_by_eigen(palette.transforms, w, v)).norm() <=
-                      1e-12 * size);
-            RC_ASSERT((blend_spherical<double>(palette, w, v) -
-                       oracle::spherical_by_eigen(palette.transforms, w, palette.rotation_center, v))
-                          .norm() <= 1e-12 * size);
-            RC_ASSERT((blend_dual_quaternion<double>(palette, w, v) -
-                       oracle::dual_quaternion_by_eigen(palette.transforms, w, v))
-                          .norm() <= 1e-12 * size);
-          });
+  t.holds(
+      "all blendings agree with Eigen's quaternions and transforms up to 1e-12 of the coordinates' size",
+      {.number_type = "double"}, [] {
+        const Blend b = draw();
+        // Rounding is magnified by 1 over the length of the blend: keep away from vanishing ones.
+        RC_PRE(squared_norm(blend_quaternion<Rational>(b.palette, b.weights)) > Rational(1, 10000));
+        const auto palette = in_double(b.palette);
+        const std::vector<double> w = lift<double>(b.weights);
+        const Point3 v = lift<double>(b.vertex);
+        double size = 1;
+        for (const auto& c : palette.transforms) size = std::max(size, c.translation.norm());
+        size += v.norm() + 2 * palette.rotation_center.norm();
+        RC_ASSERT((blend_linear<double>(palette, w, v) - oracle::linear_by_eigen(palette.transforms, w, v)).norm() <=
+                  1e-12 * size);
+        RC_ASSERT((blend_spherical<double>(palette, w, v) -
+                   oracle::spherical_by_eigen(palette.transforms, w, palette.rotation_center, v))
+                      .norm() <= 1e-12 * size);
+        RC_ASSERT(
+            (blend_dual_quaternion<double>(palette, w, v) - oracle::dual_quaternion_by_eigen(palette.transforms, w, v)).norm() <=
+            1e-12 * size);
+      });
 }
 
 }  // namespace proptests::suite_blend

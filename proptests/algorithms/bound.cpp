@@ -73,7 +73,8 @@ void check_least_radius(Skinning skinning, int most_corners) {
   if (piece.has_relation) {  // which of equally wide edges is halved is not said
     RC_TAG("exact relation");
     for (const double radius : {0.5, 1., 2., 4., 8., 1e9})
-      if (const auto bound = found(piece, {ball.center, radius})) RC_ASSERT(proves(piece, *bound, {ball.center, radius}, 1e-9 * radius));
+      if (const auto bound = found(piece, {ball.center, radius}))
+        RC_ASSERT(proves(piece, *bound, {ball.center, radius}, 1e-9 * radius));
     return;
   }
   if (!(ball.radius < 1e4)) {  // some blend is 0, or so near to it that double does not tell
@@ -153,7 +154,8 @@ PROPTEST(bound) {
                    std::to_string(linear) + std::to_string(longer) + std::to_string(any) + std::to_string(cap) +
                        std::to_string(reach) + std::to_string(mixed));
   });
-  t.holds("spherical blending: caps are tried first, about both axes", {.cases = 150}, [] { check_first_tried(Skinning::spherical); });
+  t.holds("spherical blending: caps are tried first, about both axes", {.cases = 150},
+          [] { check_first_tried(Skinning::spherical); });
   t.holds("dual quaternions: the reach is tried first, about the mean image", {.cases = 150},
           [] { check_first_tried(Skinning::dual_quaternion); });
   t.example("corners at a right angle have no control points before they are halved", {}, [] {
@@ -175,8 +177,8 @@ PROPTEST(bound) {
     return !found(zero, {{3, 0, 0}, 1.5}) && found(zero, {{0, 0, 0}, 4})->by == By::all_rotations;
   });
   t.example("corners so long that their mean overflows have no axis, and no error", {}, [] {
-    const SkinnedPiece piece(Skinning::dual_quaternion, palette_of({{1.5e308, 0, 0, 0}, {1.5e308, 1e300, 0, 0}}), {{1, 0}, {0, 1}},
-                             {{0, 0, 0}, 1});
+    const SkinnedPiece piece(Skinning::dual_quaternion, palette_of({{1.5e308, 0, 0, 0}, {1.5e308, 1e300, 0, 0}}),
+                             {{1, 0}, {0, 1}}, {{0, 0, 0}, 1});
     return found(piece, {{0, 0, 0}, 2}).has_value();
   });
   t.example("a ball smaller than the reference ball is found nothing, and one as large is", {}, [] {

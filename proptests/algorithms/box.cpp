@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/model/model.hpp"
 #include "algorithms/runtime/collide/box_block.hpp"
 #include "algorithms/runtime/collide/flipped_box.hpp"
-#include "algorithms/model/model.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_box {
@@ -52,17 +52,18 @@ PROPTEST(box) {
            same(by_rows<double>(points), box) && around.extent() == 22 && around.center() == Point3(-1, 1.5, -1.5) &&
            around.edges() == Point3(6, 7, 9);
   });
-  t.example("the empty box changes none that it is merged with, and everything swallows all; empty is what one axis lacks", {}, [] {
-    Box<double> box = unit_box(0, 0), all = Box<double>::everything();
-    box.merge(Box<double>::empty()), all.merge(box);
-    bool ok = same(box, unit_box(0, 0)) && same(all, Box<double>::everything()) && !all.is_empty();
-    for (int axis = 0; axis < 3; ++axis) {
-      Box<double> flat = unit_box(0, 0), gone = flat;
-      flat.high[axis] = flat.low[axis], gone.high[axis] = -1;
-      ok = ok && !flat.is_empty() && gone.is_empty() && are_apart(Box<double>::empty(), unit_box(axis, 0));
-    }
-    return ok;
-  });
+  t.example("the empty box changes none that it is merged with, and everything swallows all; empty is what one axis lacks", {},
+            [] {
+              Box<double> box = unit_box(0, 0), all = Box<double>::everything();
+              box.merge(Box<double>::empty()), all.merge(box);
+              bool ok = same(box, unit_box(0, 0)) && same(all, Box<double>::everything()) && !all.is_empty();
+              for (int axis = 0; axis < 3; ++axis) {
+                Box<double> flat = unit_box(0, 0), gone = flat;
+                flat.high[axis] = flat.low[axis], gone.high[axis] = -1;
+                ok = ok && !flat.is_empty() && gone.is_empty() && are_apart(Box<double>::empty(), unit_box(axis, 0));
+              }
+              return ok;
+            });
   t.example("a coordinate separates boxes, from either side, but not boxes that touch, and a NaN separates nothing", {}, [] {
     bool ok = true;
     for (int axis = 0; axis < 3; ++axis)

@@ -53,8 +53,7 @@ PROPTEST(box_orientation) {
           Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
       std::vector<Point3> points;  // pairs, so that the mean is the middle exactly and the covariance is diagonal
       for (const double s : {-1.0, 1.0})
-        for (int i = 0; i < 3; ++i)
-          points.push_back(Point3(7, 0, 0) + rotate<double>(q, Point3::Unit(i) * s * (1 << i)));
+        for (int i = 0; i < 3; ++i) points.push_back(Point3(7, 0, 0) + rotate<double>(q, Point3::Unit(i) * s * (1 << i)));
       Point3 e = extents(as_balls(points), box_orientations(as_balls(points))[1]);
       std::sort(e.data(), e.data() + 3);
       good = good && (e - Point3(2, 4, 8)).norm() < 1e-9;
@@ -87,48 +86,55 @@ PROPTEST(box_orientation) {
     }
     return good;
   });
-  t.example("the long side is found along an axis and along a diagonal, among points that reach farther along all others", {}, [] {
-    std::vector<Point3> directions;
-    for (int i = 0; i < 3; ++i) directions.push_back(Point3::Unit(i));
-    for (const double y : {-1.0, 1.0})
-      for (const double z : {-1.0, 1.0}) directions.push_back({1, y, z});
-    long tried = 0;
-    for (const Point3& side : directions) {
-      std::vector<Point3> points;
-      for (const Point3& d : directions)
-        for (const double sign : {-1.0, 1.0})
-          points.push_back(d == side ? Point3(side.normalized() * 10 * sign) : d.norm() == 1 ? Point3(d * 7 * sign) : Point3(d * 3.5 * sign));
-      std::mt19937_64 random(tried);
-      std::shuffle(points.begin(), points.end(), random);
-      const Point3 along = rotate<double>(box_orientations(as_balls(points))[2], Point3::UnitX());
-      if (cross<double>(side, along).norm() > 1e-12) return Checked(false, tried, "direction " + std::to_string(tried));
-      ++tried;
-    }
-    return Checked(true, tried);
-  });
-  t.example("triangles however flat have their sides' boxes, but for those that rounding makes of a line or a point: these have none", {}, [] {
-    std::mt19937_64 random(2006);
-    std::normal_distribution<double> normal;
-    long tried = 0;
-    for (const double height : {1.0, 0.1, 0.05, 1e-3, 1e-6, 1e-9, 1e-11, 1e-14, 0.0})
-      for (int round = 0; round < 50; ++round, ++tried) {
-        const Quaternion<double> q = Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
-        const double scale = std::exp2(10 * normal(random)), share = 0.3 + 0.01 * (round % 40);
-        const auto point = [&](double x, double y) { return Point3(rotate<double>(q, Point3(x, y, 0) * scale)); };
-        const auto balls = as_balls({point(0, 0), point(1, 0), point(share, height)});
-        const auto all = box_orientations(balls);
-        for (int i = 2; i < 5; ++i) {
-          if ((all[i] == identity_quaternion<double>()) != (height < 1e-13)) return Checked(false, tried, "height " + std::to_string(height));
-          if (height > 1e-13 && extents(balls, all[i])[1] > 1e-14 * scale) return Checked(false, tried, "not in a face");
+  t.example("the long side is found along an axis and along a diagonal, among points that reach farther along all others", {},
+            [] {
+              std::vector<Point3> directions;
+              for (int i = 0; i < 3; ++i) directions.push_back(Point3::Unit(i));
+              for (const double y : {-1.0, 1.0})
+                for (const double z : {-1.0, 1.0}) directions.push_back({1, y, z});
+              long tried = 0;
+              for (const Point3& side : directions) {
+                std::vector<Point3> points;
+                for (const Point3& d : directions)
+                  for (const double sign : {-1.0, 1.0})
+                    points.push_back(d == side       ? Point3(side.normalized() * 10 * sign)
+                                     : d.norm() == 1 ? Point3(d * 7 * sign)
+                                                     : Point3(d * 3.5 * sign));
+                std::mt19937_64 random(tried);
+                std::shuffle(points.begin(), points.end(), random);
+                const Point3 along = rotate<double>(box_orientations(as_balls(points))[2], Point3::UnitX());
+                if (cross<double>(side, along).norm() > 1e-12) return Checked(false, tried, "direction " + std::to_string(tried));
+                ++tried;
+              }
+              return Checked(true, tried);
+            });
+  t.example(
+      "triangles however flat have their sides' boxes, but for those that rounding makes of a line or a point: these have none",
+      {}, [] {
+        std::mt19937_64 random(2006);
+        std::normal_distribution<double> normal;
+        long tried = 0;
+        for (const double height : {1.0, 0.1, 0.05, 1e-3, 1e-6, 1e-9, 1e-11, 1e-14, 0.0})
+          for (int round = 0; round < 50; ++round, ++tried) {
+            const Quaternion<double> q =
+                Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
+            const double scale = std::exp2(10 * normal(random)), share = 0.3 + 0.01 * (round % 40);
+            const auto point = [&](double x, double y) { return Point3(rotate<double>(q, Point3(x, y, 0) * scale)); };
+            const auto balls = as_balls({point(0, 0), point(1, 0), point(share, height)});
+            const auto all = box_orientations(balls);
+            for (int i = 2; i < 5; ++i) {
+              if ((all[i] == identity_quaternion<double>()) != (height < 1e-13))
+                return Checked(false, tried, "height " + std::to_string(height));
+              if (height > 1e-13 && extents(balls, all[i])[1] > 1e-14 * scale) return Checked(false, tried, "not in a face");
+            }
+          }
+        for (int count = 1; count < 5; ++count, ++tried) {
+          const auto all = box_orientations(as_balls(std::vector<Point3>(count, Point3(1, 2, 3))));
+          for (int i = 2; i < 5; ++i)
+            if (all[i] != identity_quaternion<double>()) return Checked(false, tried, "one point");
         }
-      }
-    for (int count = 1; count < 5; ++count, ++tried) {
-      const auto all = box_orientations(as_balls(std::vector<Point3>(count, Point3(1, 2, 3))));
-      for (int i = 2; i < 5; ++i)
-        if (all[i] != identity_quaternion<double>()) return Checked(false, tried, "one point");
-    }
-    return Checked(true, tried);
-  });
+        return Checked(true, tried);
+      });
 }
 
 }  // namespace proptests::suite_box_orientation

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
 
 #include <random>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/collide/cluster_tree.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/accepted.hpp"
@@ -69,14 +69,12 @@ PROPTEST(box_packs) {
         const auto c = bake(std::move(model));
         std::mt19937 random(plan.seed);
         const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
-        const Pose pose =
-            gen::with_lengths(gen::random_pose(c.mesh, random, spread), gen::random_unit_length(random), random);
+        const Pose pose = gen::with_lengths(gen::random_pose(c.mesh, random, spread), gen::random_unit_length(random), random);
         const Quaternion<double> rotation =
             gen::with_length(gen::random_rotation(random, 1), gen::random_unit_length(random), random);
         std::vector<int> nodes;
         for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
-        const Skinning skinning =
-            *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
+        const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
         const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
         auto turned = skin(c.mesh, c.sets, palette, skinning);
         for (auto& p : turned) p = rotate(rotation, p);
@@ -86,31 +84,30 @@ PROPTEST(box_packs) {
         }
         RC_TAG(name_of(best_target()));
       });
-  t.holds(
-      "nor do they lose a vertex where joints are turned nearly opposite ways, so that blends of them nearly vanish",
-      {.number_type = "float", .cases = 300, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
-        const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
-        const auto c = bake(soup.mesh);
-        const Pose& pose = soup.pose;
-        RC_TAG(gen::label_of(soup));
-        std::vector<int> nodes;
-        for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
-        const Skinning skinning =
-            *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
-        const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
-        const auto skinned = skin(c.mesh, c.sets, palette, skinning);
-        for (const Target target : available_targets()) {
-          const auto boxes = bound(c, nodes, skinning, palette, identity_quaternion<double>(), target);
-          for (const int n : nodes) RC_ASSERT(excess(c, n, skinned, boxes[n]) <= 0);
-        }
-      });
+  t.holds("nor do they lose a vertex where joints are turned nearly opposite ways, so that blends of them nearly vanish",
+          {.number_type = "float", .cases = 300, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
+            const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
+            const auto c = bake(soup.mesh);
+            const Pose& pose = soup.pose;
+            RC_TAG(gen::label_of(soup));
+            std::vector<int> nodes;
+            for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
+            const Skinning skinning =
+                *rc::gen::elementOf(std::vector<Skinning>(std::begin(all_skinnings), std::end(all_skinnings)));
+            const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+            const auto skinned = skin(c.mesh, c.sets, palette, skinning);
+            for (const Target target : available_targets()) {
+              const auto boxes = bound(c, nodes, skinning, palette, identity_quaternion<double>(), target);
+              for (const int n : nodes) RC_ASSERT(excess(c, n, skinned, boxes[n]) <= 0);
+            }
+          });
   t.holds(
       "boxes hold vertices that are where the bound is attained, of 1 to 90 joints, at every scale, however long "
       "quaternions are; and are wider by no more than what rounding is allowed",
       {.number_type = "float", .cases = 3000}, [] {
         std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-        const double unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-36, 1e-38, 1e-41, 1e-44, 1e-80, 1e-160, 1e-300, 1e12,
-                                              1e25, 1e30);
+        const double unit =
+            *rc::gen::element(1.0, 1.0, 1e-12, 1e-36, 1e-38, 1e-41, 1e-44, 1e-80, 1e-160, 1e-300, 1e12, 1e25, 1e30);
         const gen::Attained scene = gen::attained(random, {.unit = unit});
         const Skinning skinning = gen::random_skinning(random);
         const auto c = bake(scene.mesh, {.triangles_per_leaf = 8});
@@ -126,8 +123,8 @@ PROPTEST(box_packs) {
           RC_ASSERT(is_everything(box) == (skinning == Skinning::dual_quaternion && joints > most_box_joints));
           if (is_everything(box)) continue;
           for (int i = 0; i < 3; ++i) {
-            const auto [low, high] = std::minmax_element(
-                turned.begin(), turned.end(), [i](const Point3& p, const Point3& q) { return p[i] < q[i]; });
+            const auto [low, high] =
+                std::minmax_element(turned.begin(), turned.end(), [i](const Point3& p, const Point3& q) { return p[i] < q[i]; });
             const double exact = (*high)[i] - (*low)[i], diameter = 2 * c.tree.nodes[0].reference.radius;
             RC_ASSERT(width(box, i) <= std::max(exact, diameter) + stated_slack(3 * scene.size, joints));
           }
@@ -169,30 +166,35 @@ PROPTEST(box_packs) {
                    : what == joint    ? "a joint that moves far"
                                       : "a far rotation center");
           });
-  t.example("the ball of a node's piece, of float numbers, holds its vertices by the last bit, and is no more than a float's rounding larger", {}, [] {
-    std::mt19937 random(2006);
-    std::uniform_real_distribution<double> turn(0, 7);
-    long beyond = 0;
-    constexpr int tried = 500;
-    for (int i = 0; i < tried; ++i) {
-      const double angle = turn(random), unit = std::exp2(static_cast<int>(random() % 40) - 20);
-      const Point3 v = Point3(std::cos(angle), std::sin(angle), 0) * unit;  // 1 or so units long, by half a bit more or less
-      SkinnedMesh model;
-      model.name = "across";
-      model.vertices = {v, -v, v};
-      model.triangles = {{0, 1, 2}};
-      model.joints = {{"root", -1, {0, 0, 0}}};
-      model.influences.assign(3, {{0, 1}});
-      const auto c = bake(std::move(model));
-      const Ball3<double> ball = pieces_of_nodes(c, std::vector<int>{0})[0].reference;
-      for (const Point3& p : c.mesh.vertices)
-        if (encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) != Verdict::holds)
-          return Checked(false, i, "a vertex outside");
-      if (ball.radius > unit * (1 + 0x1p-22) || ball.radius != static_cast<float>(ball.radius)) return Checked(false, i, "no float, or too large");
-      beyond += squared_norm(convert<Rational>(v)) > Rational(unit) * Rational(unit);
-    }
-    return Checked(beyond > tried / 5, tried, std::to_string(beyond) + " a little more than a float away");
-  });
+  t.example(
+      "the ball of a node's piece, of float numbers, holds its vertices by the last bit, and is no more than a float's rounding "
+      "larger",
+      {}, [] {
+        std::mt19937 random(2006);
+        std::uniform_real_distribution<double> turn(0, 7);
+        long beyond = 0;
+        constexpr int tried = 500;
+        for (int i = 0; i < tried; ++i) {
+          const double angle = turn(random), unit = std::exp2(static_cast<int>(random() % 40) - 20);
+          const Point3 v = Point3(std::cos(angle), std::sin(angle), 0) * unit;  // 1 or so units long, by half a bit more or less
+          SkinnedMesh model;
+          model.name = "across";
+          model.vertices = {v, -v, v};
+          model.triangles = {{0, 1, 2}};
+          model.joints = {{"root", -1, {0, 0, 0}}};
+          model.influences.assign(3, {{0, 1}});
+          const auto c = bake(std::move(model));
+          const Ball3<double> ball = pieces_of_nodes(c, std::vector<int>{0})[0].reference;
+          for (const Point3& p : c.mesh.vertices)
+            if (encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) !=
+                Verdict::holds)
+              return Checked(false, i, "a vertex outside");
+          if (ball.radius > unit * (1 + 0x1p-22) || ball.radius != static_cast<float>(ball.radius))
+            return Checked(false, i, "no float, or too large");
+          beyond += squared_norm(convert<Rational>(v)) > Rational(unit) * Rational(unit);
+        }
+        return Checked(beyond > tried / 5, tried, std::to_string(beyond) + " a little more than a float away");
+      });
   t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
     const auto c = bake(make_man());
     const auto pose = c.clips[0].sample(0.3 * c.clips[0].duration);
@@ -218,14 +220,12 @@ PROPTEST(box_packs) {
       for (std::size_t n = 0; n < nodes.size(); ++n)
         for (int i = 0; i < 3; ++i) {
           double low = 1e300, high = -1e300;
-          for (const int v : c.vertices[nodes[n]])
-            low = std::min(low, skinned[v][i]), high = std::max(high, skinned[v][i]);
+          for (const int v : c.vertices[nodes[n]]) low = std::min(low, skinned[v][i]), high = std::max(high, skinned[v][i]);
           bounded += width(first[n], i), exact += high - low;
           ++looked_at;
         }
       ok = ok && bounded >= exact && bounded < 1.38 * exact;
-      text += (text.empty() ? "sum of widths over that of the vertices' own boxes: " : ", ") +
-              std::to_string(bounded / exact);
+      text += (text.empty() ? "sum of widths over that of the vertices' own boxes: " : ", ") + std::to_string(bounded / exact);
     }
     return Checked(ok, looked_at, text);
   });

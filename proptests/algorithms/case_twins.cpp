@@ -52,9 +52,7 @@ template <int D>
 Json json(const Cap<Rational, D>& c) {
   return {{"center", json(c.center)}, {"apex", json(c.apex)}, {"cos_angle", json(c.cos_angle)}};
 }
-Json json(const RigidTransform<Rational>& c) {
-  return {{"rotation", json(c.rotation)}, {"translation", json(c.translation)}};
-}
+Json json(const RigidTransform<Rational>& c) { return {{"rotation", json(c.rotation)}, {"translation", json(c.translation)}}; }
 Json json(const PosedJointSet<Rational>& set);
 Json json(const gen::SetCase& set);
 template <class X>
@@ -65,8 +63,7 @@ Json json(const std::vector<X>& list) {
 }
 Json json(const WeightBounds<Rational>& b) { return {{"low", json(b.low)}, {"high", json(b.high)}}; }
 Json json(const PosedJointSet<Rational>& s) {
-  return {
-      {"transforms", json(s.transforms)}, {"rotation_center", json(s.rotation_center)}, {"corners", json(s.corners)}};
+  return {{"transforms", json(s.transforms)}, {"rotation_center", json(s.rotation_center)}, {"corners", json(s.corners)}};
 }
 Json json(const gen::SetCase& s) {
   return {{"transforms", json(s.palette.transforms)},
@@ -131,8 +128,8 @@ void add_lemmas(std::vector<Twin>& out) {
     const auto add = [&](const char* name, const Disc& b, const Units& n, const Weights& w) {
       out.push_back({name, {{"ball", json(b)}, {"units", json(n)}, {"weights", json(w)}}});
     };
-    out.push_back({"mean disc of radius 6/5, printed border",
-                   {{"ball", json(mean_of_three_and_one)}, {"units", json(three_and_one)}}});
+    out.push_back(
+        {"mean disc of radius 6/5, printed border", {{"ball", json(mean_of_three_and_one)}, {"units", json(three_and_one)}}});
     add("mean disc of radius 6/5, repaired", mean_of_three_and_one, three_and_one, quarters);
     add("mean disc past a half", mean_of_three_and_wide, three_and_wide, quarters);
     add("blend behind the disc", around_behind, behind, halves);
@@ -154,10 +151,10 @@ void add_lemmas(std::vector<Twin>& out) {
     out.push_back({"cap on a line", {{"cap", json(on_a_line)}, {"other", json(point_on_a_line)}}});
     out.push_back({"smallest ball of a narrow cap",
                    {{"cap", json(narrow)}, {"sine", json(sine_of_narrow)}, {"rim_direction", json(perpendicular)}}});
-    out.push_back({"slanted direction",
-                   {{"cap", json(narrow)}, {"sine", json(sine_of_narrow)}, {"rim_direction", json(slanted)}}});
-    out.push_back({"sine of another angle",
-                   {{"cap", json(narrow)}, {"sine", json(not_its_sine)}, {"rim_direction", json(perpendicular)}}});
+    out.push_back(
+        {"slanted direction", {{"cap", json(narrow)}, {"sine", json(sine_of_narrow)}, {"rim_direction", json(slanted)}}});
+    out.push_back(
+        {"sine of another angle", {{"cap", json(narrow)}, {"sine", json(not_its_sine)}, {"rim_direction", json(perpendicular)}}});
   }
 }
 
@@ -169,21 +166,18 @@ void add_section_4(std::vector<Twin>& out) {
       out.push_back({"high bounds too low, " + form, {{"bounds", json(high_too_low)}}});
       out.push_back({"crossed bounds, " + form, {{"bounds", json(crossed)}}});
     }
-    out.push_back(
-        {"a corner is missing", {{"bounds", json(segment)}, {"corners", json(one_end)}, {"weights", json(middle)}}});
+    out.push_back({"a corner is missing", {{"bounds", json(segment)}, {"corners", json(one_end)}, {"weights", json(middle)}}});
     out.push_back({"weights out of bounds",
                    {{"bounds", json(segment)}, {"corners", json(both_ends)}, {"weights", json(beyond_the_segment)}}});
-    out.push_back({"a corner too far",
-                   {{"bounds", json(segment)}, {"corners", json(too_far)}, {"coefficients", json(only_the_first)}}});
+    out.push_back(
+        {"a corner too far", {{"bounds", json(segment)}, {"corners", json(too_far)}, {"coefficients", json(only_the_first)}}});
     out.push_back({"a corner twice", {{"bounds", json(segment)}, {"corners", json(repeated)}}});
   }
   {
     using namespace s42;
-    out.push_back({"image of a missing corner",
-                   {{"bounds", json(segment)},
-                    {"corners", json(first_only)},
-                    {"points", json(points)},
-                    {"weights", json(second)}}});
+    out.push_back(
+        {"image of a missing corner",
+         {{"bounds", json(segment)}, {"corners", json(first_only)}, {"points", json(points)}, {"weights", json(second)}}});
     out.push_back({"image of a corner too far",
                    {{"bounds", json(segment)},
                     {"corners", json(too_far)},
@@ -203,18 +197,14 @@ void add_section_4(std::vector<Twin>& out) {
   }
   {
     using namespace s43_minkowski;
-    out.push_back(
-        {"corner of a box",
-         {{"blend", json(turn)}, {"ball", json(unit_ball)}, {"pivot", json(pivot)}, {"point", json(box_corner)}}});
+    out.push_back({"corner of a box",
+                   {{"blend", json(turn)}, {"ball", json(unit_ball)}, {"pivot", json(pivot)}, {"point", json(box_corner)}}});
   }
   {
     using namespace s43_cap;
     const auto add = [&](const char* name, const Q& cosine) {
-      out.push_back({name,
-                     {{"apex", json(no_turn)},
-                      {"cos_angle", json(cosine)},
-                      {"rotation", json(half_turn_about_x)},
-                      {"v", json(y)}}});
+      out.push_back(
+          {name, {{"apex", json(no_turn)}, {"cos_angle", json(cosine)}, {"rotation", json(half_turn_about_x)}, {"v", json(y)}}});
     };
     add("half turn past a right angle, printed", past_right_angle);
     add("half turn past a right angle, repaired", past_right_angle);
@@ -271,8 +261,7 @@ void add_beyond(std::vector<Twin>& out) {
   {
     using namespace t3_dot;
     const auto add = [&](const char* name, const t3_dot::Case& c) {
-      out.push_back(
-          {name, {{"units", json(c.units)}, {"center", json(c.center)}, {"squared_radius", json(c.squared_radius)}}});
+      out.push_back({name, {{"units", json(c.units)}, {"center", json(c.center)}, {"squared_radius", json(c.squared_radius)}}});
     };
     add("vector of length 2", not_unit);
     add("radius too large", too_large);
@@ -306,16 +295,15 @@ void add_beyond(std::vector<Twin>& out) {
     add("x and y", once);
     add("x twice, and y", twice);
   }
-  const char* const names[] = {"cap beyond a right angle, printed", "negative radius, printed",
-                               "zero blend at a corner, signed", "zero mean, signed", "lost sign, printed"};
+  const char* const names[] = {"cap beyond a right angle, printed", "negative radius, printed", "zero blend at a corner, signed",
+                               "zero mean, signed", "lost sign, printed"};
   const auto& pinned = counterexamples::algorithm1();
   for (std::size_t i = 0; i < pinned.size(); ++i) {
     const auto& [finding, input, weights, undefined] = pinned[i];
-    out.push_back(
-        {i < std::size(names) ? names[i] : "a case for: " + finding,
-         {{"reference", json(input.reference)},
-          {"joint_sets", json(input.sets)},
-          {"vertex", {{"joint_set", 0}, {"weights", json(weights)}, {"position", json(input.reference.center)}}}}});
+    out.push_back({i < std::size(names) ? names[i] : "a case for: " + finding,
+                   {{"reference", json(input.reference)},
+                    {"joint_sets", json(input.sets)},
+                    {"vertex", {{"joint_set", 0}, {"weights", json(weights)}, {"position", json(input.reference.center)}}}}});
   }
 }
 

@@ -27,8 +27,7 @@ std::string quoted(const Case& c) { return "'" + c.name + "'"; }
 std::string complaint(const Case& c, const Statement& s) {
   const Judgement exact = s.exact(c), interval = s.interval(c);
   const Verdict expected = verdict_of(c.expected == "holds"), met = verdict_of(c.without.empty());
-  if (exact.hypotheses != met)
-    return quoted(c) + (c.without.empty() ? " does not meet" : " meets") + " the hypotheses; ";
+  if (exact.hypotheses != met) return quoted(c) + (c.without.empty() ? " does not meet" : " meets") + " the hypotheses; ";
   if (exact.conclusion != expected) return quoted(c) + " " + name_of(exact.conclusion) + "; ";
   const auto contradicts = [](Verdict a, Verdict b) { return a != Verdict::undecided && a != b; };
   if (contradicts(interval.hypotheses, exact.hypotheses) || contradicts(interval.conclusion, exact.conclusion))
@@ -67,8 +66,7 @@ Checked check_coverage() {
     if (!forms.count(s.stem + " " + s.form)) missing += s.stem + " " + s.form + " with its hypotheses; ";
   }
   if (forms_of["algorithm1"] != std::set<std::string>{"printed", "repaired"}) missing += "algorithm1; ";
-  return Checked(missing.empty(), static_cast<long>(statements().size()),
-                 missing.empty() ? "" : "without a case: " + missing);
+  return Checked(missing.empty(), static_cast<long>(statements().size()), missing.empty() ? "" : "without a case: " + missing);
 }
 
 // --- Bad files ---
@@ -151,27 +149,29 @@ Checked check_refusals() {
        "\"high\": [\"1\", \"1\"]",
        "\"high\": [\"1/2\", \"1\"]",
        {in_case, "'weights'", "outside the joint-set's bounds"}},
-      {refit_case,
-       "\"high\": [\"1\", \"1\"]",
-       "\"high\": [\"1/4\", \"1/4\"]",
-       {in_case, "'bounds'", "no weights through"}},
+      {refit_case, "\"high\": [\"1\", \"1\"]", "\"high\": [\"1/4\", \"1/4\"]", {in_case, "'bounds'", "no weights through"}},
       {refit_case, "\"high\": [\"1\", \"1\"]", "\"high\": [\"1\"]", {in_case, "'bounds'", "as many low as high"}},
       {refit_case, "\"joint_set\": 0", "\"joint_set\": 1", {in_case, "'joint_set'", "0 to 0"}},
-      {refit_case,
-       "\"position\": [\"1\"",
-       "\"position\": [\"2\"",
-       {in_case, "'position'", "outside the reference ball"}},
+      {refit_case, "\"position\": [\"1\"", "\"position\": [\"2\"", {in_case, "'position'", "outside the reference ball"}},
       {refit_case, "\"radius\": \"0\"", "\"radius\": \"-1\"", {in_case, "'reference'", "negative radius"}},
       {refit_case, "\"joint_sets\": [", "\"joint_sets\": [1, ", {in_case, "joint_sets[0]", "not an object"}},
       {refit_case, "\"joint_sets\": [{", "\"joint_sets\": [], \"x\": [{", {in_case, "'joint_sets'", "one or more objects"}},
       {refit_case, "\"low\": [\"0\", \"0\"]", "\"low\": \"0\"", {in_case, "'low'", "not a list of numbers"}},
-      {refit_case, "\"low\": [\"0\", \"0\"], \"high\": [\"1\", \"1\"]", "\"low\": [\"0\"], \"high\": [\"1\"]",
+      {refit_case,
+       "\"low\": [\"0\", \"0\"], \"high\": [\"1\", \"1\"]",
+       "\"low\": [\"0\"], \"high\": [\"1\"]",
        {in_case, "'bounds' are of 1 weights, the transforms of 2"}},
       {refit_case, "[\"3/4\", \"1/4\"]", "[\"1\"]", {in_case, "'weights'", "needs 2 weights, has 1"}},
       {refit_case, "ball_encloses_vertex", "ball_is_empty", {in_case, "algorithm1 has no repaired claim 'ball_is_empty'"}},
       {lemma_case, "\"note\": \"n\"", "\"note\": 1", {in_case, "'note' is not a text"}},
-      {lemma_case, "[[\"1\", \"0\", \"0\", \"0\"], [\"1\", \"1\", \"0\", \"0\"]]", "[]", {in_case, "'quaternions'", "lists of numbers"}},
-      {lemma_case, "\"axis\": [", "\"deep\": " + std::string(40, '[') + std::string(40, ']') + ", \"axis\": [", {"bad.json", "nested more than 32 deep"}},
+      {lemma_case,
+       "[[\"1\", \"0\", \"0\", \"0\"], [\"1\", \"1\", \"0\", \"0\"]]",
+       "[]",
+       {in_case, "'quaternions'", "lists of numbers"}},
+      {lemma_case,
+       "\"axis\": [",
+       "\"deep\": " + std::string(40, '[') + std::string(40, ']') + ", \"axis\": [",
+       {"bad.json", "nested more than 32 deep"}},
   };
   std::string wrong;
   for (const Spoiled& s : list) {
@@ -180,8 +180,7 @@ Checked check_refusals() {
     if (at == std::string::npos) return Checked(false, 1, "nothing to spoil: " + s.from);
     const std::string error = error_of(text.replace(at, s.from.size(), s.to));
     for (const auto& word : s.words)
-      if (error.find(word) == std::string::npos)
-        wrong += s.from + " -> " + s.to + ": no '" + word + "' in '" + error + "'; ";
+      if (error.find(word) == std::string::npos) wrong += s.from + " -> " + s.to + ": no '" + word + "' in '" + error + "'; ";
   }
   std::string many = refit_case;  // 24 joints with weights in [0, 1/12]: 24 choose 12 corners
   const auto repeat = [](const std::string& part, int times) {
@@ -190,13 +189,14 @@ Checked check_refusals() {
     return out;
   };
   const auto put = [&](const std::string& from, const std::string& to) { many.replace(many.find(from), from.size(), to); };
-  put("{\"rotation\": [\"1\"", repeat("{\"rotation\": [\"1\", \"0\", \"0\", \"0\"], \"translation\": [\"0\", \"0\", \"0\"]}", 22) + ", {\"rotation\": [\"1\"");
+  put("{\"rotation\": [\"1\"",
+      repeat("{\"rotation\": [\"1\", \"0\", \"0\", \"0\"], \"translation\": [\"0\", \"0\", \"0\"]}", 22) +
+          ", {\"rotation\": [\"1\"");
   put("[\"0\", \"0\"], \"high\": [\"1\", \"1\"]", "[" + repeat("\"0\"", 24) + "], \"high\": [" + repeat("\"1/12\"", 24) + "]");
   if (error_of(many).find("'bounds' have more than 100000 corners") == std::string::npos) wrong += error_of(many) + "; ";
   const auto drop_last = [](Json& list) { list.erase(list.size() - 1); };
-  const std::string few_points = error_of(changed_case("linear_part_in_hull", [&](Json& inputs) {
-    drop_last(inputs["points"]), drop_last(inputs["weights"]);
-  }));
+  const std::string few_points = error_of(
+      changed_case("linear_part_in_hull", [&](Json& inputs) { drop_last(inputs["points"]), drop_last(inputs["weights"]); }));
   if (few_points.find("'points' are not one for each weight") == std::string::npos) wrong += few_points + "; ";
   const std::string few_joints = error_of(changed_case("ball_encloses_vertex", [&](Json& inputs) {
     Json& sets = inputs["joint_sets"];
@@ -224,8 +224,7 @@ PROPTEST(cases) {
   const Options options{.number_type = "rational and interval"};
   t.example("every case of the file has its expected verdict, exactly, and intervals never contradict it", options,
             [] { return check_all(all_cases()); });
-  t.example("every claim has a case, and every form of a statement has one that meets its hypotheses", {},
-            check_coverage);
+  t.example("every claim has a case, and every form of a statement has one that meets its hypotheses", {}, check_coverage);
   t.example("the cases to be spoiled are good, and a wrong expectation is noticed", options, [] {
     std::string wrong = lemma_case;
     wrong.replace(wrong.find("\"holds\""), 7, "\"fails\"");

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates of refitted balls and their checker, proptests/certificate/check: what is true is accepted, whatever is
 // changed is noticed, and no bound proves what is false.
-#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/certificate/certificate.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/documents.hpp"
+#include "algorithms/methods/refit/algorithm1_printed.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/verification/exact_skin.hpp"
 #include "algorithms/verification/synthetic_case.hpp"
-#include "algorithms/methods/refit/algorithm1_printed.hpp"
-#include "algorithms/bake/bake.hpp"
-#include "algorithms/runtime/skinning/blend.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/gen/bare_certified_node.hpp"
 #include "proptests/gen/random_pose.hpp"
@@ -93,7 +93,8 @@ bool is_about(const json& document, const RefitNode<double>& node, Skinning skin
     const auto stated = palette_of(document["joint_sets"].at(piece["joint_set"].get<std::size_t>()));
     const PaletteEntry<double> palette = node.palette[set.joint_set];
     all = same(ball_of(piece["reference"]), exactly(node.piece_reference(i))) &&
-          piece["corners"].size() == std::size_t(set.weight_vertex_count) && stated.transforms.size() == palette.transforms.size();
+          piece["corners"].size() == std::size_t(set.weight_vertex_count) &&
+          stated.transforms.size() == palette.transforms.size();
     for (int k = 0; all && k < set.weight_vertex_count; ++k)
       for (std::size_t j = 0; j < palette.transforms.size(); ++j)
         all = all && number(piece["corners"][k].at(j)) == Rational(node.corner(set, k)[j]);
@@ -151,7 +152,8 @@ Checked check_nodes(const Character& c, const Pose& pose, std::mt19937& random, 
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
       const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
       for (const RefitVariant& variant : compared_variants())
-        if (variant.sound && variant.skinning == skinning) certify(folder, variant, c.refit_node(n, palette, variant.pieces), certified(c, n, variant.name));
+        if (variant.sound && variant.skinning == skinning)
+          certify(folder, variant, c.refit_node(n, palette, variant.pieces), certified(c, n, variant.name));
     }
   }
   long accepted = 0;
@@ -172,7 +174,8 @@ Checked check_model(const AnimatedCharacter& c) {
 std::vector<Ball3<double>> nearby_balls(const Ball3<double>& ball, std::mt19937& random) {
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   std::vector<Ball3<double>> out{{ball.center, std::nextafter(ball.radius, 0)}, {ball.center, ball.radius / 2}};
-  for (const double most : {-12., -5., -1.}) out.push_back({ball.center, ball.radius * (1 - std::pow(10, uniform(most - 4, most)))});
+  for (const double most : {-12., -5., -1.})
+    out.push_back({ball.center, ball.radius * (1 - std::pow(10, uniform(most - 4, most)))});
   for (const double most : {-12., -5., 0.}) {
     Point3 step;
     for (double& x : step) x = uniform(-1, 1);
@@ -195,7 +198,8 @@ void check_other_balls(Tried& tried) {
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   CheckedFolder folder;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-    const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning), later = make_skinning_palette(c.mesh, c.sets, other, skinning);
+    const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning),
+               later = make_skinning_palette(c.mesh, c.sets, other, skinning);
     ExactSkin skin(c.mesh, c.sets, palette, skinning);
     std::vector<const RefitVariant*> variants;
     for (const RefitVariant& variant : compared_variants())
@@ -259,8 +263,22 @@ json with_other_value(json document, std::mt19937& random) {
     std::vector<json*> values;
     all_values(document, values);
     json& value = *values[pick(values.size())];
-    const json others[] = {nullptr, true, 0, -1, 1.5, "", "1/0", "0/1", "-1", "1e3", "nan", json::array(), json::object(),
-                           std::string(5000, '7'), {"1", "2", "3"}, *values[pick(values.size())]};
+    const json others[] = {nullptr,
+                           true,
+                           0,
+                           -1,
+                           1.5,
+                           "",
+                           "1/0",
+                           "0/1",
+                           "-1",
+                           "1e3",
+                           "nan",
+                           json::array(),
+                           json::object(),
+                           std::string(5000, '7'),
+                           {"1", "2", "3"},
+                           *values[pick(values.size())]};
     if (&value != &document && (pick(2) == 0 || !value.is_structured() || value.empty())) {
       value = json(others[pick(std::size(others))]);
     } else if (value.is_object()) {
@@ -345,7 +363,8 @@ bool is_false(const json& document) {
     for (const Image& image : images_of(document, piece))
       if (encloses(ball, Ball3<Rational>{image.position, image.margin}) != Verdict::holds) return true;
   for (const json& vertex : document["vertices"])
-    if (const auto position = image_of(document, vertex); position && encloses<Rational, 3>(ball, *position) != Verdict::holds) return true;
+    if (const auto position = image_of(document, vertex); position && encloses<Rational, 3>(ball, *position) != Verdict::holds)
+      return true;
   return false;
 }
 
@@ -420,14 +439,16 @@ class Forger {
     const std::size_t m = piece["corners"].size();
     if (pick(4) == 0 && piece["bound"].contains("halves")) return piece["bound"]["halves"][pick(2)];
     if (depth > 0 && pick(3) == 0 && document["skinning"] != "linear")
-      return {{"by", "halves"}, {"edge", {pick(m), pick(m)}},
+      return {{"by", "halves"},
+              {"edge", {pick(m), pick(m)}},
               {"halves", {some_bound(document, piece, depth - 1), some_bound(document, piece, depth - 1)}}};
     const auto& rotations = document["joint_sets"][piece["joint_set"].get<std::size_t>()]["rotations"];
     const json axis = pick(2) ? as_json<4>(some_vector<4>()) : rotations[pick(rotations.size())];
     switch (document["skinning"] == "linear" ? 0 : pick(document["skinning"] == "spherical" ? 4 : 2)) {
       case 0: return {{"by", "control"}};
       case 1:
-        if (document["skinning"] == "dual_quaternion") return {{"by", "reach"}, {"axis", axis}, {"center", document["ball"]["center"]}};
+        if (document["skinning"] == "dual_quaternion")
+          return {{"by", "reach"}, {"axis", axis}, {"center", document["ball"]["center"]}};
         return {{"by", "all_rotations"}};
       default: return {{"by", "cap"}, {"axis", axis}};
     }
@@ -482,8 +503,20 @@ Checked check_malformed() {
       {"lists in lists without end", text(std::string(100000, '[')), "recursion"},
       {"other white space", [](const json& d) { return sealed(d) + "\n"; }, "canonical"},
       {"a key twice", [](const json& d) { return "{\n \"about\": \"\"," + sealed(d).substr(1); }, "canonical"},
-      {"a digest left out", [](const json& d) { json e = d; e.erase("digest"); return e.dump(1) + "\n"; }, "digest"},
-      {"a change without its digest", [](const json& d) { json e = d; e["about"] = ""; return e.dump(1) + "\n"; }, "digest"},
+      {"a digest left out",
+       [](const json& d) {
+         json e = d;
+         e.erase("digest");
+         return e.dump(1) + "\n";
+       },
+       "digest"},
+      {"a change without its digest",
+       [](const json& d) {
+         json e = d;
+         e["about"] = "";
+         return e.dump(1) + "\n";
+       },
+       "digest"},
       {"a skinning of another kind", with("/skinning", "hejl"), "skinning is none"},
       {"a skinning that is no text", with("/skinning", {"linear"}), "skinning is none"},
       {"a model's digest that is none", with("/model", "0"), "certificate.model is no SHA-256"},
@@ -517,9 +550,16 @@ Checked check_malformed() {
       {"a bound of another skinning", with("/pieces/0/bound", {{"by", "reach"}}), "bound.by is no bound"},
       {"a cap without axis", with("/pieces/0/bound", {{"by", "cap"}}), "bound has not the members"},
       {"a cap about 0", with("/pieces/0/bound", {{"by", "cap"}, {"axis", {"0", "0", "0", "0"}}}), "not ahead"},
-      {"halves of no edge", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 99}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}), "edge ends at no corner"},
-      {"halves of an edge counted from the end", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {-1, 0}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}), "edge ends at no corner"},
-      {"one half", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 1}}, {"halves", {good["pieces"][0]["bound"]}}}), "has 1 items, not 2"},
+      {"halves of no edge",
+       with("/pieces/0/bound",
+            {{"by", "halves"}, {"edge", {0, 99}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}),
+       "edge ends at no corner"},
+      {"halves of an edge counted from the end",
+       with("/pieces/0/bound",
+            {{"by", "halves"}, {"edge", {-1, 0}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}),
+       "edge ends at no corner"},
+      {"one half", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 1}}, {"halves", {good["pieces"][0]["bound"]}}}),
+       "has 1 items, not 2"},
   };
   CheckedFolder folder;
   folder.add(sealed(good));
@@ -598,8 +638,8 @@ PROPTEST(certificate) {
     };
     const auto with_first_weight = [&](double weight) {
       const auto n = node.palette.joint_count(node.pieces[0].joint_set);
-      std::vector<double> pool(node.weight_vertices, node.weight_vertices + node.pieces[0].first_weight +
-                                                        n * node.pieces[0].weight_vertex_count);
+      std::vector<double> pool(node.weight_vertices,
+                               node.weight_vertices + node.pieces[0].first_weight + n * node.pieces[0].weight_vertex_count);
       pool[node.pieces[0].first_weight] = weight;
       const RefitNode<double> changed{node.reference, node.pieces.first(1), pool.data(), node.palette};
       return is_refused(changed, ball);
@@ -634,8 +674,10 @@ PROPTEST(certificate) {
            is_refused([&](CertifiedVertex& v) { v.joint_set = c.sets.count() + 1; });
   });
   static Tried tried;
-  t.holds("shrunk by an ulp up to a half, moved, of another node or palette: a ball has a certificate that is accepted, or none, and none if a vertex is outside",
-          {.number_type = "double against rational", .cases = 12}, [] { check_other_balls(tried); });
+  t.holds(
+      "shrunk by an ulp up to a half, moved, of another node or palette: a ball has a certificate that is accepted, or none, and "
+      "none if a vertex is outside",
+      {.number_type = "double against rational", .cases = 12}, [] { check_other_balls(tried); });
   t.example("that were 50 balls with a certificate and 50 without at least, some of which hold all vertices", {}, [] {
     return Checked(tried.certified >= 50 && tried.missing >= 50 && tried.missing < tried.refused, tried.certified + tried.refused,
                    std::to_string(tried.certified) + " have one, " + std::to_string(tried.missing) + " of " +
@@ -657,8 +699,9 @@ PROPTEST(certificate) {
     const std::string text = certificate(both, Skinning::spherical, ball, of);
     folder.add(text);
     const json document = json::parse(text);
-    return Checked(is_about(document, both, Skinning::spherical, ball, of) && document["joint_sets"].size() == node.pieces.size() &&
-                       node.pieces.size() > 1 && folder.check()[0].is_accepted(),
+    return Checked(is_about(document, both, Skinning::spherical, ball, of) &&
+                       document["joint_sets"].size() == node.pieces.size() && node.pieces.size() > 1 &&
+                       folder.check()[0].is_accepted(),
                    long(twice.size()));
   });
   t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);

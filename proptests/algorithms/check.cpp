@@ -46,9 +46,14 @@ json document(const char* skinning, const json& rotations, const json& data, con
   if (skinning == std::string("linear")) set["translations"] = nested(data);
   else if (skinning == std::string("dual_quaternion")) set["duals"] = nested(data);
   else set["center_images"] = nested(data), set["rotation_center"] = origin;
-  return oracle::with_corner_vertices({{"about", ""}, {"ball", around}, {"joint_sets", alone(set)}, {"model", std::string(64, '0')},
-                                       {"node", 0}, {"pieces", pieces.is_array() ? pieces : alone(pieces)},
-                                       {"pose", std::string(64, 'f')}, {"skinning", skinning}});
+  return oracle::with_corner_vertices({{"about", ""},
+                                       {"ball", around},
+                                       {"joint_sets", alone(set)},
+                                       {"model", std::string(64, '0')},
+                                       {"node", 0},
+                                       {"pieces", pieces.is_array() ? pieces : alone(pieces)},
+                                       {"pose", std::string(64, 'f')},
+                                       {"skinning", skinning}});
 }
 
 json repeated(const json& item, std::size_t times) { return json(json::array_t(times, item)); }
@@ -84,8 +89,7 @@ json document(const gen::SkinnedPiece& p, const json& bound, const Ball3<double>
   json out = document(p.skinning == Skinning::linear      ? "linear"
                       : p.skinning == Skinning::spherical ? "spherical"
                                                           : "dual_quaternion",
-                      rotations, data,
-                      {piece(corners, ball(exactly<3>(p.reference.center), exactly(p.reference.radius)), bound)},
+                      rotations, data, {piece(corners, ball(exactly<3>(p.reference.center), exactly(p.reference.radius)), bound)},
                       ball(exactly<3>(around.center), exactly(around.radius)));
   if (p.skinning == Skinning::spherical) out["joint_sets"][0]["rotation_center"] = exactly<3>(p.palette.rotation_center);
   return out;
@@ -104,7 +108,8 @@ Bound some_bound(const gen::SkinnedPiece& p, std::mt19937& random, int depth) {
   Quaternion<double> axis = p.palette.transforms[pick(p.palette.transforms.size())].rotation;
   if (pick(2)) axis += p.palette.transforms[0].rotation * std::normal_distribution<double>(0.5, 1)(random);
   if (pick(2)) return {.by = By::control};
-  if (p.skinning == Skinning::dual_quaternion) return {.by = By::reach, .axis = axis, .center = p.palette.transforms[0].translation};
+  if (p.skinning == Skinning::dual_quaternion)
+    return {.by = By::reach, .axis = axis, .center = p.palette.transforms[0].translation};
   return pick(3) ? Bound{.by = By::cap, .axis = axis} : Bound{.by = By::all_rotations};
 }
 
@@ -132,8 +137,8 @@ void check_least_radii() {
     const double needed =
         skinning == Skinning::linear
             ? oracle::needed_radius_linear(p.palette, p.corners, p.reference, center)
-            : p.reference.radius + oracle::needed_radius(oracle::blend_corners(p.palette, p.corners, p.reference.center, skinning),
-                                                         bound, center);
+            : p.reference.radius +
+                  oracle::needed_radius(oracle::blend_corners(p.palette, p.corners, p.reference.center, skinning), bound, center);
     RC_CLASSIFY(std::isinf(needed), "degenerate");
     if (std::isinf(needed)) {
       folder.add(sealed(document(p, as_json(bound), {center, 1e12}))), is_large_enough.push_back(false);
@@ -190,22 +195,28 @@ std::vector<Tight> tight_documents() {
   }
   const json both = json::array({json::array({"1", "0"}), json::array({"0", "1"})}), two = repeated(origin, 2);
   const json turns = {{"1", "1/2", "0", "0"}, {"1", "-1/2", "0", "0"}};
-  out.push_back({"mixed control points", document("spherical", turns, two, {piece(both, ball(point("0", "0", "1"), "1"), control)},
-                                                  ball(point("0", "0", "17/55"), "107/55"))});
+  out.push_back(
+      {"mixed control points", document("spherical", turns, two, {piece(both, ball(point("0", "0", "1"), "1"), control)},
+                                        ball(point("0", "0", "17/55"), "107/55"))});
   out.push_back({"mixed dual control points",  // N_12 / W_12 is (0, 0, 5/3), the corners' images are (0, -+4/5, 3/5)
-                 document("dual_quaternion", turns, repeated(zero_dual, 2), {piece(both, ball(point("0", "0", "1"), "1"), control)},
-                          ball(point("0", "0", "0"), "8/3"))});
-  out.push_back({"a longer joint", document("linear", {{"2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "7"))});
-  out.push_back({"a shorter joint", document("linear", {{"1/2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
-  out.push_back({"nothing but the reference", document("spherical", {unturned}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
-  out.push_back({"halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
-                                    {piece(both, small, halves(0, 1, control, all_rotations))}, ball(point("0", "5", "0"), "14"))});
+                 document("dual_quaternion", turns, repeated(zero_dual, 2),
+                          {piece(both, ball(point("0", "0", "1"), "1"), control)}, ball(point("0", "0", "0"), "8/3"))});
+  out.push_back({"a longer joint",
+                 document("linear", {{"2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "7"))});
+  out.push_back({"a shorter joint",
+                 document("linear", {{"1/2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
+  out.push_back({"nothing but the reference",
+                 document("spherical", {unturned}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
+  out.push_back(
+      {"halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
+                          {piece(both, small, halves(0, 1, control, all_rotations))}, ball(point("0", "5", "0"), "14"))});
   json deep = all_rotations;  // as deep as halves may be
   for (int depth = 0; depth < 32; ++depth) deep = halves(1, 0, all_rotations, deep);
   out.push_back({"halves of halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
                                               {piece(both, small, deep)}, ball(point("0", "5", "0"), "14"))});
-  out.push_back({"other halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
-                                          {piece(both, small, halves(1, 0, all_rotations, control))}, ball(point("0", "5", "0"), "14"))});
+  out.push_back(
+      {"other halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
+                                {piece(both, small, halves(1, 0, all_rotations, control))}, ball(point("0", "5", "0"), "14"))});
   return out;
 }
 
@@ -271,7 +282,8 @@ void add_other_shapes(const json& good, const Texts& lists, const Texts& objects
 std::vector<Broken> broken_documents() {
   std::vector<Broken> out;
   const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
-  const json good = document("linear", repeated(unturned, 3), repeated(origin, 3), repeated(piece(units, small, control), 3), ball(origin, "1"));
+  const json good = document("linear", repeated(unturned, 3), repeated(origin, 3), repeated(piece(units, small, control), 3),
+                             ball(origin, "1"));
   const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
     json changed = good;
     changed[json::json_pointer(pointer)] = value;
@@ -334,8 +346,11 @@ std::vector<Broken> broken_documents() {
   json negative = good;  // shares of sum 1 that make the weights, one of them below 0
   negative["vertices"][1]["corners"] = {0, 1, 1}, negative["vertices"][1]["shares"] = {"1", "1", "-1"};
   out.push_back({"a share below 0", negative, "vertices[1]: the shares are not convex"});
-  add_other_shapes(good, {"/ball/center", "/vertices/1/position", "/pieces/2/reference/center", "/joint_sets/0/rotations/2", "/joint_sets/0/translations/1"},
-                   {"", "/ball", "/joint_sets/0", "/pieces/0", "/pieces/2", "/pieces/1/reference", "/pieces/1/bound", "/vertices/2"}, out);
+  add_other_shapes(
+      good,
+      {"/ball/center", "/vertices/1/position", "/pieces/2/reference/center", "/joint_sets/0/rotations/2",
+       "/joint_sets/0/translations/1"},
+      {"", "/ball", "/joint_sets/0", "/pieces/0", "/pieces/2", "/pieces/1/reference", "/pieces/1/bound", "/vertices/2"}, out);
   const auto alone_with = [&](const char* skinning, const json& bound) {
     return document(skinning, repeated(unturned, 3), repeated(skinning == std::string("spherical") ? origin : zero_dual, 3),
                     piece(units, small, bound), ball(origin, "1000"));
@@ -344,23 +359,31 @@ std::vector<Broken> broken_documents() {
   add_other_shapes(alone_with("spherical", cap(unturned)),
                    {"/joint_sets/0/center_images/2", "/joint_sets/0/rotation_center", "/pieces/0/bound/axis"},
                    {"/joint_sets/0", "/pieces/0/bound"}, out);
-  add_other_shapes(alone_with("spherical", halves(0, 1, control, control)), in_halves, {"/pieces/0/bound", "/pieces/0/bound/halves/1"}, out);
+  add_other_shapes(alone_with("spherical", halves(0, 1, control, control)), in_halves,
+                   {"/pieces/0/bound", "/pieces/0/bound/halves/1"}, out);
   add_other_shapes(alone_with("dual_quaternion", reach(unturned, origin)),
-                   {"/joint_sets/0/duals/2", "/pieces/0/bound/axis", "/pieces/0/bound/center"}, {"/joint_sets/0", "/pieces/0/bound"}, out);
+                   {"/joint_sets/0/duals/2", "/pieces/0/bound/axis", "/pieces/0/bound/center"},
+                   {"/joint_sets/0", "/pieces/0/bound"}, out);
   add_other_shapes(alone_with("dual_quaternion", halves(0, 1, control, control)), in_halves, {"/pieces/0/bound"}, out);
-  for (const char* number : {"1.0", "1e0", "+1", " 1", "1 ", "1\n", "1_0", "0x1", "1/", "/1", "1/0", "1/-1", "1/+1", "--1", "", "-", "inf", "NaN",
-                             "1/01", "\u00b2", "1/1/1"})
-    for (const char* place : {"/ball/radius", "/ball/center/0", "/ball/center/2", "/joint_sets/0/rotations/1/3", "/joint_sets/0/translations/2/0"})
+  for (const char* number : {"1.0",  "1e0",  "+1",  " 1", "1 ", "1\n", "1_0", "0x1",  "1/",     "/1",   "1/0",
+                             "1/-1", "1/+1", "--1", "",   "-",  "inf", "NaN", "1/01", "\u00b2", "1/1/1"})
+    for (const char* place :
+         {"/ball/radius", "/ball/center/0", "/ball/center/2", "/joint_sets/0/rotations/1/3", "/joint_sets/0/translations/2/0"})
       with(place, number, "is no Fraction");
-  for (const json& value : {json(1), json(true), json(nullptr), json::array({"1"}), json::object()}) with("/ball/radius", value, "is no Fraction");
+  for (const json& value : {json(1), json(true), json(nullptr), json::array({"1"}), json::object()})
+    with("/ball/radius", value, "is no Fraction");
   with("/about", 1, "certificate.about is no str");
   with("/ball/radius", std::string(401, '1'), "is no Fraction of at most 400 digits");
   with("/ball/radius", "1/1" + std::string(400, '0'), "is no Fraction of at most 400 digits");
   with("/joint_sets/0/translations/3", origin, "lists differ in length");
   with("/joint_sets", json::array(), "is no list of something");
-  const auto rigid = [&](const char* what, const json& rotations, const json& bound, const char* reason, const char* skinning = "spherical") {
+  const auto rigid = [&](const char* what, const json& rotations, const json& bound, const char* reason,
+                         const char* skinning = "spherical") {
     const bool is_dual = skinning != std::string("spherical");
-    out.push_back({what, document(skinning, rotations, repeated(is_dual ? zero_dual : origin, 3), {piece(units, small, bound)}, ball(origin, "1000")), reason});
+    out.push_back({what,
+                   document(skinning, rotations, repeated(is_dual ? zero_dual : origin, 3), {piece(units, small, bound)},
+                            ball(origin, "1000")),
+                   reason});
   };
   // That of all three is at the distance 5 / sqrt 3, all others at sqrt 5 at most.
   out.push_back({"the control point of three different corners",
@@ -373,9 +396,11 @@ std::vector<Broken> broken_documents() {
     turned[k] = across;
     for (const char* skinning : {"spherical", "dual_quaternion"}) {
       rigid("a right angle", turned, control, "a right angle apart", skinning);
-      rigid("halves with a right angle", turned, halves((k + 1) % 3, (k + 2) % 3, control, control), "a right angle apart", skinning);
+      rigid("halves with a right angle", turned, halves((k + 1) % 3, (k + 2) % 3, control, control), "a right angle apart",
+            skinning);
       for (const int edge : {-1, 3}) {
-        rigid("an edge from nowhere", repeated(unturned, 3), halves(edge, k, control, control), "edge ends at no corner", skinning);
+        rigid("an edge from nowhere", repeated(unturned, 3), halves(edge, k, control, control), "edge ends at no corner",
+              skinning);
         rigid("an edge to nowhere", repeated(unturned, 3), halves(k, edge, control, control), "edge ends at no corner", skinning);
       }
     }
@@ -440,8 +465,9 @@ Checked check_layouts() {
   late.erase(late.find(about), about.size());
   late.insert(late.find(" \"skinning\""), about);
   CheckedFolder folder;
-  for (const std::string& other : Texts{text.substr(0, text.size() - 1), text + "\n", text + " ", " " + text, text + "\r\n", late,
-                                        json::parse(text).dump() + "\n", json::parse(text).dump(2) + "\n", "[]\n", "[\n 1\n]\n", "\"x\"\n"})
+  for (const std::string& other :
+       Texts{text.substr(0, text.size() - 1), text + "\n", text + " ", " " + text, text + "\r\n", late,
+             json::parse(text).dump() + "\n", json::parse(text).dump(2) + "\n", "[]\n", "[\n 1\n]\n", "\"x\"\n"})
     folder.add(other);
   const auto lines = folder.check();
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -476,7 +502,8 @@ Checked check_work() {
   list.push_back({"many pieces", pieces, work});
   json wide = with_corners("linear", 1, control);
   wide["pieces"][0]["corners"] = one_corner;
-  wide["joint_sets"][0] = {{"joints", repeated(0, 900)}, {"rotations", repeated(unturned, 900)}, {"translations", repeated(origin, 900)}};
+  wide["joint_sets"][0] = {
+      {"joints", repeated(0, 900)}, {"rotations", repeated(unturned, 900)}, {"translations", repeated(origin, 900)}};
   json weights = repeated("0", 900);
   weights[0] = "1/1" + std::string(390, '0');
   wide["pieces"][0]["corners"] = repeated(weights, 40);
@@ -493,8 +520,9 @@ Checked check_work() {
   list.push_back({"denominators without common divisors", coprime, "the common denominator has more than 8192 bits"});
   CheckedFolder folder;
   for (const Broken& b : list) folder.add(sealed(b.document));
-  const Texts texts{"{\n \"about\": " + std::string(100000, '9') + "\n}\n", "{\n \"about\": 0." + std::string(100000, '9') + "\n}\n",
-                    "{\n \"about\": 1e400\n}\n", "{\n \"about\": NaN\n}\n", "{\n \"about\": -Infinity\n}\n"};
+  const Texts texts{"{\n \"about\": " + std::string(100000, '9') + "\n}\n",
+                    "{\n \"about\": 0." + std::string(100000, '9') + "\n}\n", "{\n \"about\": 1e400\n}\n",
+                    "{\n \"about\": NaN\n}\n", "{\n \"about\": -Infinity\n}\n"};
   for (const std::string& text : texts) folder.add(text);
   // What nests is much longer in canonical form: 900 spaces for each of 30000 numbers.
   std::string nested = std::string(900, '[') + "1";
@@ -522,8 +550,11 @@ json with_denominators(json document, int bits) {
     int base, exponent;
     const char* place;
   };
-  static const Power powers[] = {{3, 830, "/ball/center/0"}, {5, 570, "/ball/center/1"}, {7, 470, "/ball/center/2"},
-                                 {11, 380, "/pieces/0/reference/center/0"}, {13, 355, "/pieces/0/reference/center/1"},
+  static const Power powers[] = {{3, 830, "/ball/center/0"},
+                                 {5, 570, "/ball/center/1"},
+                                 {7, 470, "/ball/center/2"},
+                                 {11, 380, "/pieces/0/reference/center/0"},
+                                 {13, 355, "/pieces/0/reference/center/1"},
                                  {17, 320, "/pieces/0/reference/center/2"}};
   const auto put = [&](int base, int exponent, const char* place) {
     Rational number(1);
@@ -639,8 +670,24 @@ bool is_orderly(const oracle::CheckerRun& run, std::size_t files, const std::str
 
 Checked check_names() {
   const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
-  const Texts names{"a\nb", "x\naccepted: \"good.json\": 1 linear pieces", "\naccepted: y", "\x1b[2J\x1b[1;1Haccepted: z", "\xff\xfe", "\r", "\t",
-                    "accepted: \"good.json\": 1 linear pieces", "q\": accepted", "b\\", "\xc3\xa4", "\xe2\x80\xa8", "\x7f", " ", "-", "$(id)", "'", "*"};
+  const Texts names{"a\nb",
+                    "x\naccepted: \"good.json\": 1 linear pieces",
+                    "\naccepted: y",
+                    "\x1b[2J\x1b[1;1Haccepted: z",
+                    "\xff\xfe",
+                    "\r",
+                    "\t",
+                    "accepted: \"good.json\": 1 linear pieces",
+                    "q\": accepted",
+                    "b\\",
+                    "\xc3\xa4",
+                    "\xe2\x80\xa8",
+                    "\x7f",
+                    " ",
+                    "-",
+                    "$(id)",
+                    "'",
+                    "*"};
   for (const bool is_good : {false, true}) {
     gen::TemporaryFolder folder;
     for (const std::string& name : names) std::ofstream(folder.file(name + ".json")) << (is_good ? sealed(good) : "");
@@ -649,7 +696,8 @@ Checked check_names() {
       return Checked(false, long(run.lines.size()), run.lines.empty() ? "nothing said" : run.lines[0]);
   }
   CheckedFolder abouts;
-  for (const std::string& about : Texts{"x\naccepted: \"y\": 1 linear pieces", "\x1b[2J", "\r", "\x7f", "\u00e4\u2028", "\"", std::string(100000, 'x')}) {
+  for (const std::string& about :
+       Texts{"x\naccepted: \"y\": 1 linear pieces", "\x1b[2J", "\r", "\x7f", "\u00e4\u2028", "\"", std::string(100000, 'x')}) {
     json named = good;
     named["about"] = about;
     abouts.add(sealed(named));
@@ -657,7 +705,8 @@ Checked check_names() {
   if (!is_orderly(oracle::run_checker(abouts.path()), abouts.size(), "accepted")) return Checked(false, 0, "about");
   CheckedFolder texts;
   const std::string forged = "x\naccepted: \"y\": 1 linear pieces\x1b[2J\u00e4";
-  for (const char* place : {"/skinning", "/ball/radius", "/ball/center/0", "/pieces/0/bound/by", "/pieces/0/joint_set", "/digest"}) {
+  for (const char* place :
+       {"/skinning", "/ball/radius", "/ball/center/0", "/pieces/0/bound/by", "/pieces/0/joint_set", "/digest"}) {
     json changed = good;
     changed[json::json_pointer(place)] = forged;
     texts.add(sealed(changed));
@@ -671,7 +720,8 @@ Checked check_names() {
   // The digest put there is sealed away, so that this one is accepted.
   const auto run = oracle::run_checker(texts.path());
   for (const std::string& line : run.lines)
-    if (!line.starts_with("rejected: \"") && !line.starts_with("accepted: \"" + texts.path() + "/000005.json\": 1 linear pieces, said to be \"\""))
+    if (!line.starts_with("rejected: \"") &&
+        !line.starts_with("accepted: \"" + texts.path() + "/000005.json\": 1 linear pieces, said to be \"\""))
       return Checked(false, 0, line);
   return Checked(run.lines.size() == texts.size(), long(names.size() + abouts.size() + texts.size()));
 }
@@ -681,7 +731,8 @@ Checked check_names() {
 Checked check_statuses() {
   const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
   gen::TemporaryFolder folder, empty;
-  const std::string accepted = folder.file("good"), rejected = folder.file("bad"), absent = folder.file("absent"), odd = folder.file("odd");
+  const std::string accepted = folder.file("good"), rejected = folder.file("bad"), absent = folder.file("absent"),
+                    odd = folder.file("odd");
   std::ofstream(accepted) << sealed(good);
   std::ofstream(rejected) << "";
   std::filesystem::create_directories(odd + "/folder.json");
@@ -721,9 +772,10 @@ Checked check_statuses() {
 }  // namespace
 
 PROPTEST(check) {
-  t.holds("a ball is accepted if its bound needs as little, and a slightly smaller one is rejected", {.cases = 10}, check_least_radii);
-  t.example("equality is accepted, and a radius smaller by 1e-380 rejected, whichever corner, triple or piece is the farthest", {},
-            check_tight);
+  t.holds("a ball is accepted if its bound needs as little, and a slightly smaller one is rejected", {.cases = 10},
+          check_least_radii);
+  t.example("equality is accepted, and a radius smaller by 1e-380 rejected, whichever corner, triple or piece is the farthest",
+            {}, check_tight);
   t.example("each condition broken alone is rejected for its reason", {}, check_broken);
   t.example("another digest is rejected", {}, check_digests);
   t.example("another layout of the same document is rejected", {}, check_layouts);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
@@ -55,7 +55,8 @@ bool holds(const Box<double>& box, const Point3& p) {
 int triangles_below(const ClusterTree& tree, const WideNodeChild& child) {
   int count = 0;
   if (child.wide_node >= 0)
-    for (int i = 0; i < tree.wide_nodes()[child.wide_node].child_count; ++i) count += triangles_below(tree, tree.child(child.wide_node, i));
+    for (int i = 0; i < tree.wide_nodes()[child.wide_node].child_count; ++i)
+      count += triangles_below(tree, tree.child(child.wide_node, i));
   else
     for (int g = 0; g < tree.clusters()[child.cluster].group_count; ++g) count += tree.group(child.cluster, g).count;
   return count;
@@ -125,11 +126,10 @@ PROPTEST(cluster_collide) {
             for (int frame = 0; frame < 3; ++frame) {
               const auto length = gen::random_unit_length(random);
               const Pose pose_a = gen::with_lengths(gen::random_pose(a.mesh, random), length, random),
-                            pose_b = gen::with_lengths(gen::random_pose(b.mesh, random), length, random);
+                         pose_b = gen::with_lengths(gen::random_pose(b.mesh, random), length, random);
               const double apart = frame == 2 ? 3 : 0.5;
               const RigidTransform<double> at_a{gen::random_rotation(random, 1), {normal(random), 0, 0}},
-                  at_b{gen::random_rotation(random, 1),
-                       at_a.translation + Point3(normal(random), normal(random), 0) * apart};
+                  at_b{gen::random_rotation(random, 1), at_a.translation + Point3(normal(random), normal(random), 0) * apart};
               first.begin(pose_a, at_a), second.begin(pose_b, at_b);
               const auto expected = oracle::all_pairs({a, pose_a, at_a}, {b, pose_b, at_b}, skinning);
               QueryCounts counts;
@@ -189,8 +189,7 @@ PROPTEST(cluster_collide) {
         const auto needle_points = oracle::Posed{needle, still, at}.vertices(Skinning::spherical);
         for (std::size_t t = 0; t < c.mesh.triangles.size(); ++t) {
           const Triangle& v = c.mesh.triangles[t];
-          if (triangles_meet({points[v[0]], points[v[1]], points[v[2]]},
-                             {needle_points[0], needle_points[1], needle_points[2]}))
+          if (triangles_meet({points[v[0]], points[v[1]], points[v[2]]}, {needle_points[0], needle_points[1], needle_points[2]}))
             expected.push_back({static_cast<int>(t), 0});
         }
         RC_LOG() << scene.what;
@@ -201,24 +200,22 @@ PROPTEST(cluster_collide) {
         for (const Point3& p : points) RC_ASSERT(holds(body.reach(), p) && holds(body.wide_node_box(0), p));
         RC_ASSERT(holds(other.reach(), tip) && holds(other.wide_node_box(0), tip));
       });
-  t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {},
-            [] {
-              const auto c = bake(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }),
-                                {.triangles_per_leaf = 1000000});
-              long lost = 0, tried = 0;
-              bool ok = c.tree.nodes.size() == 1;
-              for (const int most : {7, 256, most_cluster_triangles}) {
-                const ClusterTree tree(c, {.most_triangles = most});
-                for (const Cluster& cluster : tree.clusters())
-                  ok = ok && cluster.weight_vertex_count <= 1 << 16 && 8 * (cluster.group_count - 1) < most;
-                std::vector<int> triangles;
-                for (int t = 0; t < 30000; t += 997) triangles.push_back(t);
-                triangles.push_back(21866), triangles.push_back(29999);
-                lost += lost_of_row(tree, triangles), tried += static_cast<long>(triangles.size());
-                ok = ok && triangles_below(tree, {-1, 0}) == 30000;
-              }
-              return Checked(ok && lost == 0, tried, std::to_string(lost) + " lost");
-            });
+  t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {}, [] {
+    const auto c = bake(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }), {.triangles_per_leaf = 1000000});
+    long lost = 0, tried = 0;
+    bool ok = c.tree.nodes.size() == 1;
+    for (const int most : {7, 256, most_cluster_triangles}) {
+      const ClusterTree tree(c, {.most_triangles = most});
+      for (const Cluster& cluster : tree.clusters())
+        ok = ok && cluster.weight_vertex_count <= 1 << 16 && 8 * (cluster.group_count - 1) < most;
+      std::vector<int> triangles;
+      for (int t = 0; t < 30000; t += 997) triangles.push_back(t);
+      triangles.push_back(21866), triangles.push_back(29999);
+      lost += lost_of_row(tree, triangles), tried += static_cast<long>(triangles.size());
+      ok = ok && triangles_below(tree, {-1, 0}) == 30000;
+    }
+    return Checked(ok && lost == 0, tried, std::to_string(lost) + " lost");
+  });
   t.example("a cluster of the most triangles, each corner alone in its joint-set, has places that 16 bits hold", {}, [] {
     std::vector<std::pair<int, int>> pairs;
     for (int i = 0; i < 130; ++i)
@@ -248,8 +245,7 @@ PROPTEST(cluster_collide) {
                 RC_ASSERT(group.count == group_size || g + 1 == tree.clusters()[i].group_count);
                 for (int t = 0; t < group.count; ++t) {
                   seen.push_back(group.triangles[t]);
-                  for (int k = 0; k < 3; ++k)
-                    RC_ASSERT(places[group.corners[t][k]] == c.mesh.triangles[group.triangles[t]][k]);
+                  for (int k = 0; k < 3; ++k) RC_ASSERT(places[group.corners[t][k]] == c.mesh.triangles[group.triangles[t]][k]);
                 }
               }
             }
@@ -276,30 +272,29 @@ PROPTEST(cluster_collide) {
             }
             RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
           });
-  t.example("what is counted: of single triangles every box once, none where reaches are apart, and sums over queries", {},
-            [] {
-              SkinnedMesh m = gen::needle(0, 1, 1, 1);
-              const auto c = bake(m);
-              const ClusterTree tree(c);
-              ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-              const Pose still = reference_pose(c.mesh);
-              const auto counts_at = [&](double x, Query query, PairMemory* memory) {
-                first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
-                QueryCounts counts{100, 1000};  // of queries before
-                collide(first, second, query, counts, memory);
-                return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
-              };
-              PairMemory memory;
-              // Reaches, the first's wide node against the second's whole, the second's, groups of the first, groups of the
-              // second; with a memory of bodies that were near no reaches; and then no box at all, but the pair.
-              const std::pair<long, long> touching{5, 1}, apart{1, 0}, again{4, 1}, remembered{0, 1};
-              bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
-              ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
-              ok = ok && counts_at(0.5, Query::full, &memory) == again && first.nodes_bounded() == 1 &&
-                   first.clusters_skinned() == 1 && first.corners_skinned() == 8 && second.corners_skinned() == 8;
-              ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
-              return Checked(ok, 5);
-            });
+  t.example("what is counted: of single triangles every box once, none where reaches are apart, and sums over queries", {}, [] {
+    SkinnedMesh m = gen::needle(0, 1, 1, 1);
+    const auto c = bake(m);
+    const ClusterTree tree(c);
+    ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+    const Pose still = reference_pose(c.mesh);
+    const auto counts_at = [&](double x, Query query, PairMemory* memory) {
+      first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
+      QueryCounts counts{100, 1000};  // of queries before
+      collide(first, second, query, counts, memory);
+      return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
+    };
+    PairMemory memory;
+    // Reaches, the first's wide node against the second's whole, the second's, groups of the first, groups of the
+    // second; with a memory of bodies that were near no reaches; and then no box at all, but the pair.
+    const std::pair<long, long> touching{5, 1}, apart{1, 0}, again{4, 1}, remembered{0, 1};
+    bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
+    ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
+    ok = ok && counts_at(0.5, Query::full, &memory) == again && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
+         first.corners_skinned() == 8 && second.corners_skinned() == 8;
+    ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
+    return Checked(ok, 5);
+  });
   t.example("a body counts the nodes that it bounds, and the clusters and corners that it skins, each once a frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
@@ -320,36 +315,34 @@ PROPTEST(cluster_collide) {
     }
     return Checked(ok, nodes + corners);
   });
-  t.example("no more is looked at than is near: boxes, pairs of triangles and corners of two men, at three distances", {},
-            [] {
-              const auto man = bake(make_man());
-              const ClusterTree tree(man);
-              const Clip& walk = man.clips[0];
-              ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-              struct Most {
-                double distance;
-                long ball_tests, triangle_tests, corners, nodes;
-              };
-              bool ok = true;
-              std::string text;
-              for (const Most& most : {Most{0.6, 130, 100, 1000, 60}, Most{0.35, 9000, 2960, 5500, 100},
-                                       Most{0.1, 31700, 7950, 11800, 168}}) {
-                a.begin(walk.sample(0.2 * walk.duration), {});
-                b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {most.distance, 0, 0}});
-                QueryCounts counts;
-                collide(a, b, Query::full, counts);
-                QueryCounts of_first;  // of a pair, which ends the query
-                const auto first = collide(a, b, Query::yes_no, of_first);
-                ok = ok && (first.empty() || 4 * of_first.triangle_tests < counts.triangle_tests);
-                const long corners = a.corners_skinned() + b.corners_skinned(),
-                           nodes = a.nodes_bounded() + b.nodes_bounded();
-                ok = ok && counts.ball_tests <= most.ball_tests && counts.triangle_tests <= most.triangle_tests &&
-                     corners <= most.corners && nodes <= most.nodes;
-                text += std::to_string(counts.ball_tests) + " boxes, " + std::to_string(counts.triangle_tests) +
-                        " pairs, " + std::to_string(corners) + " corners, " + std::to_string(nodes) + " nodes; ";
-              }
-              return Checked(ok, 3, text);
-            });
+  t.example("no more is looked at than is near: boxes, pairs of triangles and corners of two men, at three distances", {}, [] {
+    const auto man = bake(make_man());
+    const ClusterTree tree(man);
+    const Clip& walk = man.clips[0];
+    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+    struct Most {
+      double distance;
+      long ball_tests, triangle_tests, corners, nodes;
+    };
+    bool ok = true;
+    std::string text;
+    for (const Most& most :
+         {Most{0.6, 130, 100, 1000, 60}, Most{0.35, 9000, 2960, 5500, 100}, Most{0.1, 31700, 7950, 11800, 168}}) {
+      a.begin(walk.sample(0.2 * walk.duration), {});
+      b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {most.distance, 0, 0}});
+      QueryCounts counts;
+      collide(a, b, Query::full, counts);
+      QueryCounts of_first;  // of a pair, which ends the query
+      const auto first = collide(a, b, Query::yes_no, of_first);
+      ok = ok && (first.empty() || 4 * of_first.triangle_tests < counts.triangle_tests);
+      const long corners = a.corners_skinned() + b.corners_skinned(), nodes = a.nodes_bounded() + b.nodes_bounded();
+      ok = ok && counts.ball_tests <= most.ball_tests && counts.triangle_tests <= most.triangle_tests &&
+           corners <= most.corners && nodes <= most.nodes;
+      text += std::to_string(counts.ball_tests) + " boxes, " + std::to_string(counts.triangle_tests) + " pairs, " +
+              std::to_string(corners) + " corners, " + std::to_string(nodes) + " nodes; ";
+    }
+    return Checked(ok, 3, text);
+  });
   t.example(
       "two walking men: nothing is bounded or skinned far apart, a part close by, and the pairs are those of the "
       "sphere trees",
@@ -393,35 +386,33 @@ PROPTEST(cluster_collide) {
     }
     return Checked(false, 0, "the reaches never meet");
   });
-  t.example(
-      "triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
-        SkinnedMesh m;
-        m.name = "triangle";
-        m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
-        m.triangles = {{0, 1, 2}};
-        m.joints = {{"root", -1, {0, 0, 0}}};
-        m.influences.assign(3, {{0, 1.0}});
-        const auto c = bake(std::move(m));
-        const ClusterTree tree(c);
-        ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-        const Pose still = reference_pose(c.mesh);
-        first.begin(still, {});
-        const auto pairs = [&](double x, double y, double z) {
-          second.begin(still, {identity_quaternion<double>(), {x, y, z}});
-          QueryCounts counts;
-          return collide(first, second, Query::full, counts).size();
-        };
-        return Checked(pairs(2, 0, 0) == 1 && pairs(1, 1, 0) == 1 && pairs(0, 0, 0) == 1 && pairs(0.5, 0, 0) == 1 &&
-                           pairs(2, 0, 1e-300) == 0 && pairs(std::nextafter(2, 3), 0, 0) == 0,
-                       6);
-      });
+  t.example("triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
+    SkinnedMesh m;
+    m.name = "triangle";
+    m.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+    m.triangles = {{0, 1, 2}};
+    m.joints = {{"root", -1, {0, 0, 0}}};
+    m.influences.assign(3, {{0, 1.0}});
+    const auto c = bake(std::move(m));
+    const ClusterTree tree(c);
+    ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+    const Pose still = reference_pose(c.mesh);
+    first.begin(still, {});
+    const auto pairs = [&](double x, double y, double z) {
+      second.begin(still, {identity_quaternion<double>(), {x, y, z}});
+      QueryCounts counts;
+      return collide(first, second, Query::full, counts).size();
+    };
+    return Checked(pairs(2, 0, 0) == 1 && pairs(1, 1, 0) == 1 && pairs(0, 0, 0) == 1 && pairs(0.5, 0, 0) == 1 &&
+                       pairs(2, 0, 1e-300) == 0 && pairs(std::nextafter(2, 3), 0, 0) == 0,
+                   6);
+  });
   t.example("a remembered pair that still touches answers a yes/no query, and no cluster is skinned for it", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
     const Clip& walk = man.clips[0];
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-    const RigidTransform<double> at{identity_quaternion<double>(), {0.1, 0, 0}},
-        away{identity_quaternion<double>(), {1, 0, 0}};
+    const RigidTransform<double> at{identity_quaternion<double>(), {0.1, 0, 0}}, away{identity_quaternion<double>(), {1, 0, 0}};
     PairMemory memory;
     QueryCounts counts;
     bool ok = true;
@@ -460,8 +451,7 @@ PROPTEST(cluster_collide) {
                                ClusterTree(c, {.most_triangles = 1, .most_children = 2});
                                ClusterTree(c, {.most_triangles = most_cluster_triangles});
                              }).empty(),
-               refuses_more =
-                   !message([&] { ClusterTree(c, {.most_triangles = most_cluster_triangles + 1}); }).empty();
+               refuses_more = !message([&] { ClusterTree(c, {.most_triangles = most_cluster_triangles + 1}); }).empty();
     const std::string small = message([&] { ClusterTree(c, {.most_triangles = 0}); }),
                       narrow = message([&] { ClusterTree(c, {.most_children = 1}); });
     const ClusterTree tree(c);
@@ -478,15 +468,13 @@ PROPTEST(cluster_collide) {
     pose[1].translation[2] = nan;
     const std::string refused = message([&] { body.begin(pose, {}); });
     for (const double off : {1e-6 - 1e-14, -1e-6 + 1e-14, 1e-6 + 1e-14, -1e-6 - 1e-14}) {
-      const bool is_refused = !message([&] {
-                                 body.begin(still, {{0, std::sqrt(1 + off), 0, 0}, {0, 0, 0}});
-                               }).empty();
+      const bool is_refused = !message([&] { body.begin(still, {{0, std::sqrt(1 + off), 0, 0}, {0, 0, 0}}); }).empty();
       if (is_refused != (std::abs(off) > 1e-6)) return Checked(false, 1, "at the edge of the tolerance");
     }
     return Checked(takes_edges && refuses_more && small.find("most_triangles is 0") != std::string::npos &&
                        narrow.find("most_children is 1") != std::string::npos &&
-                       stretched.find("not rigid") != std::string::npos &&
-                       lost.find("not finite") != std::string::npos && refused.find("joint 1") != std::string::npos,
+                       stretched.find("not rigid") != std::string::npos && lost.find("not finite") != std::string::npos &&
+                       refused.find("joint 1") != std::string::npos,
                    5, small + "; " + narrow + "; " + stretched + "; " + lost + "; " + refused);
   });
 }

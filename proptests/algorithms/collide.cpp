@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
@@ -19,9 +19,9 @@ namespace proptests::suite_collide {
 namespace {
 
 using namespace refitlab;
-using oracle::sorted;
 using gen::random_pose;
 using gen::random_rotation;
+using oracle::sorted;
 
 const RefitVariant& drawn_variant() {
   std::vector<const RefitVariant*> sound;
@@ -136,50 +136,53 @@ PROPTEST(collide) {
             RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
             RC_ASSERT(collide({body, second}, {body, first}, Query::full, counts).size() == 1);
           });
-  t.holds("so are they at every scale at which vertices are numbers",
-          {.number_type = "double", .cases = 500}, [] {
-            const double unit = std::ldexp(1.0, *rc::gen::inRange(-1070, 132));
-            SkinnedMesh model = lone_triangle();
-            for (Point3& v : model.vertices) v *= unit;
-            const auto c = bake(std::move(model));
-            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            for (const char* variant : {"control_mixed", "spherical_repaired", "linear"}) {
-              Body body(c, compared_variant(variant));
-              body.begin(reference_pose(c.mesh));
-              const RigidTransform<double> first = gen::accepted_placement(random, unit);
-              RigidTransform<double> second = first;
-              second.translation = apply(first, Point3(2 * unit, 0, 0));
-              QueryCounts counts;
-              RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
-            }
-          });
+  t.holds("so are they at every scale at which vertices are numbers", {.number_type = "double", .cases = 500}, [] {
+    const double unit = std::ldexp(1.0, *rc::gen::inRange(-1070, 132));
+    SkinnedMesh model = lone_triangle();
+    for (Point3& v : model.vertices) v *= unit;
+    const auto c = bake(std::move(model));
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    for (const char* variant : {"control_mixed", "spherical_repaired", "linear"}) {
+      Body body(c, compared_variant(variant));
+      body.begin(reference_pose(c.mesh));
+      const RigidTransform<double> first = gen::accepted_placement(random, unit);
+      RigidTransform<double> second = first;
+      second.translation = apply(first, Point3(2 * unit, 0, 0));
+      QueryCounts counts;
+      RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
+    }
+  });
   t.example("two walking men far apart cost one test and no vertex; close by they are refitted in part only", {}, [] {
     const Men far = two_men("spherical_repaired", 5, Query::full), near = two_men("spherical_repaired", 0.6, Query::full),
               deep = two_men("spherical_repaired", 0.1, Query::full), first = two_men("spherical_repaired", 0.1, Query::yes_no);
     return Checked(far.pairs == 0 && far.ball_tests == 1 && far.vertices == 0 && far.balls == 2 && deep.pairs > 100 &&
                        deep.vertices < 5000 && near.balls < deep.balls && first.pairs == 1 && first.balls < deep.balls,
-                   4, std::to_string(near.balls) + " balls refitted near by, " + std::to_string(deep.balls) + " for " +
-                          std::to_string(deep.pairs) + " pairs, " + std::to_string(first.balls) + " for the first one");
+                   4,
+                   std::to_string(near.balls) + " balls refitted near by, " + std::to_string(deep.balls) + " for " +
+                       std::to_string(deep.pairs) + " pairs, " + std::to_string(first.balls) + " for the first one");
   });
-  t.example("balls that are apart by 1e-12 of their size are found apart by one test, at every scale at which balls are larger than what underflows", {}, [] {
-    long tried = 0;
-    for (int exponent = -430; exponent <= 120; exponent += 10) {
-      const double unit = std::ldexp(1.0, exponent);
-      SkinnedMesh model = lone_triangle();
-      for (Point3& v : model.vertices) v *= unit;
-      const auto c = bake(std::move(model));
-      Body body(c, compared_variant("control_mixed"));
-      body.begin(reference_pose(c.mesh));
-      for (const double way : {2 * (1 + 1e-12), 2.1}) {
-        QueryCounts counts;
-        if (!collide({body}, {body, {identity_quaternion<double>(), {way * unit, 0, 0}}}, Query::full, counts).empty() ||
-            counts.ball_tests != 1 || counts.triangle_tests != 0)
-          return Checked(false, tried, "2^" + std::to_string(exponent));
-        ++tried;
-      }
-    }
-    return Checked(true, tried);
-  });
+  t.example(
+      "balls that are apart by 1e-12 of their size are found apart by one test, at every scale at which balls are larger than "
+      "what underflows",
+      {}, [] {
+        long tried = 0;
+        for (int exponent = -430; exponent <= 120; exponent += 10) {
+          const double unit = std::ldexp(1.0, exponent);
+          SkinnedMesh model = lone_triangle();
+          for (Point3& v : model.vertices) v *= unit;
+          const auto c = bake(std::move(model));
+          Body body(c, compared_variant("control_mixed"));
+          body.begin(reference_pose(c.mesh));
+          for (const double way : {2 * (1 + 1e-12), 2.1}) {
+            QueryCounts counts;
+            if (!collide({body}, {body, {identity_quaternion<double>(), {way * unit, 0, 0}}}, Query::full, counts).empty() ||
+                counts.ball_tests != 1 || counts.triangle_tests != 0)
+              return Checked(false, tried, "2^" + std::to_string(exponent));
+            ++tried;
+          }
+        }
+        return Checked(true, tried);
+      });
   t.example("a placement that is not rigid, or not finite, and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     Body body(c, compared_variant("spherical_repaired"));

@@ -76,13 +76,11 @@ void check_double() {
   for (const auto& set : c.sets) size += lift<double>(set.palette.rotation_center).norm();
   const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
   for (const auto& sample : gen::samples(c, gen::Blending::spherical, ball.center))
-    if (const auto v = gen::skinned(c, sample, gen::Blending::spherical))
-      RC_ASSERT(encloses(around, *v) == Verdict::holds);
+    if (const auto v = gen::skinned(c, sample, gen::Blending::spherical)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
 // A joint-set by hand: rotations about the origin without translation, and corners.
-RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations,
-                  const std::vector<std::vector<Rational>>& corners) {
+RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations, const std::vector<std::vector<Rational>>& corners) {
   gen::SetCase set;
   for (const auto& q : rotations) set.palette.transforms.push_back({q, RationalVec<3>::Zero()});
   place_rotation_center<Rational>(set.palette, RationalVec<3>(0, 0, 0));
@@ -146,8 +144,7 @@ Checked measure_tightness() {
     const Ball3<double> reference{2 * vector(), 0};
     std::vector<double> corners;
     for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
-      for (int i = 0, share = count / 3 % 3; i < n; ++i)
-        corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
+      for (int i = 0, share = count / 3 % 3; i < n; ++i) corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
     SkinningPalette<double> frame;
     frame.push_back(palette);
     const NodePiece set{0, 0, n};
@@ -172,9 +169,8 @@ Checked measure_tightness() {
     ++count;
   }
   char text[160];
-  std::snprintf(text, sizeof text,
-                "control balls over sampled positions: mean %.4f, worst %.4f (goal: mean at most 1.005)", sum / count,
-                worst);
+  std::snprintf(text, sizeof text, "control balls over sampled positions: mean %.4f, worst %.4f (goal: mean at most 1.005)",
+                sum / count, worst);
   return Checked(sum / count <= 1.02, count, text);
 }
 
@@ -182,7 +178,11 @@ Checked measure_tightness() {
 
 PROPTEST(control_hull) {
   t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
-          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+          {.form = "beyond",
+           .number_type = "rational",
+           .cases = 300,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5,
            .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
           check_hull);
   t.holds("up to a right angle between joints no root is taken and nothing is halved",
@@ -207,28 +207,26 @@ PROPTEST(control_hull) {
             RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
             for (const auto& b : balls) RC_ASSERT(b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0);
           });
-  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
-          [] {
-            const RefitCase c = *gen::refit_case(gen::Turns::moderate);
-            const gen::NodeOf<Rational> storage(c);
-            auto node = storage.node();
-            std::vector<Ball3<Rational>> own;
-            for (std::size_t i = 0; i < c.sets.size(); ++i)
-              own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
-            node.piece_references = own;
-            ControlLists<Rational> lists;
-            const auto balls = control_balls(node, lists);
-            std::size_t first = 0;
-            for (std::size_t i = 0; i < c.sets.size(); ++i) {
-              const RefitCase alone{own[i], {c.sets[i]}};
-              for (const auto& b : balls_of<Rational>(alone)) {
-                RC_ASSERT(first < balls.size());
-                RC_ASSERT(b.center == balls[first].center && b.radius == balls[first].radius);
-                ++first;
-              }
-            }
-            RC_ASSERT(first == balls.size());
-          });
+  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200}, [] {
+    const RefitCase c = *gen::refit_case(gen::Turns::moderate);
+    const gen::NodeOf<Rational> storage(c);
+    auto node = storage.node();
+    std::vector<Ball3<Rational>> own;
+    for (std::size_t i = 0; i < c.sets.size(); ++i) own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
+    node.piece_references = own;
+    ControlLists<Rational> lists;
+    const auto balls = control_balls(node, lists);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < c.sets.size(); ++i) {
+      const RefitCase alone{own[i], {c.sets[i]}};
+      for (const auto& b : balls_of<Rational>(alone)) {
+        RC_ASSERT(first < balls.size());
+        RC_ASSERT(b.center == balls[first].center && b.radius == balls[first].radius);
+        ++first;
+      }
+    }
+    RC_ASSERT(first == balls.size());
+  });
   t.holds("without any halving the fallback holds every vertex",
           {.number_type = "multiprecision interval", .cases = 300, .degenerate_at_least = 0.2}, [] {
             using S = MultiprecisionInterval;
@@ -256,14 +254,14 @@ PROPTEST(control_hull) {
   const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<MeanBalls>(); });
-  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size",
-          in_double, [] { check_double<NearSmallestBalls>(); });
+  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
+          [] { check_double<NearSmallestBalls>(); });
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<SmallestBalls>(); });
 
   t.example("a corner that is 0 beside two near ones: all rotations are allowed for it", {}, [] {
-    const RefitCase c = by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}},
-                                {{1, 0}, {Rational(3, 4), Rational(1, 4)}, {Rational(1, 2), Rational(1, 2)}});
+    const RefitCase c =
+        by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}}, {{1, 0}, {Rational(3, 4), Rational(1, 4)}, {Rational(1, 2), Rational(1, 2)}});
     bool all_of_them = false;
     for (const auto& b : balls_of<double>(c)) all_of_them = all_of_them || b.radius >= 0.5 + std::sqrt(14.0) - 1e-9;
     return all_of_them && holds_on_a_grid(c);
@@ -274,8 +272,7 @@ PROPTEST(control_hull) {
   });
   t.example("one, two and three half-turns about perpendicular axes, and equal corners", {}, [] {
     const gen::RationalQuaternion one(1, 0, 0, 0), i(0, 1, 0, 0), j(0, 0, 1, 0), k(0, 0, 0, 1);
-    return holds_on_a_grid(by_hand({one, i}, whole_simplex(2))) &&
-           holds_on_a_grid(by_hand({one, i, j}, whole_simplex(3))) &&
+    return holds_on_a_grid(by_hand({one, i}, whole_simplex(2))) && holds_on_a_grid(by_hand({one, i, j}, whole_simplex(3))) &&
            holds_on_a_grid(by_hand({one, i, j, k}, whole_simplex(4))) &&
            holds_on_a_grid(by_hand({one, i}, {{1, 0}, {1, 0}, {0, 1}, {0, 1}}));
   });
@@ -293,8 +290,7 @@ PROPTEST(control_hull) {
     place_rotation_center<Rational>(c.sets[0].palette, RationalVec<3>(0, 0, 0));
     bool on_the_way = true;
     for (const auto& b : balls_of<Rational>(c))
-      on_the_way =
-          on_the_way && b.radius == 0 && b.center[0] >= 0 && b.center[0] <= 1 && b.center[1] == 0 && b.center[2] == 0;
+      on_the_way = on_the_way && b.radius == 0 && b.center[0] >= 0 && b.center[0] <= 1 && b.center[1] == 0 && b.center[2] == 0;
     return on_the_way;
   });
   t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth",

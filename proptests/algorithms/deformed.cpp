@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/bake/build_tree.hpp"
 #include "algorithms/methods/refit/deformed.hpp"
 
 #include <random>
 
+#include "algorithms/bake/build_tree.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -75,7 +75,8 @@ PROPTEST(deformed) {
             for (std::size_t n = 0; n < r.tree.nodes.size(); ++n) {
               const TreeNode& node = r.tree.nodes[n];
               std::vector<Ball<Rational, 3>> points, children;
-              for (const int v : r.vertices[static_cast<int>(n)]) points.push_back({convert<Rational>(r.deformed[v]), Rational(0)});
+              for (const int v : r.vertices[static_cast<int>(n)])
+                points.push_back({convert<Rational>(r.deformed[v]), Rational(0)});
               if (points.size() > 30) continue;
               RC_ASSERT(within(oracle::smallest_ball_by_cgal<3>(points).radius, r.optimal[n].radius));
               if (node.child_count == 0) continue;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates that are bound to documents of their model and palette: one that is about these is accepted against them, and
 // whatever it says otherwise of a vertex, a node or a joint is noticed.
-#include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/documents.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/sha256.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -28,7 +28,8 @@ struct Bound {
     const auto palette = make_skinning_palette(c.mesh, c.sets, pose, variant.skinning);
     const auto node = c.refit_node(n, palette, variant.pieces);
     model = model_document(c), pose_text = pose_document(c, palette, variant.skinning);
-    text = certificate(node, variant.skinning, variant.refit(node), certified_node(c, n, variant.name, sha256(model), sha256(pose_text)));
+    text = certificate(node, variant.skinning, variant.refit(node),
+                       certified_node(c, n, variant.name, sha256(model), sha256(pose_text)));
   }
   json document() const { return json::parse(text); }
 
@@ -42,7 +43,8 @@ std::string said(const std::string& text, const std::string& model, const std::s
     std::ofstream(folder.file(name), std::ios::binary) << content;
     return folder.file(name);
   };
-  const auto run = oracle::run_checker("--against " + put("model", model) + " --pose " + put("pose", palette) + " " + put("certificate", text));
+  const auto run = oracle::run_checker("--against " + put("model", model) + " --pose " + put("pose", palette) + " " +
+                                       put("certificate", text));
   return run.lines.size() == 1 ? run.lines[0] : "nothing said, or too much";
 }
 
@@ -61,7 +63,8 @@ void check_random_meshes() {
     const Bound b(c, pose, compared_variant(name), n);
     const std::string line = said(b.text, b.model, b.pose_text);
     RC_ASSERT(line.starts_with("accepted: "));
-    RC_ASSERT(line.find("; all " + std::to_string(c.vertices[n].size()) + " vertices of node " + std::to_string(n) + " of ") != std::string::npos);
+    RC_ASSERT(line.find("; all " + std::to_string(c.vertices[n].size()) + " vertices of node " + std::to_string(n) + " of ") !=
+              std::string::npos);
   }
 }
 
@@ -123,10 +126,12 @@ Checked check_foreign() {
   list.push_back({"another model", b.text, other_model, b.pose_text, "the model is another one"});
   renamed = b.document();
   renamed["model"] = sha256(other_model);
-  list.push_back({"another model by its digest", sealed(renamed), other_model, b.pose_text, "vertices[0] is not as the model has it"});
+  list.push_back(
+      {"another model by its digest", sealed(renamed), other_model, b.pose_text, "vertices[0] is not as the model has it"});
   if (const auto line = said(b.text, b.model, b.pose_text); !line.starts_with("accepted: ")) return Checked(false, 0, line);
   for (const Foreign& f : list)
-    if (const auto line = said(f.text, f.model, f.palette); !is_rejected(line, f.reason)) return Checked(false, 0, f.what + (": " + line));
+    if (const auto line = said(f.text, f.model, f.palette); !is_rejected(line, f.reason))
+      return Checked(false, 0, f.what + (": " + line));
   return Checked(true, long(list.size()));
 }
 
@@ -135,12 +140,17 @@ Checked check_bad_documents() {
   json nowhere = json::parse(b.model), no_member = json::parse(b.pose_text);
   nowhere["nodes"][0][1] = 100000;
   no_member["joint_sets"][0].erase("joints");
-  const std::pair<std::string, std::string> pairs[] = {
-      {"", b.pose_text}, {b.model + "\n", b.pose_text}, {b.pose_text, b.pose_text}, {nowhere.dump(1) + "\n", b.pose_text},
-      {b.model, ""}, {b.model, b.model}, {b.model, no_member.dump(1) + "\n"}};
+  const std::pair<std::string, std::string> pairs[] = {{"", b.pose_text},
+                                                       {b.model + "\n", b.pose_text},
+                                                       {b.pose_text, b.pose_text},
+                                                       {nowhere.dump(1) + "\n", b.pose_text},
+                                                       {b.model, ""},
+                                                       {b.model, b.model},
+                                                       {b.model, no_member.dump(1) + "\n"}};
   for (const auto& [model, palette] : pairs)
     if (const auto line = said(b.text, model, palette); !line.starts_with("unreadable: ")) return Checked(false, 0, line);
-  return Checked(oracle::run_checker("--against").status == 2 && oracle::run_checker("--against absent x").status == 2, std::size(pairs));
+  return Checked(oracle::run_checker("--against").status == 2 && oracle::run_checker("--against absent x").status == 2,
+                 std::size(pairs));
 }
 
 }  // namespace

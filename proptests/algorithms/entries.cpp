@@ -6,14 +6,14 @@
 #include <random>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
-#include "algorithms/verification/exact_skin.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
-#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness.hpp"
@@ -28,20 +28,30 @@ using gen::WidePlan;
 // Of two: the least denormal, and what keeps coordinates below 1e40.
 constexpr int least_exponent = -1074, greatest_exponent = 130;
 
-const std::map<std::string, double> ranges{
-    {"1 joint", 0.03},           {"2 to 4 joints", 0.2},      {"5 to 17 joints", 0.2},   {"90 joints", 0.05},
-    {"denormal lengths", 0.05},  {"squares underflow", 0.05}, {"ordinary lengths", 0.1}, {"squares overflow a float", 0.05},
-    {"quaternions as doubles", 0.2}, {"quaternions as floats", 0.2}, {"quaternions at the tolerance", 0.2},
-    {"one triangle a leaf", 0.2}, {"all triangles in a leaf", 0.2}};
+const std::map<std::string, double> ranges{{"1 joint", 0.03},
+                                           {"2 to 4 joints", 0.2},
+                                           {"5 to 17 joints", 0.2},
+                                           {"90 joints", 0.05},
+                                           {"denormal lengths", 0.05},
+                                           {"squares underflow", 0.05},
+                                           {"ordinary lengths", 0.1},
+                                           {"squares overflow a float", 0.05},
+                                           {"quaternions as doubles", 0.2},
+                                           {"quaternions as floats", 0.2},
+                                           {"quaternions at the tolerance", 0.2},
+                                           {"one triangle a leaf", 0.2},
+                                           {"all triangles in a leaf", 0.2}};
 
 void tag(const WidePlan& plan, int triangles_per_leaf) {
   RC_TAG(plan.joints == 1 ? "1 joint" : plan.joints < 5 ? "2 to 4 joints" : plan.joints < 18 ? "5 to 17 joints" : "90 joints");
-  RC_TAG(plan.exponent < -1022   ? "denormal lengths"
-         : plan.exponent < -511  ? "squares underflow"
-         : plan.exponent < -60   ? "tiny lengths"
-         : plan.exponent < 60    ? "ordinary lengths"
-                                 : "squares overflow a float");
-  RC_TAG(plan.lengths == 0 ? "quaternions as doubles" : plan.lengths == 1 ? "quaternions as floats" : "quaternions at the tolerance");
+  RC_TAG(plan.exponent < -1022  ? "denormal lengths"
+         : plan.exponent < -511 ? "squares underflow"
+         : plan.exponent < -60  ? "tiny lengths"
+         : plan.exponent < 60   ? "ordinary lengths"
+                                : "squares overflow a float");
+  RC_TAG(plan.lengths == 0   ? "quaternions as doubles"
+         : plan.lengths == 1 ? "quaternions as floats"
+                             : "quaternions at the tolerance");
   RC_TAG(triangles_per_leaf == 1 ? "one triangle a leaf" : "all triangles in a leaf");
 }
 
@@ -85,7 +95,8 @@ class Truth {
  private:
   static bool holds(const Ball3<double>& ball, const Point3& p) {
     if (ball.radius == HUGE_VAL) return true;
-    return encloses(Ball<Rational, 3>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) == Verdict::holds;
+    return encloses(Ball<Rational, 3>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(p)) ==
+           Verdict::holds;
   }
   const Character& character_;
   const SkinningPalette<double> palette_;
@@ -161,7 +172,8 @@ bool are_pairs_right(const World& w, Skinning skinning, std::mt19937& random) {
   for (const Point3& p : w.character.mesh.vertices) size = std::max(size, p.lpNorm<Eigen::Infinity>());
   const RigidTransform<double> here{}, there = gen::accepted_placement(random, size);
   const auto expected = oracle::all_pairs({w.character, w.pose, here}, {w.character, w.pose, there}, skinning);
-  const ClusterTree tree(w.character, {.most_triangles = 1 + static_cast<int>(random() % 8), .most_children = 2 + static_cast<int>(random() % 6)});
+  const ClusterTree tree(
+      w.character, {.most_triangles = 1 + static_cast<int>(random() % 8), .most_children = 2 + static_cast<int>(random() % 6)});
   ClusterBody a(tree, skinning), b(tree, skinning);
   a.begin(w.pose, here), b.begin(w.pose, there);
   QueryCounts counts;
@@ -170,7 +182,8 @@ bool are_pairs_right(const World& w, Skinning skinning, std::mt19937& random) {
   ClusterBody* const bodies[] = {&a, &b};
   CrowdCounts crowd;
   const auto contacts = collide_all(bodies, Query::full, crowd);
-  ok = ok && contacts.size() == (expected.empty() ? 0u : 1u) && (expected.empty() || oracle::sorted(contacts[0].pairs) == expected);
+  ok = ok && contacts.size() == (expected.empty() ? 0u : 1u) &&
+       (expected.empty() || oracle::sorted(contacts[0].pairs) == expected);
   if (skinning == Skinning::hejl) return ok;
   Body body(w.character, default_variant(skinning));
   body.begin(w.pose);
@@ -186,16 +199,18 @@ PROPTEST(entries) {
           [] { RC_ASSERT(is_held_by_variants(drawn_world())); });
   t.holds("BatchRefit and NodeRefit hold all vertices on every target, or refuse lengths beyond single precision",
           over_all_ranges(120), [] { RC_ASSERT(is_held_by_batches(drawn_world())); });
-  t.holds("PalettePacks and PackedVertices are make_skinning_palette and skin, to the last bit, on every target", over_all_ranges(120), [] {
-    RC_ASSERT(are_packs_the_same(drawn_world(), *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl,
-                                                                  Skinning::dual_quaternion)));
-  });
-  t.holds("collide of clusters, of sphere trees and of crowds find the pairs that testing all pairs finds", over_all_ranges(120), [] {
-    const World w = drawn_world();
-    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-    const Skinning skinning = gen::random_skinning(random);
-    RC_ASSERT(are_pairs_right(w, skinning, random));
-  });
+  t.holds("PalettePacks and PackedVertices are make_skinning_palette and skin, to the last bit, on every target",
+          over_all_ranges(120), [] {
+            RC_ASSERT(are_packs_the_same(drawn_world(), *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl,
+                                                                          Skinning::dual_quaternion)));
+          });
+  t.holds("collide of clusters, of sphere trees and of crowds find the pairs that testing all pairs finds", over_all_ranges(120),
+          [] {
+            const World w = drawn_world();
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const Skinning skinning = gen::random_skinning(random);
+            RC_ASSERT(are_pairs_right(w, skinning, random));
+          });
 }
 
 }  // namespace proptests::suite_entries

@@ -20,9 +20,11 @@ int sign_of(const Rational& x) { return CGAL::sign(x); }
 
 // Any finite double by its bits: denormals, powers of two, numbers near each other and far apart.
 double any_double(std::mt19937_64& random) {
-  static constexpr double special[] = {0.0, -0.0, 1.0, -1.0, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp1023, 0x1p32, 0x1p-32, 0x1.00000001p0};
+  static constexpr double special[] = {0.0,    -0.0,    1.0,           -1.0, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp1023,
+                                       0x1p32, 0x1p-32, 0x1.00000001p0};
   if (random() % 4 == 0) return special[random() % std::size(special)];
-  if (random() % 2 == 0) return std::ldexp(static_cast<double>(static_cast<int>(random() % 2001) - 1000), static_cast<int>(random() % 8) * 16 - 64);
+  if (random() % 2 == 0)
+    return std::ldexp(static_cast<double>(static_cast<int>(random() % 2001) - 1000), static_cast<int>(random() % 8) * 16 - 64);
   const double x = std::bit_cast<double>(random());
   return std::isfinite(x) ? x : 1.5;
 }
@@ -40,9 +42,10 @@ PROPTEST(exact_number) {
                 const ExactNumber sum = ExactNumber(a) * ExactNumber(b) + ExactNumber(c) * ExactNumber(d),
                                   difference = ExactNumber(a) - ExactNumber(b) * ExactNumber(c);
                 const Rational p(a), q(b), r(c), s(d);
-                if (sum.sign() != sign_of(p * q + r * s) || difference.sign() != sign_of(p - q * r) ||
-                    (sum - sum).sign() != 0 || (sum * difference).sign() != sum.sign() * difference.sign() ||
-                    (sum * sum - difference * difference).sign() != sign_of((p * q + r * s) * (p * q + r * s) - (p - q * r) * (p - q * r)) ||
+                if (sum.sign() != sign_of(p * q + r * s) || difference.sign() != sign_of(p - q * r) || (sum - sum).sign() != 0 ||
+                    (sum * difference).sign() != sum.sign() * difference.sign() ||
+                    (sum * sum - difference * difference).sign() !=
+                        sign_of((p * q + r * s) * (p * q + r * s) - (p - q * r) * (p - q * r)) ||
                     (-sum).sign() != -sum.sign())
                   return Checked(false, i, "case " + std::to_string(i));
                 zeros += sum.sign() == 0;

@@ -71,8 +71,8 @@ void check_verdicts(Skinned& s, int v) {
 }  // namespace
 
 PROPTEST(exact_skin) {
-  t.holds("a vertex under spherical blending is where matrices in rationals have it",
-          {.number_type = "rational", .cases = 100}, [] {
+  t.holds("a vertex under spherical blending is where matrices in rationals have it", {.number_type = "rational", .cases = 100},
+          [] {
             Skinned s(*gen::posed_model(), *rc::gen::element(Skinning::spherical, Skinning::hejl));
             for (int v = 0; v < static_cast<int>(s.posed.mesh.vertices.size()); ++v)
               RC_ASSERT(s.exact.exact(v) == by_matrix(s, v));

@@ -67,7 +67,8 @@ PROPTEST(experiment_statistics) {
     merged.merge(level_of({balls.begin() + first, balls.end()}));
     RC_ASSERT(merged.nodes == all.nodes && merged.undefined == all.undefined && merged.misses == all.misses);
     RC_ASSERT(merged.radius_min == all.radius_min && merged.radius_max == all.radius_max);
-    RC_ASSERT(merged.radius_sum == all.radius_sum && merged.optimal_sum == all.optimal_sum && merged.worst_miss == all.worst_miss);
+    RC_ASSERT(merged.radius_sum == all.radius_sum && merged.optimal_sum == all.optimal_sum &&
+              merged.worst_miss == all.worst_miss);
   });
   t.example("averages are over the balls that are defined, ratios of sums", {}, [] {
     const LevelTightness level = level_of({{3, 2, 0}, {5, 2, 1}, {std::nan(""), 7, 0}});

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/model/load.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
-#include "algorithms/model/load.hpp"
-#include "algorithms/verification/exact_skin.hpp"
-#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
 #include "proptests/gen/extreme_models.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
@@ -32,7 +32,8 @@ constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinnin
 // A character in a pose, by one skinning, and how large its numbers are.
 struct Posed {
   Posed(const Character& c, const Pose& pose, Skinning skinning)
-      : palette(make_skinning_palette(c.mesh, c.sets, pose, skinning)), deformed(skin(c.mesh, c.sets, palette, skinning)),
+      : palette(make_skinning_palette(c.mesh, c.sets, pose, skinning)),
+        deformed(skin(c.mesh, c.sets, palette, skinning)),
         exact(c.mesh, c.sets, palette, skinning) {
     for (const Point3& p : deformed) size = std::max(size, p.norm());
     for (const Point3& p : c.mesh.vertices) size = std::max(size, p.norm());
@@ -121,8 +122,7 @@ std::string collision_complaints(const Character& c, const Pose& pose) {
       const RefitVariant& variant = default_variant(skinning);
       Body body(c, variant);
       body.begin(pose);
-      if (sorted(collide({body}, {body, beside}, Query::full, counts)) != expected)
-        out += variant.name + ": other pairs; ";
+      if (sorted(collide({body}, {body, beside}, Query::full, counts)) != expected) out += variant.name + ": other pairs; ";
     }
     const ClusterTree tree(c, {.most_triangles = 8, .most_children = 4});
     ClusterBody first(tree, skinning), second(tree, skinning);
@@ -134,8 +134,7 @@ std::string collision_complaints(const Character& c, const Pose& pose) {
 
 Checked all_right(const SkinnedMesh& model, const Pose& pose) {
   const auto c = bake(model);
-  const std::string wrong = refit_complaints(c, pose) +
-                            complaint_or_refusal(c, pose, [&] { return batch_complaints(c, pose); }) +
+  const std::string wrong = refit_complaints(c, pose) + complaint_or_refusal(c, pose, [&] { return batch_complaints(c, pose); }) +
                             collision_complaints(c, pose);
   return {wrong.empty(), static_cast<long>(c.tree.nodes.size()), wrong};
 }
@@ -241,17 +240,18 @@ PROPTEST(extremes) {
   for (const ExtremeModel& extreme : gen::extreme_models())
     t.example(extreme.what + ": no ball misses a vertex, and queries find all pairs", {.number_type = "double"},
               [&] { return all_right(extreme.mesh, extreme.pose); });
-  t.holds("of what the interface accepts at its ends no sound variant's ball misses a vertex, be it skinned exactly: tiny, huge, "
-          "both at once, of many joints, of quaternions off unit length",
-          {.number_type = "double", .cases = 250, .degenerate_at_least = 0.3}, [] {
-            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const gen::WideModel wide = gen::wide_model(random, random() % 8 ? 5 : 90);
-            RC_CLASSIFY(wide.largest_length > 1e30 || wide.least_coordinate < 1e-70, "degenerate");
-            RC_CLASSIFY(wide.largest_length < 1e-70, "all of it tiny");
-            RC_CLASSIFY(wide.least_coordinate < 1e-150, "below the slack for underflow");
-            const auto c = bake(wide.mesh, {.triangles_per_leaf = wide.triangles_per_leaf});
-            if (const auto wrong = refit_complaints(c, wide.pose); !wrong.empty()) RC_FAIL(wrong + wide.what);
-          });
+  t.holds(
+      "of what the interface accepts at its ends no sound variant's ball misses a vertex, be it skinned exactly: tiny, huge, "
+      "both at once, of many joints, of quaternions off unit length",
+      {.number_type = "double", .cases = 250, .degenerate_at_least = 0.3}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        const gen::WideModel wide = gen::wide_model(random, random() % 8 ? 5 : 90);
+        RC_CLASSIFY(wide.largest_length > 1e30 || wide.least_coordinate < 1e-70, "degenerate");
+        RC_CLASSIFY(wide.largest_length < 1e-70, "all of it tiny");
+        RC_CLASSIFY(wide.least_coordinate < 1e-150, "below the slack for underflow");
+        const auto c = bake(wide.mesh, {.triangles_per_leaf = wide.triangles_per_leaf});
+        if (const auto wrong = refit_complaints(c, wide.pose); !wrong.empty()) RC_FAIL(wrong + wide.what);
+      });
   for (const ExtremeFile& file : extreme_files())
     t.example("a file: " + std::string(file.what) + (file.words.empty() ? " load" : ": refused"), {},
               [&] { return check_file(file); });

@@ -51,8 +51,7 @@ bool is_certified(const Balls& balls, const SmallestBallOfBalls& found) {
   Vec<double, 3> mean = Vec<double, 3>::Zero();
   for (int k = 0; k < found.support_size; ++k) {
     const auto& b = balls.at(found.support[k]);
-    if (!(found.coefficients[k] >= 0) ||
-        norm<double, 3>(b.center - found.ball.center) + b.radius < found.ball.radius - slack)
+    if (!(found.coefficients[k] >= 0) || norm<double, 3>(b.center - found.ball.center) + b.radius < found.ball.radius - slack)
       return false;
     sum += found.coefficients[k];
     mean = mean + (b.center - balls[0].center) * found.coefficients[k];
@@ -79,24 +78,27 @@ bool is_smallest(const Balls& balls, double radius) {
 }  // namespace
 
 PROPTEST(few_balls_ball) {
-  t.example("without its certificate the ball is the same, to the last digit, and undefined where it is", {.number_type = "double"}, [] {
-    std::mt19937_64 random(2006);
-    std::normal_distribution<double> normal;
-    long seen = 0;
-    for (int round = 0; round < 20000; ++round) {
-      std::vector<Ball3<double>> balls(1 + random() % 5);
-      const double radius = round % 3 == 0 ? 0 : std::abs(normal(random));
-      for (auto& b : balls) b = {{normal(random), normal(random), normal(random)}, round % 2 ? radius : std::abs(normal(random))};
-      if (round % 7 == 0) balls[random() % balls.size()].center[random() % 3] = round % 14 ? NAN : INFINITY;
-      if (round % 11 == 0) balls[random() % balls.size()].radius = round % 22 ? -1 : INFINITY;
-      const Ball3<double> a = few_balls_ball(balls).ball, b = few_balls_enclosing(balls);
-      const bool undefined = std::isnan(a.radius) && a.center.array().isNaN().all();
-      if (undefined ? !(std::isnan(b.radius) && b.center.array().isNaN().all()) : !(a.center == b.center && a.radius == b.radius))
-        return Checked(false, seen, "round " + std::to_string(round));
-      ++seen;
-    }
-    return Checked(true, seen);
-  });
+  t.example("without its certificate the ball is the same, to the last digit, and undefined where it is",
+            {.number_type = "double"}, [] {
+              std::mt19937_64 random(2006);
+              std::normal_distribution<double> normal;
+              long seen = 0;
+              for (int round = 0; round < 20000; ++round) {
+                std::vector<Ball3<double>> balls(1 + random() % 5);
+                const double radius = round % 3 == 0 ? 0 : std::abs(normal(random));
+                for (auto& b : balls)
+                  b = {{normal(random), normal(random), normal(random)}, round % 2 ? radius : std::abs(normal(random))};
+                if (round % 7 == 0) balls[random() % balls.size()].center[random() % 3] = round % 14 ? NAN : INFINITY;
+                if (round % 11 == 0) balls[random() % balls.size()].radius = round % 22 ? -1 : INFINITY;
+                const Ball3<double> a = few_balls_ball(balls).ball, b = few_balls_enclosing(balls);
+                const bool undefined = std::isnan(a.radius) && a.center.array().isNaN().all();
+                if (undefined ? !(std::isnan(b.radius) && b.center.array().isNaN().all())
+                              : !(a.center == b.center && a.radius == b.radius))
+                  return Checked(false, seen, "round " + std::to_string(round));
+                ++seen;
+              }
+              return Checked(true, seen);
+            });
   t.example("the radius is within 1e-12 of what CGAL's exact solver finds: all shapes and radii, 1 to 12 balls",
             {.number_type = "rational"}, [] {
               std::mt19937_64 random(Session::get().seed());
@@ -105,8 +107,7 @@ PROPTEST(few_balls_ball) {
                 const auto balls =
                     draw(random, static_cast<Shape>(random() % gen::shape_count), static_cast<int>(c % radius_kinds),
                          1 + static_cast<int>(random() % 12), c % 3 == 0 ? 1e3 : 0);
-                if (!is_smallest(balls, few_balls_ball(balls).ball.radius))
-                  return Checked(false, c, "case " + std::to_string(c));
+                if (!is_smallest(balls, few_balls_ball(balls).ball.radius)) return Checked(false, c, "case " + std::to_string(c));
               }
               return Checked(true, cases);
             });
@@ -124,15 +125,13 @@ PROPTEST(few_balls_ball) {
                                       : 1e7);
                 const auto found = few_balls_ball(balls);
                 pivots += found.pivots;
-                if (found.support_size == 0)
-                  ++fallbacks;
+                if (found.support_size == 0) ++fallbacks;
                 else if (!is_certified(balls, found) || (c % 60 == 0 && !is_within(balls, found)))
                   return Checked(false, c, "case " + std::to_string(c));
               }
               return Checked(1000 * fallbacks <= cases, cases,
                              std::to_string(fallbacks) + " fallbacks, " +
-                                 std::to_string(static_cast<double>(pivots) / static_cast<double>(cases)) +
-                                 " pivots on average");
+                                 std::to_string(static_cast<double>(pivots) / static_cast<double>(cases)) + " pivots on average");
             });
   t.example("with a slack the ball holds all and is at most so much larger than the smallest, with fewer pivots",
             {.number_type = "double"}, [] {
@@ -147,8 +146,7 @@ PROPTEST(few_balls_ball) {
                 const double slack = c % 2 ? 0.05 : 0.3, rounding = 1e-12 * size_of(balls);
                 const auto smallest = few_balls_ball(balls), near = few_balls_ball(balls, slack);
                 double far = 0;
-                for (const auto& b : balls)
-                  far = std::max(far, norm<double, 3>(b.center - near.ball.center) + b.radius);
+                for (const auto& b : balls) far = std::max(far, norm<double, 3>(b.center - near.ball.center) + b.radius);
                 if (near.ball.radius < far - rounding || near.ball.radius > far + rounding ||
                     near.ball.radius < smallest.ball.radius - rounding ||
                     near.ball.radius > smallest.ball.radius * (1 + slack) + rounding)
@@ -168,23 +166,21 @@ PROPTEST(few_balls_ball) {
       for (const auto& p : points) balls.push_back({p, 0.75});
       const auto found = few_balls_ball(balls);
       const auto center = as_ball(few_points_ball<double, 3>(points));
-      if (found.support_size == 0 || std::abs(found.ball.radius - center.radius - 0.75) > 1e-14 * found.ball.radius)
-        return false;
+      if (found.support_size == 0 || std::abs(found.ball.radius - center.radius - 0.75) > 1e-14 * found.ball.radius) return false;
     }
     return true;
   });
-  t.example(
-      "one ball, a ball in a ball, two that touch, two points, and one that only two others push out",
-      {.number_type = "double"}, [] {
-        const Ball3<double> a{{1, 2, 3}, 4}, inside{{1, 2, 4}, 1}, left{{-1, 0, 0}, 1}, right{{1, 0, 0}, 0.5};
-        const Ball3<double> p{{-3, 0, 0}, 0}, q{{3, 0, 0}, 0}, above{{0, 3.5, 0}, 0.5}, below{{0, -3.5, 0}, 0.25};
-        const auto is = [](Balls balls, const Ball3<double>& expected) {
-          const auto ball = few_balls_ball(balls).ball;
-          return (ball.center - expected.center).norm() < 1e-14 && std::abs(ball.radius - expected.radius) < 1e-14;
-        };
-        return is({a}, a) && is({a, inside}, a) && is({inside, a, a}, a) && is({left, right}, {{-0.25, 0, 0}, 1.75}) &&
-               is({p, q}, {{0, 0, 0}, 3}) && is({above, p, q, below}, {{0, 0.125, 0}, 3.875});
-      });
+  t.example("one ball, a ball in a ball, two that touch, two points, and one that only two others push out",
+            {.number_type = "double"}, [] {
+              const Ball3<double> a{{1, 2, 3}, 4}, inside{{1, 2, 4}, 1}, left{{-1, 0, 0}, 1}, right{{1, 0, 0}, 0.5};
+              const Ball3<double> p{{-3, 0, 0}, 0}, q{{3, 0, 0}, 0}, above{{0, 3.5, 0}, 0.5}, below{{0, -3.5, 0}, 0.25};
+              const auto is = [](Balls balls, const Ball3<double>& expected) {
+                const auto ball = few_balls_ball(balls).ball;
+                return (ball.center - expected.center).norm() < 1e-14 && std::abs(ball.radius - expected.radius) < 1e-14;
+              };
+              return is({a}, a) && is({a, inside}, a) && is({inside, a, a}, a) && is({left, right}, {{-0.25, 0, 0}, 1.75}) &&
+                     is({p, q}, {{0, 0, 0}, 3}) && is({above, p, q, below}, {{0, 0.125, 0}, 3.875});
+            });
   t.example("a ball that holds all others is found from two that are farther apart than it is from them",
             {.number_type = "double"}, [] {
               const Balls balls{{{0, 0, 0}, 0}, {{14, 0, 0}, 0}, {{7, 5, 0}, 10}};
@@ -201,26 +197,23 @@ PROPTEST(few_balls_ball) {
     }
     return true;
   });
-  t.example(
-      "balls of which one is undefined have an undefined ball, whatever the number of them", {.number_type = "double"},
-      [] {
-        std::mt19937_64 random(Session::get().seed());
-        for (int n = 1; n < 40; ++n)
-          for (int kind = 0; kind < 5; ++kind)
-            for (const int radii : {1, 3}) {
-              auto balls = draw(random, Shape::general, radii, n, 0);
-              Ball3<double>& bad = balls[random() % n];
-              if (kind == 0) bad.center[n % 3] = std::nan("");
-              if (kind == 1) bad.center[n % 3] = INFINITY;
-              if (kind == 2) bad.radius = std::nan("");
-              if (kind == 3) bad.radius = INFINITY;
-              if (kind == 4) bad.radius = -1;
-              const auto found = few_balls_ball(balls);
-              if (!std::isnan(found.ball.radius) || !found.ball.center.array().isNaN().all() || found.support_size != 0)
-                return false;
-            }
-        return true;
-      });
+  t.example("balls of which one is undefined have an undefined ball, whatever the number of them", {.number_type = "double"}, [] {
+    std::mt19937_64 random(Session::get().seed());
+    for (int n = 1; n < 40; ++n)
+      for (int kind = 0; kind < 5; ++kind)
+        for (const int radii : {1, 3}) {
+          auto balls = draw(random, Shape::general, radii, n, 0);
+          Ball3<double>& bad = balls[random() % n];
+          if (kind == 0) bad.center[n % 3] = std::nan("");
+          if (kind == 1) bad.center[n % 3] = INFINITY;
+          if (kind == 2) bad.radius = std::nan("");
+          if (kind == 3) bad.radius = INFINITY;
+          if (kind == 4) bad.radius = -1;
+          const auto found = few_balls_ball(balls);
+          if (!std::isnan(found.ball.radius) || !found.ball.center.array().isNaN().all() || found.support_size != 0) return false;
+        }
+    return true;
+  });
 }
 
 }  // namespace proptests::suite_few_balls_ball

@@ -34,8 +34,7 @@ bool is_well_formed(const std::vector<Vec<S, D>>& points, const SmallestBall<S, 
   S sum(0);
   std::set<int> support;
   for (int k = 0; k < n; ++k) {
-    if (ball.support[k] < 0 || ball.support[k] >= static_cast<int>(points.size()) || !(ball.coefficients[k] >= 0))
-      return false;
+    if (ball.support[k] < 0 || ball.support[k] >= static_cast<int>(points.size()) || !(ball.coefficients[k] >= 0)) return false;
     sum += ball.coefficients[k];
     support.insert(ball.support[k]);
   }
@@ -97,52 +96,47 @@ void properties(Suite& t) {
             const double radius = as_ball(few_points_ball(all(points))).radius;
             RC_ASSERT(std::abs(radius - optimum) <= 1e-12 * optimum + size_of(points) * 0x1p-51);
           });
-  t.example(
-      "the certificate proves the ball, and the walk hardly ever takes over" + space + ": all shapes, 1 to 70 points",
-      {.number_type = "double"}, [] {
-        const Session& session = Session::get();
-        std::mt19937_64 random(session.seed() + D);
-        const long cases = session.cases_for(60000);
-        long walks = 0, pivots = 0, few = 0;
-        for (long c = 0; c < cases; ++c) {
-          const int n = 1 + static_cast<int>(random() % (c % 50 == 0 ? 70 : 20)),
-                    shape = static_cast<int>(random() % 14);
-          const double offset = c % 3 == 0 ? 0 : c % 3 == 1 ? 1e3 : 1e9;
-          const auto points = shape < gen::shape_count
-                                  ? gen::rounded_cloud<D>(random, static_cast<Shape>(shape), n, offset)
-                                  : nearly_degenerate<D>(random, n, offset);
-          if (n <= 32) {
-            FewPoints<double, D, 32> pivoting(points);
-            ++few;
-            walks += !pivoting.solve();
-          }
-          const auto ball = few_points_ball(all(points));
-          pivots += ball.steps;
-          if (!is_well_formed(points, ball)) return Checked(false, c, "malformed, case " + std::to_string(c));
-          if (c % 30 == 0 && !is_smallest(points, ball))
-            return Checked(false, c, "not smallest, case " + std::to_string(c));
-        }
-        return Checked(1000 * walks <= few, cases,
-                       std::to_string(walks) + " walks, " +
-                           std::to_string(static_cast<double>(pivots) / static_cast<double>(cases)) +
-                           " pivots on average");
-      });
-  t.example("a ball in float is as small as the one in double, but for its digits" + space, {.number_type = "float"},
-            [] {
-              std::mt19937_64 random(Session::get().seed());
-              constexpr long cases = 3000;
+  t.example("the certificate proves the ball, and the walk hardly ever takes over" + space + ": all shapes, 1 to 70 points",
+            {.number_type = "double"}, [] {
+              const Session& session = Session::get();
+              std::mt19937_64 random(session.seed() + D);
+              const long cases = session.cases_for(60000);
+              long walks = 0, pivots = 0, few = 0;
               for (long c = 0; c < cases; ++c) {
-                const auto points = gen::rounded_cloud<D>(random, static_cast<Shape>(random() % gen::shape_count),
-                                                          1 + static_cast<int>(random() % 20), 0);
-                std::vector<Vec<float, D>> rounded;
-                for (const auto& p : points) rounded.push_back(p.template cast<float>());
-                const auto ball = few_points_ball(all(rounded));
-                const double radius = as_ball(few_points_ball(all(points))).radius;
-                if (!is_well_formed(rounded, ball) || std::abs(as_ball(ball).radius - radius) > 2e-5 * radius + 1e-6)
-                  return Checked(false, c, "case " + std::to_string(c));
+                const int n = 1 + static_cast<int>(random() % (c % 50 == 0 ? 70 : 20)), shape = static_cast<int>(random() % 14);
+                const double offset = c % 3 == 0 ? 0 : c % 3 == 1 ? 1e3 : 1e9;
+                const auto points = shape < gen::shape_count ? gen::rounded_cloud<D>(random, static_cast<Shape>(shape), n, offset)
+                                                             : nearly_degenerate<D>(random, n, offset);
+                if (n <= 32) {
+                  FewPoints<double, D, 32> pivoting(points);
+                  ++few;
+                  walks += !pivoting.solve();
+                }
+                const auto ball = few_points_ball(all(points));
+                pivots += ball.steps;
+                if (!is_well_formed(points, ball)) return Checked(false, c, "malformed, case " + std::to_string(c));
+                if (c % 30 == 0 && !is_smallest(points, ball))
+                  return Checked(false, c, "not smallest, case " + std::to_string(c));
               }
-              return Checked(true, cases);
+              return Checked(1000 * walks <= few, cases,
+                             std::to_string(walks) + " walks, " +
+                                 std::to_string(static_cast<double>(pivots) / static_cast<double>(cases)) + " pivots on average");
             });
+  t.example("a ball in float is as small as the one in double, but for its digits" + space, {.number_type = "float"}, [] {
+    std::mt19937_64 random(Session::get().seed());
+    constexpr long cases = 3000;
+    for (long c = 0; c < cases; ++c) {
+      const auto points =
+          gen::rounded_cloud<D>(random, static_cast<Shape>(random() % gen::shape_count), 1 + static_cast<int>(random() % 20), 0);
+      std::vector<Vec<float, D>> rounded;
+      for (const auto& p : points) rounded.push_back(p.template cast<float>());
+      const auto ball = few_points_ball(all(rounded));
+      const double radius = as_ball(few_points_ball(all(points))).radius;
+      if (!is_well_formed(rounded, ball) || std::abs(as_ball(ball).radius - radius) > 2e-5 * radius + 1e-6)
+        return Checked(false, c, "case " + std::to_string(c));
+    }
+    return Checked(true, cases);
+  });
   t.example("where squares underflow and beyond 512 points the walk takes over" + space, {.number_type = "double"}, [] {
     std::mt19937_64 random(Session::get().seed());
     int walks = 0;
@@ -160,8 +154,7 @@ void properties(Suite& t) {
     for (const int n : {512, 513, 700}) {
       const auto many = gen::rounded_cloud<D>(random, Shape::sphere, n, 1);
       const auto ball = few_points_ball(all(many)), walked = smallest_ball(all(many));
-      if (!is_well_formed(many, ball) || !is_smallest(many, ball) || (n > 512 && ball.center != walked.center))
-        return false;
+      if (!is_well_formed(many, ball) || !is_smallest(many, ball) || (n > 512 && ball.center != walked.center)) return false;
     }
     return true;
   });
@@ -172,8 +165,7 @@ void properties(Suite& t) {
         auto points = gen::rounded_cloud<D>(random, Shape::general, n, 0);
         points[random() % n][n % D] = bad;
         const auto ball = few_points_ball(all(points));
-        if (!std::isnan(ball.squared_radius) || !ball.center.array().isNaN().all() || ball.support_size != 0 ||
-            ball.converged)
+        if (!std::isnan(ball.squared_radius) || !ball.center.array().isNaN().all() || ball.support_size != 0 || ball.converged)
           return false;
       }
     return true;
@@ -190,8 +182,8 @@ PROPTEST(few_points_ball) {
               using P = Vec<double, 3>;
               const auto is = [](std::vector<P> points, const P& center, double squared_radius, int support) {
                 const auto ball = few_points_ball(all(points));
-                return norm<double, 3>(ball.center - center) < 1e-15 &&
-                       std::abs(ball.squared_radius - squared_radius) < 1e-14 && ball.support_size <= support;
+                return norm<double, 3>(ball.center - center) < 1e-15 && std::abs(ball.squared_radius - squared_radius) < 1e-14 &&
+                       ball.support_size <= support;
               };
               std::vector<P> cube;
               for (int i = 0; i < 8; ++i) cube.push_back(P(i & 1, i >> 1 & 1, i >> 2));

@@ -90,8 +90,7 @@ void properties(Suite& t, const std::string& name) {
                 const bool tiny = c % 4 == 3;
                 if (tiny)
                   for (auto& p : cloud) p = p * std::sqrt(std::numeric_limits<S>::min()) * S(1e-3);
-                else
-                  cloud[random() % cloud.size()][c % D] = c % 4 == 0 ? S(NAN) : c % 4 == 1 ? S(INFINITY) : -S(INFINITY);
+                else cloud[random() % cloud.size()][c % D] = c % 4 == 0 ? S(NAN) : c % 4 == 1 ? S(INFINITY) : -S(INFINITY);
                 const auto found = few_points_balls<Pack, D>(clouds.packs());
                 for (std::size_t lane = 0; lane < Pack::size(); ++lane)
                   if (lane != bad && !is_right<Pack, D>(found, lane, clouds.lanes[lane])) return false;

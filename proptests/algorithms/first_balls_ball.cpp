@@ -37,27 +37,27 @@ Balls draw(std::mt19937_64& random, int n, int radii) {
 }  // namespace
 
 PROPTEST(first_balls_ball) {
-  t.example("a ball that is found holds all, no farther out than needed, and is at most 1 + slack times the smallest",
-            {.number_type = "double"}, [] {
-              std::mt19937_64 random(Session::get().seed());
-              const long cases = Session::get().cases_for(40000);
-              long found = 0;
-              double largest = 1;
-              for (long c = 0; c < cases; ++c) {
-                const auto balls = draw(random, 2 + static_cast<int>(random() % 9), static_cast<int>(c % 4));
-                const double slack = c % 3 ? 0.05 : 0.3;
-                const auto near = first_balls_ball(balls, slack);
-                if (!near) continue;
-                ++found;
-                const double smallest = smallest_ball_of_balls(balls).radius, rounding = 1e-13 * (1 + smallest);
-                if (std::abs(reach(balls, near->center) - near->radius) > rounding ||
-                    near->radius > smallest * (1 + slack) + rounding)
-                  return Checked(false, c, "case " + std::to_string(c));
-                if (smallest > 1e-3) largest = std::max(largest, near->radius / smallest);
-              }
-              return Checked(10 * found > cases && largest > 1.05, cases,
-                             std::to_string(found) + " found, at most " + std::to_string(largest) + " times the smallest");
-            });
+  t.example(
+      "a ball that is found holds all, no farther out than needed, and is at most 1 + slack times the smallest",
+      {.number_type = "double"}, [] {
+        std::mt19937_64 random(Session::get().seed());
+        const long cases = Session::get().cases_for(40000);
+        long found = 0;
+        double largest = 1;
+        for (long c = 0; c < cases; ++c) {
+          const auto balls = draw(random, 2 + static_cast<int>(random() % 9), static_cast<int>(c % 4));
+          const double slack = c % 3 ? 0.05 : 0.3;
+          const auto near = first_balls_ball(balls, slack);
+          if (!near) continue;
+          ++found;
+          const double smallest = smallest_ball_of_balls(balls).radius, rounding = 1e-13 * (1 + smallest);
+          if (std::abs(reach(balls, near->center) - near->radius) > rounding || near->radius > smallest * (1 + slack) + rounding)
+            return Checked(false, c, "case " + std::to_string(c));
+          if (smallest > 1e-3) largest = std::max(largest, near->radius / smallest);
+        }
+        return Checked(10 * found > cases && largest > 1.05, cases,
+                       std::to_string(found) + " found, at most " + std::to_string(largest) + " times the smallest");
+      });
   t.example("of balls whose first two or three have the smallest ball of all, it is found", {.number_type = "double"}, [] {
     std::mt19937_64 random(Session::get().seed());
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -79,24 +79,23 @@ PROPTEST(first_balls_ball) {
     }
     return Checked(seen > 10000, seen);
   });
-  t.example("there is no ball of what is not finite or has a negative radius, wherever it stands", {.number_type = "double"},
-            [] {
-              std::mt19937_64 random(Session::get().seed());
-              for (int n = 2; n < 12; ++n)
-                for (int at = 0; at < n; ++at)
-                  for (int kind = 0; kind < 5; ++kind)
-                    for (const int radii : {0, 1, 3}) {
-                      auto balls = draw(random, n, radii);
-                      Ball3<double>& bad = balls[at];
-                      if (kind == 0) bad.center[n % 3] = std::nan("");
-                      if (kind == 1) bad.center[n % 3] = INFINITY;
-                      if (kind == 2) bad.radius = std::nan("");
-                      if (kind == 3) bad.radius = INFINITY;
-                      if (kind == 4) bad.radius = -1;
-                      if (first_balls_ball(balls, 0.5)) return false;
-                    }
-              return true;
-            });
+  t.example("there is no ball of what is not finite or has a negative radius, wherever it stands", {.number_type = "double"}, [] {
+    std::mt19937_64 random(Session::get().seed());
+    for (int n = 2; n < 12; ++n)
+      for (int at = 0; at < n; ++at)
+        for (int kind = 0; kind < 5; ++kind)
+          for (const int radii : {0, 1, 3}) {
+            auto balls = draw(random, n, radii);
+            Ball3<double>& bad = balls[at];
+            if (kind == 0) bad.center[n % 3] = std::nan("");
+            if (kind == 1) bad.center[n % 3] = INFINITY;
+            if (kind == 2) bad.radius = std::nan("");
+            if (kind == 3) bad.radius = INFINITY;
+            if (kind == 4) bad.radius = -1;
+            if (first_balls_ball(balls, 0.5)) return false;
+          }
+    return true;
+  });
 }
 
 }  // namespace proptests::suite_first_balls_ball

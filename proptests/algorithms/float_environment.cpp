@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every public entry in every floating-point mode that a caller may have set.
-#include "proptests/oracles/workers_on_threads.hpp"
-#include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 #include <cstring>
@@ -10,27 +7,30 @@
 #include <functional>
 #include <set>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/bake/weight_hull.hpp"
+#include "algorithms/certificate/documents.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/methods/refit/deformed.hpp"
+#include "algorithms/methods/refit/volume_variants.hpp"
+#include "algorithms/methods/volumes/box_orientation.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/model/procedural/subdivide.hpp"
+#include "algorithms/results/result_file.hpp"
+#include "algorithms/results/result_table.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
-#include "algorithms/certificate/documents.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/model/procedural/subdivide.hpp"
-#include "algorithms/verification/score.hpp"
-#include "algorithms/methods/refit/deformed.hpp"
-#include "algorithms/runtime/refit/frame_refits.hpp"
-#include "algorithms/methods/refit/volume_variants.hpp"
-#include "algorithms/results/result_file.hpp"
-#include "algorithms/results/result_table.hpp"
-#include "algorithms/results/write_whole.hpp"
-#include "algorithms/runtime/skinning/skin.hpp"
-#include "algorithms/methods/volumes/box_orientation.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
-#include "algorithms/bake/weight_hull.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/verification/score.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
+#include "proptests/oracles/workers_on_threads.hpp"
 
 namespace proptests::suite_float_environment {
 namespace {
@@ -41,7 +41,7 @@ using namespace refitlab;
 class Bytes {
  public:
   template <class T>
-    requires std::is_arithmetic_v<T>
+  requires std::is_arithmetic_v<T>
   void add(T x) {
     char bytes[sizeof(T)];
     std::memcpy(bytes, &x, sizeof(T));
@@ -96,7 +96,8 @@ void add_palette(Bytes& out, const SkinningPalette<double>& palette) {
   for (std::size_t s = 0; s < palette.size(); ++s) {
     const auto set = palette[s];
     out.add_all(set.transforms), out.add(set.rotation_center), out.add_all(set.center_images), out.add_all(set.duals);
-    if (palette.is_measured()) out.add(palette.scales(s).inverse_blend), out.add(palette.rounding(s, Skinning::linear).corners.offset);
+    if (palette.is_measured())
+      out.add(palette.scales(s).inverse_blend), out.add(palette.rounding(s, Skinning::linear).corners.offset);
   }
 }
 
@@ -111,12 +112,14 @@ struct Entry {
 
 std::vector<Entry> building_entries() {
   return {
-      {"make_snake, its clip", [](const World&, Bytes& out) {
+      {"make_snake, its clip",
+       [](const World&, Bytes& out) {
          const Model m = make_snake(3);
          out.add_all(m.vertices), out.add_all(m.clips[0].sample(0.37));
        }},
       {"subdivide", [](const World& w, Bytes& out) { out.add_all(subdivide(Model{w.character.mesh}).vertices); }},
-      {"Character, its pieces", [](const World& w, Bytes& out) {
+      {"Character, its pieces",
+       [](const World& w, Bytes& out) {
          const auto c = bake(w.character.mesh);
          for (const TreeNode& n : c.tree.nodes) out.add(n.reference);
          for (const Pieces kind : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::many}) {
@@ -124,10 +127,12 @@ std::vector<Entry> building_entries() {
            for (std::size_t i = 0; i < node.pieces.size(); ++i) out.add(node.piece_reference(i));
          }
        }},
-      {"quantize_weights", [](const World&, Bytes& out) {
+      {"quantize_weights",
+       [](const World&, Bytes& out) {
          for (const auto& [joint, weight] : quantize_weights({{0, 0.1}, {3, 1e-310}, {7, 0.7}})) out.add(weight);
        }},
-      {"weight_polytope, extreme_rows", [](const World&, Bytes& out) {
+      {"weight_polytope, extreme_rows",
+       [](const World&, Bytes& out) {
          const std::vector<double> rows[] = {{0.25, 0.75}, {0x1p-24, 1 - 0x1p-24}, {0.5, 0.5}};
          const std::vector<std::span<const double>> list{rows[0], rows[1], rows[2]};
          add_corners(out, weight_polytope(list)), add_corners(out, extreme_rows(list));
@@ -138,28 +143,28 @@ std::vector<Entry> building_entries() {
 std::vector<Entry> refitting_entries() {
   std::vector<Entry> entries;
   for (const Skinning skinning : skinnings)
-    entries.push_back({"poses and skin, skinning " + std::to_string(static_cast<int>(skinning)),
-                       [skinning](const World& w, Bytes& out) {
-                         const auto& c = w.character;
-                         const auto palette = make_skinning_palette(c.mesh, c.sets, w.pose, skinning);
-                         add_palette(out, palette);
-                         out.add_all(skin(c.mesh, c.sets, palette, skinning));
-                         for (const Target target : available_targets()) {
-                           SkinningPalette<double> packed;
-                           PalettePacks(c.mesh, c.sets, skinning).make(w.pose, packed, target);
-                           packed.measure();
-                           add_palette(out, packed);
-                           std::vector<Point3> skinned(c.mesh.vertices.size());
-                           PackedVertices(c.mesh, c.sets).skin_all(packed, skinning, skinned, target);
-                           out.add_all(skinned);
-                         }
-                       }});
+    entries.push_back(
+        {"poses and skin, skinning " + std::to_string(static_cast<int>(skinning)), [skinning](const World& w, Bytes& out) {
+           const auto& c = w.character;
+           const auto palette = make_skinning_palette(c.mesh, c.sets, w.pose, skinning);
+           add_palette(out, palette);
+           out.add_all(skin(c.mesh, c.sets, palette, skinning));
+           for (const Target target : available_targets()) {
+             SkinningPalette<double> packed;
+             PalettePacks(c.mesh, c.sets, skinning).make(w.pose, packed, target);
+             packed.measure();
+             add_palette(out, packed);
+             std::vector<Point3> skinned(c.mesh.vertices.size());
+             PackedVertices(c.mesh, c.sets).skin_all(packed, skinning, skinned, target);
+             out.add_all(skinned);
+           }
+         }});
   for (const RefitVariant& variant : compared_variants())
     entries.push_back({"refit variant " + variant.name, [&variant](const World& w, Bytes& out) {
                          out.add_all(refit_all(w.character, variant, w.palette));
                          for (std::size_t n = 0; n < w.character.tree.nodes.size(); ++n)
-                           out.add(variant.refit_as_computed(
-                               w.character.refit_node(static_cast<int>(n), w.palette, variant.pieces)));
+                           out.add(
+                               variant.refit_as_computed(w.character.refit_node(static_cast<int>(n), w.palette, variant.pieces)));
                        }});
   for (const VolumeVariant& variant : volume_variants())
     entries.push_back({"volume variant " + variant.name, [&variant](const World& w, Bytes& out) {
@@ -193,8 +198,7 @@ std::vector<Entry> refitting_entries() {
                        one.begin(w.palette);
                        for (std::size_t n = 0; n < w.balls.size(); ++n) out.add(one(static_cast<int>(n)));
                      }});
-  entries.push_back({"optimal_balls, refit_bottom_up, smallest_ball_of_balls, box_orientations",
-                     [](const World& w, Bytes& out) {
+  entries.push_back({"optimal_balls, refit_bottom_up, smallest_ball_of_balls, box_orientations", [](const World& w, Bytes& out) {
                        out.add_all(optimal_balls(w.character.tree, w.character.vertices, w.deformed));
                        out.add_all(refit_bottom_up(w.character.tree, w.deformed));
                        out.add(smallest_ball_of_balls(w.balls));
@@ -206,22 +210,22 @@ std::vector<Entry> refitting_entries() {
 std::vector<Entry> query_entries() {
   std::vector<Entry> entries;
   for (const Skinning skinning : skinnings)
-    entries.push_back({"ClusterBody, skinning " + std::to_string(static_cast<int>(skinning)),
-                       [skinning](const World& w, Bytes& out) {
-                         const ClusterTree tree(w.character, {.most_triangles = 32, .most_children = 4});
-                         ClusterBody a(tree, skinning), b(tree, skinning);
-                         a.begin(w.pose, {}), b.begin(w.pose, w.near);
-                         out.add(a.reach());
-                         for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f) out.add(a.wide_node_box(static_cast<int>(f)));
-                         for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
-                           const int cluster = static_cast<int>(c);
-                           out.add(a.cluster_box(cluster));
-                           for (const auto& side : a.triangle_boxes(cluster, 0).side) out.add(side[0]);
-                         }
-                         for (const Point3& p : b.triangle(5)) out.add(p);
-                         QueryCounts counts;
-                         out.add_all(collide(a, b, Query::full, counts));
-                       }});
+    entries.push_back(
+        {"ClusterBody, skinning " + std::to_string(static_cast<int>(skinning)), [skinning](const World& w, Bytes& out) {
+           const ClusterTree tree(w.character, {.most_triangles = 32, .most_children = 4});
+           ClusterBody a(tree, skinning), b(tree, skinning);
+           a.begin(w.pose, {}), b.begin(w.pose, w.near);
+           out.add(a.reach());
+           for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f) out.add(a.wide_node_box(static_cast<int>(f)));
+           for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
+             const int cluster = static_cast<int>(c);
+             out.add(a.cluster_box(cluster));
+             for (const auto& side : a.triangle_boxes(cluster, 0).side) out.add(side[0]);
+           }
+           for (const Point3& p : b.triangle(5)) out.add(p);
+           QueryCounts counts;
+           out.add_all(collide(a, b, Query::full, counts));
+         }});
   entries.push_back({"Body", [](const World& w, Bytes& out) {
                        Body a(w.character, default_variant(Skinning::spherical));
                        a.begin(w.pose);
@@ -235,7 +239,8 @@ std::vector<Entry> query_entries() {
                          a.begin(w.pose, {}), b.begin(w.pose, w.near), c.begin(w.pose, w.near);
                          ClusterBody* const bodies[] = {&a, &b, &c};
                          CrowdCounts counts;
-                         for (const Contact& contact : collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
+                         for (const Contact& contact :
+                              collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
                            out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
                        }});
   entries.push_back({"triangles_meet, filter_triangles, place", [](const World& w, Bytes& out) {
@@ -250,7 +255,8 @@ std::vector<Entry> query_entries() {
   entries.push_back({"certificate", [](const World& w, Bytes& out) {
                        const auto& variant = default_variant(Skinning::spherical);
                        const auto node = w.character.refit_node(1, w.palette, variant.pieces);
-                       out.add(certificate(node, Skinning::spherical, w.balls[1], certified_node(w.character, 1, "a snake", "", "")));
+                       out.add(
+                           certificate(node, Skinning::spherical, w.balls[1], certified_node(w.character, 1, "a snake", "", "")));
                        out.add(model_document(w.character)), out.add(pose_document(w.character, w.palette, Skinning::spherical));
                      }});
   entries.push_back({"make_synthetic_case, score", [](const World& w, Bytes& out) {
@@ -301,14 +307,25 @@ Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
 
 // Source files of the library, by how their paths end, that need no DefaultFloatEnvironment of their own.
 const std::vector<std::string> without_environment{
-    "_kernel.cpp", "_kernel_table.cpp",  // called by entries that have it
-    "model/mesh_binding.cpp", "model/scene_conversion.cpp", "model/gltf_audit.cpp",  // by load_model, model_of_scene
-    "procedural/procedural_body.cpp", "procedural/procedural_mesh.cpp", "procedural/procedural_polygonise.cpp",
+    "_kernel.cpp",
+    "_kernel_table.cpp",  // called by entries that have it
+    "model/mesh_binding.cpp",
+    "model/scene_conversion.cpp",
+    "model/gltf_audit.cpp",  // by load_model, model_of_scene
+    "procedural/procedural_body.cpp",
+    "procedural/procedural_mesh.cpp",
+    "procedural/procedural_polygonise.cpp",
     "procedural/procedural_skeleton.cpp",  // by make_man and its like
     "tree/check_character.cpp",            // by character_of
-    "certificate/sha256.cpp", "packs/targets.cpp", "mesh/joint_sets.cpp", "tree/character.cpp", "tree/sphere_tree.cpp",
+    "certificate/sha256.cpp",
+    "packs/targets.cpp",
+    "mesh/joint_sets.cpp",
+    "tree/character.cpp",
+    "tree/sphere_tree.cpp",
     "collide/exact_number.cpp",
-    "results/folder_lock.cpp", "results/run_folder.cpp", "results/write_whole.cpp",  // no floating-point arithmetic
+    "results/folder_lock.cpp",
+    "results/run_folder.cpp",
+    "results/write_whole.cpp",  // no floating-point arithmetic
 };
 
 Checked all_sources_have_it_or_are_listed() {
@@ -366,21 +383,23 @@ PROPTEST(float_environment) {
   });
   t.example("every source file of the library has the default environment, or is listed as one that needs none", {},
             [] { return all_sources_have_it_or_are_listed(); });
-  t.example("balls at one place and a denormal apart are supported by balls that there are, where a header runs in the caller's mode", {}, [] {
-    bool ok = true;
-    long tried = 0;
-    for (const auto& mode : oracle::other_float_modes())
-      for (int count = 1; count <= 33; ++count)
-        for (const double apart : {0.0, 0x1p-1060}) {
-          std::vector<Ball3<double>> balls;
-          for (int i = 0; i < count; ++i) balls.push_back({{0.5 + apart * i, 1, 1.5}, apart * i});
-          const oracle::ScopedFloatMode scoped(mode);
-          const SmallestBallOfBalls found = few_balls_ball(balls);
-          for (int k = 0; k < found.support_size; ++k) ok = ok && found.support[k] >= 0 && found.support[k] < count;
-          ++tried;
-        }
-    return Checked(ok, tried);
-  });
+  t.example(
+      "balls at one place and a denormal apart are supported by balls that there are, where a header runs in the caller's mode",
+      {}, [] {
+        bool ok = true;
+        long tried = 0;
+        for (const auto& mode : oracle::other_float_modes())
+          for (int count = 1; count <= 33; ++count)
+            for (const double apart : {0.0, 0x1p-1060}) {
+              std::vector<Ball3<double>> balls;
+              for (int i = 0; i < count; ++i) balls.push_back({{0.5 + apart * i, 1, 1.5}, apart * i});
+              const oracle::ScopedFloatMode scoped(mode);
+              const SmallestBallOfBalls found = few_balls_ball(balls);
+              for (int k = 0; k < found.support_size; ++k) ok = ok && found.support[k] >= 0 && found.support[k] < count;
+              ++tried;
+            }
+        return Checked(ok, tried);
+      });
   t.example("what is built once is the same, bit by bit, in every mode of the caller", {},
             [] { return are_the_same_in_all_modes(building_entries()); });
   t.example("the procedural man, which takes long to make, is the same in the mode that differs most", {}, [] {
@@ -390,7 +409,8 @@ PROPTEST(float_environment) {
                       for (const Clip& clip : m.clips) out.add_all(clip.sample(0.37));
                     }};
     const auto modes = oracle::other_float_modes();
-    const auto most = std::find_if(modes.begin(), modes.end(), [](const auto& m) { return m.name.starts_with("upward, FTZ, DAZ"); });
+    const auto most =
+        std::find_if(modes.begin(), modes.end(), [](const auto& m) { return m.name.starts_with("upward, FTZ, DAZ"); });
     return are_the_same({man}, {most == modes.end() ? modes[0] : *most});
   });
   t.example("poses, skins and refits are the same, bit by bit, in every mode of the caller", {},

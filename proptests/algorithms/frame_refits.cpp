@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
 
 #include <algorithm>
 #include <random>
 #include <set>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -42,8 +42,7 @@ struct Drawn {
         deformed(skin(character.mesh, character.sets, palette, variant.skinning)) {}
   Drawn(SkinnedMesh m, unsigned seed)
       : character(bake(std::move(m))),
-        palette(make_skinning_palette(character.mesh, character.sets, random_pose(character.mesh, seed),
-                                variant.skinning)),
+        palette(make_skinning_palette(character.mesh, character.sets, random_pose(character.mesh, seed), variant.skinning)),
         deformed(skin(character.mesh, character.sets, palette, variant.skinning)) {}
   int count() const { return static_cast<int>(character.tree.nodes.size()); }
   Ball3<double> own(int n) const { return variant.refit(character.refit_node(n, palette, variant.pieces)); }
@@ -150,10 +149,12 @@ PROPTEST(frame_refits) {
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
             FrameRefits frame(d.character, d.variant,
-                              {.most_joint_sets = *rc::gen::element(0, 1, 2, 4), .most_in_cut = *rc::gen::element(2, 64), .children_first = *rc::gen::arbitrary<bool>()});
+                              {.most_joint_sets = *rc::gen::element(0, 1, 2, 4),
+                               .most_in_cut = *rc::gen::element(2, 64),
+                               .children_first = *rc::gen::arbitrary<bool>()});
             for (int round = 0; round < 3; ++round) {
               const auto palette = make_skinning_palette(d.character.mesh, d.character.sets,
-                                                   random_pose(d.character.mesh, 77u + round), d.variant.skinning);
+                                                         random_pose(d.character.mesh, 77u + round), d.variant.skinning);
               const auto deformed = skin(d.character.mesh, d.character.sets, palette, d.variant.skinning);
               frame.begin(palette);
               std::mt19937 random(static_cast<unsigned>(round));
@@ -201,7 +202,8 @@ PROPTEST(frame_refits) {
   t.holds("from below: a node of many joint-sets gets the smallest ball around its cut's, which alone is refitted for it",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
-            const FrameOptions options{.most_joint_sets = *rc::gen::element(1, 2, 3), .most_in_cut = *rc::gen::element(1, 3, 6, 64)};
+            const FrameOptions options{.most_joint_sets = *rc::gen::element(1, 2, 3),
+                                       .most_in_cut = *rc::gen::element(1, 3, 6, 64)};
             FrameRefits frame(d.character, d.variant, options);
             for (int n = 0; n < d.count(); n += n < 6 ? 1 : 4) {
               frame.begin(d.palette);
@@ -215,7 +217,8 @@ PROPTEST(frame_refits) {
           });
   t.example("around a ball that is all of space is all of space, from below and of children, and only there", {}, [] {
     long frames = 0;
-    for (const char* name : {"dual_quaternion_control_mean", "dual_quaternion_control_near", "dual_quaternion_control_miniball"}) {
+    for (const char* name :
+         {"dual_quaternion_control_mean", "dual_quaternion_control_near", "dual_quaternion_control_miniball"}) {
       const Drawn d(two_strips(), with_opposite_turns(), compared_variant(name));
       for (const int most_joint_sets : {0, 1, 2})
         for (const int most_in_cut : {1, 2, 64})
@@ -267,8 +270,8 @@ PROPTEST(frame_refits) {
       if (children[n].radius > plain[n].radius || !man.encloses(below[n], n)) return Checked(false, n);
     }
     return Checked(through_descendants > 10 && smaller > 10 && same > 10, through_descendants + smaller + same,
-                   std::to_string(through_descendants) + " from below; " + std::to_string(smaller) + " smaller by their children, " +
-                       std::to_string(same) + " not");
+                   std::to_string(through_descendants) + " from below; " + std::to_string(smaller) +
+                       " smaller by their children, " + std::to_string(same) + " not");
   });
 }
 

@@ -41,14 +41,9 @@ std::string draw_change_of(const std::vector<std::string>& inputs) {
       case 0:
         if (at < text.size()) text[at] = static_cast<char>(index(256));
         break;
-      case 1:
-        text.erase(at, length);
-        break;
-      case 2:
-        text.insert(at, text.substr(at, length));
-        break;
-      default:
-        text.insert(at, other.substr(index(other.size() + 1), index(32)));
+      case 1: text.erase(at, length); break;
+      case 2: text.insert(at, text.substr(at, length)); break;
+      default: text.insert(at, other.substr(index(other.size() + 1), index(32)));
     }
   }
   return text;

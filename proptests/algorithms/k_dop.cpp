@@ -47,8 +47,7 @@ void check_holds_hull() {
 // reach is r ||d|| for a ball of radius r or above it by 2^-50 of it: (reach / r)^2 is ||d||^2.
 bool is_tight(const Rational& reach, const Rational& radius, int squared_length) {
   const Rational least = radius * radius * Rational(squared_length), square = reach * reach;
-  return reach >= 0 && square >= least && square <= least * Rational(1 + 0x1p-50) &&
-         (squared_length > 1 || square == least);
+  return reach >= 0 && square >= least && square <= least * Rational(1 + 0x1p-50) && (squared_length > 1 || square == least);
 }
 
 template <int k>
@@ -132,9 +131,7 @@ void check_separated() {
 template <int k>
 void check_k(Suite& t) {
   const std::string dop = std::to_string(k) + "-DOP";
-  const auto options = [](int cases) {
-    return Options{.number_type = "rational", .cases = cases, .degenerate_at_least = 0.4};
-  };
+  const auto options = [](int cases) { return Options{.number_type = "rational", .cases = cases, .degenerate_at_least = 0.4}; };
   t.holds("the " + dop + " holds every point of the balls' hull", options(400), check_holds_hull<k>);
   t.holds("each face of the " + dop + " touches a ball", options(300), check_faces_touch<k>);
   t.holds("a point beyond a face is not in the " + dop, options(300), check_outside<k>);
@@ -164,8 +161,8 @@ PROPTEST(k_dop) {
                            [&](const SlabDirection& d) { return squared_length(d) == squared; });
     };
     return good && count(slab_directions<6>(), 1) == 3 && count(slab_directions<14>(), 1) == 3 &&
-           count(slab_directions<14>(), 3) == 4 && count(slab_directions<18>(), 1) == 3 &&
-           count(slab_directions<18>(), 2) == 6 && count(all, 1) == 3 && count(all, 2) == 6 && count(all, 3) == 4;
+           count(slab_directions<14>(), 3) == 4 && count(slab_directions<18>(), 1) == 3 && count(slab_directions<18>(), 2) == 6 &&
+           count(all, 1) == 3 && count(all, 2) == 6 && count(all, 3) == 4;
   });
   t.example("the lengths of the directions are bounded from above, by less than 2^-51 of them", {}, [] {
     bool good = true;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loading rigged files: what they palette, against assimp's own matrices, and what is refused.
-#include "algorithms/model/guarded_load.hpp"
 #include "algorithms/model/load.hpp"
 
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/model/guarded_load.hpp"
 #include "proptests/gen/broken_rigs.hpp"
 #include "proptests/gen/random_rig.hpp"
 #include "proptests/gen/temporary_folder.hpp"
@@ -91,8 +91,7 @@ double worst_deviation(const Model& model, const std::string& path, int times) {
   double worst = 0;
   for (std::size_t c = 0; c < model.clips.size(); ++c)
     for (int i = 0; i < times; ++i)
-      worst =
-          std::max(worst, deviation(model, file, static_cast<unsigned>(c), model.clips[c].duration * i / (times - 1)));
+      worst = std::max(worst, deviation(model, file, static_cast<unsigned>(c), model.clips[c].duration * i / (times - 1)));
   return worst;
 }
 
@@ -285,37 +284,48 @@ PROPTEST(load) {
       for (int key = 1; key < 4; ++key) good = good && std::abs(with_waver_in(clip, key) - std::sqrt(3) * 1e-3) < 1e-5;
     return Checked(good, 9);
   });
-  t.example("accepted at the edge: the last joint and vertex, weights that sum to nearly 1, keys that coincide, a matrix too many", {}, [] {
-    const auto complaint = [](const std::function<void(RiggedGltf&)>& change) -> std::string {
-      RiggedGltf scene = gen::bending_tube(3);
-      change(scene);
-      try {
-        load(scene);
-      } catch (const ModelError& e) {
-        return std::string(e.what()) + "; ";
-      }
-      return "";
-    };
-    const auto weights = [](float a, float b) {
-      return [=](RiggedGltf& s) { s.meshes[0].joints[0][7] = {0, 2, 0, 0}, s.meshes[0].weights[0][7] = {a, b, 0, 0}; };
-    };
-    std::string wrong = complaint(weights(0, 1)) + complaint(weights(0.5f, 0.4001f)) + complaint(weights(0.5f, 0.5999f)) +
-                        complaint([](RiggedGltf& s) { s.meshes[0].joints[0][7] = {0, 99, 0, 0}, s.meshes[0].weights[0][7] = {1, 0, 0, 0}; }) +
-                        complaint([](RiggedGltf& s) { s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size()) - 1; }) +
-                        complaint([](RiggedGltf& s) { s.clips[0].tracks[1].times = {1, 1}; }) +
-                        complaint([](RiggedGltf& s) { s.clips[0].tracks[1].times = {0, 0}; }) +
-                        complaint([](RiggedGltf& s) { s.clips.clear(); }) +
-                        complaint([](RiggedGltf& s) {
-                          for (auto& track : s.clips[0].tracks) track.times = {0}, track.values.resize(track.values.size() / 2);
-                        }) +
-                        complaint([](RiggedGltf& s) { s.skins[0].inverse_bind.push_back(s.skins[0].inverse_bind[0]); });
-    for (const auto& [a, b] : {std::pair{0.5f, 0.3999f}, {0.5f, 0.6001f}})
-      if (complaint(weights(a, b)).empty()) wrong += "weights of " + std::to_string(a + b) + " load; ";
-    if (complaint([](RiggedGltf& s) { s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size()); })
-            .find("index 5 names a vertex out of range") == std::string::npos)
-      wrong += "an index equal to the count loads; ";
-    return Checked(wrong.empty(), 13, wrong);
-  });
+  t.example(
+      "accepted at the edge: the last joint and vertex, weights that sum to nearly 1, keys that coincide, a matrix too many", {},
+      [] {
+        const auto complaint = [](const std::function<void(RiggedGltf&)>& change) -> std::string {
+          RiggedGltf scene = gen::bending_tube(3);
+          change(scene);
+          try {
+            load(scene);
+          } catch (const ModelError& e) {
+            return std::string(e.what()) + "; ";
+          }
+          return "";
+        };
+        const auto weights = [](float a, float b) {
+          return [=](RiggedGltf& s) { s.meshes[0].joints[0][7] = {0, 2, 0, 0}, s.meshes[0].weights[0][7] = {a, b, 0, 0}; };
+        };
+        std::string wrong = complaint(weights(0, 1)) + complaint(weights(0.5f, 0.4001f)) + complaint(weights(0.5f, 0.5999f)) +
+                            complaint([](RiggedGltf& s) {
+                              s.meshes[0].joints[0][7] = {0, 99, 0, 0}, s.meshes[0].weights[0][7] = {1, 0, 0, 0};
+                            }) +
+                            complaint([](RiggedGltf& s) {
+                              s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size()) - 1;
+                            }) +
+                            complaint([](RiggedGltf& s) {
+                              s.clips[0].tracks[1].times = {1, 1};
+                            }) +
+                            complaint([](RiggedGltf& s) {
+                              s.clips[0].tracks[1].times = {0, 0};
+                            }) +
+                            complaint([](RiggedGltf& s) { s.clips.clear(); }) + complaint([](RiggedGltf& s) {
+                              for (auto& track : s.clips[0].tracks)
+                                track.times = {0}, track.values.resize(track.values.size() / 2);
+                            }) +
+                            complaint([](RiggedGltf& s) { s.skins[0].inverse_bind.push_back(s.skins[0].inverse_bind[0]); });
+        for (const auto& [a, b] : {std::pair{0.5f, 0.3999f}, {0.5f, 0.6001f}})
+          if (complaint(weights(a, b)).empty()) wrong += "weights of " + std::to_string(a + b) + " load; ";
+        if (complaint([](RiggedGltf& s) {
+              s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size());
+            }).find("index 5 names a vertex out of range") == std::string::npos)
+          wrong += "an index equal to the count loads; ";
+        return Checked(wrong.empty(), 13, wrong);
+      });
   t.example("quaternions in keys may be of any length but nearly 0", {}, [] {
     const auto scaled = [](float by) {
       RiggedGltf scene = gen::bending_tube(3);
@@ -376,11 +386,9 @@ PROPTEST(load) {
     });
   t.example("refused: a file that is missing, or no model whatever its name says", {}, [] {
     const Folder folder;
-    bool good =
-        refuses(folder.file("missing.glb"), {"does not exist"}).passed && refuses("/", {"does not exist"}).passed;
+    bool good = refuses(folder.file("missing.glb"), {"does not exist"}).passed && refuses("/", {"does not exist"}).passed;
     for (const char* name : {"text.glb", "text.gltf", "text.X", "text.fbx", "text.dae", "text.txt"})
-      for (const char* content :
-           {"", "hello", "glTF", "{}", "[1, 2]", "xof 0303txt 0032\n", "<?xml version=\"1.0\"?>"}) {
+      for (const char* content : {"", "hello", "glTF", "{}", "[1, 2]", "xof 0303txt 0032\n", "<?xml version=\"1.0\"?>"}) {
         write_all(folder.file(name), content);
         good = good && refuses(folder.file(name), {}).passed;
       }
@@ -395,8 +403,7 @@ PROPTEST(load) {
       const std::string whole = read_all(folder.file(name));
       for (std::size_t length = 0; length < whole.size(); length += 37, ++cases) {
         write_all(folder.file("cut " + name), whole.substr(0, length));
-        if (!refuses(folder.file("cut " + name), {}).passed)
-          return Checked(false, cases, "cut at " + std::to_string(length));
+        if (!refuses(folder.file("cut " + name), {}).passed) return Checked(false, cases, "cut at " + std::to_string(length));
       }
     }
     return Checked(true, cases);

@@ -23,27 +23,29 @@ Rational exact_squared_radius(const std::vector<oracle::ExactPoint<D>>& points) 
 template <int D>
 void properties(Suite& t) {
   const std::string space = " in R^" + std::to_string(D);
-  t.holds("in squared form the mean ball encloses its points, touches one, and is at most 2 - 2/m times as large as the smallest" + space,
-          {.number_type = "rational", .cases = 700, .degenerate_at_least = 0.5}, [] {
-            const auto cloud = *gen::cloud<D>(12);
-            RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
-            const std::span<const oracle::ExactPoint<D>> points(cloud.points);
-            const auto center = mean_center(points);
-            const Rational far = farthest_squared_distance(center, points);
-            const Rational m(static_cast<int>(points.size()));
-            oracle::ExactPoint<D> sum = center * m;
-            bool touches = false;
-            for (const auto& p : points) {
-              sum -= p;
-              RC_ASSERT(squared_distance(p, center) <= far);
-              touches = touches || squared_distance(p, center) == far;
-            }
-            RC_ASSERT(touches);
-            RC_ASSERT(sum == oracle::ExactPoint<D>(oracle::ExactPoint<D>::Constant(Rational(0))));
-            const Rational least = exact_squared_radius<D>(cloud.points), ratio = Rational(2) - Rational(2) / m;
-            RC_ASSERT(least <= far);
-            RC_ASSERT(far <= ratio * ratio * least || points.size() == 1);
-          });
+  t.holds(
+      "in squared form the mean ball encloses its points, touches one, and is at most 2 - 2/m times as large as the smallest" +
+          space,
+      {.number_type = "rational", .cases = 700, .degenerate_at_least = 0.5}, [] {
+        const auto cloud = *gen::cloud<D>(12);
+        RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
+        const std::span<const oracle::ExactPoint<D>> points(cloud.points);
+        const auto center = mean_center(points);
+        const Rational far = farthest_squared_distance(center, points);
+        const Rational m(static_cast<int>(points.size()));
+        oracle::ExactPoint<D> sum = center * m;
+        bool touches = false;
+        for (const auto& p : points) {
+          sum -= p;
+          RC_ASSERT(squared_distance(p, center) <= far);
+          touches = touches || squared_distance(p, center) == far;
+        }
+        RC_ASSERT(touches);
+        RC_ASSERT(sum == oracle::ExactPoint<D>(oracle::ExactPoint<D>::Constant(Rational(0))));
+        const Rational least = exact_squared_radius<D>(cloud.points), ratio = Rational(2) - Rational(2) / m;
+        RC_ASSERT(least <= far);
+        RC_ASSERT(far <= ratio * ratio * least || points.size() == 1);
+      });
 }
 
 // A ball of doubles as the exact one that its numbers stand for.
@@ -114,7 +116,8 @@ PROPTEST(mean_ball) {
                 }
                 points_missed += point_missed, balls_missed += ball_missed;
               }
-              const double share = static_cast<double>(points_missed) / cases, of_balls = static_cast<double>(balls_missed) / cases;
+              const double share = static_cast<double>(points_missed) / cases,
+                           of_balls = static_cast<double>(balls_missed) / cases;
               return Checked(nearly && share > 0.3 && share < 0.6 && of_balls > 0.3 && of_balls < 0.6, cases,
                              "misses: points " + std::to_string(share) + ", balls " + std::to_string(of_balls));
             });

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What makes a model, or a pose of it, one that is refused.
-#include "algorithms/runtime/mesh/skinned_mesh.hpp"
-
 #include <cmath>
 #include <functional>
 
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -86,10 +85,18 @@ std::vector<std::function<void(SkinnedMesh&)>> accepted_models() {
       [](SkinnedMesh& m) { m.joints[1].parent = m.joints[2].parent = -1; },
       [](SkinnedMesh& m) { m.joints[2].parent = 1; },
       [](SkinnedMesh& m) { m.triangles.resize(1); },
-      [](SkinnedMesh& m) { m.triangles[3] = {11, 11, 11}; },
-      [](SkinnedMesh& m) { m.triangles[3] = {0, 0, 11}; },
-      [](SkinnedMesh& m) { m.vertices.resize(1), m.influences.resize(1), m.triangles = {{0, 0, 0}}; },
-      [](SkinnedMesh& m) { m.joints.resize(1), m.influences.assign(m.vertices.size(), {{0, 1.0}}); },
+      [](SkinnedMesh& m) {
+        m.triangles[3] = {11, 11, 11};
+      },
+      [](SkinnedMesh& m) {
+        m.triangles[3] = {0, 0, 11};
+      },
+      [](SkinnedMesh& m) {
+        m.vertices.resize(1), m.influences.resize(1), m.triangles = {{0, 0, 0}};
+      },
+      [](SkinnedMesh& m) {
+        m.joints.resize(1), m.influences.assign(m.vertices.size(), {{0, 1.0}});
+      },
       weights({{2, 1.0}}),
       weights({{0, unit}, {2, 1 - unit}}),
       weights({{0, unit}, {1, unit}, {2, 1 - 2 * unit}}),
@@ -158,7 +165,8 @@ PROPTEST(model) {
       change(pose);
       return refusal([&] { check_pose(m, pose); });
     };
-    bool good = refused([](Pose&) {}).empty() && refused([](Pose& p) { p.clear(); }) == "tube: pose: has 0 transforms for 3 joints" &&
+    bool good = refused([](Pose&) {}).empty() &&
+                refused([](Pose& p) { p.clear(); }) == "tube: pose: has 0 transforms for 3 joints" &&
                 refused([](Pose& p) { p.pop_back(); }) == "tube: pose: has 2 transforms for 3 joints" &&
                 refused([](Pose& p) { p.emplace_back(); }) == "tube: pose: has 4 transforms for 3 joints";
     const std::string infinite = "tube: pose, joint 2 (joint 2): its transform is not finite",
@@ -190,8 +198,7 @@ PROPTEST(model) {
     const std::string at_the_end = refusal([&] { check_pose(m, pose); });
     pose[1].translation[2] *= 1.1;
     const std::string message = refusal([&] { check_pose(m, pose); });
-    return Checked(at_the_end.empty() &&
-                       message == "tube: pose, joint 1 (joint 1): its translation is out of range, beyond 1e40",
+    return Checked(at_the_end.empty() && message == "tube: pose, joint 1 (joint 1): its translation is out of range, beyond 1e40",
                    2, message);
   });
 }

@@ -91,14 +91,12 @@ std::vector<Broken> broken_scenes() {
        "mesh 'skin', vertex 1: weight -1.000000 is negative"},
       {[](aiScene& s) { s.mRootNode->mMeshes[0] = 2; }, "node 'root': names a mesh out of range"},
       {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mName = "nobody"; }, "bone 'nobody': no node has this name"},
-      {[](aiScene& s) { s.mRootNode->mChildren[0]->mTransformation.a1 = 0; },
-       "node 'plain': its transform is singular"},
+      {[](aiScene& s) { s.mRootNode->mChildren[0]->mTransformation.a1 = 0; }, "node 'plain': its transform is singular"},
       {[](aiScene& s) { s.mRootNode->mTransformation.a1 = NAN; }, "node 'root': its transform is not finite"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = -1; }, "clip 'clip': its duration is not a time"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = INFINITY; }, "clip 'clip': its duration is not a time"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = NAN; }, "clip 'clip': its duration is not a time"},
-      {[](aiScene& s) { s.mAnimations[0]->mChannels[1]->mNodeName = "root"; },
-       "clip 'clip', joint 'root': two channels move it"},
+      {[](aiScene& s) { s.mAnimations[0]->mChannels[1]->mNodeName = "root"; }, "clip 'clip', joint 'root': two channels move it"},
       {[](aiScene& s) {
          s.mRootNode->mChildren[0]->mNumMeshes = 0;
          s.mAnimations[0]->mChannels[0]->mNodeName = "nobody";
@@ -130,7 +128,8 @@ std::size_t joints_of_two_bones(double apart) {
 PROPTEST(model_of_scene) {
   t.example("two bones of one node are one joint where their offsets agree up to float rounding, and else are two", {}, [] {
     const std::size_t one = joints_of_two_bones(0);
-    return Checked(joints_of_two_bones(1e-7) == one && joints_of_two_bones(1e-5) == one + 1 && joints_of_two_bones(1e-3) == one + 1, 4);
+    return Checked(
+        joints_of_two_bones(1e-7) == one && joints_of_two_bones(1e-5) == one + 1 && joints_of_two_bones(1e-3) == one + 1, 4);
   });
   t.example("a scene with one thing wrong is refused with the file, the thing and the reason", {}, [] {
     std::string wrong = refusal(*scene());

@@ -18,7 +18,7 @@ using namespace refitlab;
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
 Box<double> box_of_vertices(const SkinnedMesh& model, const JointSets& sets, const Pose& pose, Skinning skinning,
-                     const RigidTransform<double>& placement) {
+                            const RigidTransform<double>& placement) {
   auto box = Box<double>::empty();
   for (const Point3& p : skin(model, sets, make_skinning_palette(model, sets, pose, skinning), skinning))
     box.merge(apply(placement, p));
@@ -71,7 +71,7 @@ PROPTEST(motion_bound) {
                   for (auto& joint : pose) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
                 const auto placement = random_placement(random);
                 const Box<double> box = reach.box(pose, placement),
-                           of_vertices = box_of_vertices(model, sets, pose, skinning, placement);
+                                  of_vertices = box_of_vertices(model, sets, pose, skinning, placement);
                 for (const Target target : available_targets())
                   RC_ASSERT(encloses(reach.box(pose, placement, target), of_vertices));
                 if (skinning != Skinning::dual_quaternion) RC_ASSERT(std::isfinite(box.extent()));
@@ -135,7 +135,7 @@ PROPTEST(motion_bound) {
     double least = infinite;
     for (const double half : {0.2, 0.6, 1.0}) {  // radians that each joint turns, one this and one that way
       const Pose pose{{{std::cos(half / 2), 0, 0, std::sin(half / 2)}, {0, 0, 0}},
-                            {{std::cos(half / 2), 0, 0, -std::sin(half / 2)}, {0, 0, 0}}};
+                      {{std::cos(half / 2), 0, 0, -std::sin(half / 2)}, {0, 0, 0}}};
       for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
         const Box<double> box = MotionBound(model, sets, skinning).box(pose, {});
         ok = ok && encloses(box, box_of_vertices(model, sets, pose, skinning, {})) && box.high[0] < 1.6;
@@ -214,7 +214,7 @@ PROPTEST(motion_bound) {
     const Pose pose = man.clips[0].sample(0);
     const RigidTransform<double> placement{{std::cos(0.4), 0, std::sin(0.4), 0}, {10, 0, -20}};
     const Box<double> box = MotionBound(man, sets, Skinning::spherical).box(pose, placement),
-               of_vertices = box_of_vertices(man, sets, pose, Skinning::spherical, placement);
+                      of_vertices = box_of_vertices(man, sets, pose, Skinning::spherical, placement);
     return Checked(encloses(box, of_vertices) && box.extent() < 1.3 * of_vertices.extent(), 1,
                    std::to_string(box.extent() / of_vertices.extent()));
   });
@@ -239,7 +239,7 @@ PROPTEST(motion_bound) {
     pose[1].rotation = {0.5, std::sqrt(0.75), 0, 0};
     pose[2].rotation = {0.5, -std::sqrt(0.75), 0, 0};
     const Box<double> dual = MotionBound(model, sets, Skinning::dual_quaternion).box(pose, {}),
-               spherical = MotionBound(model, sets, Skinning::spherical).box(pose, {});
+                      spherical = MotionBound(model, sets, Skinning::spherical).box(pose, {});
     return Checked(is_everything(dual) && std::isfinite(spherical.extent()) &&
                    encloses(spherical, box_of_vertices(model, sets, pose, Skinning::spherical, {})));
   });

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 
 #include <random>
 
-#include "algorithms/runtime/collide/cluster_body.hpp"
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/collide/cluster_body.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
@@ -53,11 +53,12 @@ struct NodeMotionBound {
   std::vector<Box<double>> boxes;
 
   NodeMotionBound(const Character& c, const std::vector<int>& nodes)
-      : packs(make_motion_bound_packs(c, pieces_of_nodes(c, nodes))), scratch(nodes.size()), boxes(nodes.size()) {}
+      : packs(make_motion_bound_packs(c, pieces_of_nodes(c, nodes))),
+        scratch(nodes.size()),
+        boxes(nodes.size()) {}
 
   // False if nothing is known of one.
-  bool bound(MotionBound& reach, const Pose& pose, const RigidTransform<double>& placement,
-             Target target = best_target()) {
+  bool bound(MotionBound& reach, const Pose& pose, const RigidTransform<double>& placement, Target target = best_target()) {
     return std::isfinite(reach.box(pose, placement, target).low[0]) &&
            reach.boxes(packs, pose, placement, scratch, boxes, target);
   }
@@ -152,8 +153,7 @@ PROPTEST(motion_bound_packs) {
               MotionBound reach(c.mesh, c.sets, skinning);
               if (!nodes.bound(reach, pose, placement)) continue;
               const auto points = placed_vertices(c, pose, placement, skinning);
-              for (std::size_t n = 0; n < nodes.boxes.size(); ++n)
-                RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
+              for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
             }
           });
   t.holds("the boxes of a body's clusters, from the joints alone or by control points, hold their vertices",
@@ -200,7 +200,7 @@ PROPTEST(motion_bound_packs) {
     bool ok = true;
     double farthest = 0;
     for (const double angle : {4e-5, 1e-4, 1e-3})
-      for (const int who : {0, 1, 2})  // all joints, the first, the last
+      for (const int who : {0, 1, 2})                      // all joints, the first, the last
         for (const double off : {0.0, -4.9e-7, 4.9e-7}) {  // what held of a frame does not hold of the next
           RigidTransform<double> swing{{std::cos(angle / 2), 0, 0, std::sin(angle / 2)}, {0, 0, 0}};
           swing.translation = pivot - rotate(swing.rotation, pivot);
@@ -216,37 +216,35 @@ PROPTEST(motion_bound_packs) {
         }
     return Checked(ok && farthest > 1e-3, 27, "by up to " + std::to_string(farthest));
   });
-  t.example("a single joint turns about its origin, however far, by a rotation that is not quite of unit length", {},
-            [] {
-              bool ok = true;
-              long tried = 0;
-              for (const double far : {1.0, 100.0, 1e3, 1e5})
-                for (const double off : {-4.9e-7, 0.0, 4.9e-7}) {
-                  SkinnedMesh model;
-                  model.name = "far from its joint";
-                  model.vertices = {{1, 0, 0}, {1, 0, 0}, {0, 0, 0}};
-                  model.triangles = {{0, 1, 2}};
-                  model.joints = {{"far", -1, {far / 3, far, far / 7}}};
-                  model.influences.assign(3, {{0, 1}});
-                  const auto c = bake(std::move(model), {.triangles_per_leaf = 1});
-                  NodeMotionBound nodes(c, {0});
-                  for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-                    MotionBound reach(c.mesh, c.sets, skinning);
-                    std::mt19937 random(1);
-                    for (int turn = 0; turn < 20; ++turn) {
-                      Pose pose{{gen::random_rotation(random, 1), {0, 0, 0}}};
-                      pose[0].rotation *= 1 + off;
-                      const auto points = placed_vertices(c, pose, {}, skinning);
-                      const Box<double> box = reach.box(pose, {});
-                      ok = ok && holds(box, points, c.vertices[0]) &&
-                           reach.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
-                           holds(nodes.boxes[0], points, c.vertices[0]);
-                      ++tried;
-                    }
-                  }
-                }
-              return Checked(ok, tried);
-            });
+  t.example("a single joint turns about its origin, however far, by a rotation that is not quite of unit length", {}, [] {
+    bool ok = true;
+    long tried = 0;
+    for (const double far : {1.0, 100.0, 1e3, 1e5})
+      for (const double off : {-4.9e-7, 0.0, 4.9e-7}) {
+        SkinnedMesh model;
+        model.name = "far from its joint";
+        model.vertices = {{1, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+        model.triangles = {{0, 1, 2}};
+        model.joints = {{"far", -1, {far / 3, far, far / 7}}};
+        model.influences.assign(3, {{0, 1}});
+        const auto c = bake(std::move(model), {.triangles_per_leaf = 1});
+        NodeMotionBound nodes(c, {0});
+        for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+          MotionBound reach(c.mesh, c.sets, skinning);
+          std::mt19937 random(1);
+          for (int turn = 0; turn < 20; ++turn) {
+            Pose pose{{gen::random_rotation(random, 1), {0, 0, 0}}};
+            pose[0].rotation *= 1 + off;
+            const auto points = placed_vertices(c, pose, {}, skinning);
+            const Box<double> box = reach.box(pose, {});
+            ok = ok && holds(box, points, c.vertices[0]) && reach.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
+                 holds(nodes.boxes[0], points, c.vertices[0]);
+            ++tried;
+          }
+        }
+      }
+    return Checked(ok, tried);
+  });
   t.holds("what is so small that its squares underflow is held too", {.number_type = "float", .cases = 200}, [] {
     const auto plan = *gen::mesh_plan();
     const double scale = *rc::gen::element(1e-15, 1e-17, 1e-19, 1e-22, 1e-30, 1e-50);
@@ -297,26 +295,29 @@ PROPTEST(motion_bound_packs) {
     }
     return Checked(ok, 3 * 10 * count, text);
   });
-  t.example("what turns may add to the spread of a piece's box, and what its images may lack, is what motion_bound_kernel.hpp says, rounded up", {}, [] {
-    bool ok = true;
-    long lanes = 0;
-    for (unsigned seed = 0; seed < 20; ++seed) {
-      const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed}));
-      std::vector<int> nodes;
-      for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
-      const auto pieces = pieces_of_nodes(c, nodes);
-      for (const MotionBoundPiecePack& pack : make_motion_bound_packs(c, pieces))
-        for (int lane = 0; lane < motion_bound_lanes; ++lane, ++lanes) {
-          const double n = pack.ball.joint_count[lane];
-          double squared_half = 0;
-          for (int i = 0; i < 3; ++i) squared_half += std::pow(static_cast<double>(pack.half[i][lane]), 2);
-          const double expected = std::sqrt(2 * n * (n - 1) * squared_half), spin = pack.spin[lane];
-          ok = ok && spin >= expected * (1 - 1e-12) && spin <= expected * (1 + 1e-5);
-          ok = ok && pack.box_unsolved[lane] >= std::sqrt(squared_half) * n / 64 * (1 - 1e-6);
+  t.example(
+      "what turns may add to the spread of a piece's box, and what its images may lack, is what motion_bound_kernel.hpp says, "
+      "rounded up",
+      {}, [] {
+        bool ok = true;
+        long lanes = 0;
+        for (unsigned seed = 0; seed < 20; ++seed) {
+          const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed}));
+          std::vector<int> nodes;
+          for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
+          const auto pieces = pieces_of_nodes(c, nodes);
+          for (const MotionBoundPiecePack& pack : make_motion_bound_packs(c, pieces))
+            for (int lane = 0; lane < motion_bound_lanes; ++lane, ++lanes) {
+              const double n = pack.ball.joint_count[lane];
+              double squared_half = 0;
+              for (int i = 0; i < 3; ++i) squared_half += std::pow(static_cast<double>(pack.half[i][lane]), 2);
+              const double expected = std::sqrt(2 * n * (n - 1) * squared_half), spin = pack.spin[lane];
+              ok = ok && spin >= expected * (1 - 1e-12) && spin <= expected * (1 + 1e-5);
+              ok = ok && pack.box_unsolved[lane] >= std::sqrt(squared_half) * n / 64 * (1 - 1e-6);
+            }
         }
-    }
-    return Checked(ok && lanes > 1000, lanes);
-  });
+        return Checked(ok && lanes > 1000, lanes);
+      });
   t.example("nothing is known of nodes between joints half a turn apart", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
     NodeMotionBound nodes(c, {0});

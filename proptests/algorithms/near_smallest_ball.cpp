@@ -24,9 +24,7 @@ Balls draw(bool& degenerate) {
   degenerate = gen::is_degenerate(cloud.shape) || radii != 0;
   Balls out;
   for (const auto& p : cloud.points)
-    out.push_back({lift<double>(p), radii == 1   ? 0.0
-                                    : radii == 2 ? 0.5
-                                                 : 3 * CGAL::to_double(*gen::unit_interval_rational())});
+    out.push_back({lift<double>(p), radii == 1 ? 0.0 : radii == 2 ? 0.5 : 3 * CGAL::to_double(*gen::unit_interval_rational())});
   if (radii == 3) out.front().radius = 1000;
   if (radii == 4) out.push_back(out.front());
   return out;
@@ -64,39 +62,43 @@ PROPTEST(near_smallest_ball) {
     bool degenerate;
     const Balls balls = draw(degenerate);
     RC_CLASSIFY(degenerate, "degenerate");
-    const Rational radius(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)).radius),
-        half = half_extent(balls);
+    const Rational radius(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)).radius), half = half_extent(balls);
     const Rational slack(1e-13);
     RC_ASSERT(radius >= half * (Rational(1) - slack));
     RC_ASSERT(radius * radius <= 3 * half * half * (Rational(1) + slack));
   });
-  t.example("from the middle of the balls' box, each step goes the share 1/(i + 2) towards the ball that reaches farthest; the best is kept",
-            {.number_type = "double"}, [] {
-              std::mt19937_64 random(2006);
-              std::uniform_real_distribution<double> uniform(0, 1);
-              const auto reach = [](const Balls& balls, const Vec<double, 3>& from) {
-                std::vector<double> out;
-                for (const auto& b : balls) out.push_back((b.center - from).norm() + b.radius);
-                return out;
-              };
-              long tried = 0;
-              for (int c = 0; c < 300; ++c) {
-                Balls balls;
-                for (const auto& p : gen::rounded_cloud<3>(random, gen::Shape::general, 2 + c % 9, 0)) balls.push_back({p, uniform(random)});
-                Vec<double, 3> at, low = balls[0].center, high = low;
-                for (const auto& b : balls) low = low.cwiseMin((b.center.array() - b.radius).matrix()), high = high.cwiseMax((b.center.array() + b.radius).matrix());
-                at = (low + high) / 2;
-                double best = INFINITY;
-                for (int steps = 0; steps < 6; ++steps, ++tried) {
-                  const auto all = reach(balls, at);
-                  const auto farthest = std::max_element(all.begin(), all.end());
-                  best = std::min(best, *farthest);
-                  if (std::abs(near_smallest_ball<double>(balls, steps).radius - best) > 1e-12) return Checked(false, tried);
-                  at += (balls[farthest - all.begin()].center - at) / (steps + 2);
-                }
-              }
-              return Checked(true, tried);
-            });
+  t.example(
+      "from the middle of the balls' box, each step goes the share 1/(i + 2) towards the ball that reaches farthest; the best is "
+      "kept",
+      {.number_type = "double"}, [] {
+        std::mt19937_64 random(2006);
+        std::uniform_real_distribution<double> uniform(0, 1);
+        const auto reach = [](const Balls& balls, const Vec<double, 3>& from) {
+          std::vector<double> out;
+          for (const auto& b : balls) out.push_back((b.center - from).norm() + b.radius);
+          return out;
+        };
+        long tried = 0;
+        for (int c = 0; c < 300; ++c) {
+          Balls balls;
+          for (const auto& p : gen::rounded_cloud<3>(random, gen::Shape::general, 2 + c % 9, 0))
+            balls.push_back({p, uniform(random)});
+          Vec<double, 3> at, low = balls[0].center, high = low;
+          for (const auto& b : balls)
+            low = low.cwiseMin((b.center.array() - b.radius).matrix()),
+            high = high.cwiseMax((b.center.array() + b.radius).matrix());
+          at = (low + high) / 2;
+          double best = INFINITY;
+          for (int steps = 0; steps < 6; ++steps, ++tried) {
+            const auto all = reach(balls, at);
+            const auto farthest = std::max_element(all.begin(), all.end());
+            best = std::min(best, *farthest);
+            if (std::abs(near_smallest_ball<double>(balls, steps).radius - best) > 1e-12) return Checked(false, tried);
+            at += (balls[farthest - all.begin()].center - at) / (steps + 2);
+          }
+        }
+        return Checked(true, tried);
+      });
   t.holds("a further step never makes it larger", options, [] {
     bool degenerate;
     const Balls balls = draw(degenerate);
@@ -133,8 +135,7 @@ PROPTEST(near_smallest_ball) {
       worst = std::max(worst, ratio);
     }
     char text[120];
-    std::snprintf(text, sizeof text, "radius over that of the smallest ball: mean %.4f, worst %.4f", sum / count,
-                  worst);
+    std::snprintf(text, sizeof text, "radius over that of the smallest ball: mean %.4f, worst %.4f", sum / count, worst);
     return Checked(sum / count < 1.05 && worst < 1.2, count, text);
   });
 }

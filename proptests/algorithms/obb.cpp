@@ -162,9 +162,7 @@ bool finds_a_turned_box() {
 
 PROPTEST(obb) {
   static Seen seen;
-  const auto options = [](int cases) {
-    return Options{.number_type = "rational", .cases = cases, .degenerate_at_least = 0.4};
-  };
+  const auto options = [](int cases) { return Options{.number_type = "rational", .cases = cases, .degenerate_at_least = 0.4}; };
   t.holds("the axes are exactly orthonormal and right-handed", options(200),
           [] { RC_ASSERT(worst_axis_error(draw().box()) == 0); });
   t.holds("the box holds every point of the balls' hull", options(400), [] {
@@ -207,8 +205,7 @@ PROPTEST(obb) {
       edges[i] = high - low;
     }
     RC_ASSERT(box.volume() == edges[0] * edges[1] * edges[2]);
-    RC_ASSERT(box.surface_area() ==
-              Rational(2) * (edges[0] * edges[1] + edges[0] * edges[2] + edges[1] * edges[2]));
+    RC_ASSERT(box.surface_area() == Rational(2) * (edges[0] * edges[1] + edges[0] * edges[2] + edges[1] * edges[2]));
   });
   t.holds("two boxes that share a point overlap", options(400), check_common_point);
   t.holds("two boxes overlap exactly if the half-spaces of both have a point in common", options(600),
@@ -231,8 +228,7 @@ PROPTEST(obb) {
             for (const auto& b : balls) size = std::max(size, b.center.norm() + b.radius);
             auto larger = box;
             for (int i = 0; i < 3; ++i) larger.low[i] -= 1e-14 * size, larger.high[i] += 1e-14 * size;
-            for (int n = 0; n < 5; ++n)
-              RC_ASSERT(larger.contains(lift<double>(gen::hull_point(list.balls))) == Verdict::holds);
+            for (int n = 0; n < 5; ++n) RC_ASSERT(larger.contains(lift<double>(gen::hull_point(list.balls))) == Verdict::holds);
           });
   t.example("a turned box comes back from its corners", {.number_type = "double"}, finds_a_turned_box);
 }

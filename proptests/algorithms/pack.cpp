@@ -41,8 +41,8 @@ void properties(Suite& t, const std::string& number_type) {
                   const Vec<S, 3> a = numbers_of<3, S>(x, lane), b = numbers_of<3, S>(y, lane);
                   const RigidTransform<S> scalar{own / norm(own), b};
                   if (numbers_of<3, S>(moved, lane) != apply(inverse(scalar), a) ||
-                      numbers_of<3, S>(scaled, lane) != rotate_scaled(own, a) ||
-                      larger[lane] != std::max(a[0], b[0]) || smaller[lane] != std::min(a[0], b[0]))
+                      numbers_of<3, S>(scaled, lane) != rotate_scaled(own, a) || larger[lane] != std::max(a[0], b[0]) ||
+                      smaller[lane] != std::min(a[0], b[0]))
                     return Checked(false, c);
                 }
               }

@@ -27,8 +27,8 @@ bool are_identical(const Point3& a, const Point3& b) {
 }
 
 // Every group and the whole model, by every target, against skin().
-bool is_as_skin(const PackedVertices& packed, const SkinnedMesh& model, const JointSets& sets, const SkinningPalette<double>& palette,
-                Skinning skinning) {
+bool is_as_skin(const PackedVertices& packed, const SkinnedMesh& model, const JointSets& sets,
+                const SkinningPalette<double>& palette, Skinning skinning) {
   const auto expected = skin(model, sets, palette, skinning);
   const Point3 untouched(7, 7, 7);
   for (const Target target : available_targets()) {
@@ -73,15 +73,16 @@ PROPTEST(packed_vertices) {
             const auto palette = make_skinning_palette(posed.mesh, sets, posed.pose, skinning);
             RC_ASSERT(is_as_skin(packed, posed.mesh, sets, palette, skinning));
           });
-  t.holds("also at the ends of what is accepted: up to 90 joints a joint-set, tiny and huge, quaternions off unit length",
-          {.number_type = "double pack", .cases = 200}, [] {
-            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const gen::WideModel wide = gen::wide_model(random);
-            const JointSets sets(wide.mesh);
-            const PackedVertices packed(wide.mesh, sets);
-            for (const Skinning skinning : kinds)
-              RC_ASSERT(is_as_skin(packed, wide.mesh, sets, make_skinning_palette(wide.mesh, sets, wide.pose, skinning), skinning));
-          });
+  t.holds(
+      "also at the ends of what is accepted: up to 90 joints a joint-set, tiny and huge, quaternions off unit length",
+      {.number_type = "double pack", .cases = 200}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        const gen::WideModel wide = gen::wide_model(random);
+        const JointSets sets(wide.mesh);
+        const PackedVertices packed(wide.mesh, sets);
+        for (const Skinning skinning : kinds)
+          RC_ASSERT(is_as_skin(packed, wide.mesh, sets, make_skinning_palette(wide.mesh, sets, wide.pose, skinning), skinning));
+      });
   t.example("the built-in man and creature are, as a whole, in mid-clip", {.number_type = "double pack"}, [] {
     long checked = 0;
     for (const Model& model : {make_man(), make_creature()}) {

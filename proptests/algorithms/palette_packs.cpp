@@ -26,8 +26,7 @@ bool are_equal(const SkinningPalette<double>& a, const SkinningPalette<double>& 
     const PaletteEntry<double> p = a[s], q = b[s];
     if (p.rotation_center != q.rotation_center || p.transforms.size() != q.transforms.size()) return false;
     for (std::size_t i = 0; i < p.transforms.size(); ++i)
-      if (p.transforms[i].rotation != q.transforms[i].rotation ||
-          p.transforms[i].translation != q.transforms[i].translation)
+      if (p.transforms[i].rotation != q.transforms[i].rotation || p.transforms[i].translation != q.transforms[i].translation)
         return false;
     if (!equal_lists(p.center_images, q.center_images) || !equal_lists(p.duals, q.duals)) return false;
   }

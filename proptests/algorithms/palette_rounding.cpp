@@ -9,13 +9,13 @@
 #include <cstdio>
 #include <random>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
-#include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/refit_case.hpp"
@@ -37,7 +37,8 @@ constexpr int samples = 40000;
 class Draw {
  public:
   Running coordinate() {
-    if (std::uniform_int_distribution<int>(0, 2)(random_) == 0) return last_ * double(std::uniform_int_distribution<int>(-1, 1)(random_));
+    if (std::uniform_int_distribution<int>(0, 2)(random_) == 0)
+      return last_ * double(std::uniform_int_distribution<int>(-1, 1)(random_));
     return last_ = std::uniform_real_distribution<double>(-1, 1)(random_);
   }
   Vec<Running, 3> point() { return {coordinate(), coordinate(), coordinate()}; }
@@ -76,15 +77,17 @@ bool is_proved(const std::string& script, int bound) {
 }
 
 Checked check_elementary() {
-  const std::pair<const char*, int> bounds[] = {
-      {"squared_length", rounding::squared_length}, {"rotate", rounding::rotate},
-      {"rotate_scaled", rounding::rotate_scaled},   {"mix_weight", rounding::mix_weight},
-      {"mix_numerator", rounding::mix_numerator}};
+  const std::pair<const char*, int> bounds[] = {{"squared_length", rounding::squared_length},
+                                                {"rotate", rounding::rotate},
+                                                {"rotate_scaled", rounding::rotate_scaled},
+                                                {"mix_weight", rounding::mix_weight},
+                                                {"mix_numerator", rounding::mix_numerator}};
   bool passed = true;
   std::string text;
   for (const auto& [script, bound] : bounds) {
     const bool whole = is_proved(script, bound), less = is_proved(script, bound * 3 / 4);
-    text += std::string(script) + " " + std::to_string(bound) + " u" + (whole ? "" : " NOT PROVED") + (less ? ", but less too" : "") + "; ";
+    text += std::string(script) + " " + std::to_string(bound) + " u" + (whole ? "" : " NOT PROVED") +
+            (less ? ", but less too" : "") + "; ";
     passed = passed && whole && !less;
   }
   return Checked(passed, std::size(bounds), text);
@@ -102,8 +105,8 @@ class Share {
   }
   Checked checked() const {
     char text[120];
-    std::snprintf(text, sizeof text, "%.0f %% of the allowance used (with translations %.0f %%), %.0f %% asked for", 100 * turned_,
-                  100 * moved_, 100 * at_least_);
+    std::snprintf(text, sizeof text, "%.0f %% of the allowance used (with translations %.0f %%), %.0f %% asked for",
+                  100 * turned_, 100 * moved_, 100 * at_least_);
     constexpr double all = 1 + 1e-9;  // the bounds themselves are rounded
     return Checked(turned_ <= all && moved_ <= all && turned_ >= at_least_, count_, text);
   }
@@ -233,8 +236,9 @@ Checked check_dual_quaternion_corners() {
     const Vec<Running, 3> p = draw.point();
     const double translation = double(i % 4);
     const auto balls = control_balls_of<DualQuaternionPiece<Running>, BlendedDuals<Running>>(
-        DualQuaternionPiece<Running>(p, Running(0), Running(0)), i % 2 ? 0.1 : 0.6, draw,
-        [&](const Quaternion<Running>& q) { return BlendedDuals<Running>{q, draw.unit() * Running(translation / 2)}; });
+        DualQuaternionPiece<Running>(p, Running(0), Running(0)), i % 2 ? 0.1 : 0.6, draw, [&](const Quaternion<Running>& q) {
+          return BlendedDuals<Running>{q, draw.unit() * Running(translation / 2)};
+        });
     const double allowance =
         left(difference(rounding_dual_quaternion(scales(1, translation))), length(p), 2 * 5, 2 * 5, translation);
     for (const auto& b : balls) share.see(error_length(b.center), allowance, translation == 0);
@@ -295,14 +299,13 @@ gen::RefitCase with_stretched_rotations(gen::RefitCase c) {
   for (gen::SetCase& set : c.sets)
     for (auto& transform : set.palette.transforms)
       transform.rotation = transform.rotation * *rc::gen::element(Rational(1), Rational(1 + 0x1p-22), Rational(1 - 0x1p-22),
-                                                                         Rational(1 + 0.4999e-6), Rational(1 - 0.4999e-6));
+                                                                  Rational(1 + 0.4999e-6), Rational(1 - 0.4999e-6));
   return c;
 }
 
 // Every sound variant of a kind of skinning, its ball taken as it stands.
 void check_no_miss(Skinning skinning) {
-  const gen::RefitCase c =
-      with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
+  const gen::RefitCase c = with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   const gen::NodeOf<double> storage(c);
   for (const RefitVariant& variant : compared_variants()) {
@@ -380,7 +383,8 @@ PROPTEST(palette_rounding) {
   t.example("a vertex under linear blending is off by no more than its rate, and by half", options, check_linear_vertex);
   t.example("a vertex under dual quaternion blending is off by no more than its rate, and by half", options,
             check_dual_quaternion_vertex);
-  t.example("control points of degree 3 are off by no more than the corners' rate, and by half", options, check_spherical_corners);
+  t.example("control points of degree 3 are off by no more than the corners' rate, and by half", options,
+            check_spherical_corners);
   t.example("a cap's center and radius are off by no more than the corners' rate", options, check_cap);
   t.example("control points of dual quaternions are off by no more than the corners' rate, and by half", options,
             check_dual_quaternion_corners);
@@ -389,7 +393,8 @@ PROPTEST(palette_rounding) {
           {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, check_scales);
   t.example("a length bounded without a root is bounded, by at most 16 % more", options, check_upper_norm);
   t.example("every variant adds at least what its pieces ask for, and the reference balls have their vertices", {}, check_nodes);
-  const Options awkward{.number_type = "double against rational", .cases = 400, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
+  const Options awkward{
+      .number_type = "double against rational", .cases = 400, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("no ball of a linear variant misses an exactly skinned vertex of an awkward case, nor rounded to float", awkward,
           [] { check_no_miss(Skinning::linear); });
   t.holds("no ball of a spherical variant misses an exactly skinned vertex of an awkward case, nor rounded to float", awkward,

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/bake/build_tree.hpp"
-#include "algorithms/bake/build_pieces.hpp"
-
 #include <algorithm>
 #include <set>
 
-#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/bake/build_pieces.hpp"
+#include "algorithms/bake/build_tree.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -20,7 +19,10 @@ using namespace refitlab;
 
 struct Rig {
   explicit Rig(SkinnedMesh m, const TreeOptions& options = {})
-      : mesh(std::move(m)), sets(mesh), tree(build_sphere_tree(mesh, sets, options)), vertices(tree, mesh) {
+      : mesh(std::move(m)),
+        sets(mesh),
+        tree(build_sphere_tree(mesh, sets, options)),
+        vertices(tree, mesh) {
     for (int s = 0; s < sets.count(); ++s) {
       palette.append(sets.joints(s).size());
       palette.complete(Point3::Zero());
@@ -75,8 +77,7 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOpt
     return "too many pieces";
   const auto simple = rig.tree.refit_node(n, rig.palette);
   for (std::size_t i = 0; i < node.pieces.size(); ++i) {
-    if (node.piece_reference(i).radius > simple.reference.radius * (1 + 1e-12))
-      return "a piece is larger than its node";
+    if (node.piece_reference(i).radius > simple.reference.radius * (1 + 1e-12)) return "a piece is larger than its node";
     for (const auto& set : simple.pieces)
       if (most_pieces == 1 && set.joint_set == node.pieces[i].joint_set &&
           node.pieces[i].weight_vertex_count > set.weight_vertex_count)
@@ -87,8 +88,7 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOpt
     const int v = of_node[i];
     bool covered = false;
     for (std::size_t p = 0; p < node.pieces.size() && !covered; ++p)
-      covered = node.pieces[p].joint_set == rig.sets.of_vertex(v) &&
-                in_ball(node.piece_reference(p), rig.mesh.vertices[v]) &&
+      covered = node.pieces[p].joint_set == rig.sets.of_vertex(v) && in_ball(node.piece_reference(p), rig.mesh.vertices[v]) &&
                 in_hull(corners_of(node, node.pieces[p]), exact(rig.sets.weights(v)));
     if (!covered) return "vertex " + std::to_string(v) + " is in no piece";
   }
@@ -124,8 +124,7 @@ void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mi
       for (const int v : own)
         if (!find([&](const NodePiece& single, const Ball3<double>& reference) {
               return single.joint_set == piece.joint_set && single.weight_vertex_count == 1 && reference.radius == 0 &&
-                     reference.center == rig.mesh.vertices[v] &&
-                     exact(after.corner(single, 0)) == exact(rig.sets.weights(v));
+                     reference.center == rig.mesh.vertices[v] && exact(after.corner(single, 0)) == exact(rig.sets.weights(v));
             }))
           out.wrong = "vertex " + std::to_string(v) + " is not listed";
     } else {
@@ -137,8 +136,7 @@ void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mi
         out.wrong = "a piece of many vertices was changed";
     }
   }
-  if (out.wrong.empty() && std::find(found.begin(), found.end(), false) != found.end())
-    out.wrong = "there are further pieces";
+  if (out.wrong.empty() && std::find(found.begin(), found.end(), false) != found.end()) out.wrong = "there are further pieces";
 }
 
 // Of vertices alone: each becomes a triangle of one point, and the tree is one leaf.
@@ -206,8 +204,7 @@ Checked check_man(const PieceOptions& options) {
     if (!wrong.empty()) return Checked(false, nodes, "node " + std::to_string(n) + ": " + wrong);
     ++nodes;
   }
-  return Checked(nodes > 100, nodes,
-                 std::to_string(table.pieces.size()) + " pieces for " + std::to_string(count) + " nodes");
+  return Checked(nodes > 100, nodes, std::to_string(table.pieces.size()) + " pieces for " + std::to_string(count) + " nodes");
 }
 
 }  // namespace
@@ -343,12 +340,10 @@ PROPTEST(pieces) {
             const PieceTable plain = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1}),
                              mixed = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1, 1, factor});
             Listed result;
-            for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n)
-              compare_lists(rig, plain, mixed, factor, n, result);
+            for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) compare_lists(rig, plain, mixed, factor, n, result);
             RC_ASSERT(result.wrong == "");
           });
-  t.example("on the built-in man, a piece for each joint-set", {.number_type = "rational"},
-            [] { return check_man({}); });
+  t.example("on the built-in man, a piece for each joint-set", {.number_type = "rational"}, [] { return check_man({}); });
   t.example("on the built-in man, up to 64 pieces", {.number_type = "rational"}, [] { return check_man({64}); });
   t.example("on the built-in man, some of its pieces are listed as vertices and some are not", {}, [] {
     const Rig rig(make_man());

@@ -24,9 +24,7 @@ RationalBalls as_balls(const std::vector<RationalVec<3>>& points) {
   return out;
 }
 
-RationalBalls octahedron() {
-  return as_balls({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
-}
+RationalBalls octahedron() { return as_balls({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}); }
 
 RationalBalls cuboctahedron() {
   std::vector<RationalVec<3>> points;
@@ -38,8 +36,7 @@ RationalBalls cuboctahedron() {
 template <int k>
 bool is_solid(const RationalBalls& balls, const Rational& volume, double surface_area) {
   const auto rounded = KDop<double, k>::around(lift<double>(balls));
-  return KDop<Rational, k>::around(balls).volume() == volume &&
-         std::abs(rounded.volume() - CGAL::to_double(volume)) < 1e-12 &&
+  return KDop<Rational, k>::around(balls).volume() == volume && std::abs(rounded.volume() - CGAL::to_double(volume)) < 1e-12 &&
          std::abs(rounded.surface_area() - surface_area) < 1e-12;
 }
 
@@ -99,10 +96,8 @@ PROPTEST(polytope) {
             {.number_type = "rational and double"}, [] {
               const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0);
               return is_solid<6>(octahedron(), 8, 24) && is_solid<14>(octahedron(), Rational(4, 3), 4 * root3) &&
-                     is_solid<18>(octahedron(), 2, 6 * root2) &&
-                     is_solid<26>(octahedron(), Rational(4, 3), 4 * root3) &&
-                     is_solid<14>(cuboctahedron(), Rational(20, 3), 12 + 4 * root3) &&
-                     is_solid<18>(cuboctahedron(), 8, 24);
+                     is_solid<18>(octahedron(), 2, 6 * root2) && is_solid<26>(octahedron(), Rational(4, 3), 4 * root3) &&
+                     is_solid<14>(cuboctahedron(), Rational(20, 3), 12 + 4 * root3) && is_solid<18>(cuboctahedron(), 8, 24);
             });
   t.example("what is flat has no volume, and both its sides as its area", {.number_type = "rational and double"}, [] {
     const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0);

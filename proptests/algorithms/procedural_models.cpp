@@ -75,8 +75,7 @@ bool has_one_ring_a_vertex(const Model& m) {
     if (ring.empty()) return false;
     std::size_t length = 1;
     const int first = ring.begin()->first;
-    for (int at = ring.begin()->second; at != first && ring.contains(at) && length <= ring.size(); ++length)
-      at = ring.at(at);
+    for (int at = ring.begin()->second; at != first && ring.contains(at) && length <= ring.size(); ++length) at = ring.at(at);
     if (length != ring.size()) return false;
   }
   return true;
@@ -133,8 +132,7 @@ double weight_of(const Model& m, int vertex, int joint) {
 double largest_weight_step(const Model& m) {
   double largest = 0;
   for (const auto& [a, b] : directed_edges(m))
-    for (const Influence& i : m.influences[a])
-      largest = std::max(largest, std::abs(i.weight - weight_of(m, b, i.joint)));
+    for (const Influence& i : m.influences[a]) largest = std::max(largest, std::abs(i.weight - weight_of(m, b, i.joint)));
   return largest;
 }
 
@@ -155,8 +153,7 @@ double difference(const Pose& a, const Pose& b) {
 
 // The angle in degrees, in [0, 180], by which a joint is turned against its parent.
 double turned_against_parent(const Model& m, const Pose& pose, int joint) {
-  const Quaternion<double> relative =
-      multiply(conjugate(pose[m.joints[joint].parent].rotation), pose[joint].rotation);
+  const Quaternion<double> relative = multiply(conjugate(pose[m.joints[joint].parent].rotation), pose[joint].rotation);
   return 2 * std::atan2(norm(imaginary(relative)), std::abs(relative[0])) * 180 / std::numbers::pi;
 }
 
@@ -167,9 +164,7 @@ int joint_named(const Model& m, const std::string& name) {
 }
 
 bool same(const Model& a, const Model& b) {
-  const auto same_influence = [](const Influence& x, const Influence& y) {
-    return x.joint == y.joint && x.weight == y.weight;
-  };
+  const auto same_influence = [](const Influence& x, const Influence& y) { return x.joint == y.joint && x.weight == y.weight; };
   const auto same_list = [&](const std::vector<Influence>& x, const std::vector<Influence>& y) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end(), same_influence);
   };
@@ -191,9 +186,9 @@ PROPTEST(procedural_models) {
     return for_each_model([](const Model& m, const Expected& e) {
       std::set<std::string> names;
       for (const Joint& joint : m.joints) names.insert(joint.name);
-      return Checked(m.triangles.size() == e.triangles && m.joints.size() == e.joints && names.size() == e.joints &&
-                         !names.contains(""),
-                     1, std::to_string(m.triangles.size()) + " triangles, " + std::to_string(names.size()) + " joints");
+      return Checked(
+          m.triangles.size() == e.triangles && m.joints.size() == e.joints && names.size() == e.joints && !names.contains(""), 1,
+          std::to_string(m.triangles.size()) + " triangles, " + std::to_string(names.size()) + " joints");
     });
   });
 
@@ -236,14 +231,13 @@ PROPTEST(procedural_models) {
     return for_each_model([](const Model& m, const Expected&) {
       const long euler = long(m.vertices.size()) - long(m.triangles.size()) / 2;
       return Checked(component_count(m) == 1 && euler == 2 && volume(m) > 0, 1,
-                     std::to_string(component_count(m)) + " pieces, Euler characteristic " + std::to_string(euler) +
-                         ", volume " + std::to_string(volume(m)) + " m^3");
+                     std::to_string(component_count(m)) + " pieces, Euler characteristic " + std::to_string(euler) + ", volume " +
+                         std::to_string(volume(m)) + " m^3");
     });
   });
 
-  t.example("the skin does not cross itself in the reference pose", {}, [] {
-    return for_each_model([](const Model& m, const Expected&) { return Checked(!crosses_itself(m), 1); });
-  });
+  t.example("the skin does not cross itself in the reference pose", {},
+            [] { return for_each_model([](const Model& m, const Expected&) { return Checked(!crosses_itself(m), 1); }); });
 
   t.example("no triangle has an angle below 15 degrees, and few one below 30", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
@@ -263,9 +257,8 @@ PROPTEST(procedural_models) {
     return for_each_model([](const Model& m, const Expected& e) {
       Point3 low = m.vertices[0], high = low;
       for (const Point3& p : m.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
-      return Checked(
-          std::abs(low[1] - e.low) < 0.01 && std::abs(high[1] - e.high) < 0.02 && std::abs(low[0] + high[0]) < 0.02, 1,
-          "from " + std::to_string(low[1]) + " to " + std::to_string(high[1]) + " m");
+      return Checked(std::abs(low[1] - e.low) < 0.01 && std::abs(high[1] - e.high) < 0.02 && std::abs(low[0] + high[0]) < 0.02, 1,
+                     "from " + std::to_string(low[1]) + " to " + std::to_string(high[1]) + " m");
     });
   });
 
@@ -293,9 +286,8 @@ PROPTEST(procedural_models) {
     });
   });
 
-  t.example("making a model twice gives the same model", {}, [] {
-    return for_each_model([](const Model& m, const Expected& e) { return Checked(same(m, e.make())); });
-  });
+  t.example("making a model twice gives the same model", {},
+            [] { return for_each_model([](const Model& m, const Expected& e) { return Checked(same(m, e.make())); }); });
 
   t.example("every pose of a clip has unit quaternions and keeps joints together", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
@@ -317,9 +309,8 @@ PROPTEST(procedural_models) {
   });
 
   t.example("the twist begins in the reference pose", {}, [] {
-    return for_each_model([](const Model& m, const Expected&) {
-      return Checked(difference(clip(m, "twist").sample(0), reference_pose(m)) == 0);
-    });
+    return for_each_model(
+        [](const Model& m, const Expected&) { return Checked(difference(clip(m, "twist").sample(0), reference_pose(m)) == 0); });
   });
 
   t.example("the twist ends with half a turn at the named joints, and none at others", {}, [] {
@@ -339,8 +330,7 @@ PROPTEST(procedural_models) {
       double largest = 0;
       for (const Clip& c : m.clips)
         for (int i = 0; i < 1000; ++i)
-          largest =
-              std::max(largest, difference(c.sample(c.duration * i / 1000), c.sample(c.duration * (i + 1) / 1000)));
+          largest = std::max(largest, difference(c.sample(c.duration * i / 1000), c.sample(c.duration * (i + 1) / 1000)));
       return Checked(largest < 0.02, 2000, "largest step in a thousandth: " + std::to_string(largest));
     });
   });
@@ -351,7 +341,7 @@ PROPTEST(procedural_models) {
       for (const Clip& c : m.clips)
         for (int i = 1; i < 1000; ++i) {
           const Pose last = c.sample(c.duration * (i - 1) / 1000), now = c.sample(c.duration * i / 1000),
-                        next = c.sample(c.duration * (i + 1) / 1000);
+                     next = c.sample(c.duration * (i + 1) / 1000);
           for (std::size_t j = 0; j < now.size(); ++j) {
             const Quaternion<double> change = last[j].rotation - 2 * now[j].rotation + next[j].rotation;
             largest = std::max(largest, change.cwiseAbs().maxCoeff());
@@ -368,8 +358,8 @@ PROPTEST(procedural_models) {
       const Pose left = walk.sample(0.2 * walk.duration), right = walk.sample(0.7 * walk.duration);
       const double swing = turned_against_parent(m, left, joint_named(m, "left_shin"));
       const double other = turned_against_parent(m, right, joint_named(m, "right_shin"));
-      return Checked(difference(start, walk.sample(walk.duration)) < 1e-9 && difference(start, quarter) > 0.05 &&
-                         swing > 1 && std::abs(swing - other) < 1e-6,
+      return Checked(difference(start, walk.sample(walk.duration)) < 1e-9 && difference(start, quarter) > 0.05 && swing > 1 &&
+                         std::abs(swing - other) < 1e-6,
                      4);
     });
   });

@@ -28,8 +28,8 @@ rc::Gen<double> weight() {
 Weights draw() {
   if (*rc::gen::arbitrary<bool>()) {
     Weights list = *rc::gen::mapcat(rc::gen::inRange(1, 5), [](int n) {
-      return rc::gen::container<Weights>(
-          n, rc::gen::map(rc::gen::inRange(1, 256), [](int k) { return std::pair(0, k / 255.0); }));
+      return rc::gen::container<Weights>(n,
+                                         rc::gen::map(rc::gen::inRange(1, 256), [](int k) { return std::pair(0, k / 255.0); }));
     });
     for (std::size_t i = 0; i < list.size(); ++i) list[i].first = static_cast<int>(7 * i % 5);
     return list;

@@ -6,8 +6,8 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "algorithms/verification/portable_random.hpp"
-#include "algorithms/verification/synthetic_case.hpp"
 #include "algorithms/verification/score.hpp"
+#include "algorithms/verification/synthetic_case.hpp"
 #include "proptests/cases/statements.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
@@ -72,11 +72,10 @@ ByMatrices by_matrices(const SyntheticCase& query, Skinning skinning, const Ball
       const auto& [p, r] = set.reference;
       if (skinning == Skinning::linear)  // the middle stands for S where it is a point, else the ends of its axes
         for (int i = 0; i < 3; ++i)
-          for (const int side : {-1, 1}) see(oracle::linear(c, w, Vec<Rational, 3>(p + Vec<Rational, 3>::Unit(i) * Rational(r * side))), 0);
-      else if (skinning == Skinning::dual_quaternion)
-        see(oracle::dual_quaternion(c, w, p), r);
-      else
-        see(oracle::spherical(c, w, set.palette.rotation_center, p), r);
+          for (const int side : {-1, 1})
+            see(oracle::linear(c, w, Vec<Rational, 3>(p + Vec<Rational, 3>::Unit(i) * Rational(r * side))), 0);
+      else if (skinning == Skinning::dual_quaternion) see(oracle::dual_quaternion(c, w, p), r);
+      else see(oracle::spherical(c, w, set.palette.rotation_center, p), r);
     }
   return out;
 }
@@ -109,8 +108,8 @@ PROPTEST(queries) {
                   wrong += c.name + " is decided as " + j.decided + "; ";
               return Checked(wrong.empty() && list.size() == sample_count, static_cast<long>(list.size()), wrong);
             });
-  t.example("queries keep what they promise, and a quarter of them is degenerate in one of 8 ways",
-            {.number_type = "rational"}, [] {
+  t.example("queries keep what they promise, and a quarter of them is degenerate in one of 8 ways", {.number_type = "rational"},
+            [] {
               std::string wrong;
               std::map<std::string, long> kinds;
               constexpr int count = 1000;
@@ -178,26 +177,22 @@ PROPTEST(queries) {
             RC_ASSERT(!skinned.score(scaled(smallest, 1 + 1e-6)).misses_beyond_tolerance());
             const double share = *rc::gen::element(1e-3, 0.1, 0.5);
             const CaseScore score = skinned.score(scaled(smallest, 1 - share));
-            const double expected =
-                share * smallest.radius / (size + norm(smallest.center) + (1 - share) * smallest.radius);
-            if (smallest.radius > 1e-6)
-              RC_ASSERT(score.misses && std::abs(score.worst_miss - expected) <= 1e-6 * expected);
+            const double expected = share * smallest.radius / (size + norm(smallest.center) + (1 - share) * smallest.radius);
+            if (smallest.radius > 1e-6) RC_ASSERT(score.misses && std::abs(score.worst_miss - expected) <= 1e-6 * expected);
           });
-  t.example("a ball that is not a number, or of negative radius, is undefined and misses", {.number_type = "double"},
-            [] {
-              const SyntheticCase query = make_synthetic_case(seed, 0);
-              SkinnedCase skinned(query, Skinning::spherical);
-              const auto is_undefined = [&](const Ball3<double>& ball) {
-                const CaseScore s = skinned.score(ball);
-                return s.undefined && s.misses && s.misses_beyond_tolerance();
-              };
-              const Ball3<double> all_of_space{{0, 0, 0}, INFINITY};
-              const CaseScore dual = SkinnedCase(query, Skinning::dual_quaternion).score(all_of_space);
-              return dual.unbounded && !dual.undefined && !dual.misses && is_undefined({{0, 0, 0}, -1}) &&
-                     is_undefined({{0, 0, 0}, NAN}) &&
-                     is_undefined({{NAN, 0, 0}, 1}) && is_undefined({{0, 0, 0}, INFINITY}) &&
-                     !is_undefined({{0, 0, 0}, 1e6}) && !skinned.score({{0, 0, 0}, 1e6}).misses;
-            });
+  t.example("a ball that is not a number, or of negative radius, is undefined and misses", {.number_type = "double"}, [] {
+    const SyntheticCase query = make_synthetic_case(seed, 0);
+    SkinnedCase skinned(query, Skinning::spherical);
+    const auto is_undefined = [&](const Ball3<double>& ball) {
+      const CaseScore s = skinned.score(ball);
+      return s.undefined && s.misses && s.misses_beyond_tolerance();
+    };
+    const Ball3<double> all_of_space{{0, 0, 0}, INFINITY};
+    const CaseScore dual = SkinnedCase(query, Skinning::dual_quaternion).score(all_of_space);
+    return dual.unbounded && !dual.undefined && !dual.misses && is_undefined({{0, 0, 0}, -1}) && is_undefined({{0, 0, 0}, NAN}) &&
+           is_undefined({{NAN, 0, 0}, 1}) && is_undefined({{0, 0, 0}, INFINITY}) && !is_undefined({{0, 0, 0}, 1e6}) &&
+           !skinned.score({{0, 0, 0}, 1e6}).misses;
+  });
   t.example("every sound variant holds every query up to rounding; each printed form misses some",
             {.number_type = "double against rational"}, [] {
               constexpr int count = 300;
@@ -217,8 +212,7 @@ PROPTEST(queries) {
               }
               std::string wrong;
               for (const RefitVariant& v : compared_variants())
-                if ((missed[v.name] == 0) != v.sound)
-                  wrong += v.name + " misses " + std::to_string(missed[v.name]) + "; ";
+                if ((missed[v.name] == 0) != v.sound) wrong += v.name + " misses " + std::to_string(missed[v.name]) + "; ";
                 else if (unbounded[v.name] * 10 > count)
                   wrong += v.name + " gives up on " + std::to_string(unbounded[v.name]) + "; ";
               return Checked(wrong.empty(), count, wrong);

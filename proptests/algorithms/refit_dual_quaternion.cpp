@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Refitting for dual quaternion skinning: the control balls hold every vertex, exactly in rationals where no root is
 // needed, and by intervals on the fallback.
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
-
 #include <cstdio>
 #include <optional>
 #include <random>
 
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/skinned_samples.hpp"
@@ -57,8 +56,7 @@ std::size_t control_point_count(std::size_t m) { return m * (m + 1) / 2; }
 
 std::size_t without_halving(const RefitCase& c) {
   std::size_t sum = 0;
-  for (const auto& set : c.sets)
-    sum += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
+  for (const auto& set : c.sets) sum += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
   return sum;
 }
 
@@ -107,8 +105,7 @@ void check_double() {
     for (const auto& joint : set.palette.transforms) size += lift<double>(joint.translation).norm();
   const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
   for (const auto& sample : gen::samples(c, Blending::dual_quaternion, ball.center))
-    if (const auto v = gen::skinned(c, sample, Blending::dual_quaternion))
-      RC_ASSERT(encloses(around, *v) == Verdict::holds);
+    if (const auto v = gen::skinned(c, sample, Blending::dual_quaternion)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
 // Dual quaternions as corners, of any length and not of unit norm: what a node's corners never are all at once.
@@ -196,8 +193,12 @@ Checked measure_tightness() {
 
 PROPTEST(refit_dual_quaternion) {
   t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
-          {.form = "dual quaternion blending", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.2,
-           .degenerate_at_most = 0.5, .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
+          {.form = "dual quaternion blending",
+           .number_type = "rational",
+           .cases = 300,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5,
+           .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
           check_hull);
   t.refuted("it does without the terms T_kl", {.number_type = "rational"}, [] {
     const RefitCase c = *gen::refit_case(gen::Turns::moderate);
@@ -217,7 +218,11 @@ PROPTEST(refit_dual_quaternion) {
     }
   });
   t.holds("up to a right angle between joints no root is taken and nothing is halved",
-          {.form = "dual quaternion blending", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
+          {.form = "dual quaternion blending",
+           .number_type = "rational",
+           .cases = 150,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5},
           [] {
             const RefitCase c = *gen::refit_case(gen::Turns::moderate);
             RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
@@ -238,26 +243,24 @@ PROPTEST(refit_dual_quaternion) {
             RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
             for (const auto& b : balls) RC_ASSERT(std::isfinite(b.radius));
           });
-  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
-          [] {
-            const RefitCase c = *gen::refit_case(gen::Turns::moderate);
-            const gen::NodeOf<Rational> storage(c);
-            auto node = storage.node();
-            std::vector<Ball3<Rational>> own;
-            for (std::size_t i = 0; i < c.sets.size(); ++i)
-              own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
-            node.piece_references = own;
-            ControlLists<Rational> lists;
-            const auto balls = control_balls_dual_quaternion(node, lists);
-            std::size_t first = 0;
-            for (std::size_t i = 0; i < c.sets.size(); ++i)
-              for (const auto& b : balls_of<Rational>({own[i], {c.sets[i]}})) {
-                RC_ASSERT(first < balls.size());
-                RC_ASSERT(b.center == balls[first].center && b.radius == balls[first].radius);
-                ++first;
-              }
-            RC_ASSERT(first == balls.size());
-          });
+  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200}, [] {
+    const RefitCase c = *gen::refit_case(gen::Turns::moderate);
+    const gen::NodeOf<Rational> storage(c);
+    auto node = storage.node();
+    std::vector<Ball3<Rational>> own;
+    for (std::size_t i = 0; i < c.sets.size(); ++i) own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
+    node.piece_references = own;
+    ControlLists<Rational> lists;
+    const auto balls = control_balls_dual_quaternion(node, lists);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < c.sets.size(); ++i)
+      for (const auto& b : balls_of<Rational>({own[i], {c.sets[i]}})) {
+        RC_ASSERT(first < balls.size());
+        RC_ASSERT(b.center == balls[first].center && b.radius == balls[first].radius);
+        ++first;
+      }
+    RC_ASSERT(first == balls.size());
+  });
   t.holds("without any halving the fallback holds every vertex, or says that there is no bound",
           {.number_type = "multiprecision interval", .cases = 300}, [] {
             using S = MultiprecisionInterval;
@@ -293,8 +296,8 @@ PROPTEST(refit_dual_quaternion) {
   const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<MeanBalls>(); });
-  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size",
-          in_double, [] { check_double<NearSmallestBalls>(); });
+  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
+          [] { check_double<NearSmallestBalls>(); });
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<SmallestBalls>(); });
 
@@ -313,8 +316,7 @@ PROPTEST(refit_dual_quaternion) {
   const RationalVec<3> none(0, 0, 0), aside(1, 0, 0);
   const gen::RationalQuaternion one(1, 0, 0, 0), i(0, 1, 0, 0);
   t.example("opposite quaternions: no ball holds the vertices near a blend of 0", {}, [=] {
-    return is_all_of_space(by_hand({{one, none}, {-one, aside}})) &&
-           is_all_of_space(by_hand({{one, none}, {-one, none}}));
+    return is_all_of_space(by_hand({{one, none}, {-one, aside}})) && is_all_of_space(by_hand({{one, none}, {-one, none}}));
   });
   t.example("a corner that is 0 beside another: no ball either; by itself it is no rotation", {}, [=] {
     RefitCase c = by_hand({{one, none}, {-one, aside}});

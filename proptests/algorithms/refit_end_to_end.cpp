@@ -7,14 +7,14 @@
 #include <map>
 #include <random>
 
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/verification/exact_skin.hpp"
-#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness.hpp"
 
@@ -50,8 +50,7 @@ std::vector<int> some_nodes(const Character& c, std::mt19937& random) {
   const int n = static_cast<int>(c.tree.nodes.size());
   std::vector<int> out;
   for (int i = 0; i < nodes_per_pose; ++i)
-    out.push_back(i < nodes_per_pose / 4 ? std::min(i, n - 1)
-                                            : std::uniform_int_distribution<int>(0, n - 1)(random));
+    out.push_back(i < nodes_per_pose / 4 ? std::min(i, n - 1) : std::uniform_int_distribution<int>(0, n - 1)(random));
   return out;
 }
 
@@ -60,8 +59,7 @@ Checked check_model(Model model) {
   std::mt19937 random(2006);
   std::map<std::string, Tally> tallies;
   for (const Pose& pose : poses_of(c))
-    for (const Skinning skinning :
-         {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion}) {
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion}) {
       // Hejl's rotation center changes the palette, not the bound: spherical variants must hold for it too.
       const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
       const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
@@ -151,10 +149,15 @@ PROPTEST(refit_end_to_end) {
       return std::string(e.what()).find("control_mixed") != std::string::npos;
     }
   });
-  t.holds("no sound variant misses a vertex of up to 90 joints, of any size, and turned by quaternions of any length that is accepted",
-          {.number_type = "double against rational", .cases = 600, .degenerate_at_least = 0.1, .degenerate_at_most = 0.5,
-           .tags_at_least = {{"at the tolerance", 0.2}, {"float", 0.2}, {"more than 16 influences", 0.05}, {"huge or tiny", 0.2}}},
-          check_wide);
+  t.holds(
+      "no sound variant misses a vertex of up to 90 joints, of any size, and turned by quaternions of any length that is "
+      "accepted",
+      {.number_type = "double against rational",
+       .cases = 600,
+       .degenerate_at_least = 0.1,
+       .degenerate_at_most = 0.5,
+       .tags_at_least = {{"at the tolerance", 0.2}, {"float", 0.2}, {"more than 16 influences", 0.05}, {"huge or tiny", 0.2}}},
+      check_wide);
   t.example(sentence + std::string("the procedural man"), options, [] { return check_model(make_man()); });
   t.example(sentence + std::string("the procedural creature"), options, [] { return check_model(make_creature()); });
   // Relative to the root of the repository, from where the tests are run.

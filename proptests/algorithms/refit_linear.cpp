@@ -41,7 +41,11 @@ void check_enclosure(Blending blending, bool all_decided) {
 
 PROPTEST(refit_linear) {
   t.holds("the ball encloses every linearly skinned vertex of S with admissible weights",
-          {.form = "linear blending", .number_type = "interval to exact", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+          {.form = "linear blending",
+           .number_type = "interval to exact",
+           .cases = 2000,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5,
            .tags_at_least = {{"mostly by intervals of doubles", 0.5}}},
           [] { check_enclosure(Blending::linear, true); });
   t.refuted("the ball encloses every spherically skinned vertex of S with admissible weights",

@@ -128,12 +128,9 @@ PROPTEST(result_table) {
     const auto bits = *rc::gen::arbitrary<std::uint64_t>();
     double drawn = 0;
     std::memcpy(&drawn, &bits, sizeof drawn);
-    const double number =
-        *rc::gen::element(drawn, 0.0, -0.0, INFINITY, -INFINITY, NAN, 5e-324, *rc::gen::arbitrary<double>());
+    const double number = *rc::gen::element(drawn, 0.0, -0.0, INFINITY, -INFINITY, NAN, 5e-324, *rc::gen::arbitrary<double>());
     const std::string text = format_number(number);
-    const auto read = [](const std::string& value) {
-      return parse_results("x\n\"" + value + "\"\n", "file.csv").number(0, "x");
-    };
+    const auto read = [](const std::string& value) { return parse_results("x\n\"" + value + "\"\n", "file.csv").number(0, "x"); };
     RC_ASSERT(same_double(read(text), number));
     for (const std::string& bad : {" " + text, text + " ", text + "x", std::string()}) {
       bool refused = false;

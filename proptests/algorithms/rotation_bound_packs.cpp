@@ -62,9 +62,11 @@ void properties(Suite& t, const std::string& number_type) {
         for (const auto& q : scalars[lane])  // max_of may pass over it
           if (q.hasNaN()) expected = all_rotations<S>();
         any += expected.center_ratio == 0;
-        bool same = is_near<S>(found.center_ratio[lane], expected.center_ratio) &&
-                    is_near<S>(found.radius_ratio[lane] * found.radius_ratio[lane], expected.radius_ratio * expected.radius_ratio);
-        for (int i = 0; i < 4; ++i) same = same && (expected.center_ratio == 0 || is_near<S>(found.apex[i][lane], expected.apex[i]));
+        bool same =
+            is_near<S>(found.center_ratio[lane], expected.center_ratio) &&
+            is_near<S>(found.radius_ratio[lane] * found.radius_ratio[lane], expected.radius_ratio * expected.radius_ratio);
+        for (int i = 0; i < 4; ++i)
+          same = same && (expected.center_ratio == 0 || is_near<S>(found.apex[i][lane], expected.apex[i]));
         for (int i = 0; i < 4; ++i) same = same && std::isfinite(S(found.apex[i][lane]));
         if (!same) return Checked(false, c);
       }

@@ -32,8 +32,7 @@ rc::Gen<std::vector<gen::RationalTransform>> parallel_axes() {
 }
 
 rc::Gen<std::vector<gen::RationalTransform>> any_transforms() {
-  return rc::gen::weightedOneOf<std::vector<gen::RationalTransform>>(
-      {{3, gen::rigid_transforms(1, 5)}, {1, parallel_axes()}});
+  return rc::gen::weightedOneOf<std::vector<gen::RationalTransform>>({{3, gen::rigid_transforms(1, 5)}, {1, parallel_axes()}});
 }
 
 // Joints that differ by little, or about nearly one axis, or both: rotations of about this size about axes tilted by about
@@ -96,8 +95,7 @@ PROPTEST(rotation_center) {
     const Point3 center = rotation_center<double>(c, prior);
     const double at_center = oracle::sum_over_pairs(c, center);
     for (const double length : {1e-3, 1e-1, 1.0, 10.0})
-      RC_ASSERT(oracle::sum_over_pairs(c, center + length * step) >=
-                at_center - 1e-9 * size_of(c, prior) * size_of(c, prior));
+      RC_ASSERT(oracle::sum_over_pairs(c, center + length * step) >= at_center - 1e-9 * size_of(c, prior) * size_of(c, prior));
   });
   t.holds("it moves away from the prior only in directions that the transforms determine",
           {.number_type = "double", .tags_at_least = {{"rank 0", 0.02}, {"rank 2", 0.3}}}, [] {

@@ -60,8 +60,7 @@ Checked interrupted_run_has_the_same_rows() {
   long kills = 0;
   for (int trial = 0; trial < 5 || (kills <= 10 && trial < 100); ++trial) {
     const std::string units_folder = folder.file("units " + std::to_string(trial));
-    const std::string log = folder.file("log " + std::to_string(trial)),
-                      out = folder.file("out " + std::to_string(trial));
+    const std::string log = folder.file("log " + std::to_string(trial)), out = folder.file("out " + std::to_string(trial));
     long kills_here = 0;
     while (!std::filesystem::exists(out)) {
       gen::ChildProcess run([&] { write_whole(out, run_in(units_folder, log)); });
@@ -122,8 +121,20 @@ PROPTEST(run_folder) {
     const TemporaryFolder folder;
     const RunFolder run(folder.path());
     const std::string longest(300, 'u');
-    const std::vector<std::string> names{"unit 1", "unit_1", "unit-1", "unit.1", "Unit 1", "unit 1 ", "unit  1", "", "_", longest, longest + "u",
-                                         longest + "v", std::string(299, 'u') + "w", "v" + std::string(299, 'u')};
+    const std::vector<std::string> names{"unit 1",
+                                         "unit_1",
+                                         "unit-1",
+                                         "unit.1",
+                                         "Unit 1",
+                                         "unit 1 ",
+                                         "unit  1",
+                                         "",
+                                         "_",
+                                         longest,
+                                         longest + "u",
+                                         longest + "v",
+                                         std::string(299, 'u') + "w",
+                                         "v" + std::string(299, 'u')};
     for (const auto& name : names) run.keep(name, "inputs", "of " + name);
     std::string wrong;
     for (const auto& name : names)
@@ -136,8 +147,8 @@ PROPTEST(run_folder) {
     const std::string text = read_whole(only_unit(folder));
     const Provenance& p = Provenance::of_this_build();
     const std::size_t program = text.find("\nprogram: ") + 10;
-    return text.find("\ncommit: " + p.commit + " " + p.dirty + "\ncompiler: " + p.compiler + "\nflags: " + p.flags + "\ncpu: " + p.cpu +
-                     "\nprogram: ") != std::string::npos &&
+    return text.find("\ncommit: " + p.commit + " " + p.dirty + "\ncompiler: " + p.compiler + "\nflags: " + p.flags +
+                     "\ncpu: " + p.cpu + "\nprogram: ") != std::string::npos &&
            text.find_first_not_of("0123456789abcdef", program) == program + 16;
   });
   t.example("a run that starts anew leaves what are no units", {}, [] {
@@ -145,7 +156,8 @@ PROPTEST(run_folder) {
     write_whole(folder.file("notes.txt"), "mine");
     RunFolder(folder.path()).keep("unit", "inputs", "result");
     const RunFolder anew(folder.path(), true);
-    return only_unit(folder).empty() && read_whole(folder.file("notes.txt")) == "mine" && std::filesystem::exists(folder.file("lock"));
+    return only_unit(folder).empty() && read_whole(folder.file("notes.txt")) == "mine" &&
+           std::filesystem::exists(folder.file("lock"));
   });
   t.example("a run that starts anew forgets all units, and one that does not forgets none", {}, [] {
     const TemporaryFolder folder;
@@ -164,9 +176,8 @@ PROPTEST(run_folder) {
     }
     return Checked(false, 1, "it was not");
   });
-  t.example(
-      "a run killed at random moments until it is done has the rows of an uninterrupted one, and does no unit twice",
-      {}, interrupted_run_has_the_same_rows);
+  t.example("a run killed at random moments until it is done has the rows of an uninterrupted one, and does no unit twice", {},
+            interrupted_run_has_the_same_rows);
 }
 
 }  // namespace proptests::suite_run_folder

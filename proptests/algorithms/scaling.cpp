@@ -6,12 +6,12 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/methods/balls/few_points_ball_packs.hpp"
-#include "algorithms/runtime/balls/first_balls_ball.hpp"
 #include "algorithms/methods/balls/near_smallest_ball.hpp"
-#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/methods/volumes/box_orientation.hpp"
+#include "algorithms/runtime/balls/few_balls_ball.hpp"
+#include "algorithms/runtime/balls/first_balls_ball.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
@@ -74,36 +74,38 @@ template <class S>
 bool is_as_small(S radius, S of_size_one, int by, S size, S relative = S(1e4) * std::numeric_limits<S>::epsilon()) {
   const S expected = std::scalbn(of_size_one, by);
   return std::abs(radius - expected) <= relative * std::max(radius, expected) +
-                                            4 * std::numeric_limits<S>::epsilon() * std::scalbn(size, by) + underflow_of_distance<S>();
+                                            4 * std::numeric_limits<S>::epsilon() * std::scalbn(size, by) +
+                                            underflow_of_distance<S>();
 }
 
 template <class S, int D>
 void points_of_every_size(Suite& t, const std::string& space) {
-  t.example("the balls of points of any size hold them exactly, and are those of points of size 1" + space,
-            {.number_type = sizeof(S) == 8 ? "double" : "float"}, [] {
-              std::mt19937_64 random(Session::get().seed());
-              const long cases = Session::get().cases_for(20000);
-              for (long c = 0; c < cases; ++c) {
-                const int n = c % 4 == 0 ? 3 : 1 + static_cast<int>(random() % (c % 50 == 0 ? 40 : 12)), by = any_exponent<S>(random);
-                const auto [small, one] = of_size<S, D>(cloud_of_size_one<S, D>(random, n), by);
-                std::vector<Ball<S, D>> balls;
-                S size(0);
-                for (const auto& p : small) balls.push_back({p, S(0)});
-                for (const auto& p : one) size = std::max(size, p.cwiseAbs().maxCoeff());
-                const auto all = [](const auto& p) { return std::span<const Vec<S, D>>(p); };
-                const auto found = as_ball(few_points_ball<S, D>(all(small))), expected = as_ball(few_points_ball<S, D>(all(one)));
-                const auto walked = as_ball(smallest_ball<S, D>(all(small))), walked_one = as_ball(smallest_ball<S, D>(all(one)));
-                const auto mean = mean_ball<S, D>(all(small));
-                for (const auto& ball : {found, walked, mean})
-                  if (!is_finite(ball) || !holds_all<S, D>(ball, balls))
-                    return Checked(false, c, "case " + std::to_string(c) + " of 2^" + std::to_string(by) + " is not held");
-                if (!is_as_small(found.radius, expected.radius, by, size) || !is_as_small(walked.radius, walked_one.radius, by, size) ||
-                    !is_as_small(walked.radius, found.radius, 0, std::scalbn(size, by)) ||
-                    found.radius > mean.radius * (1 + 256 * std::numeric_limits<S>::epsilon()) + underflow_of_distance<S>())
-                  return Checked(false, c, "case " + std::to_string(c) + " of 2^" + std::to_string(by) + " is too large");
-              }
-              return Checked(true, cases);
-            });
+  t.example(
+      "the balls of points of any size hold them exactly, and are those of points of size 1" + space,
+      {.number_type = sizeof(S) == 8 ? "double" : "float"}, [] {
+        std::mt19937_64 random(Session::get().seed());
+        const long cases = Session::get().cases_for(20000);
+        for (long c = 0; c < cases; ++c) {
+          const int n = c % 4 == 0 ? 3 : 1 + static_cast<int>(random() % (c % 50 == 0 ? 40 : 12)), by = any_exponent<S>(random);
+          const auto [small, one] = of_size<S, D>(cloud_of_size_one<S, D>(random, n), by);
+          std::vector<Ball<S, D>> balls;
+          S size(0);
+          for (const auto& p : small) balls.push_back({p, S(0)});
+          for (const auto& p : one) size = std::max(size, p.cwiseAbs().maxCoeff());
+          const auto all = [](const auto& p) { return std::span<const Vec<S, D>>(p); };
+          const auto found = as_ball(few_points_ball<S, D>(all(small))), expected = as_ball(few_points_ball<S, D>(all(one)));
+          const auto walked = as_ball(smallest_ball<S, D>(all(small))), walked_one = as_ball(smallest_ball<S, D>(all(one)));
+          const auto mean = mean_ball<S, D>(all(small));
+          for (const auto& ball : {found, walked, mean})
+            if (!is_finite(ball) || !holds_all<S, D>(ball, balls))
+              return Checked(false, c, "case " + std::to_string(c) + " of 2^" + std::to_string(by) + " is not held");
+          if (!is_as_small(found.radius, expected.radius, by, size) || !is_as_small(walked.radius, walked_one.radius, by, size) ||
+              !is_as_small(walked.radius, found.radius, 0, std::scalbn(size, by)) ||
+              found.radius > mean.radius * (1 + 256 * std::numeric_limits<S>::epsilon()) + underflow_of_distance<S>())
+            return Checked(false, c, "case " + std::to_string(c) + " of 2^" + std::to_string(by) + " is too large");
+        }
+        return Checked(true, cases);
+      });
 }
 
 // Centers of the cloud, radii of 0, of one size, of any, or tiny beside the centers.
@@ -113,7 +115,11 @@ Balls balls_about(std::mt19937_64& random, const std::vector<Vec<double, 3>>& cl
   const double common = uniform(random);
   Balls out;
   for (const auto& p : cloud)
-    out.push_back({times_power_of_two(p, by), std::scalbn(kind == 0 ? 0 : kind == 1 ? common : kind == 2 ? uniform(random) : 1e-12 * uniform(random), by)});
+    out.push_back({times_power_of_two(p, by), std::scalbn(kind == 0   ? 0
+                                                          : kind == 1 ? common
+                                                          : kind == 2 ? uniform(random)
+                                                                      : 1e-12 * uniform(random),
+                                                          by)});
   return out;
 }
 
@@ -132,115 +138,129 @@ double size_of(const Balls& balls) {
 }  // namespace
 
 PROPTEST(scaling) {
-  t.example("lengths are scaled from a bit beyond 2^64 and below 2^-64 on, in float 2^8 and 2^-8, never by 0 or infinity", {}, [] {
-    const auto is = [](double length, int expected) { return scaling_of(length) == expected; };
-    const auto is_float = [](float length, int expected) { return scaling_of(length) == expected; };
-    return is(0x1p64, 0) && is(0x1.8p64, 0) && is(0x1p65, 65) && is(0x1p-64, 0) && is(0x1.8p-65, -65) && is(0, 0) &&
-           is(INFINITY, 0) && is(std::nan(""), 0) && is(0x1p-1074, -1074) && is_float(0x1p8f, 0) && is_float(0x1p9f, 9) &&
-           is_float(0x1p-9f, -9) && is_float(0x1p-8f, 0) && is_float(0x1p-149f, -149);
-  });
+  t.example("lengths are scaled from a bit beyond 2^64 and below 2^-64 on, in float 2^8 and 2^-8, never by 0 or infinity", {},
+            [] {
+              const auto is = [](double length, int expected) { return scaling_of(length) == expected; };
+              const auto is_float = [](float length, int expected) { return scaling_of(length) == expected; };
+              return is(0x1p64, 0) && is(0x1.8p64, 0) && is(0x1p65, 65) && is(0x1p-64, 0) && is(0x1.8p-65, -65) && is(0, 0) &&
+                     is(INFINITY, 0) && is(std::nan(""), 0) && is(0x1p-1074, -1074) && is_float(0x1p8f, 0) &&
+                     is_float(0x1p9f, 9) && is_float(0x1p-9f, -9) && is_float(0x1p-8f, 0) && is_float(0x1p-149f, -149);
+            });
   points_of_every_size<double, 3>(t, " in R^3");
   points_of_every_size<double, 4>(t, " in R^4");
   points_of_every_size<float, 3>(t, " in R^3");
   points_of_every_size<float, 4>(t, " in R^4");
-  t.example("so do the balls of balls, by every function that makes one, and what is called smallest is never above what is called near or mean",
-            {.number_type = "double"}, [] {
-              std::mt19937_64 random(Session::get().seed() + 1);
-              const long cases = Session::get().cases_for(12000);
-              long first_found = 0;
+  t.example(
+      "so do the balls of balls, by every function that makes one, and what is called smallest is never above what is called "
+      "near or mean",
+      {.number_type = "double"}, [] {
+        std::mt19937_64 random(Session::get().seed() + 1);
+        const long cases = Session::get().cases_for(12000);
+        long first_found = 0;
+        for (long c = 0; c < cases; ++c) {
+          const int n = 1 + static_cast<int>(random() % (c % 50 == 0 ? 40 : 8)), by = any_exponent<double>(random);
+          const Balls small = balls_about(random, cloud_of_size_one<double, 3>(random, n), by), one = of_size_one(small, by);
+          const auto smallest = few_balls_ball(small).ball, expected = few_balls_ball(one).ball;
+          const auto cgal = smallest_ball_of_balls(small), enclosing = few_balls_enclosing(small);
+          const auto within = few_balls_enclosing(small, 0.05), near = near_smallest_ball<double>(small, 8);
+          const auto mean = mean_ball<double, 3>(small);
+          const std::string which = "case " + std::to_string(c) + " of 2^" + std::to_string(by);
+          for (const auto& ball : {smallest, cgal, enclosing, within, near, mean})
+            if (!is_finite(ball) || !holds_all<double, 3>(ball, small)) return Checked(false, c, which + " is not held");
+          const double size = size_of(one), rounding = 0x1p-46 * size_of(small) + underflow_of_distance<double>();
+          if (!is_as_small(smallest.radius, expected.radius, by, size) ||
+              !is_as_small(cgal.radius, expected.radius, by, size, 2e-10) || smallest.radius != enclosing.radius ||
+              within.radius > 1.05 * smallest.radius + rounding)
+            return Checked(false, c, which + " is too large");
+          for (const auto& looser : {within, near, mean})
+            if (smallest.radius > looser.radius + rounding) return Checked(false, c, which + " is not the smallest");
+          if (n < 2) continue;
+          if (const auto first = first_balls_ball(small, 0.05)) {
+            ++first_found;
+            if (!is_finite(*first) || !holds_all<double, 3>(*first, small) || first->radius > 1.05 * smallest.radius + rounding)
+              return Checked(false, c, which + ": the first balls' ball");
+          }
+        }
+        return Checked(5 * first_found > cases, cases, std::to_string(first_found) + " known by the first balls");
+      });
+  t.example(
+      "clouds of a size for each point, from denormals beside ordinary ones to 1e40, have balls that hold them exactly",
+      {.number_type = "double"}, [] {
+        std::mt19937_64 random(Session::get().seed() + 2);
+        const long cases = Session::get().cases_for(12000);
+        for (long c = 0; c < cases; ++c) {
+          Balls balls;
+          std::vector<Vec<double, 3>> points;
+          for (auto& p : cloud_of_size_one<double, 3>(random, 1 + static_cast<int>(random() % 12))) {
+            const auto coordinatewise = random() % 2;
+            const int by = any_exponent<double>(random);
+            for (double& x : p) x = std::scalbn(x, coordinatewise ? any_exponent<double>(random) : by);
+            points.push_back(p);
+            balls.push_back({p, c % 2 ? 0 : std::scalbn(1., any_exponent<double>(random))});
+          }
+          const Balls no_radii = [&] {
+            Balls out;
+            for (const auto& p : points) out.push_back({p, 0});
+            return out;
+          }();
+          const auto of_points = as_ball(few_points_ball<double, 3>(points)), walked = as_ball(smallest_ball<double, 3>(points));
+          for (const auto& ball : {of_points, walked})
+            if (!is_finite(ball) || !holds_all<double, 3>(ball, no_radii))
+              return Checked(false, c, "points, case " + std::to_string(c));
+          for (const auto& ball : {few_balls_ball(balls).ball, few_balls_enclosing(balls, 0.05), smallest_ball_of_balls(balls),
+                                   near_smallest_ball<double>(balls, 3), mean_ball<double, 3>(balls)})
+            if (!is_finite(ball) || !holds_all<double, 3>(ball, balls))
+              return Checked(false, c, "balls, case " + std::to_string(c));
+        }
+        return Checked(true, cases);
+      });
+  t.example("triangles of any size and any thinness have the ball of the long side, or of the circle", {.number_type = "double"},
+            [] {
+              std::mt19937_64 random(Session::get().seed() + 3);
+              std::uniform_real_distribution<double> uniform(-1, 1);
+              const long cases = Session::get().cases_for(40000);
               for (long c = 0; c < cases; ++c) {
-                const int n = 1 + static_cast<int>(random() % (c % 50 == 0 ? 40 : 8)), by = any_exponent<double>(random);
-                const Balls small = balls_about(random, cloud_of_size_one<double, 3>(random, n), by), one = of_size_one(small, by);
-                const auto smallest = few_balls_ball(small).ball, expected = few_balls_ball(one).ball;
-                const auto cgal = smallest_ball_of_balls(small), enclosing = few_balls_enclosing(small);
-                const auto within = few_balls_enclosing(small, 0.05), near = near_smallest_ball<double>(small, 8);
-                const auto mean = mean_ball<double, 3>(small);
-                const std::string which = "case " + std::to_string(c) + " of 2^" + std::to_string(by);
-                for (const auto& ball : {smallest, cgal, enclosing, within, near, mean})
-                  if (!is_finite(ball) || !holds_all<double, 3>(ball, small)) return Checked(false, c, which + " is not held");
-                const double size = size_of(one), rounding = 0x1p-46 * size_of(small) + underflow_of_distance<double>();
-                if (!is_as_small(smallest.radius, expected.radius, by, size) || !is_as_small(cgal.radius, expected.radius, by, size, 2e-10) ||
-                    smallest.radius != enclosing.radius || within.radius > 1.05 * smallest.radius + rounding)
-                  return Checked(false, c, which + " is too large");
-                for (const auto& looser : {within, near, mean})
-                  if (smallest.radius > looser.radius + rounding) return Checked(false, c, which + " is not the smallest");
-                if (n < 2) continue;
-                if (const auto first = first_balls_ball(small, 0.05)) {
-                  ++first_found;
-                  if (!is_finite(*first) || !holds_all<double, 3>(*first, small) || first->radius > 1.05 * smallest.radius + rounding)
-                    return Checked(false, c, which + ": the first balls' ball");
-                }
-              }
-              return Checked(5 * first_found > cases, cases, std::to_string(first_found) + " known by the first balls");
-            });
-  t.example("clouds of a size for each point, from denormals beside ordinary ones to 1e40, have balls that hold them exactly",
-            {.number_type = "double"}, [] {
-              std::mt19937_64 random(Session::get().seed() + 2);
-              const long cases = Session::get().cases_for(12000);
-              for (long c = 0; c < cases; ++c) {
-                Balls balls;
-                std::vector<Vec<double, 3>> points;
-                for (auto& p : cloud_of_size_one<double, 3>(random, 1 + static_cast<int>(random() % 12))) {
-                  const auto coordinatewise = random() % 2;
-                  const int by = any_exponent<double>(random);
-                  for (double& x : p) x = std::scalbn(x, coordinatewise ? any_exponent<double>(random) : by);
-                  points.push_back(p);
-                  balls.push_back({p, c % 2 ? 0 : std::scalbn(1., any_exponent<double>(random))});
-                }
-                const Balls no_radii = [&] {
-                  Balls out;
-                  for (const auto& p : points) out.push_back({p, 0});
-                  return out;
-                }();
-                const auto of_points = as_ball(few_points_ball<double, 3>(points)), walked = as_ball(smallest_ball<double, 3>(points));
-                for (const auto& ball : {of_points, walked})
-                  if (!is_finite(ball) || !holds_all<double, 3>(ball, no_radii)) return Checked(false, c, "points, case " + std::to_string(c));
-                for (const auto& ball : {few_balls_ball(balls).ball, few_balls_enclosing(balls, 0.05), smallest_ball_of_balls(balls),
-                                         near_smallest_ball<double>(balls, 3), mean_ball<double, 3>(balls)})
-                  if (!is_finite(ball) || !holds_all<double, 3>(ball, balls)) return Checked(false, c, "balls, case " + std::to_string(c));
+                // A needle: two points as close as wanted, the third one beside the middle of them or anywhere.
+                const int long_side = any_exponent<double>(random), short_side = any_exponent<double>(random);
+                const Vec<double, 3> a(0, 0, 0), b(std::scalbn(1., short_side), 0, 0),
+                    tip(random() % 2 ? std::scalbn(0.5, short_side) : std::scalbn(uniform(random), long_side),
+                        std::scalbn(uniform(random), long_side), 0);
+                const std::array<Vec<double, 3>, 3> p = c % 3 == 0   ? std::array{a, b, tip}
+                                                        : c % 3 == 1 ? std::array{tip, a, b}
+                                                                     : std::array{b, tip, a};
+                const auto ball = as_ball(three_points_ball<double, 3>(p[0], p[1], p[2]));
+                const Balls corners{{p[0], 0}, {p[1], 0}, {p[2], 0}};
+                double longest = 0;
+                for (int i = 0; i < 3; ++i) longest = std::max(longest, (p[i] - p[(i + 1) % 3]).stableNorm());
+                // No triangle's circle is beyond 1 / sqrt(3) times the longest side if it has no obtuse angle.
+                if (!is_finite(ball) || !holds_all<double, 3>(ball, corners) ||
+                    ball.radius > longest * (0.57735026919 + 1e-9) + underflow_of_distance<double>())
+                  return Checked(false, c, "case " + std::to_string(c));
               }
               return Checked(true, cases);
             });
-  t.example("triangles of any size and any thinness have the ball of the long side, or of the circle", {.number_type = "double"}, [] {
-    std::mt19937_64 random(Session::get().seed() + 3);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    const long cases = Session::get().cases_for(40000);
-    for (long c = 0; c < cases; ++c) {
-      // A needle: two points as close as wanted, the third one beside the middle of them or anywhere.
-      const int long_side = any_exponent<double>(random), short_side = any_exponent<double>(random);
-      const Vec<double, 3> a(0, 0, 0), b(std::scalbn(1., short_side), 0, 0),
-          tip(random() % 2 ? std::scalbn(0.5, short_side) : std::scalbn(uniform(random), long_side), std::scalbn(uniform(random), long_side), 0);
-      const std::array<Vec<double, 3>, 3> p = c % 3 == 0 ? std::array{a, b, tip} : c % 3 == 1 ? std::array{tip, a, b} : std::array{b, tip, a};
-      const auto ball = as_ball(three_points_ball<double, 3>(p[0], p[1], p[2]));
-      const Balls corners{{p[0], 0}, {p[1], 0}, {p[2], 0}};
-      double longest = 0;
-      for (int i = 0; i < 3; ++i) longest = std::max(longest, (p[i] - p[(i + 1) % 3]).stableNorm());
-      // No triangle's circle is beyond 1 / sqrt(3) times the longest side if it has no obtuse angle.
-      if (!is_finite(ball) || !holds_all<double, 3>(ball, corners) ||
-          ball.radius > longest * (0.57735026919 + 1e-9) + underflow_of_distance<double>())
-        return Checked(false, c, "case " + std::to_string(c));
-    }
-    return Checked(true, cases);
-  });
-  t.example("the orientations of boxes are of unit length at any size, and rotations where those of size 1 are", {.number_type = "double"}, [] {
-    std::mt19937_64 random(Session::get().seed() + 4);
-    const long cases = Session::get().cases_for(3000);
-    for (long c = 0; c < cases; ++c) {
-      const int by = any_exponent<double>(random);
-      const Balls small = balls_about(random, cloud_of_size_one<double, 3>(random, 1 + static_cast<int>(random() % 12)), by);
-      const auto found = box_orientations(small);
-      for (const auto& q : found)
-        if (!(std::abs(squared_norm(q) - 1) < 1e-12)) return Checked(false, c, "case " + std::to_string(c));
-      Balls general;
-      for (const auto& p : gen::rounded_cloud<3>(random, gen::Shape::general, 12, 0)) general.push_back({times_power_of_two(p, by), 0});
-      const auto of_general = box_orientations(general), expected = box_orientations(of_size_one(general, by));
-      const auto no_rotation = identity_quaternion<double>();
-      for (int i = 0; i < 5 && by > -1000; ++i)
-        if ((of_general[i] == no_rotation) != (expected[i] == no_rotation))
-          return Checked(false, c, "case " + std::to_string(c) + " of 2^" + std::to_string(by));
-    }
-    return Checked(true, cases);
-  });
+  t.example("the orientations of boxes are of unit length at any size, and rotations where those of size 1 are",
+            {.number_type = "double"}, [] {
+              std::mt19937_64 random(Session::get().seed() + 4);
+              const long cases = Session::get().cases_for(3000);
+              for (long c = 0; c < cases; ++c) {
+                const int by = any_exponent<double>(random);
+                const Balls small =
+                    balls_about(random, cloud_of_size_one<double, 3>(random, 1 + static_cast<int>(random() % 12)), by);
+                const auto found = box_orientations(small);
+                for (const auto& q : found)
+                  if (!(std::abs(squared_norm(q) - 1) < 1e-12)) return Checked(false, c, "case " + std::to_string(c));
+                Balls general;
+                for (const auto& p : gen::rounded_cloud<3>(random, gen::Shape::general, 12, 0))
+                  general.push_back({times_power_of_two(p, by), 0});
+                const auto of_general = box_orientations(general), expected = box_orientations(of_size_one(general, by));
+                const auto no_rotation = identity_quaternion<double>();
+                for (int i = 0; i < 5 && by > -1000; ++i)
+                  if ((of_general[i] == no_rotation) != (expected[i] == no_rotation))
+                    return Checked(false, c, "case " + std::to_string(c) + " of 2^" + std::to_string(by));
+              }
+              return Checked(true, cases);
+            });
 }
 
 }  // namespace proptests::suite_scaling

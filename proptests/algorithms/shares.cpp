@@ -67,7 +67,8 @@ void check_hulls() {
     for (std::size_t i = 0; i < n; ++i) out += Rational(w[i]) * Rational(direction[i]);
     return out;
   };
-  const auto farthest = std::max_element(others.begin(), others.end(), [&](const Row& a, const Row& b) { return along(a) < along(b); });
+  const auto farthest =
+      std::max_element(others.begin(), others.end(), [&](const Row& a, const Row& b) { return along(a) < along(b); });
   const Row removed = *farthest;
   std::erase_if(others, [&](const Row& w) { return along(w) == along(removed); });
   if (!others.empty()) RC_ASSERT(!find_shares(spans(others), removed));
@@ -87,7 +88,8 @@ PROPTEST(shares) {
   t.example("weights one grain beyond an edge have none", {}, [] {
     const std::vector<Row> corners{{0.5, 0.5, 0}, {0.5, 0, 0.5}};
     const double grain = 0x1p-24;
-    return find_shares(spans(corners), Row{0.5, 0.25, 0.25}) && !find_shares(spans(corners), Row{0.5 - grain, 0.25 + grain, 0.25}) &&
+    return find_shares(spans(corners), Row{0.5, 0.25, 0.25}) &&
+           !find_shares(spans(corners), Row{0.5 - grain, 0.25 + grain, 0.25}) &&
            !find_shares(spans(corners), Row{0.5, 0.5 + grain, -grain});
   });
 }

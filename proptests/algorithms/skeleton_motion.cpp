@@ -61,7 +61,9 @@ PROPTEST(skeleton_motion) {
         skeleton.nodes.push_back({"node", -1, Eigen::Matrix4d::Identity()});
         skeleton.joints.push_back({"joint", j, -1, Eigen::Matrix4d::Identity()});
       }
-      const auto stretch = [&](double by) { skeleton.nodes[stretched].local.topLeftCorner<3, 3>() = (1 + by) * Eigen::Matrix3d::Identity(); };
+      const auto stretch = [&](double by) {
+        skeleton.nodes[stretched].local.topLeftCorner<3, 3>() = (1 + by) * Eigen::Matrix3d::Identity();
+      };
       const auto refused = [&] {
         try {
           pose(skeleton, Motion{}, 0);
@@ -92,14 +94,19 @@ PROPTEST(skeleton_motion) {
       }
       return Eigen::Vector3d(common_factor(skeleton, Motion{}, 0).diagonal().head<3>());
     };
-    const auto is = [](const Eigen::Vector3d& found, double x, double scale) { return (found - Eigen::Vector3d(x, scale, scale)).norm() < 1e-12; };
-    return is(factor({3, 0.5, 2}), 2, 2) && is(factor({5, 1, 1, 0.2, 7}), 1, 1) && is(factor({-2}), -2, 2) && is(factor({1 + 9e-6}), 1, 1) &&
-           is(factor({1 + 1.2e-5}), 1 + 1.2e-5, 1 + 1.2e-5) && is(factor({1 - 1.2e-5}), 1 - 1.2e-5, 1 - 1.2e-5) && is(factor({NAN}), 1, 1);
+    const auto is = [](const Eigen::Vector3d& found, double x, double scale) {
+      return (found - Eigen::Vector3d(x, scale, scale)).norm() < 1e-12;
+    };
+    return is(factor({3, 0.5, 2}), 2, 2) && is(factor({5, 1, 1, 0.2, 7}), 1, 1) && is(factor({-2}), -2, 2) &&
+           is(factor({1 + 9e-6}), 1, 1) && is(factor({1 + 1.2e-5}), 1 + 1.2e-5, 1 + 1.2e-5) &&
+           is(factor({1 - 1.2e-5}), 1 - 1.2e-5, 1 - 1.2e-5) && is(factor({NAN}), 1, 1);
   });
   t.example("at a time that two keys share the later one holds, and before it the way leads to the earlier one", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
     const Motion motion{
-        "clip", 4, {{0, {{0, zeros}, {2, 2 * ones}, {2, 8 * ones}, {4, 4 * ones}}, {{0, Eigen::Quaterniond::Identity()}}, {{0, ones}}}}};
+        "clip",
+        4,
+        {{0, {{0, zeros}, {2, 2 * ones}, {2, 8 * ones}, {4, 4 * ones}}, {{0, Eigen::Quaterniond::Identity()}}, {{0, ones}}}}};
     const std::vector<SceneNode> nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
     bool good = true;
     for (const auto& [time, x] : {std::pair{1.0, 1.0}, {2.0, 8.0}, {3.0, 6.0}, {4.0, 4.0}})
@@ -109,9 +116,11 @@ PROPTEST(skeleton_motion) {
   t.example("key times are those of positions, rotations and scales of all tracks; a limit of all of them thins nothing", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
     const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
-    const Motion motion{"clip", 9, {{0, {{1, ones}}, {{2, still}}, {{3, ones}}}, {1, {{4, ones}}, {{5, still}, {9.5, still}}, {{6, ones}}}}};
+    const Motion motion{
+        "clip", 9, {{0, {{1, ones}}, {{2, still}}, {{3, ones}}}, {1, {{4, ones}}, {{5, still}, {9.5, still}}, {{6, ones}}}}};
     const std::vector<double> all{0, 1, 2, 3, 4, 5, 6, 9};
-    return key_times(motion, 8) == all && key_times(motion, 9) == all && key_times(motion, 7).size() == 7u && key_times(motion, 2) == std::vector<double>{0, 9};
+    return key_times(motion, 8) == all && key_times(motion, 9) == all && key_times(motion, 7).size() == 7u &&
+           key_times(motion, 2) == std::vector<double>{0, 9};
   });
   t.example("a joint's quaternion is on the side of its parent's, not of another joint's", {}, [] {
     BoundSkeleton skeleton{"test", {}, {}};
@@ -122,13 +131,12 @@ PROPTEST(skeleton_motion) {
       skeleton.joints.push_back({"joint", j, j - 1, Eigen::Matrix4d::Identity()});
     }
     const Pose pose = pose(skeleton, Motion{}, 0).pose;
-    return pose[0].rotation[0] > 0 && dot(pose[1].rotation, pose[0].rotation) > 0 && dot(pose[2].rotation, pose[1].rotation) > 0 &&
-           dot(pose[2].rotation, pose[0].rotation) < 0;
+    return pose[0].rotation[0] > 0 && dot(pose[1].rotation, pose[0].rotation) > 0 &&
+           dot(pose[2].rotation, pose[1].rotation) > 0 && dot(pose[2].rotation, pose[0].rotation) < 0;
   });
   t.example("before its first key and after its last a node stays", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
-    const Motion motion{
-        "clip", 4, {{0, {{1, zeros}, {3, 2 * ones}}, {{0, Eigen::Quaterniond::Identity()}}, {{0, ones}}}}};
+    const Motion motion{"clip", 4, {{0, {{1, zeros}, {3, 2 * ones}}, {{0, Eigen::Quaterniond::Identity()}}, {{0, ones}}}}};
     const std::vector<SceneNode> nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
     bool good = true;
     for (const auto& [time, x] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.5, 0.5}, {2.5, 1.5}, {3.0, 2.0}, {4.0, 2.0}})

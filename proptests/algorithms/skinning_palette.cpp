@@ -43,9 +43,8 @@ bool same(const SkinningPalette<double>& a, const SkinningPalette<double>& b) {
   };
   if (a.size() != b.size()) return false;
   for (std::size_t s = 0; s < a.size(); ++s)
-    if (!std::ranges::equal(a[s].transforms, b[s].transforms, same_transform) ||
-        a[s].rotation_center != b[s].rotation_center || !std::ranges::equal(a[s].center_images, b[s].center_images) ||
-        !std::ranges::equal(a[s].duals, b[s].duals))
+    if (!std::ranges::equal(a[s].transforms, b[s].transforms, same_transform) || a[s].rotation_center != b[s].rotation_center ||
+        !std::ranges::equal(a[s].center_images, b[s].center_images) || !std::ranges::equal(a[s].duals, b[s].duals))
       return false;
   return true;
 }
@@ -136,15 +135,14 @@ PROPTEST(skinning_palette) {
               const auto w = sets.weights(static_cast<int>(v));
               // The least-squares center may lie far away, and rounding grows with its distance.
               const double tolerance = 1e-11 * (size_of(posed) + set.rotation_center.norm());
-              RC_ASSERT((by_points[v] - oracle::linear_by_eigen(set.transforms, w, posed.mesh.vertices[v])).norm() <=
-                        tolerance);
+              RC_ASSERT((by_points[v] - oracle::linear_by_eigen(set.transforms, w, posed.mesh.vertices[v])).norm() <= tolerance);
               if (norm(blend_quaternion<double>(set, w)) < 0.01) continue;
-              RC_ASSERT((by_quaternions[v] -
-                         oracle::spherical_by_eigen(set.transforms, w, set.rotation_center, posed.mesh.vertices[v]))
-                            .norm() <= tolerance);
-              RC_ASSERT((by_dual_quaternions[v] -
-                         oracle::dual_quaternion_by_eigen(set.transforms, w, posed.mesh.vertices[v]))
-                            .norm() <= tolerance);
+              RC_ASSERT(
+                  (by_quaternions[v] - oracle::spherical_by_eigen(set.transforms, w, set.rotation_center, posed.mesh.vertices[v]))
+                      .norm() <= tolerance);
+              RC_ASSERT(
+                  (by_dual_quaternions[v] - oracle::dual_quaternion_by_eigen(set.transforms, w, posed.mesh.vertices[v])).norm() <=
+                  tolerance);
             }
           });
   t.holds(
@@ -152,9 +150,9 @@ PROPTEST(skinning_palette) {
       {.number_type = "double", .cases = 300}, [] {
         const PosedModel posed = *gen::posed_model();
         const JointSets sets(posed.mesh);
-        const auto palette = make_skinning_palette(posed.mesh, sets, posed.pose,
-                                             *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl,
-                                                               Skinning::dual_quaternion));
+        const auto palette = make_skinning_palette(
+            posed.mesh, sets, posed.pose,
+            *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion));
         RC_ASSERT(palette.size() == static_cast<std::size_t>(sets.count()));
         for (int s = 0; s < sets.count(); ++s) {
           RC_ASSERT(palette[s].transforms.size() == sets.joints(s).size());
@@ -165,10 +163,9 @@ PROPTEST(skinning_palette) {
             const auto& c = palette[s].transforms[i];
             RC_ASSERT(c.translation == given.translation);
             RC_ASSERT(c.rotation == given.rotation || c.rotation == -given.rotation);
-            RC_ASSERT(
-                (palette[s].center_images[i] -
-                 oracle::times<double>(oracle::affine_of(given.rotation, given.translation), palette[s].rotation_center))
-                    .norm() <= 1e-12 * (size_of(posed) + palette[s].rotation_center.norm()));
+            RC_ASSERT((palette[s].center_images[i] -
+                       oracle::times<double>(oracle::affine_of(given.rotation, given.translation), palette[s].rotation_center))
+                          .norm() <= 1e-12 * (size_of(posed) + palette[s].rotation_center.norm()));
             const auto& t = given.translation;
             const auto twice_dual = oracle::hamilton<double>({0, t[0], t[1], t[2]}, c.rotation);
             RC_ASSERT((palette[s].duals[i] * 2 - twice_dual).norm() <= 1e-12 * size_of(posed));
@@ -198,8 +195,7 @@ PROPTEST(skinning_palette) {
             for (auto& c : negated)
               if (*rc::gen::arbitrary<bool>()) c.rotation = -c.rotation;
             const auto other = make_skinning_palette(posed.mesh, sets, negated, skinning);
-            RC_ASSERT(worst_difference(skin(posed.mesh, sets, palette, skinning),
-                                       skin(posed.mesh, sets, other, skinning)) == 0);
+            RC_ASSERT(worst_difference(skin(posed.mesh, sets, palette, skinning), skin(posed.mesh, sets, other, skinning)) == 0);
           });
   t.holds(
       "the joint that two neighbouring bones share is where their transforms agree, and blending about it is blending "
@@ -220,8 +216,7 @@ PROPTEST(skinning_palette) {
         RC_CLASSIFY(squared_norm(imaginary(turn)) == 0 || turn[0] == 0 || vertex == joint, "degenerate");
         RC_ASSERT(about_joint.center_images[0] == about_joint.center_images[1]);
         const auto w = *gen::convex_weights(2);
-        RC_ASSERT(blend_spherical<Rational>(about_joint, w, vertex) ==
-                  blend_spherical<Rational>(about_axis, w, vertex));
+        RC_ASSERT(blend_spherical<Rational>(about_joint, w, vertex) == blend_spherical<Rational>(about_axis, w, vertex));
       });
   t.holds("for neighbouring bones Hejl's center is the shared joint, and skinning about it is spherical skinning",
           {.number_type = "double", .cases = 500}, [] {
@@ -243,28 +238,36 @@ PROPTEST(skinning_palette) {
             }
             RC_PRE(seen > 0);
           });
-  t.holds("a rotation center is nearest to the mean of its joints' origins; Hejl's is that of the last joint whose parent is in the "
-          "joint-set, or of the first joint",
-          {.number_type = "double", .cases = 500, .tags_at_least = {{"several shared", 0.1}, {"none shared", 0.1}, {"one joint", 0.1}}}, [] {
-            const PosedModel posed = *gen::posed_model();
-            const JointSets sets(posed.mesh);
-            std::set<std::string> seen;
-            for (int s = 0; s < sets.count(); ++s) {
-              const auto joints = sets.joints(s);
-              Point3 sum = Point3::Zero();
-              int shared = -1, count = 0;
-              for (const int j : joints) {
-                sum += posed.mesh.joints[j].origin;
-                if (std::ranges::find(joints, posed.mesh.joints[j].parent) != joints.end()) shared = j, ++count;
-              }
-              const Point3 mean = sum / static_cast<double>(joints.size());
-              for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
-                RC_ASSERT((center_prior(posed.mesh, joints, skinning) - mean).norm() <= 1e-13 * size_of(posed));
-              RC_ASSERT(center_prior(posed.mesh, joints, Skinning::hejl) == posed.mesh.joints[shared < 0 ? joints[0] : shared].origin);
-              seen.insert(joints.size() == 1 ? "one joint" : count == 0 ? "none shared" : count == 1 ? "one shared" : "several shared");
-            }
-            for (const std::string& tag : seen) RC_TAG(tag);
-          });
+  t.holds(
+      "a rotation center is nearest to the mean of its joints' origins; Hejl's is that of the last joint whose parent is in the "
+      "joint-set, or of the first joint",
+      {.number_type = "double",
+       .cases = 500,
+       .tags_at_least = {{"several shared", 0.1}, {"none shared", 0.1}, {"one joint", 0.1}}},
+      [] {
+        const PosedModel posed = *gen::posed_model();
+        const JointSets sets(posed.mesh);
+        std::set<std::string> seen;
+        for (int s = 0; s < sets.count(); ++s) {
+          const auto joints = sets.joints(s);
+          Point3 sum = Point3::Zero();
+          int shared = -1, count = 0;
+          for (const int j : joints) {
+            sum += posed.mesh.joints[j].origin;
+            if (std::ranges::find(joints, posed.mesh.joints[j].parent) != joints.end()) shared = j, ++count;
+          }
+          const Point3 mean = sum / static_cast<double>(joints.size());
+          for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
+            RC_ASSERT((center_prior(posed.mesh, joints, skinning) - mean).norm() <= 1e-13 * size_of(posed));
+          RC_ASSERT(center_prior(posed.mesh, joints, Skinning::hejl) ==
+                    posed.mesh.joints[shared < 0 ? joints[0] : shared].origin);
+          seen.insert(joints.size() == 1 ? "one joint"
+                      : count == 0       ? "none shared"
+                      : count == 1       ? "one shared"
+                                         : "several shared");
+        }
+        for (const std::string& tag : seen) RC_TAG(tag);
+      });
   t.example("a pose that is refused leaves the palette as it was", {}, [] {
     const PosedModel p = two_joints();
     const JointSets sets(p.mesh);

@@ -13,9 +13,7 @@ using namespace refitlab;
 using gen::Shape;
 using oracle::BallClaim;
 
-bool equals(const oracle::RootNumber& x, const Rational& y) {
-  return !(x < y) && !(x > y);
-}
+bool equals(const oracle::RootNumber& x, const Rational& y) { return !(x < y) && !(x > y); }
 
 template <int D>
 void exact_properties(Suite& t) {
@@ -38,27 +36,26 @@ void exact_properties(Suite& t) {
             const auto other = oracle::smallest_ball_by_cgal<D>(balls);
             for (int i = 0; i < D; ++i) RC_ASSERT(equals(other.center[i], ball.center[i]));
           });
-  t.holds("a changed certificate is rejected" + space,
-          {.number_type = "rational", .cases = 500, .degenerate_at_least = 0.5}, [] {
-            const auto cloud = *gen::cloud<D>(12);
-            RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
-            const auto claim = oracle::claim_of<D>(smallest_ball<Rational, D>(cloud.points));
-            RC_ASSERT(oracle::certifies<D>(cloud.points, claim));
-            const auto rejects = [&](auto&& change) {
-              BallClaim<D> changed = claim;
-              change(changed);
-              return !oracle::certifies<D>(cloud.points, changed);
-            };
-            const Rational step = *gen::positive_rational();
-            const int i = *rc::gen::inRange(0, D), k = *rc::gen::inRange(0, static_cast<int>(claim.support.size()));
-            RC_ASSERT(rejects([&](auto& c) { c.center[i] += step; }));
-            RC_ASSERT(rejects([&](auto& c) { c.squared_radius += step; }));
-            RC_ASSERT(rejects([&](auto& c) { c.squared_radius -= step; }));
-            RC_ASSERT(rejects([&](auto& c) { c.coefficients[k] += step; }));
-            RC_ASSERT(rejects([&](auto& c) { c.support[k] = static_cast<int>(cloud.points.size()); }));
-            RC_ASSERT(rejects([&](auto& c) { c.coefficients.pop_back(), c.support.pop_back(); }) ||
-                      claim.coefficients.back() == Rational(0));
-          });
+  t.holds("a changed certificate is rejected" + space, {.number_type = "rational", .cases = 500, .degenerate_at_least = 0.5}, [] {
+    const auto cloud = *gen::cloud<D>(12);
+    RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
+    const auto claim = oracle::claim_of<D>(smallest_ball<Rational, D>(cloud.points));
+    RC_ASSERT(oracle::certifies<D>(cloud.points, claim));
+    const auto rejects = [&](auto&& change) {
+      BallClaim<D> changed = claim;
+      change(changed);
+      return !oracle::certifies<D>(cloud.points, changed);
+    };
+    const Rational step = *gen::positive_rational();
+    const int i = *rc::gen::inRange(0, D), k = *rc::gen::inRange(0, static_cast<int>(claim.support.size()));
+    RC_ASSERT(rejects([&](auto& c) { c.center[i] += step; }));
+    RC_ASSERT(rejects([&](auto& c) { c.squared_radius += step; }));
+    RC_ASSERT(rejects([&](auto& c) { c.squared_radius -= step; }));
+    RC_ASSERT(rejects([&](auto& c) { c.coefficients[k] += step; }));
+    RC_ASSERT(rejects([&](auto& c) { c.support[k] = static_cast<int>(cloud.points.size()); }));
+    RC_ASSERT(rejects([&](auto& c) { c.coefficients.pop_back(), c.support.pop_back(); }) ||
+              claim.coefficients.back() == Rational(0));
+  });
 }
 
 // The squared radius of the ball as the exact maximum over the points, and a lower bound of what is possible.
@@ -154,8 +151,8 @@ PROPTEST(smallest_ball) {
     using P = Vec<double, 2>;
     const std::vector<P> one{P(3, 4)}, two{P(0, 0), P(6, 8)}, square{P(0, 0), P(2, 0), P(2, 2), P(0, 2)};
     const auto a = smallest_ball<double, 2>(one), b = smallest_ball<double, 2>(two), c = smallest_ball<double, 2>(square);
-    return a.center == P(3, 4) && a.squared_radius == 0 && b.center == P(3, 4) && b.squared_radius == 25 &&
-           c.center == P(1, 1) && c.squared_radius == 2 && as_ball(b).radius == 5;
+    return a.center == P(3, 4) && a.squared_radius == 0 && b.center == P(3, 4) && b.squared_radius == 25 && c.center == P(1, 1) &&
+           c.squared_radius == 2 && as_ball(b).radius == 5;
   });
 }
 

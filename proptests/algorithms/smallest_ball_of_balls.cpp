@@ -26,8 +26,8 @@ Balls draw() {
     const double any = CGAL::to_double(*gen::unit_interval_rational());
     out.list.push_back({c, radii == 1 ? 0.0 : radii == 2 ? 0.5 : 3 * any});
   }
-  if (radii == 3) out.list.front().radius = 1000;             // holds all others
-  if (radii == 4) out.list.back() = out.list.front();         // equal balls
+  if (radii == 3) out.list.front().radius = 1000;      // holds all others
+  if (radii == 4) out.list.back() = out.list.front();  // equal balls
   return out;
 }
 

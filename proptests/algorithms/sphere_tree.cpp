@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/bake/build_tree.hpp"
 #include "algorithms/runtime/tree/sphere_tree.hpp"
 
 #include <ctime>
 #include <map>
 #include <set>
 
-#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/bake/build_tree.hpp"
 #include "algorithms/bake/weight_vertices.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
-#include "proptests/oracles/weight_vertices.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
+#include "proptests/oracles/weight_vertices.hpp"
 
 namespace proptests::suite_sphere_tree {
 namespace {
@@ -113,7 +113,7 @@ std::string weight_fault(const SphereTree& tree, const SkinnedMesh& model, const
       const auto rows = rows_of(tree, set, own[0].size());
       const auto corners = oracle::corners(bounds);
       if (corners.size() > weight_vertex_limit ? rows != low_bound_simplex(bounds)
-                                        : rows.size() != corners.size() || std::set(rows.begin(), rows.end()) != corners)
+                                               : rows.size() != corners.size() || std::set(rows.begin(), rows.end()) != corners)
         return "corners";
     }
   }

@@ -99,10 +99,8 @@ PROPTEST(subdivide) {
                 const double kept = sorted[0] + sorted[1] + sorted[2] + sorted[3], least = sorted[3];
                 for (std::size_t j = 0; j < means.size(); ++j) {
                   const double weight = weight_of(middle, int(j)), share = means[j] / kept;
-                  if (means[j] > least)
-                    RC_ASSERT(std::abs(weight - share) < 0x1p-23);
-                  else
-                    RC_ASSERT(weight == 0 || std::abs(weight - least / kept) < 0x1p-23);
+                  if (means[j] > least) RC_ASSERT(std::abs(weight - share) < 0x1p-23);
+                  else RC_ASSERT(weight == 0 || std::abs(weight - least / kept) < 0x1p-23);
                 }
               }
             }

@@ -31,13 +31,14 @@ bool is_as_exact(const std::array<Vec<double, 3>, 3>& p, const Rounded& rounded)
 }  // namespace
 
 PROPTEST(three_points_ball) {
-  t.holds("it is the smallest ball, with a certificate", {.number_type = "rational", .cases = 3000, .degenerate_at_least = 0.3}, [] {
-    const auto cloud = three_points();
-    const auto ball = three_points_ball<Rational, 3>(cloud.points[0], cloud.points[1], cloud.points[2]);
-    RC_ASSERT(ball.converged);
-    RC_ASSERT(oracle::certifies<3>(cloud.points, oracle::claim_of<3>(ball)));
-    RC_TAG(ball.support_size == 2 ? "on two" : "on three");
-  });
+  t.holds("it is the smallest ball, with a certificate", {.number_type = "rational", .cases = 3000, .degenerate_at_least = 0.3},
+          [] {
+            const auto cloud = three_points();
+            const auto ball = three_points_ball<Rational, 3>(cloud.points[0], cloud.points[1], cloud.points[2]);
+            RC_ASSERT(ball.converged);
+            RC_ASSERT(oracle::certifies<3>(cloud.points, oracle::claim_of<3>(ball)));
+            RC_TAG(ball.support_size == 2 ? "on two" : "on three");
+          });
   t.holds("in double the radius is the exact one up to rounding, also of thin triangles and far from the origin",
           {.number_type = "double", .cases = 3000, .degenerate_at_least = 0.3}, [] {
             const auto cloud = three_points();

@@ -34,9 +34,8 @@ PROPTEST(transpose) {
         if (rows[i][k] != static_cast<float>(4 * k + i)) return false;
     return true;
   });
-  t.example("eight rows from anywhere become eight columns, and nothing beside them is written", {}, [] {
-    return Checked(turns_rows_into_columns<float>() && turns_rows_into_columns<double>(), 2 * 64);
-  });
+  t.example("eight rows from anywhere become eight columns, and nothing beside them is written", {},
+            [] { return Checked(turns_rows_into_columns<float>() && turns_rows_into_columns<double>(), 2 * 64); });
 }
 
 }  // namespace proptests::suite_transpose

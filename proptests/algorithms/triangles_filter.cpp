@@ -43,8 +43,7 @@ PROPTEST(triangles_filter) {
   t.holds("what it says of random triangles is what exact arithmetic says, whatever the order of their corners",
           {.number_type = "rational", .cases = 400}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const TrianglePoints a = random_triangle(random, 1),
-                                 b = random_triangle(random, *rc::gen::element(1.0, 0.1));
+            const TrianglePoints a = random_triangle(random, 1), b = random_triangle(random, *rc::gen::element(1.0, 0.1));
             RC_ASSERT(never_wrong_in_any_order(a, b));
             RC_TAG(filter_triangles(a, b) == Filtered::meet ? "meet" : "apart");
             RC_ASSERT(filter_triangles(a, b) != Filtered::unknown);
@@ -60,8 +59,7 @@ PROPTEST(triangles_filter) {
             if (*rc::gen::arbitrary<bool>()) b[1] = a[1] * 0.5 + a[2] * 0.5;
             const double off = *rc::gen::element(0.0, 1e-16, 1e-15, 1e-14, 1e-13);
             b[0] += Vec<double, 3>(v(random), v(random), v(random)) * off;
-            const double unit =
-                *rc::gen::element(1.0, 1.0, 0x1p-348, 0x1p-352);  // or so small that determinants lose digits
+            const double unit = *rc::gen::element(1.0, 1.0, 0x1p-348, 0x1p-352);  // or so small that determinants lose digits
             TrianglePoints a_unit = a;
             for (int i = 0; i < 3; ++i) a_unit[i] *= unit, b[i] *= unit;
             RC_CLASSIFY(filter_triangles(a_unit, b) == Filtered::unknown, "degenerate");
@@ -71,7 +69,9 @@ PROPTEST(triangles_filter) {
   t.holds("nor where coordinates have units of their own, from the smallest to the largest, whose products underflow or overflow",
           {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.5}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const auto whole = [&] { return Vec<double, 3>(int(random() % 17) - 8, int(random() % 17) - 8, int(random() % 17) - 8); };
+            const auto whole = [&] {
+              return Vec<double, 3>(int(random() % 17) - 8, int(random() % 17) - 8, int(random() % 17) - 8);
+            };
             TrianglePoints a{whole(), whole(), whole()}, b{whole(), whole(), whole()};
             const bool is_near = random() % 4 != 0;
             if (is_near) b[0] = a[0] + (a[1] - a[0]) * 0.25 + (a[2] - a[0]) * (random() % 2 ? 0.5 : 0.0);
@@ -108,10 +108,9 @@ PROPTEST(triangles_filter) {
     TrianglePoints tiny_a = a, tiny_b = standing, undefined = standing;
     for (int i = 0; i < 3; ++i) tiny_a[i] *= 1e-150, tiny_b[i] *= 1e-150;
     undefined[1][2] = std::numeric_limits<double>::quiet_NaN();
-    for (const auto& [p, q] : {std::pair(a, flat), std::pair(a, beside), std::pair(a, standing),
-                               std::pair(tiny_a, tiny_b), std::pair(a, undefined), std::pair(a, a)})
-      if (filter_triangles(p, q) != Filtered::unknown || filter_triangles(q, p) != Filtered::unknown)
-        return Checked(false, 12);
+    for (const auto& [p, q] : {std::pair(a, flat), std::pair(a, beside), std::pair(a, standing), std::pair(tiny_a, tiny_b),
+                               std::pair(a, undefined), std::pair(a, a)})
+      if (filter_triangles(p, q) != Filtered::unknown || filter_triangles(q, p) != Filtered::unknown) return Checked(false, 12);
     return Checked(true, 12);
   });
 }

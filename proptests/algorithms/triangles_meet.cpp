@@ -58,8 +58,8 @@ PROPTEST(triangles_meet) {
           });
   t.holds("the units do not matter: coordinates from 1e-308 to 1e308, which overflow and underflow in products",
           {.number_type = "rational", .cases = 500, .degenerate_at_least = 0.2}, [] {
-            const double unit = *rc::gen::element(0x1p-100, 0x1p100, 0x1p341, 0x1p342, 0x1p500, 0x1p1022, 0x1p-341,
-                                                  0x1p-360, 0x1p-500, 0x1p-1022, 0x1p-1074);
+            const double unit = *rc::gen::element(0x1p-100, 0x1p100, 0x1p341, 0x1p342, 0x1p500, 0x1p1022, 0x1p-341, 0x1p-360,
+                                                  0x1p-500, 0x1p-1022, 0x1p-1074);
             TrianglePoints a = grid_triangle(2), b = grid_triangle(2);
             RC_CLASSIFY(is_flat(a) || is_flat(b), "degenerate");
             const bool meets = oracle::triangles_meet(a, b);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each variant is what its name and description say: these pieces, this algorithm, these balls.
-#include "algorithms/bake/build_pieces.hpp"
-#include "algorithms/methods/refit/compared_variants.hpp"
-
 #include <functional>
 #include <set>
 
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/methods/refit/algorithm1_printed.hpp"
-#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/bake/build_pieces.hpp"
+#include "algorithms/methods/refit/algorithm1_printed.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "algorithms/runtime/refit/control_hull.hpp"
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/refit/linear.hpp"
@@ -82,12 +81,14 @@ const Named expected_variants[] = {
 // To the last bit; two that are undefined are the same.
 bool same(const Ball3<double>& a, const Ball3<double>& b) {
   const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-  return equal(a.radius, b.radius) && equal(a.center[0], b.center[0]) && equal(a.center[1], b.center[1]) && equal(a.center[2], b.center[2]);
+  return equal(a.radius, b.radius) && equal(a.center[0], b.center[0]) && equal(a.center[1], b.center[1]) &&
+         equal(a.center[2], b.center[2]);
 }
 
 std::string fault_of_piece_counts(const Character& c, const SkinningPalette<double>& palette) {
   const PieceTable sets = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {}),
-                   mixed = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
+                   mixed = build_pieces(c.tree, c.vertices, c.mesh, c.sets,
+                                        {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2}),
                    clusters = build_pieces(c.tree, c.vertices, c.mesh, c.sets, {.most_pieces = 512});
   const auto differs = [](const Node& a, const Node& b) {
     if (a.pieces.size() != b.pieces.size()) return true;
@@ -130,41 +131,45 @@ PROPTEST(variants) {
               for (const Named& expected : expected_variants) {
                 const RefitVariant& variant = compared_variant(expected.name);
                 const auto palette = snake().palette(expected.skinning);
-                bool good = variant.skinning == expected.skinning && variant.pieces == expected.pieces && variant.sound == expected.sound;
+                bool good =
+                    variant.skinning == expected.skinning && variant.pieces == expected.pieces && variant.sound == expected.sound;
                 for (int n = 0; n < snake().count(); n += n < 100 ? 1 : 37, ++balls) {
                   const Node node = snake().character.refit_node(n, palette, expected.pieces);
                   const Ball3<double> computed = variant.refit_as_computed(node), ball = variant.refit(node);
-                  good = good && same(computed, expected.as_computed(node)) &&
-                         (expected.sound ? ball.radius > computed.radius && ball.center == computed.center : same(ball, computed));
+                  good =
+                      good && same(computed, expected.as_computed(node)) &&
+                      (expected.sound ? ball.radius > computed.radius && ball.center == computed.center : same(ball, computed));
                 }
                 if (!good) wrong += std::string(expected.name) + "; ";
               }
               return Checked(wrong.empty(), balls, wrong);
             });
-  t.example("a smallest ball is no larger than a near-smallest one of the same pieces, that no more than 5 % larger, and no mean "
-            "ball is smaller",
-            {.number_type = "double"}, [] {
-              long balls = 0, smaller = 0;
-              const auto check = [&](Skinning skinning, Pieces pieces, Refit smallest, Refit near, Refit mean) {
-                const auto palette = snake().palette(skinning);
-                bool good = true;
-                for (int n = 0; n < snake().count(); n += n < 100 ? 1 : 37, ++balls) {
-                  const Node node = snake().character.refit_node(n, palette, pieces);
-                  const double r = smallest(node).radius;
-                  good = good && r <= near(node).radius * (1 + 1e-12) && near(node).radius <= 1.05 * r * (1 + 1e-12) &&
-                         r <= mean(node).radius * (1 + 1e-12);
-                  smaller += r < mean(node).radius * (1 - 1e-6);
-                }
-                return good;
-              };
-              bool good = true;
-              for (const Pieces pieces : {Pieces::node, Pieces::joint_sets, Pieces::mixed}) {
-                good = good && check(Skinning::linear, pieces, linear<SmallestBalls>, linear<NearSmallestBalls>, linear<MeanBalls>);
-                good = good && check(Skinning::spherical, pieces, control<SmallestBalls>, control<NearSmallestBalls>, control<MeanBalls>);
-                good = good && check(Skinning::dual_quaternion, pieces, dual<SmallestBalls>, dual<NearSmallestBalls>, dual<MeanBalls>);
-              }
-              return Checked(good && smaller * 10 > balls, balls);
-            });
+  t.example(
+      "a smallest ball is no larger than a near-smallest one of the same pieces, that no more than 5 % larger, and no mean "
+      "ball is smaller",
+      {.number_type = "double"}, [] {
+        long balls = 0, smaller = 0;
+        const auto check = [&](Skinning skinning, Pieces pieces, Refit smallest, Refit near, Refit mean) {
+          const auto palette = snake().palette(skinning);
+          bool good = true;
+          for (int n = 0; n < snake().count(); n += n < 100 ? 1 : 37, ++balls) {
+            const Node node = snake().character.refit_node(n, palette, pieces);
+            const double r = smallest(node).radius;
+            good = good && r <= near(node).radius * (1 + 1e-12) && near(node).radius <= 1.05 * r * (1 + 1e-12) &&
+                   r <= mean(node).radius * (1 + 1e-12);
+            smaller += r < mean(node).radius * (1 - 1e-6);
+          }
+          return good;
+        };
+        bool good = true;
+        for (const Pieces pieces : {Pieces::node, Pieces::joint_sets, Pieces::mixed}) {
+          good = good && check(Skinning::linear, pieces, linear<SmallestBalls>, linear<NearSmallestBalls>, linear<MeanBalls>);
+          good =
+              good && check(Skinning::spherical, pieces, control<SmallestBalls>, control<NearSmallestBalls>, control<MeanBalls>);
+          good = good && check(Skinning::dual_quaternion, pieces, dual<SmallestBalls>, dual<NearSmallestBalls>, dual<MeanBalls>);
+        }
+        return Checked(good && smaller * 10 > balls, balls);
+      });
   t.example("the kinds of pieces are those that are documented", {}, [] {
     const std::string fault = fault_of_piece_counts(snake().character, snake().palette(Skinning::spherical));
     return Checked(fault.empty(), snake().count(), fault);
@@ -177,9 +182,11 @@ PROPTEST(variants) {
   t.example("the defaults are the mixed ones, and no two variants share a name", {}, [] {
     std::set<std::string> names;
     for (const RefitVariant& variant : compared_variants()) names.insert(variant.name);
-    return default_variant(Skinning::linear).name == "linear_mixed" && default_variant(Skinning::spherical).name == "control_mixed" &&
+    return default_variant(Skinning::linear).name == "linear_mixed" &&
+           default_variant(Skinning::spherical).name == "control_mixed" &&
            default_variant(Skinning::hejl).name == "control_mixed" &&
-           default_variant(Skinning::dual_quaternion).name == "dual_quaternion_mixed" && names.size() == compared_variants().size();
+           default_variant(Skinning::dual_quaternion).name == "dual_quaternion_mixed" &&
+           names.size() == compared_variants().size();
   });
 }
 

@@ -5,9 +5,9 @@
 
 #include <thread>
 
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/volume_variants.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
@@ -135,7 +135,11 @@ Checked check_model(Model model) {
 
 PROPTEST(volume_refit) {
   t.holds("boxes, k-DOPs and oriented boxes hold every vertex of S with admissible weights, most of them exactly",
-          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5,
+          {.form = "beyond",
+           .number_type = "rational",
+           .cases = 150,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5,
            .tags_at_least = {{"exact", 0.5}, {"fallback", 0.02}}},
           check_exactly);
   t.holds("every variant's volume holds every exactly skinned vertex",
@@ -148,8 +152,8 @@ PROPTEST(volume_refit) {
       good = volume_variants()[i].name == names[i] && volume_variants()[i].around(ball).index() == i;
     return good;
   });
-  t.example("every node's volumes hold its deformed vertices, on two threads: the procedural man",
-            {.number_type = "double"}, [] { return check_model(make_man()); });
+  t.example("every node's volumes hold its deformed vertices, on two threads: the procedural man", {.number_type = "double"},
+            [] { return check_model(make_man()); });
 }
 
 }  // namespace proptests::suite_volume_refit

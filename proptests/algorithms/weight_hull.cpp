@@ -110,22 +110,21 @@ PROPTEST(weight_hull) {
         RC_ASSERT(corners.size() <= distinct.size());
         for (const auto& c : extreme_rows(w.spans())) RC_ASSERT(distinct.count(c) == 1u);
       });
-  t.holds("of up to three weights, and of four that span space, no extreme row is a combination of the others", options,
+  t.holds("of up to three weights, and of four that span space, no extreme row is a combination of the others", options, [] {
+    const Weights w = draw(4);
+    RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
+    RC_PRE(w.n < 4 || w.kind == Kind::general);
+    const auto rows = exact(extreme_rows(w.spans()));
+    RC_PRE(w.n < 4 || rows.size() > 4);
+    RC_ASSERT(!rows.empty());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      auto others = rows;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      RC_ASSERT(others.empty() || !oracle::as_convex_combination(others, rows[i]));
+    }
+  });
+  t.holds("the extreme rows come in one order, whatever that of the rows, and those of four weights in ascending order", options,
           [] {
-            const Weights w = draw(4);
-            RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-            RC_PRE(w.n < 4 || w.kind == Kind::general);
-            const auto rows = exact(extreme_rows(w.spans()));
-            RC_PRE(w.n < 4 || rows.size() > 4);
-            RC_ASSERT(!rows.empty());
-            for (std::size_t i = 0; i < rows.size(); ++i) {
-              auto others = rows;
-              others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-              RC_ASSERT(others.empty() || !oracle::as_convex_combination(others, rows[i]));
-            }
-          });
-  t.holds("the extreme rows come in one order, whatever that of the rows, and those of four weights in ascending order",
-          options, [] {
             Weights w = draw(6);
             RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
             const Rows found = extreme_rows(w.spans());
@@ -134,7 +133,8 @@ PROPTEST(weight_hull) {
             RC_ASSERT(extreme_rows(w.spans()) == found);
           });
   t.holds("the corners are the extreme rows unless the box has fewer: of as many, the extreme rows, which are tighter",
-          {.number_type = "double", .cases = 500, .degenerate_at_least = 0.5, .tags_at_least = {{"as many", 0.1}, {"box", 0.02}}}, [] {
+          {.number_type = "double", .cases = 500, .degenerate_at_least = 0.5, .tags_at_least = {{"as many", 0.1}, {"box", 0.02}}},
+          [] {
             const Weights w = draw(6);
             RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
             const Rows extreme = extreme_rows(w.spans()), box = box_corners(w.rows);
@@ -146,7 +146,8 @@ PROPTEST(weight_hull) {
     const Rows rows{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.375, 0.25, 0.375}};
     const std::vector<std::span<const double>> spans(rows.begin(), rows.end());
     const Rows corners = weight_polytope(spans), box = box_corners(rows);
-    return corners.size() == 3 && box.size() >= 3 && std::set(corners.begin(), corners.end()) == std::set(rows.begin(), rows.end());
+    return corners.size() == 3 && box.size() >= 3 &&
+           std::set(corners.begin(), corners.end()) == std::set(rows.begin(), rows.end());
   });
   t.example("a triangle inside its box keeps its three corners; a full box of rows keeps the fewer ones", {}, [] {
     const Rows triangle{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}, {0.375, 0.375, 0.25}};

@@ -154,7 +154,8 @@ PROPTEST(weight_vertices) {
         const auto rows = enumerate_weight_vertices(box.as<double>(), weight_vertex_limit);
         too_many += !rows;
         if (rows && rows->empty()) return Checked(false, boxes, "no corners");
-        if (weight_vertices_or_simplex(box.as<double>()).size() > weight_vertex_limit) return Checked(false, boxes, "too many corners");
+        if (weight_vertices_or_simplex(box.as<double>()).size() > weight_vertex_limit)
+          return Checked(false, boxes, "too many corners");
         ++boxes;
       }
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

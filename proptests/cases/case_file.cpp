@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/bake/weight_vertices.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 
 namespace proptests::cases {
@@ -20,9 +20,7 @@ bool is_integer(const std::string& text, bool may_be_negative) {
   return text.size() > start && text.find_first_not_of("0123456789", start) == std::string::npos;
 }
 
-[[noreturn]] void fail_at(const std::string& where, const std::string& reason) {
-  throw CaseError(where + ": " + reason);
-}
+[[noreturn]] void fail_at(const std::string& where, const std::string& reason) { throw CaseError(where + ": " + reason); }
 
 // Objects and lists as they stand in the file; a list of numbers as a vector.
 std::string shown(const Json& value) {
@@ -46,8 +44,7 @@ SyntheticSet read_set(const Fields& f, const Ball3<Rational>& reference) {
   place_rotation_center<Rational>(set.palette, f.point<3>("rotation_center"));
   set.bounds = f.bounds("bounds");
   if (set.bounds.low.size() != n)
-    f.fail("bounds",
-           "are of " + std::to_string(set.bounds.low.size()) + " weights, the transforms of " + std::to_string(n));
+    f.fail("bounds", "are of " + std::to_string(set.bounds.low.size()) + " weights, the transforms of " + std::to_string(n));
   constexpr std::size_t most_corners = 100000;
   auto corners = enumerate_weight_vertices(set.bounds, most_corners);
   if (!corners) f.fail("bounds", "have more than " + std::to_string(most_corners) + " corners");
@@ -74,9 +71,7 @@ Fields::Fields(const Json& object, std::string where) : object_(&object), where_
   if (!object.is_object()) fail_at(where_, "is not an object");
 }
 
-void Fields::fail(const std::string& name, const std::string& reason) const {
-  fail_at(where_, "'" + name + "' " + reason);
-}
+void Fields::fail(const std::string& name, const std::string& reason) const { fail_at(where_, "'" + name + "' " + reason); }
 
 const Json& Fields::value(const std::string& name) const {
   const auto found = object_->find(name);
@@ -106,9 +101,7 @@ int Fields::integer(const std::string& name, int low, int high) const {
   return x.get<int>();
 }
 
-Rational Fields::number(const std::string& name) const try {
-  return parse_rational(value(name));
-} catch (const CaseError& e) {
+Rational Fields::number(const std::string& name) const try { return parse_rational(value(name)); } catch (const CaseError& e) {
   if (std::string(e.what()).rfind(where_, 0) == 0) throw;  // it is missing
   fail_at(where_ + "." + name, e.what());
 }
@@ -161,8 +154,7 @@ Quaternion Fields::unit_quaternion(const std::string& name) const {
 WeightBounds<Rational> Fields::bounds(const std::string& name) const {
   const Fields f = object(name);
   WeightBounds<Rational> out{f.numbers("low"), f.numbers("high")};
-  if (out.low.empty() || out.low.size() != out.high.size())
-    fail(name, "needs as many low as high numbers, and at least one");
+  if (out.low.empty() || out.low.size() != out.high.size()) fail(name, "needs as many low as high numbers, and at least one");
   return out;
 }
 
@@ -181,13 +173,11 @@ RefitInput read_refit(const Fields& inputs) {
   out.joint_set = vertex.integer("joint_set", 0, static_cast<int>(out.query.sets.size()) - 1);
   const SyntheticSet& set = out.query.sets[out.joint_set];
   out.weights = vertex.convex_weights("weights", set.palette.transforms.size());
-  if (admits<Rational>(set.bounds, out.weights) != Verdict::holds)
-    vertex.fail("weights", "are outside the joint-set's bounds");
+  if (admits<Rational>(set.bounds, out.weights) != Verdict::holds) vertex.fail("weights", "are outside the joint-set's bounds");
   if (squared_norm(blend_quaternion<Rational>(set.palette, out.weights)) == 0)
     vertex.fail("weights", "blend to the zero quaternion, which is no rotation");
   out.position = vertex.point<3>("position");
-  if (encloses(out.query.reference, out.position) != Verdict::holds)
-    vertex.fail("position", "is outside the reference ball");
+  if (encloses(out.query.reference, out.position) != Verdict::holds) vertex.fail("position", "is outside the reference ball");
   return out;
 }
 

@@ -13,14 +13,14 @@ using namespace refitlab;
 
 std::vector<Statement> lemma_statements() {
   return {
-      in_any_dimension("lemma1_cap_definitions", "printed", "half_space_is_cap",
-                       [](const auto& in) -> Judgement {
-                         const auto surface = in.squared_ball("surface");
-                         const auto h = in.half_space("half_space");
-                         const auto x = in.point("point");
-                         return {meets(surface, h) & on_surface(surface, x),
-                                 half_space_is_cap_printed(surface, h, in.number("scale"), x)};
-                       }),
+      in_any_dimension(
+          "lemma1_cap_definitions", "printed", "half_space_is_cap",
+          [](const auto& in) -> Judgement {
+            const auto surface = in.squared_ball("surface");
+            const auto h = in.half_space("half_space");
+            const auto x = in.point("point");
+            return {meets(surface, h) & on_surface(surface, x), half_space_is_cap_printed(surface, h, in.number("scale"), x)};
+          }),
       in_any_dimension("lemma1_cap_definitions", "repaired", "half_space_is_cap",
                        [](const auto& in) -> Judgement {
                          const auto surface = in.squared_ball("surface");
@@ -28,8 +28,7 @@ std::vector<Statement> lemma_statements() {
                          const auto scale = in.number("scale");
                          const auto x = in.point("point");
                          using S = typename std::decay_t<decltype(in)>::Number;
-                         const Verdict met =
-                             cuts_cap(surface, h) & is_cap_scale(surface, h, scale) & on_surface(surface, x);
+                         const Verdict met = cuts_cap(surface, h) & is_cap_scale(surface, h, scale) & on_surface(surface, x);
                          // For r = 0 there is no cap to build.
                          if (equal(surface.squared_radius, S(0)) != Verdict::fails) return {met, Verdict::fails};
                          const auto made = cap_of_half_space(surface, h, scale);
@@ -41,26 +40,24 @@ std::vector<Statement> lemma_statements() {
                          const auto x = in.point("point");
                          const auto made = half_space_of_cap(cap);
                          return {is_proper_cap(cap) & equal(squared_distance(x, cap.center), squared_radius(cap)),
-                                 made.verdict & is_half_space_of_cap(cap, made) &
-                                     definitions_agree(made.half_space, cap, x)};
+                                 made.verdict & is_half_space_of_cap(cap, made) & definitions_agree(made.half_space, cap, x)};
                        }),
-      in_space("lemma2_normalization", "printed", "normalisation_keeps_rotations",
-               [](const auto& in) -> Judgement {
-                 const auto q = in.quaternions("vectors");
-                 const auto lengths = in.numbers("factors", q.size()), w = in.numbers("weights", q.size());
-                 using S = typename std::decay_t<decltype(in)>::Number;
-                 return {are_lengths<S, 4>(q, lengths) & is_convex<S>(w),
-                         normalisation_keeps_rotations_printed<S, 4>(q, lengths, w)};
-               }),
+      in_space(
+          "lemma2_normalization", "printed", "normalisation_keeps_rotations",
+          [](const auto& in) -> Judgement {
+            const auto q = in.quaternions("vectors");
+            const auto lengths = in.numbers("factors", q.size()), w = in.numbers("weights", q.size());
+            using S = typename std::decay_t<decltype(in)>::Number;
+            return {are_lengths<S, 4>(q, lengths) & is_convex<S>(w), normalisation_keeps_rotations_printed<S, 4>(q, lengths, w)};
+          }),
       in_space("lemma2_normalization", "repaired", "normalisation_keeps_rotations",
                [](const auto& in) -> Judgement {
                  const auto q = in.quaternions("vectors");
                  const auto lengths = in.numbers("factors", q.size()), w = in.numbers("weights", q.size());
                  using S = typename std::decay_t<decltype(in)>::Number;
                  // The conclusion alone, without "the element is not 0", is the printed one.
-                 return {
-                     are_lengths<S, 4>(q, lengths) & is_convex<S>(w) & less(S(0), squared_norm(combine<S, 4>(w, q))),
-                     normalisation_keeps_rotations_printed<S, 4>(q, lengths, w)};
+                 return {are_lengths<S, 4>(q, lengths) & is_convex<S>(w) & less(S(0), squared_norm(combine<S, 4>(w, q))),
+                         normalisation_keeps_rotations_printed<S, 4>(q, lengths, w)};
                }),
       in_space("lemma2_normalization", "repaired", "normalisation_keeps_rays",
                [](const auto& in) -> Judgement {
@@ -89,18 +86,17 @@ std::vector<Statement> lemma_statements() {
                          const auto surface = in.squared_ball("surface"), ball = in.squared_ball("ball");
                          const auto x = in.point("point");
                          const auto made = intersection_cap(surface, ball);
-                         return {
-                             are_eccentric(surface, ball) & surface_meets_ball(surface, ball) & on_surface(surface, x),
-                             made.verdict & is_intersection_cap(surface, ball, made) &
-                                 ball_and_half_space_agree(ball, made.half_space, x)};
+                         return {are_eccentric(surface, ball) & surface_meets_ball(surface, ball) & on_surface(surface, x),
+                                 made.verdict & is_intersection_cap(surface, ball, made) &
+                                     ball_and_half_space_agree(ball, made.half_space, x)};
                        }),
-      in_any_dimension("lemma3_sphere_surface_intersection", "printed", "intersection_distance",
-                       [](const auto& in) -> Judgement {
-                         const auto ball = in.squared_ball("ball");
-                         using S = typename std::decay_t<decltype(in)>::Number;
-                         return {less_equal(S(0), ball.squared_radius) & less(ball.squared_radius, S(1)),
-                                 intersection_distance_printed(ball)};
-                       }),
+      in_any_dimension(
+          "lemma3_sphere_surface_intersection", "printed", "intersection_distance",
+          [](const auto& in) -> Judgement {
+            const auto ball = in.squared_ball("ball");
+            using S = typename std::decay_t<decltype(in)>::Number;
+            return {less_equal(S(0), ball.squared_radius) & less(ball.squared_radius, S(1)), intersection_distance_printed(ball)};
+          }),
       in_any_dimension("lemma3_sphere_surface_intersection", "repaired", "intersection_distance",
                        [](const auto& in) -> Judgement {
                          const auto surface = in.squared_ball("surface"), ball = in.squared_ball("ball");
@@ -144,17 +140,15 @@ std::vector<Statement> lemma_statements() {
                          const auto w = in.numbers("weights", units.size());
                          using S = typename std::decay_t<decltype(in)>::Number;
                          const auto made = hull_element(ball, units, w);
-                         return {
-                             are_units_enclosed(ball, units) & is_convex<S>(w) & less(S(0), squared_norm(made.blend)),
-                             rotation_is_enclosed(ball, made.blend)};
+                         return {are_units_enclosed(ball, units) & is_convex<S>(w) & less(S(0), squared_norm(made.blend)),
+                                 rotation_is_enclosed(ball, made.blend)};
                        }),
-      in_any_dimension(
-          "lemma5_cap_enclosing_sphere", "printed", "ball_encloses_cap",
-          [](const auto& in) -> Judgement {
-            const auto cap = in.cap("cap");
-            const auto x = in.point("point");
-            return {cap_ball_hypotheses_printed(cap) & contains(cap, x), cap_ball_encloses_printed(cap, x)};
-          }),
+      in_any_dimension("lemma5_cap_enclosing_sphere", "printed", "ball_encloses_cap",
+                       [](const auto& in) -> Judgement {
+                         const auto cap = in.cap("cap");
+                         const auto x = in.point("point");
+                         return {cap_ball_hypotheses_printed(cap) & contains(cap, x), cap_ball_encloses_printed(cap, x)};
+                       }),
       in_any_dimension("lemma5_cap_enclosing_sphere", "repaired", "ball_encloses_cap",
                        [](const auto& in) -> Judgement {
                          const auto cap = in.cap("cap");
@@ -168,8 +162,7 @@ std::vector<Statement> lemma_statements() {
                          const auto sine = in.number("sine");
                          const auto made = smallest_cap_ball(cap, sine, rim);
                          return {cap_has_points(cap) & is_rim(cap, sine, rim),
-                                 is_smallest_cap_ball(cap, made) &
-                                     no_other_ball_that_small(made, in.squared_ball("other"))};
+                                 is_smallest_cap_ball(cap, made) & no_other_ball_that_small(made, in.squared_ball("other"))};
                        }),
   };
 }

@@ -23,8 +23,8 @@ std::vector<PosedJointSet<S>> posed_joint_sets(const Fields& f) {
   std::vector<PosedJointSet<S>> out;
   for (const Fields& set : f.objects("joint_sets")) {
     const auto transforms = set.transforms("transforms");
-    out.push_back({lift<S>(transforms), lift<S>(set.point<3>("rotation_center")),
-                   lift<S>(set.rows("corners", transforms.size()))});
+    out.push_back(
+        {lift<S>(transforms), lift<S>(set.point<3>("rotation_center")), lift<S>(set.rows("corners", transforms.size()))});
     if (out.back().transforms.size() != out[0].transforms.size())
       set.fail("transforms", "are not as many as those of the first joint-set");
   }
@@ -42,8 +42,8 @@ Judgement joint_sets(const In& in) {
   const auto& set = sets[vertex.integer("joint_set", 0, static_cast<int>(sets.size()) - 1)];
   const auto w = at.numbers("weights", set.transforms.size()), u = at.numbers("coefficients", set.corners.size());
   const auto v = at.point("position");
-  const auto balls = repaired ? joint_set_balls_repaired<S>(sets, reference.center)
-                              : joint_set_balls_printed<S>(sets, reference.center);
+  const auto balls =
+      repaired ? joint_set_balls_repaired<S>(sets, reference.center) : joint_set_balls_printed<S>(sets, reference.center);
   return {encloses_parts<S>(ball, balls) & is_vertex_of<S>(set, reference, w, v, u),
           joint_set_vertex<S>(ball, set, reference, w, v).verdict};
 }
@@ -53,8 +53,7 @@ Judgement rotated_vectors(const In& in) {
   const auto apex = in.non_zero_quaternion("apex"), q = in.non_zero_quaternion("rotation");
   const auto cosine = in.number("cos_angle");
   return {rotated_cap_hypotheses(apex, cosine, q),
-          rotated_cap(apex, q, in.point("v"),
-                      repaired ? rotated_cap_cosine_repaired(cosine) : rotated_cap_cosine_printed(cosine))
+          rotated_cap(apex, q, in.point("v"), repaired ? rotated_cap_cosine_repaired(cosine) : rotated_cap_cosine_printed(cosine))
               .verdict};
 }
 
@@ -86,16 +85,14 @@ std::vector<Statement> section_statements() {
                  const auto bounds = in.bounds("bounds");
                  const auto corners = in.rows("corners", bounds.low.size());
                  const auto u = in.numbers("coefficients", corners.size());
-                 return {corners_are_admissible(bounds, corners) & is_convex<S>(u),
-                         corners_combine(bounds, corners, u).verdict};
+                 return {corners_are_admissible(bounds, corners) & is_convex<S>(u), corners_combine(bounds, corners, u).verdict};
                }),
-      in_space(
-          "s41_weight_vertices_span", "beyond", "corners_are_few",
-          [](const auto& in) -> Judgement {
-            const auto bounds = in.bounds("bounds");
-            const auto corners = in.rows("corners", bounds.low.size());
-            return {corners_are_proper(bounds, corners), verdict_of(corners.size() <= most_corners(bounds.low.size()))};
-          }),
+      in_space("s41_weight_vertices_span", "beyond", "corners_are_few",
+               [](const auto& in) -> Judgement {
+                 const auto bounds = in.bounds("bounds");
+                 const auto corners = in.rows("corners", bounds.low.size());
+                 return {corners_are_proper(bounds, corners), verdict_of(corners.size() <= most_corners(bounds.low.size()))};
+               }),
       in_space("s42_linear_part_hull", "printed", "linear_part_in_hull",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
@@ -167,10 +164,8 @@ std::vector<Statement> section_statements() {
                  return {units_in_ball<S>(units, c, r2) & ball_makes_cap(c, r2) & is_convex<S>(u),
                          blend_in_cap<S>(units, c, r2, u).verdict};
                }),
-      in_space("s44_joint_sets", "printed", "ball_encloses_vertex",
-               [](const auto& in) { return joint_sets<false>(in); }),
-      in_space("s44_joint_sets", "repaired", "ball_encloses_vertex",
-               [](const auto& in) { return joint_sets<true>(in); }),
+      in_space("s44_joint_sets", "printed", "ball_encloses_vertex", [](const auto& in) { return joint_sets<false>(in); }),
+      in_space("s44_joint_sets", "repaired", "ball_encloses_vertex", [](const auto& in) { return joint_sets<true>(in); }),
       in_space("s44_sum_of_bounds", "printed", "ball_encloses_sum",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
@@ -180,16 +175,15 @@ std::vector<Statement> section_statements() {
                  const auto ball = in.ball("ball");
                  return {sum_of_bounds_hypotheses(ball, bounds, parts), sum_of_bounds(ball, bounds, parts).verdict};
                }),
-      in_any_dimension(
-          "t3_min_dot_distance", "beyond", "distance_is_least_dot",
-          [](const auto& in) -> Judgement {
-            using S = NumberOf<decltype(in)>;
-            const auto units = in.points("units");
-            const auto c = in.point("center");
-            const auto r2 = in.number("squared_radius");
-            constexpr int d = std::decay_t<decltype(c)>::RowsAtCompileTime;
-            return {min_dot_distance_hypotheses<S, d>(units, c, r2), min_dot_distance<S, d>(units, c, r2).verdict};
-          }),
+      in_any_dimension("t3_min_dot_distance", "beyond", "distance_is_least_dot",
+                       [](const auto& in) -> Judgement {
+                         using S = NumberOf<decltype(in)>;
+                         const auto units = in.points("units");
+                         const auto c = in.point("center");
+                         const auto r2 = in.number("squared_radius");
+                         constexpr int d = std::decay_t<decltype(c)>::RowsAtCompileTime;
+                         return {min_dot_distance_hypotheses<S, d>(units, c, r2), min_dot_distance<S, d>(units, c, r2).verdict};
+                       }),
       in_space("t3_one_cap", "beyond", "cap_holds_blend",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;

@@ -122,10 +122,8 @@ const Statement* statement_of(const Case& c) {
 RefitJudgement judge_refit(const Case& c) {
   const RefitInput input = read_refit(c.fields());
   const gen::RefitCase refit = as_refit_case(input.query);
-  const Point<3> vertex =
-      *gen::skinned(refit, {input.joint_set, input.weights, input.position}, gen::Blending::spherical);
-  if (c.form == "repaired")
-    return judge<Repaired>(refit, vertex, oracle::repaired_ball(refit, oracle::Gather::at_mean));
+  const Point<3> vertex = *gen::skinned(refit, {input.joint_set, input.weights, input.position}, gen::Blending::spherical);
+  if (c.form == "repaired") return judge<Repaired>(refit, vertex, oracle::repaired_ball(refit, oracle::Gather::at_mean));
   return c.claim == of_skinning ? judge_printed<Signs::of_skinning>(input, refit, vertex)
                                 : judge_printed<Signs::of_matrices>(input, refit, vertex);
 }

@@ -57,8 +57,7 @@ struct Inputs {
   // One number for each element of another list.
   std::vector<S> numbers(const char* name, std::size_t count) const {
     const Numbers out = fields.numbers(name);
-    if (out.size() != count)
-      fields.fail(name, "needs " + std::to_string(count) + " numbers, has " + std::to_string(out.size()));
+    if (out.size() != count) fields.fail(name, "needs " + std::to_string(count) + " numbers, has " + std::to_string(out.size()));
     return refitlab::lift<S>(out);
   }
 };
@@ -77,14 +76,10 @@ Statement in_space(const char* stem, const char* form, const char* claim, Judge 
 template <class S, class Judge>
 Judgement in_dimension_of(const Case& c, Judge judge) {
   switch (c.dimension) {
-    case 1:
-      return judge(Inputs<S, 1>{c.fields()});
-    case 2:
-      return judge(Inputs<S, 2>{c.fields()});
-    case 3:
-      return judge(Inputs<S, 3>{c.fields()});
-    default:
-      return judge(Inputs<S, 4>{c.fields()});
+    case 1: return judge(Inputs<S, 1>{c.fields()});
+    case 2: return judge(Inputs<S, 2>{c.fields()});
+    case 3: return judge(Inputs<S, 3>{c.fields()});
+    default: return judge(Inputs<S, 4>{c.fields()});
   }
 }
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <iostream>
 
-#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/documents.hpp"
 #include "algorithms/certificate/sha256.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/gen/random_pose.hpp"
@@ -38,7 +38,8 @@ class Writer {
 
   gen::MeshPlan some_plan() {
     const auto kind = pick(2) ? gen::MeshKind::tube : static_cast<gen::MeshKind>(pick(gen::mesh_kind_count));
-    return {kind, static_cast<int>(2 + pick(11)), static_cast<int>(3 + pick(6)), static_cast<int>(1 + pick(4)), static_cast<unsigned>(random_())};
+    return {kind, static_cast<int>(2 + pick(11)), static_cast<int>(3 + pick(6)), static_cast<int>(1 + pick(4)),
+            static_cast<unsigned>(random_())};
   }
 
   Pose some_pose(const AnimatedCharacter& c) {

@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <fstream>
 
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
-#include "algorithms/runtime/tree/character_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
+#include "algorithms/runtime/tree/character_file.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 
 // What comes with the package and must hold for any target that a project is compiled for: its types are laid out as the
 // library's, and a square is rounded before it is added to.

@@ -15,8 +15,8 @@ using gen::RationalVec;
 using Numbers = std::vector<Rational>;
 
 // S = [p, 0], joints that turn about the rotation center 0, so that only rotations matter.
-gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQuaternion>& rotations,
-                            const Numbers& low, const Numbers& high) {
+gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQuaternion>& rotations, const Numbers& low,
+                            const Numbers& high) {
   gen::SetCase set;
   for (const auto& q : rotations) set.palette.transforms.push_back({q, RationalVec<3>::Zero()});
   place_rotation_center<Rational>(set.palette, RationalVec<3>::Zero());
@@ -25,9 +25,7 @@ gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQ
   return {{p, Rational(0)}, {set}};
 }
 
-RationalQuaternion q(const Rational& w, const Rational& x, const Rational& y, const Rational& z) {
-  return {w, x, y, z};
-}
+RationalQuaternion q(const Rational& w, const Rational& x, const Rational& y, const Rational& z) { return {w, x, y, z}; }
 
 }  // namespace
 
@@ -41,8 +39,7 @@ const std::vector<PinnedRefit>& algorithm1() {
        Numbers(4, quarter), false},
       // Of the last two joints the matrices' quaternions are (33/65, 56/65, 0, 0) and (33/65, -56/65, 0, 0).
       {"a sphere of radius 1 or more around the quaternions gives a negative radius (no case for it)",
-       about_origin(y, {steep, steep, steep, q(-steep[0], steep[1], 0, 0)}, Numbers(4, Rational(0)),
-                    Numbers(4, Rational(1))),
+       about_origin(y, {steep, steep, steep, q(-steep[0], steep[1], 0, 0)}, Numbers(4, Rational(0)), Numbers(4, Rational(1))),
        {Rational(0), Rational(0), Rational(0), Rational(1)},
        false},
       {"a corner whose blend is zero divides by zero (line 9)",

@@ -11,9 +11,8 @@ using Q = refitlab::Rational;
 using Point = refitlab::Vec<Q, 3>;
 using Rotation = refitlab::Quaternion<Q>;
 
-inline const refitlab::SphericalBlend<Q> edge{{Rotation(1, 0, 0, 0), Rotation(Q(3, 5), Q(4, 5), 0, 0)},
-                                              {Point(0, 0, 0), Point(1, 0, 0)},
-                                              Point(0, 1, 0)};
+inline const refitlab::SphericalBlend<Q> edge{
+    {Rotation(1, 0, 0, 0), Rotation(Q(3, 5), Q(4, 5), 0, 0)}, {Point(0, 0, 0), Point(1, 0, 0)}, Point(0, 1, 0)};
 // Beyond the first corner, and so in neither half.
 inline const std::vector<Q> beyond_the_first{2, -1}, halves{Q(1, 2), Q(1, 2)};
 

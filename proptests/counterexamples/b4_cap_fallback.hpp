@@ -32,8 +32,7 @@ inline const std::vector<Rotation> wide_pair{Rotation(Q(3, 5), Q(4, 5), 0, 0), R
 
 // 65.0 and 90.5 degrees of rotation between the corners: up to a right angle the control point of degree 2 is in the
 // cap's ball, beyond it is not. (x is across the axis of the rotations.)
-inline const std::vector<Rotation> below_a_right_angle{Rotation(Q(24, 25), Q(7, 25), 0, 0),
-                                                       Rotation(Q(24, 25), Q(-7, 25), 0, 0)};
+inline const std::vector<Rotation> below_a_right_angle{Rotation(Q(24, 25), Q(7, 25), 0, 0), Rotation(Q(24, 25), Q(-7, 25), 0, 0)};
 inline const std::vector<Rotation> beyond_a_right_angle{Rotation(Q(12, 13), Q(5, 13), 0, 0),
                                                         Rotation(Q(12, 13), Q(-5, 13), 0, 0)};
 

@@ -18,8 +18,7 @@ inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)};
 
 // Quaternions about z whose blend at halves is 3/5 long: one that turns at 2 radians a second, one at rest, and one in the
 // place of that at rest that turns as fast as the first.
-inline const refitlab::Moment<Q, 4> ahead{
-    {Q(3, 5), 0, 0, Q(4, 5)}, {Q(-4, 5), 0, 0, Q(3, 5)}, {Q(-3, 5), 0, 0, Q(-4, 5)}},
+inline const refitlab::Moment<Q, 4> ahead{{Q(3, 5), 0, 0, Q(4, 5)}, {Q(-4, 5), 0, 0, Q(3, 5)}, {Q(-3, 5), 0, 0, Q(-4, 5)}},
     behind{{Q(3, 5), 0, 0, Q(-4, 5)}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     along{{Q(3, 5), 0, 0, Q(-4, 5)}, {Q(4, 5), 0, 0, Q(3, 5)}, {Q(-3, 5), 0, 0, Q(4, 5)}};
 inline const Motion turning{1, 1, 1}, resting{0, 0, 0};

@@ -2,8 +2,8 @@
 // Pinned cases of lemma1_cap_definitions, in the plane.
 #pragma once
 
-#include "lemmas/lemma1_cap_definitions.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/lemma1_cap_definitions.hpp"
 
 namespace proptests::lemma1 {
 

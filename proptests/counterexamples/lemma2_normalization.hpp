@@ -2,8 +2,8 @@
 // Pinned cases of lemma2_normalization.
 #pragma once
 
-#include "lemmas/lemma2_normalization.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/lemma2_normalization.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 
 namespace proptests::lemma2 {

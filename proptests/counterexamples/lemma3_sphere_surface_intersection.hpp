@@ -2,8 +2,8 @@
 // Pinned cases of lemma3_sphere_surface_intersection: a ball and the unit circle.
 #pragma once
 
-#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 
 namespace proptests::lemma3 {
 

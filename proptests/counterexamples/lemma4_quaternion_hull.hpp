@@ -2,8 +2,8 @@
 // Pinned cases of lemma4_quaternion_hull: a disc and unit vectors of the plane.
 #pragma once
 
-#include "lemmas/lemma4_quaternion_hull.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/lemma4_quaternion_hull.hpp"
 
 namespace proptests::lemma4 {
 

@@ -2,8 +2,8 @@
 // Pinned cases of lemma5_cap_enclosing_sphere.
 #pragma once
 
-#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 
 namespace proptests::lemma5 {
 

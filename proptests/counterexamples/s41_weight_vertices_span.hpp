@@ -2,8 +2,8 @@
 // Pinned cases of s41_weight_vertices_span: what goes wrong without each hypothesis, and where the paper is wrong.
 #pragma once
 
-#include "lemmas/s41_weight_vertices_span.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s41_weight_vertices_span.hpp"
 
 namespace proptests::s41 {
 

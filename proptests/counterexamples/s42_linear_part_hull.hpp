@@ -2,8 +2,8 @@
 // Pinned cases of s42_linear_part_hull: what goes wrong without each hypothesis.
 #pragma once
 
-#include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s42_linear_part_hull.hpp"
 
 namespace proptests::s42 {
 

@@ -2,8 +2,8 @@
 // Pinned cases of s43_distance_range: what goes wrong without each hypothesis, and where the paper is wrong.
 #pragma once
 
-#include "lemmas/s43_distance_range.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s43_distance_range.hpp"
 
 namespace proptests::s43_range {
 

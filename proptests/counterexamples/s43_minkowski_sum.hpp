@@ -2,8 +2,8 @@
 // Pinned cases of s43_minkowski_sum: what goes wrong without each hypothesis.
 #pragma once
 
-#include "lemmas/s43_minkowski_sum.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s43_minkowski_sum.hpp"
 
 namespace proptests::s43_minkowski {
 

@@ -2,8 +2,8 @@
 // Pinned cases of s43_whole_sphere_fallback: where the paper is wrong, and what goes wrong without each hypothesis.
 #pragma once
 
-#include "lemmas/s43_whole_sphere_fallback.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s43_whole_sphere_fallback.hpp"
 
 namespace proptests::s43_fallback {
 
@@ -39,8 +39,7 @@ inline const Case past_half{{Quaternion<Q>(Q(-3, 5), Q(4, 5), 0, 0), Quaternion<
                             Q(13, 5),
                             {Q(1, 2), Q(1, 2)}};
 // Without unit length: the short one is in the ball, far from the axis.
-inline const Case short_one{
-    {one, Quaternion<Q>(0, Q(1, 10), 0, 0)}, Quaternion<Q>(Q(1, 2), Q(1, 20), 0, 0), Q(101, 400), {0, 1}};
+inline const Case short_one{{one, Quaternion<Q>(0, Q(1, 10), 0, 0)}, Quaternion<Q>(Q(1, 2), Q(1, 20), 0, 0), Q(101, 400), {0, 1}};
 // Without enclosure: the second unit is not in the ball.
 inline const Case not_enclosed{{one, Quaternion<Q>(0, 1, 0, 0)}, one, Q(1, 4), {0, 1}};
 // Without convex coefficients: the blend is the opposite of a unit.

@@ -2,8 +2,8 @@
 // Pinned cases of s44_joint_sets: where Algorithm 1's single list of corners and single rotation center go wrong.
 #pragma once
 
-#include "lemmas/s44_joint_sets.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s44_joint_sets.hpp"
 
 namespace proptests::s44_joints {
 
@@ -23,13 +23,13 @@ inline const refitlab::RigidTransform<Q> moved_by_five{{1, 0, 0, 0}, {5, 0, 0}};
 
 // One rotation center for both: that of the first joint-set is the vertex itself, so no turn is expected of it. The
 // second turns it by a right angle about the origin.
-inline const Case rotation_center{{{{at_rest, at_rest}, {2, 0, 0}, {{Q(1, 2), Q(1, 2)}}},
-                                   {{at_rest, half_turn_about_z}, {0, 0, 0}, {{Q(1, 2), Q(1, 2)}}}},
-                                  {{2, 0, 0}, 0},
-                                  {{1, 0, 0}, 1},
-                                  {Q(1, 2), Q(1, 2)},
-                                  {2, 0, 0},
-                                  {0, 2, 0}};
+inline const Case rotation_center{
+    {{{at_rest, at_rest}, {2, 0, 0}, {{Q(1, 2), Q(1, 2)}}}, {{at_rest, half_turn_about_z}, {0, 0, 0}, {{Q(1, 2), Q(1, 2)}}}},
+    {{2, 0, 0}, 0},
+    {{1, 0, 0}, 1},
+    {Q(1, 2), Q(1, 2)},
+    {2, 0, 0},
+    {0, 2, 0}};
 
 // One list of corners for both: the first joint-set is moved by its first joint only, the second by its second.
 inline const Case corners{{{{at_rest, at_rest}, {0, 0, 0}, {{1, 0}}}, {{at_rest, moved_by_five}, {0, 0, 0}, {{0, 1}}}},

@@ -2,8 +2,8 @@
 // Pinned cases of s44_sum_of_bounds: what goes wrong without each hypothesis.
 #pragma once
 
-#include "lemmas/s44_sum_of_bounds.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/s44_sum_of_bounds.hpp"
 
 namespace proptests::s44_sum {
 

@@ -2,8 +2,8 @@
 // Pinned cases of t3_min_dot_distance: what goes wrong without each hypothesis.
 #pragma once
 
-#include "lemmas/t3_min_dot_distance.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/t3_min_dot_distance.hpp"
 
 namespace proptests::t3_dot {
 

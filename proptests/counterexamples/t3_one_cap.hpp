@@ -2,8 +2,8 @@
 // Pinned cases of t3_one_cap: what goes wrong without each hypothesis.
 #pragma once
 
-#include "lemmas/t3_one_cap.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/t3_one_cap.hpp"
 
 namespace proptests::t3_cap {
 

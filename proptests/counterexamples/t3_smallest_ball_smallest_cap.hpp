@@ -2,8 +2,8 @@
 // Pinned cases of t3_smallest_ball_smallest_cap: what goes wrong without each hypothesis, and what the mean ball loses.
 #pragma once
 
-#include "lemmas/t3_smallest_ball_smallest_cap.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/t3_smallest_ball_smallest_cap.hpp"
 
 namespace proptests::t3_smallest {
 

@@ -21,8 +21,7 @@ FUZZ_TARGET(result_table, bytes) try {
   const ResultTable again = parse_results(copy.text(), "copy.csv");
   check(again.rows.size() == table.rows.size(), "a table is read back with as many rows");
   for (std::size_t r = 0; r < table.rows.size(); ++r)
-    check(std::equal(table.rows[r].begin(), table.rows[r].end(), again.rows[r].begin()),
-          "a row is read back as it was");
+    check(std::equal(table.rows[r].begin(), table.rows[r].end(), again.rows[r].begin()), "a row is read back as it was");
 } catch (const ResultError& e) {
   check(std::string(e.what()).starts_with("fuzz.csv: line "), "a refusal names the file and the line");
 }

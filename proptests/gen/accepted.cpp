@@ -31,8 +31,7 @@ void add_joints(SkinnedMesh& m, int count, const Point3& origin) {
 }  // namespace
 
 UnitLength random_unit_length(std::mt19937& random) {
-  return one_of({UnitLength::as_doubles, UnitLength::as_floats, UnitLength::anything, UnitLength::longest,
-                 UnitLength::shortest},
+  return one_of({UnitLength::as_doubles, UnitLength::as_floats, UnitLength::anything, UnitLength::longest, UnitLength::shortest},
                 random);
 }
 

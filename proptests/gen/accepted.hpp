@@ -13,8 +13,7 @@ namespace proptests::gen {
 // How long quaternions are, whose squared length may be off by 1e-6.
 enum class UnitLength { as_doubles, as_floats, anything, longest, shortest };
 UnitLength random_unit_length(std::mt19937& random);
-refitlab::Quaternion<double> with_length(const refitlab::Quaternion<double>& unit, UnitLength length,
-                                         std::mt19937& random);
+refitlab::Quaternion<double> with_length(const refitlab::Quaternion<double>& unit, UnitLength length, std::mt19937& random);
 refitlab::Pose with_lengths(refitlab::Pose pose, UnitLength length, std::mt19937& random);
 
 // Turned any way, of any length of its quaternion, and moved by this length about, or not at all.

@@ -14,9 +14,7 @@ rc::Gen<BallList> ball_list(int most) {
     const Rational common = *positive_rational();
     BallList list{{}, is_degenerate(cloud.shape) || radii == 0};
     for (const auto& p : cloud.points)
-      list.balls.push_back({p, radii == 0   ? Rational(0)
-                               : radii == 1 ? common
-                                            : Rational(3) * *unit_interval_rational()});
+      list.balls.push_back({p, radii == 0 ? Rational(0) : radii == 1 ? common : Rational(3) * *unit_interval_rational()});
     return list;
   });
 }

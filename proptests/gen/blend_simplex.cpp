@@ -10,11 +10,9 @@ using namespace refitlab;
 
 // A blend of unit quaternions: shorter than 1, sometimes 0.
 rc::Gen<RationalQuaternion> corner_quaternion() {
-  const auto blended = rc::gen::apply(
-      [](const RationalQuaternion& p, const RationalQuaternion& q, const Rational& t) {
-        return RationalQuaternion(p * t + q * (Rational(1) - t));
-      },
-      unit_quaternion(), unit_quaternion(), unit_interval_rational());
+  const auto blended = rc::gen::apply([](const RationalQuaternion& p, const RationalQuaternion& q,
+                                         const Rational& t) { return RationalQuaternion(p * t + q * (Rational(1) - t)); },
+                                      unit_quaternion(), unit_quaternion(), unit_interval_rational());
   return rc::gen::weightedOneOf<RationalQuaternion>(
       {{5, unit_quaternion()}, {4, blended}, {1, rc::gen::just(RationalQuaternion(0, 0, 0, 0))}});
 }

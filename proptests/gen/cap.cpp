@@ -23,8 +23,7 @@ rc::Gen<RimmedCap<D>> rimmed_cap() {
 template <int D>
 rc::Gen<CapPoint<D>> cap_point() {
   return rc::gen::apply(
-      [](const RationalVec<D>& center, const RationalVec<D>& u, RationalVec<D> y, const Rational& r,
-         const CapAngle& angle) {
+      [](const RationalVec<D>& center, const RationalVec<D>& u, RationalVec<D> y, const Rational& r, const CapAngle& angle) {
         // Outside of the cap: mirrored at the plane through the center, and if that does not help, the apex.
         Rational along = refitlab::dot(u, y);
         if (along < angle.cosine) y -= u * (Rational(2) * along), along = -along;

@@ -51,8 +51,7 @@ struct MovingChain {
     for (int k = 0; k < count; ++k) {
       const TurningQuaternion turn = turning_quaternion();
       refitlab::LinkMotion<Rational> motion{any_motion(), turn.motion, any_motion()};
-      refitlab::LinkMoment<Rational> link{moment_within<3>(motion.translation), turn.moment,
-                                          moment_within<3>(motion.scale)};
+      refitlab::LinkMoment<Rational> link{moment_within<3>(motion.translation), turn.moment, moment_within<3>(motion.scale)};
       if (!scaled) {
         motion.scale = refitlab::at_rest(Rational(1));
         link.scale = {RationalVec<3>(1, 1, 1), RationalVec<3>::Zero(), RationalVec<3>::Zero()};

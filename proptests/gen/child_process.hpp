@@ -36,8 +36,7 @@ class ChildProcess {
   // Whether it got to its end, and did not throw.
   bool wait() {
     int status = 0;
-    if (!ended_ && waitpid(id_, &status, 0) == id_)
-      ended_ = true, good_ = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (!ended_ && waitpid(id_, &status, 0) == id_) ended_ = true, good_ = WIFEXITED(status) && WEXITSTATUS(status) == 0;
     return good_;
   }
   int id() const { return id_; }

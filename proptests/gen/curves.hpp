@@ -10,9 +10,7 @@ namespace proptests::gen {
 using RationalMotion = refitlab::Motion<Rational>;
 
 // A vector of R^3 of the length 1.
-inline RationalVec<3> unit_direction() {
-  return refitlab::rotate<Rational>(*unit_quaternion(), RationalVec<3>(1, 0, 0));
-}
+inline RationalVec<3> unit_direction() { return refitlab::rotate<Rational>(*unit_quaternion(), RationalVec<3>(1, 0, 0)); }
 
 // The cubic with these ends and these second derivatives there.
 inline refitlab::CubicCurve<Rational, 3> cubic_between(const RationalVec<3>& from, const RationalVec<3>& to,
@@ -39,8 +37,7 @@ inline BoundedCurve bounded_curve() {
   const RationalVec<3> start = unit_direction() * out.acceleration;
   out.is_parabola = *rc::gen::inRange(0, 3) == 0;
   const RationalVec<3> end =
-      out.is_parabola ? start
-                      : RationalVec<3>(unit_direction() * Rational(out.acceleration * *unit_interval_rational()));
+      out.is_parabola ? start : RationalVec<3>(unit_direction() * Rational(out.acceleration * *unit_interval_rational()));
   out.is_line = out.acceleration == 0;
   out.curve = cubic_between(*rational_vector<3>(), *rational_vector<3>(), start, end, *positive_rational());
   out.share = *unit_interval_rational();

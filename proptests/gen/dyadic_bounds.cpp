@@ -45,10 +45,10 @@ bool DyadicBounds::is_degenerate() const {
 rc::Gen<DyadicBounds> dyadic_bounds(int most) {
   // Of full size from the first case on: inRange alone stays near its low end at small sizes.
   return rc::gen::resize(rc::kNominalSize, rc::gen::mapcat(rc::gen::inRange(1, most + 1), [](int n) {
-    const auto units = rc::gen::container<std::vector<int>>(
-        n, rc::gen::weightedOneOf<int>({{1, rc::gen::just(0)}, {8, rc::gen::inRange(0, one + 1)}}));
-    return rc::gen::apply(make, units, units, rc::gen::inRange(0, 12));
-  }));
+                           const auto units = rc::gen::container<std::vector<int>>(
+                               n, rc::gen::weightedOneOf<int>({{1, rc::gen::just(0)}, {8, rc::gen::inRange(0, one + 1)}}));
+                           return rc::gen::apply(make, units, units, rc::gen::inRange(0, 12));
+                         }));
 }
 
 void showValue(const DyadicBounds& bounds, std::ostream& out) {

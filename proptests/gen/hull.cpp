@@ -17,8 +17,7 @@ rc::Gen<std::pair<std::vector<T>, std::vector<Rational>>> weighted(rc::Gen<std::
 template <int D>
 rc::Gen<ScaledHull<D>> scaled_hull() {
   return rc::gen::apply(
-      [](const std::pair<std::vector<RationalVec<D>>, std::vector<Rational>>& units, std::vector<Rational> lengths,
-         bool cancel) {
+      [](const std::pair<std::vector<RationalVec<D>>, std::vector<Rational>>& units, std::vector<Rational> lengths, bool cancel) {
         ScaledHull<D> hull{units.first, std::move(lengths), units.second};
         const std::size_t m = hull.vectors.size();
         hull.lengths.resize(m);
@@ -39,8 +38,8 @@ template <int D>
 rc::Gen<EnclosedHull<D>> enclosed_hull() {
   const auto slack = rc::gen::weightedOneOf<Rational>({{1, rc::gen::just(Rational(0))}, {1, unit_interval_rational()}});
   return rc::gen::apply(
-      [](const std::pair<std::vector<RationalVec<D>>, std::vector<Rational>>& units, RationalVec<D> center,
-         const Rational& more, int kind) {
+      [](const std::pair<std::vector<RationalVec<D>>, std::vector<Rational>>& units, RationalVec<D> center, const Rational& more,
+         int kind) {
         if (kind < 3) {  // the mean ball of Algorithm 1
           center = RationalVec<D>::Zero();
           for (const auto& n : units.first) center += n;

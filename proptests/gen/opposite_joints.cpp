@@ -18,8 +18,7 @@ OppositeJoints opposite_joints(unsigned seed) {
   OppositeJoints out;
   SkinnedMesh& m = out.mesh;
   m.name = "soup";
-  for (int j = 0; j < joints; ++j)
-    m.joints.push_back({"joint " + std::to_string(j), j - 1, {u(random), u(random), u(random)}});
+  for (int j = 0; j < joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, {u(random), u(random), u(random)}});
   for (int v = 0; v < 60; ++v) {
     m.vertices.push_back({u(random), u(random), u(random)});
     std::vector<std::pair<int, double>> weights;

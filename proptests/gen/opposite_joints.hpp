@@ -7,8 +7,8 @@
 namespace proptests::gen {
 
 struct OppositeJoints {
-  refitlab::SkinnedMesh mesh;      // 20 triangles, of two to four joints that all influence each vertex
-  refitlab::Pose pose;  // quaternions within a right angle of the first, some twice as far from each other
+  refitlab::SkinnedMesh mesh;  // 20 triangles, of two to four joints that all influence each vertex
+  refitlab::Pose pose;         // quaternions within a right angle of the first, some twice as far from each other
 };
 OppositeJoints opposite_joints(unsigned seed);
 

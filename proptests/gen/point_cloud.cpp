@@ -54,8 +54,7 @@ rc::Gen<std::vector<RationalVec<D>>> points(Shape shape, int n) {
             return p;
           },
           list<RationalVec<D>>(n, rational_vector<D>()));
-    default:
-      return list<RationalVec<D>>(n, rational_vector<D>());
+    default: return list<RationalVec<D>>(n, rational_vector<D>());
   }
 }
 

@@ -9,7 +9,7 @@ namespace proptests::gen {
 
 struct PosedModel {
   refitlab::SkinnedMesh mesh;
-  refitlab::Pose pose;  // composed along the tree, as the paper has it: a joint turns about its origin
+  refitlab::Pose pose;                    // composed along the tree, as the paper has it: a joint turns about its origin
   std::vector<RationalQuaternion> turns;  // the local rotation of each joint, exactly
 };
 

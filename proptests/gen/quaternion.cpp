@@ -6,13 +6,12 @@
 namespace proptests::gen {
 
 rc::Gen<RationalQuaternion> unit_quaternion() {
-  const auto general =
-      rc::gen::map(rc::gen::container<std::vector<int>>(4, small_integer()), [](const std::vector<int>& c) {
-        const RationalQuaternion q(c[0], c[1], c[2], c[3]);
-        const Rational square = refitlab::squared_norm(q);
-        if (square == Rational(0)) return refitlab::identity_quaternion<Rational>();
-        return RationalQuaternion(refitlab::multiply(q, q) / square);
-      });
+  const auto general = rc::gen::map(rc::gen::container<std::vector<int>>(4, small_integer()), [](const std::vector<int>& c) {
+    const RationalQuaternion q(c[0], c[1], c[2], c[3]);
+    const Rational square = refitlab::squared_norm(q);
+    if (square == Rational(0)) return refitlab::identity_quaternion<Rational>();
+    return RationalQuaternion(refitlab::multiply(q, q) / square);
+  });
   const auto axis = rc::gen::map(rc::gen::inRange(0, 8), [](int k) {
     RationalQuaternion q = RationalQuaternion::Zero();
     q[k / 2] = k % 2 == 0 ? 1 : -1;

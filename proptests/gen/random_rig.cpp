@@ -108,14 +108,11 @@ class Maker {
     for (std::size_t n = 0; n < scene_.nodes.size(); ++n)
       for (const std::string path : {"rotation", "translation"}) {
         GltfTrack track{static_cast<int>(n), path, {0.25f * static_cast<float>(pick(0, 2))}, {}};
-        while (static_cast<int>(track.times.size()) < pick(2, 4))
-          track.times.push_back(track.times.back() + 1.1f + real());
+        while (static_cast<int>(track.times.size()) < pick(2, 4)) track.times.push_back(track.times.back() + 1.1f + real());
         for (std::size_t k = 0; k < track.times.size(); ++k) {
           const Eigen::Quaternionf q = rotation();
-          if (path == "rotation")
-            track.values.insert(track.values.end(), {q.x(), q.y(), q.z(), q.w()});
-          else
-            track.values.insert(track.values.end(), {real(), real(), real()});
+          if (path == "rotation") track.values.insert(track.values.end(), {q.x(), q.y(), q.z(), q.w()});
+          else track.values.insert(track.values.end(), {real(), real(), real()});
         }
         clip.tracks.push_back(track);
       }

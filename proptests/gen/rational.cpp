@@ -32,8 +32,8 @@ rc::Gen<Rational> rational() {
 rc::Gen<Rational> positive_rational() { return fraction(small_positive_integer()); }
 
 rc::Gen<Rational> unit_interval_rational() {
-  return rc::gen::apply([](int a, int b) { return a + b == 0 ? Rational(0) : Rational(a, a + b); },
-                        integer_between(0, false), integer_between(0, false));
+  return rc::gen::apply([](int a, int b) { return a + b == 0 ? Rational(0) : Rational(a, a + b); }, integer_between(0, false),
+                        integer_between(0, false));
 }
 
 rc::Gen<Rational> nudge() {
@@ -43,8 +43,7 @@ rc::Gen<Rational> nudge() {
         for (int i = 0; i < digits; ++i) x /= Rational(10);
         return digits < 10 ? Rational(0) : x;
       },
-      rc::gen::weightedOneOf<int>(
-          {{1, rc::gen::just(0)}, {2, rc::gen::inRange(10, 50)}, {1, rc::gen::inRange(50, 81)}}),
+      rc::gen::weightedOneOf<int>({{1, rc::gen::just(0)}, {2, rc::gen::inRange(10, 50)}, {1, rc::gen::inRange(50, 81)}}),
       rc::gen::arbitrary<bool>());
 }
 

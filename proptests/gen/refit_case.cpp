@@ -4,9 +4,9 @@
 #include <limits>
 #include <ostream>
 
-#include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/bake/weight_vertices.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
 #include "proptests/gen/list.hpp"
 
 namespace proptests::gen {
@@ -38,27 +38,26 @@ Transforms any_transforms() {
   const int relation = *rc::gen::inRange(0, 8);
   if (relation == 4 && n > 1) c[1].rotation = -c[0].rotation;
   if (relation >= 5 && n > 1) c[1].rotation = multiply(c[0].rotation, half_turn(*rc::gen::inRange(0, 3)));
-  if (relation >= 6 && n > 2)
-    c[2].rotation = -c[1].rotation;  // perpendicular to the first, so signs stay: a zero blend
+  if (relation >= 6 && n > 2) c[2].rotation = -c[1].rotation;  // perpendicular to the first, so signs stay: a zero blend
   return c;
 }
 
 Transforms moderate_transforms() {
   const auto first = *rigid_transform();
-  return *rc::gen::suchThat(
-      rc::gen::map(list_with_repeats(1, 5, rc::gen::pair(small_turn(), rational_vector<3>())),
-                   [first](const std::vector<std::pair<RationalQuaternion, RationalVec<3>>>& turns) {
-                     Transforms c;
-                     for (const auto& [turn, translation] : turns)
-                       c.push_back({multiply(first.rotation, turn), translation});
-                     return c;
-                   }),
-      [](const Transforms& c) {
-        for (const auto& a : c)
-          for (const auto& b : c)
-            if (const Rational d = dot(a.rotation, b.rotation); d < 0 || d * d < Rational(1, 2)) return false;
-        return true;
-      });
+  return *rc::gen::suchThat(rc::gen::map(list_with_repeats(1, 5, rc::gen::pair(small_turn(), rational_vector<3>())),
+                                         [first](const std::vector<std::pair<RationalQuaternion, RationalVec<3>>>& turns) {
+                                           Transforms c;
+                                           for (const auto& [turn, translation] : turns)
+                                             c.push_back({multiply(first.rotation, turn), translation});
+                                           return c;
+                                         }),
+                            [](const Transforms& c) {
+                              for (const auto& a : c)
+                                for (const auto& b : c)
+                                  if (const Rational d = dot(a.rotation, b.rotation); d < 0 || d * d < Rational(1, 2))
+                                    return false;
+                              return true;
+                            });
 }
 
 // Of the whole range, at any size of RapidCheck's.
@@ -71,7 +70,10 @@ Transforms generic_transforms(Turns turns) {
     return RationalQuaternion(multiply(first, turn));
   });
   const auto transform = rc::gen::apply(
-      [](const RationalQuaternion& q, const RationalVec<3>& t) { return RationalTransform{q, t}; }, rotation, rational_vector<3>());
+      [](const RationalQuaternion& q, const RationalVec<3>& t) {
+        return RationalTransform{q, t};
+      },
+      rotation, rational_vector<3>());
   return *rc::gen::suchThat(rc::gen::container<Transforms>(*any_of(2, 4), transform), [turns](const Transforms& c) {
     for (std::size_t i = 0; i < c.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
@@ -143,9 +145,9 @@ rc::Gen<RefitCase> refit_case(Turns turns) {
       return c;
     }
     c.reference.radius = *rc::gen::weightedOneOf<Rational>(
-        {{1, rc::gen::just(Rational(0))},
-         {2, positive_rational()},
-         {1, rc::gen::map(positive_rational(), [](const Rational& r) { return Rational(r / Rational(100)); })}});
+        {{1, rc::gen::just(Rational(0))}, {2, positive_rational()}, {1, rc::gen::map(positive_rational(), [](const Rational& r) {
+                                                                       return Rational(r / Rational(100));
+                                                                     })}});
     const int sets = *rc::gen::inRange(1, 4);
     for (int s = 0; s < sets; ++s) c.sets.push_back(set_case(turns, c.reference.center));
     return c;

@@ -48,8 +48,8 @@ class NodeOf {
       const int first = static_cast<int>(weights_.size());
       for (const auto& corner : set.weights.corners)
         for (const Rational& w : corner) weights_.push_back(refitlab::lift<T>(w));
-      sets_.push_back({static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.corners.size()),
-                       static_cast<int>(sets_.size())});
+      sets_.push_back(
+          {static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.corners.size()), static_cast<int>(sets_.size())});
       palette_.push_back(refitlab::OwnedPaletteEntry<T>{
           refitlab::lift<T>(set.palette.transforms), refitlab::lift<T>(set.palette.rotation_center),
           refitlab::lift<T>(set.palette.center_images), refitlab::lift<T>(set.palette.duals)});

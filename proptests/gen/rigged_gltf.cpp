@@ -47,10 +47,8 @@ class Writer {
     json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", length}});
     bytes_.append(reinterpret_cast<const char*>(rows.data()), length);
     bytes_.resize((bytes_.size() + 3) / 4 * 4);
-    json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
-                                  {"componentType", component},
-                                  {"count", rows.size()},
-                                  {"type", type}});
+    json_["accessors"].push_back(
+        {{"bufferView", json_["bufferViews"].size() - 1}, {"componentType", component}, {"count", rows.size()}, {"type", type}});
     return json_["accessors"].size() - 1;
   }
   // An accessor over plain numbers that come `width` at a time.
@@ -79,8 +77,7 @@ class Writer {
     json channels = json::array(), samplers = json::array();
     for (const GltfTrack& t : c.tracks) {
       channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", t.node}, {"path", t.path}}}});
-      samplers.push_back(
-          {{"input", accessor(t.times, 1)}, {"output", accessor(t.values, t.path == "rotation" ? 4 : 3)}});
+      samplers.push_back({{"input", accessor(t.times, 1)}, {"output", accessor(t.values, t.path == "rotation" ? 4 : 3)}});
     }
     json_["animations"].push_back({{"name", c.name}, {"channels", channels}, {"samplers", samplers}});
   }
@@ -115,9 +112,7 @@ std::string base64(const std::string& bytes) {
 
 }  // namespace
 
-std::array<float, 16> translation_matrix(float x, float y, float z) {
-  return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1};
-}
+std::array<float, 16> translation_matrix(float x, float y, float z) { return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}; }
 
 RiggedGltf bending_tube(int joints) {
   RiggedGltf scene;
@@ -140,8 +135,7 @@ RiggedGltf bending_tube(int joints) {
     const auto joint = static_cast<std::uint16_t>(std::min(ring / 2, joints - 1));
     const bool shared = ring % 2 == 0 && ring > 0 && ring < 2 * joints;
     for (int k = 0; k < 4; ++k) {
-      mesh.positions.push_back(
-          {k == 0 || k == 3 ? -0.2f : 0.2f, 0.5f * static_cast<float>(ring), k < 2 ? -0.2f : 0.2f});
+      mesh.positions.push_back({k == 0 || k == 3 ? -0.2f : 0.2f, 0.5f * static_cast<float>(ring), k < 2 ? -0.2f : 0.2f});
       mesh.joints[0].push_back({joint, static_cast<std::uint16_t>(shared ? joint - 1 : 0), 0, 0});
       mesh.weights[0].push_back({shared ? 0.75f : 1.0f, shared ? 0.25f : 0.0f, 0, 0});
     }
@@ -164,9 +158,8 @@ void write_glb(const RiggedGltf& scene, const std::string& path) {
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::string& bytes = writer.bytes();
   const std::size_t length = 12 + 8 + text.size() + 8 + bytes.size();
-  write_file(path, "glTF" + word(2) + word(static_cast<std::uint32_t>(length)) +
-                       word(static_cast<std::uint32_t>(text.size())) + "JSON" + text +
-                       word(static_cast<std::uint32_t>(bytes.size())) + std::string("BIN\0", 4) + bytes);
+  write_file(path, "glTF" + word(2) + word(static_cast<std::uint32_t>(length)) + word(static_cast<std::uint32_t>(text.size())) +
+                       "JSON" + text + word(static_cast<std::uint32_t>(bytes.size())) + std::string("BIN\0", 4) + bytes);
 }
 
 void write_gltf(const RiggedGltf& scene, const std::string& path) {

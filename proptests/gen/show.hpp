@@ -6,8 +6,8 @@
 
 #include <ostream>
 
-#include "lemmas/vocabulary/cap.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/vocabulary/cap.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 

@@ -51,8 +51,8 @@ SkinnedMesh make_mesh(const MeshPlan& plan) {
 }
 
 void showValue(const MeshPlan& plan, std::ostream& out) {
-  out << "mesh of kind " << static_cast<int>(plan.kind) << ", " << plan.rings << " rings of " << plan.sides << ", "
-      << plan.joints << " joints, seed " << plan.seed;
+  out << "mesh of kind " << static_cast<int>(plan.kind) << ", " << plan.rings << " rings of " << plan.sides << ", " << plan.joints
+      << " joints, seed " << plan.seed;
 }
 
 }  // namespace proptests::gen

@@ -70,7 +70,10 @@ SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_cor
 
 SkinnedPiece::SkinnedPiece(Skinning skinning, OwnedPaletteEntry<double> palette, std::vector<std::vector<double>> corners,
                            const Ball3<double>& reference)
-    : skinning(skinning), palette(std::move(palette)), corners(std::move(corners)), reference(reference) {
+    : skinning(skinning),
+      palette(std::move(palette)),
+      corners(std::move(corners)),
+      reference(reference) {
   store();
 }
 

@@ -25,8 +25,8 @@ rc::Gen<SurfaceInHalfSpace<D>> surface_in_half_space() {
       [](const RationalVec<D>& center, const Rational& radius, const RationalVec<D>& u, const Rational& stretch,
          const RationalVec<D>& y, const rc::Maybe<Rational>& relative) {
         const RationalVec<D> normal = u * stretch, point = center + y * radius;
-        const Rational offset = relative ? Rational(refitlab::dot(center, normal) + radius * stretch * *relative)
-                                         : refitlab::dot(point, normal);
+        const Rational offset =
+            relative ? Rational(refitlab::dot(center, normal) + radius * stretch * *relative) : refitlab::dot(point, normal);
         const bool has_scale = stretch != Rational(0) && radius != Rational(0);
         return SurfaceInHalfSpace<D>{
             {center, radius * radius}, {normal, offset}, has_scale ? Rational(radius / stretch) : Rational(1), point};
@@ -37,8 +37,7 @@ rc::Gen<SurfaceInHalfSpace<D>> surface_in_half_space() {
 template <int D>
 rc::Gen<SurfaceAndBall<D>> surface_and_ball() {
   return rc::gen::apply(
-      [](const RationalVec<D>& a, const Rational& radius, const RationalVec<D>& y, RationalVec<D> b, Rational square,
-         int kind) {
+      [](const RationalVec<D>& a, const Rational& radius, const RationalVec<D>& y, RationalVec<D> b, Rational square, int kind) {
         const RationalVec<D> point = a + y * radius;
         if (kind == 9) b = a;
         if (kind == 8) b = a + y * square;  // the point is the nearest or the farthest one

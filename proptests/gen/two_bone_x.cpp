@@ -14,8 +14,7 @@ std::string frame(const std::string& name, const std::string& y, const std::stri
   return "Frame " + name + " {\n FrameTransformMatrix {\n" + shift(y) + "\n}\n" + inside + "}\n";
 }
 
-std::string skin_weights(const std::string& bone, const std::string& vertices, const std::string& weights,
-                         const std::string& y) {
+std::string skin_weights(const std::string& bone, const std::string& vertices, const std::string& weights, const std::string& y) {
   return "SkinWeights {\n\"" + bone + "\";\n6;\n" + vertices + ";\n" + weights + ";\n" + shift(y) + "\n}\n";
 }
 

@@ -31,8 +31,7 @@ rc::Gen<RationalVec<D>> axis() {
 template <int D>
 rc::Gen<RationalVec<D>> rational_vector() {
   const RationalVec<D> zero = RationalVec<D>::Zero();
-  return rc::gen::weightedOneOf<RationalVec<D>>(
-      {{1, rc::gen::just(zero)}, {1, axis<D>()}, {8, any_vector<D>(rational())}});
+  return rc::gen::weightedOneOf<RationalVec<D>>({{1, rc::gen::just(zero)}, {1, axis<D>()}, {8, any_vector<D>(rational())}});
 }
 
 template <int D>

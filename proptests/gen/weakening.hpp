@@ -19,8 +19,7 @@ namespace proptests {
 struct Weakening {
   std::string part;  // what is broken, in words: "the first quaternion"
   refitlab::Verdict hypothesis;
-  std::optional<refitlab::Verdict>
-      conclusion;  // none where there is nothing to conclude, or the theorem has room to spare
+  std::optional<refitlab::Verdict> conclusion;  // none where there is nothing to conclude, or the theorem has room to spare
 };
 
 // Draws cases that break a part each. The hypothesis must fail on all of them, and the conclusion on at least the given
@@ -51,8 +50,8 @@ void needs_each_part(Suite& t, const std::string& sentence, double share, const 
     for (const auto& [part, count] : counts) {
       ok = ok && (count.asked < 20 || static_cast<double>(count.failed) >= share * static_cast<double>(count.asked));
       drawn += count.drawn;
-      text += (drawn == count.drawn ? ": " : "; ") + part + " " + std::to_string(count.failed) + " of " +
-              std::to_string(count.asked);
+      text +=
+          (drawn == count.drawn ? ": " : "; ") + part + " " + std::to_string(count.failed) + " of " + std::to_string(count.asked);
       if (count.asked < count.drawn) text += " (" + std::to_string(count.drawn - count.asked) + " not asked)";
     }
     return Checked(ok, drawn, text);
@@ -76,20 +75,15 @@ void reaches_share(Suite& t, const std::string& sentence, double share, const Dr
 namespace gen {
 
 // Any of 0 ... n - 1, as often each whatever RapidCheck's size.
-inline std::size_t any_place(std::size_t n) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, n));
-}
+inline std::size_t any_place(std::size_t n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, n)); }
 
 // A place of a list, in words.
-inline std::string place(std::size_t k, std::size_t n) {
-  return k == 0 ? "the first" : k + 1 == n ? "the last" : "a middle one";
-}
+inline std::string place(std::size_t k, std::size_t n) { return k == 0 ? "the first" : k + 1 == n ? "the last" : "a middle one"; }
 
 // By how much an inequality is missed: plainly, or by what no double would see.
 inline rc::Gen<Rational> excess() {
-  return rc::gen::oneOf(
-      positive_rational(),
-      rc::gen::element(Rational(1, 1000), Rational(std::string("1/1000000000000000000000000000000"))));
+  return rc::gen::oneOf(positive_rational(),
+                        rc::gen::element(Rational(1, 1000), Rational(std::string("1/1000000000000000000000000000000"))));
 }
 
 // Weights that are convex but for one thing.

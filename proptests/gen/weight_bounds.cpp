@@ -23,16 +23,14 @@ BoundsWithCorners with_corners(const std::vector<RationalWeights>& vertices) {
 }  // namespace
 
 rc::Gen<BoundsWithCorners> bounds_of_vertices(int n) {
-  const auto vertices = rc::gen::mapcat(rc::gen::inRange(1, 5), [n](int t) {
-    return rc::gen::container<std::vector<RationalWeights>>(t, convex_weights(n));
-  });
+  const auto vertices = rc::gen::mapcat(
+      rc::gen::inRange(1, 5), [n](int t) { return rc::gen::container<std::vector<RationalWeights>>(t, convex_weights(n)); });
   const auto all_of_wn = rc::gen::map(rc::gen::just(n), [](int count) {
     std::vector<RationalWeights> axes(count, RationalWeights(count, Rational(0)));
     for (int i = 0; i < count; ++i) axes[i][i] = 1;
     return axes;
   });
-  return rc::gen::map(rc::gen::weightedOneOf<std::vector<RationalWeights>>({{1, all_of_wn}, {6, vertices}}),
-                      with_corners);
+  return rc::gen::map(rc::gen::weightedOneOf<std::vector<RationalWeights>>({{1, all_of_wn}, {6, vertices}}), with_corners);
 }
 
 rc::Gen<BoundsWithCorners> any_bounds_of_vertices(int most) {

@@ -10,8 +10,7 @@ rc::Gen<std::vector<Rational>> convex_weights(int n) {
         std::vector<Rational> w(n, Rational(0));
         int sum = 0;
         for (const int p : parts) sum += p;
-        if (sum == 0 || corner == 9)
-          w[static_cast<std::size_t>(parts[0] + sum) % n] = 1;
+        if (sum == 0 || corner == 9) w[static_cast<std::size_t>(parts[0] + sum) % n] = 1;
         else
           for (int i = 0; i < n; ++i) w[i] = Rational(parts[i], sum);
         return w;

@@ -54,7 +54,8 @@ Pose wide_pose(const WidePlan& plan, const SkinnedMesh& model) {
   constexpr double end = 0.4999e-6;  // of a length, so that its square differs from 1 by a little less than 1e-6
   std::mt19937 random(plan.seed + 1);
   std::normal_distribution<double> normal;
-  const Quaternion<double> first = Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
+  const Quaternion<double> first =
+      Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
   Pose pose = reference_pose(model);
   for (auto& c : pose) {
     const double x = normal(random), y = normal(random), z = normal(random);

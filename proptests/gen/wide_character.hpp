@@ -10,12 +10,12 @@
 namespace proptests::gen {
 
 struct WidePlan {
-  int joints;          // 1 to 90
-  int influences;      // of a vertex: 1 to joints
-  int vertices;        // a strip of triangles
-  int exponent;        // of 2, by which all lengths are scaled
-  int lengths;         // of quaternions: 0 as double makes them, 1 as float does, 2 at the ends of what is accepted
-  double turn;         // of a joint against the first, relative to a radian, more or less
+  int joints;      // 1 to 90
+  int influences;  // of a vertex: 1 to joints
+  int vertices;    // a strip of triangles
+  int exponent;    // of 2, by which all lengths are scaled
+  int lengths;     // of quaternions: 0 as double makes them, 1 as float does, 2 at the ends of what is accepted
+  double turn;     // of a joint against the first, relative to a radian, more or less
   unsigned seed;
 };
 

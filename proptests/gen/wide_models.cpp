@@ -24,9 +24,7 @@ class Drawing {
   Quaternion<double> rotation() { return Quaternion<double>(normal(), normal(), normal(), normal()).normalized(); }
 
   // From the least denormal to the largest coordinate; half of them in the range of refits in single precision.
-  int exponent() {
-    return least_exponent + below((below(2) ? 50 : greatest_exponent) - least_exponent + 1);
-  }
+  int exponent() { return least_exponent + below((below(2) ? 50 : greatest_exponent) - least_exponent + 1); }
 
  private:
   std::mt19937& random_;
@@ -83,10 +81,10 @@ std::vector<std::pair<int, double>> weights(Drawing& d, const std::vector<int>& 
   const int kind = d.below(3), heavy = d.below(static_cast<int>(joints.size()));
   std::vector<std::pair<int, double>> out;
   for (std::size_t i = 0; i < joints.size(); ++i)
-    out.emplace_back(joints[i], kind == 0                                  ? 1.
-                                : kind == 1                                ? 0.02 + std::pow(std::abs(d.normal()), 3)
-                                : static_cast<int>(i) == heavy             ? 1.
-                                                                           : 0x1p-24);
+    out.emplace_back(joints[i], kind == 0                      ? 1.
+                                : kind == 1                    ? 0.02 + std::pow(std::abs(d.normal()), 3)
+                                : static_cast<int>(i) == heavy ? 1.
+                                                               : 0x1p-24);
   return out;
 }
 

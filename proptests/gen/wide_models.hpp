@@ -12,7 +12,7 @@ struct WideModel {
   refitlab::SkinnedMesh mesh;
   refitlab::Pose pose;
   int triangles_per_leaf;
-  double largest_length;  // at least any length of the model and of the pose's translations
+  double largest_length;    // at least any length of the model and of the pose's translations
   double least_coordinate;  // of those of vertices that are not 0
   std::string what;
 };

@@ -5,14 +5,14 @@
 #include <cstdio>
 #include <cstring>
 
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/collide/triangles_meet.hpp"
-#include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 
 using namespace refitlab;

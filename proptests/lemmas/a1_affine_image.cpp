@@ -25,8 +25,8 @@ struct BallCase {
     const Rational radius = abs(*gen::rational());
     ball = {*gen::rational_vector<3>(), radius * radius};
     const RationalVec<3> way = gen::RationalVec<3>(rotate<Rational>(*gen::unit_quaternion(), RationalVec<3>(0, 0, 1)));
-    point = ball.center +
-            way * Rational(*rc::gen::arbitrary<bool>() ? radius : Rational(radius * *gen::unit_interval_rational()));
+    point =
+        ball.center + way * Rational(*rc::gen::arbitrary<bool>() ? radius : Rational(radius * *gen::unit_interval_rational()));
   }
   bool is_degenerate() const { return ball.squared_radius == 0 || squared_stretch(affine.map) == 0; }
 };
@@ -66,8 +66,7 @@ PROPTEST(a1_affine_image) {
             for (int i = 0; i < 3; ++i) box.half[i] = abs(box.half[i]);
             RC_CLASSIFY(box.half[0] == 0 || box.half[1] == 0 || box.half[2] == 0, "degenerate");
             RationalVec<3> point = box.center;
-            for (int i = 0; i < 3; ++i)
-              point[i] += box.half[i] * (Rational(1) - Rational(2) * *gen::unit_interval_rational());
+            for (int i = 0; i < 3; ++i) point[i] += box.half[i] * (Rational(1) - Rational(2) * *gen::unit_interval_rational());
             RC_ASSERT(encloses(box, point) == Verdict::holds);
             RC_ASSERT(box_is_carried(map, box, point) == Verdict::holds);
             const auto image = image_of_box(map, box);
@@ -95,8 +94,7 @@ PROPTEST(a1_affine_image) {
     const std::vector<AffineMap<Rational>> maps{gen::affine_map().map, gen::affine_map().map, gen::affine_map().map};
     const auto w = *gen::convex_weights(3);
     const RationalVec<3> v = *gen::rational_vector<3>();
-    AffineMap<Rational> blend{{RationalVec<3>::Zero(), RationalVec<3>::Zero(), RationalVec<3>::Zero()},
-                              RationalVec<3>::Zero()};
+    AffineMap<Rational> blend{{RationalVec<3>::Zero(), RationalVec<3>::Zero(), RationalVec<3>::Zero()}, RationalVec<3>::Zero()};
     std::vector<RationalVec<3>> images;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) blend.columns[j] += maps[i].columns[j] * w[i];
@@ -137,8 +135,7 @@ PROPTEST(a1_affine_image) {
   t.holds("a true image of a point outside of the ball is rejected", {.number_type = "rational", .cases = 200}, [] {
     AffineMap<Rational> map;
     const auto turn = *gen::unit_quaternion();
-    for (int j = 0; j < 3; ++j)
-      map.columns[static_cast<std::size_t>(j)] = rotate<Rational>(turn, RationalVec<3>::Unit(j));
+    for (int j = 0; j < 3; ++j) map.columns[static_cast<std::size_t>(j)] = rotate<Rational>(turn, RationalVec<3>::Unit(j));
     map.offset = *gen::rational_vector<3>();
     const SquaredBall<Rational, 3> ball{*gen::rational_vector<3>(), Rational(1)};
     const Rational far = Rational(1) + *gen::excess();
@@ -149,8 +146,7 @@ PROPTEST(a1_affine_image) {
   needs_each_part(t, "a hull needs each part of the hypotheses", 0.2, [] {
     const auto turn = *gen::unit_quaternion();
     AffineMap<Rational> map;
-    for (int j = 0; j < 3; ++j)
-      map.columns[static_cast<std::size_t>(j)] = rotate<Rational>(turn, RationalVec<3>::Unit(j));
+    for (int j = 0; j < 3; ++j) map.columns[static_cast<std::size_t>(j)] = rotate<Rational>(turn, RationalVec<3>::Unit(j));
     map.offset = RationalVec<3>(1000, 0, 0);
     const std::vector<RationalVec<3>> points{*gen::rational_vector<3>(), *gen::rational_vector<3>()};
     std::vector<Rational> w = *gen::convex_weights(2);
@@ -170,18 +166,16 @@ PROPTEST(a1_affine_image) {
     return Weakening{part, is_near_points(u, beside, squared),
                      asked ? std::optional(hull_is_carried<Rational>(map, points, u, beside, squared)) : std::nullopt};
   });
-  t.example("a scale leaves the ball of a rigid joint", {.form = "beyond", .hypothesis = "the radius is stretched"},
-            [] {
-              using namespace a1;
-              return ball_is_carried_rigidly(twice, unit_ball, pole) == Verdict::fails &&
-                     ball_is_carried(twice, unit_ball, pole).verdict == Verdict::holds && squared_stretch(twice) == 4;
-            });
-  t.example("a point outside of the ball is carried outside",
-            {.form = "beyond", .hypothesis = "the point is in the ball"}, [] {
-              using namespace a1;
-              return encloses(unit_ball, Point(2, 0, 0)) == Verdict::fails &&
-                     ball_is_carried(twice, unit_ball, Point(2, 0, 0)).verdict == Verdict::fails;
-            });
+  t.example("a scale leaves the ball of a rigid joint", {.form = "beyond", .hypothesis = "the radius is stretched"}, [] {
+    using namespace a1;
+    return ball_is_carried_rigidly(twice, unit_ball, pole) == Verdict::fails &&
+           ball_is_carried(twice, unit_ball, pole).verdict == Verdict::holds && squared_stretch(twice) == 4;
+  });
+  t.example("a point outside of the ball is carried outside", {.form = "beyond", .hypothesis = "the point is in the ball"}, [] {
+    using namespace a1;
+    return encloses(unit_ball, Point(2, 0, 0)) == Verdict::fails &&
+           ball_is_carried(twice, unit_ball, Point(2, 0, 0)).verdict == Verdict::fails;
+  });
   t.example("of a shear the bound is by 7 % too great", {.form = "beyond"}, [] {
     using namespace a1;
     // (1 + sqrt(5)) / 2 squared is 2.618..., the row sum is 3.

@@ -35,8 +35,8 @@ struct Scaled {
     around = {*gen::rational_vector<3>(), Rational(0)};
     Rational radius(0);
     for (const auto& ball : scaled_balls<Rational>(scales, reference))
-      radius = std::max(
-          radius, Rational(upper_root(squared_distance(ball.center, around.center)) + upper_root(ball.squared_radius)));
+      radius =
+          std::max(radius, Rational(upper_root(squared_distance(ball.center, around.center)) + upper_root(ball.squared_radius)));
     around.squared_radius = radius * radius;
   }
   bool is_degenerate() const {
@@ -47,16 +47,15 @@ struct Scaled {
 };
 
 PROPTEST(a2_two_phase_skinning) {
-  t.holds(
-      "a vertex that is scaled first is in the ball around the scaled balls",
-      {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.6}, [] {
-        const Scaled c;
-        RC_ASSERT(two_phase_hypotheses<Rational>(c.scales, c.around, c.vertex, c.weights) == Verdict::holds);
-        RC_CLASSIFY(c.is_degenerate(), "degenerate");
-        const auto found = stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights);
-        RC_ASSERT(found.verdict == Verdict::holds);
-        RC_ASSERT(is_scaled_vertex<Rational>(c.scales, c.around, c.vertex, c.weights, found.scaled) == Verdict::holds);
-      });
+  t.holds("a vertex that is scaled first is in the ball around the scaled balls",
+          {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.6}, [] {
+            const Scaled c;
+            RC_ASSERT(two_phase_hypotheses<Rational>(c.scales, c.around, c.vertex, c.weights) == Verdict::holds);
+            RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            const auto found = stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights);
+            RC_ASSERT(found.verdict == Verdict::holds);
+            RC_ASSERT(is_scaled_vertex<Rational>(c.scales, c.around, c.vertex, c.weights, found.scaled) == Verdict::holds);
+          });
   t.holds(
       "the ball of the rigid joints about what was scaled holds the skinned vertex: by dual quaternions, with the "
       "reach of the ball",
@@ -73,22 +72,19 @@ PROPTEST(a2_two_phase_skinning) {
         const auto scaled = stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).scaled;
         const RationalVec<3> vertex = oracle::dual_quaternion(rigid, c.weights, scaled);
         // b6 about the center of the ball, with the ball's radius for what it turns.
-        const auto ball =
-            dual_quaternion_ball<Rational>(dual_blend(rigid, c.around.center), axis, *gen::rational_vector<3>());
+        const auto ball = dual_quaternion_ball<Rational>(dual_blend(rigid, c.around.center), axis, *gen::rational_vector<3>());
         const Rational radius = upper_root(ball.squared_radius) + upper_root(c.around.squared_radius);
         RC_ASSERT(squared_distance(vertex, ball.center) <= radius * radius);
       });
-  t.holds("one joint, or one scale for all, is what it was",
-          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
-            Scaled c;
-            for (auto& s : c.scales) s = c.scales[0];
-            const auto rigid = *gen::rigid_transform();
-            const RationalVec<3> scaled =
-                stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).scaled;
-            RC_ASSERT(scaled == apply(c.scales[0], c.vertex));
-            const RationalVec<3> both = apply(rigid, scaled);
-            RC_ASSERT(both == oracle::dual_quaternion<Rational>({rigid}, {Rational(1)}, scaled));
-          });
+  t.holds("one joint, or one scale for all, is what it was", {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+    Scaled c;
+    for (auto& s : c.scales) s = c.scales[0];
+    const auto rigid = *gen::rigid_transform();
+    const RationalVec<3> scaled = stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).scaled;
+    RC_ASSERT(scaled == apply(c.scales[0], c.vertex));
+    const RationalVec<3> both = apply(rigid, scaled);
+    RC_ASSERT(both == oracle::dual_quaternion<Rational>({rigid}, {Rational(1)}, scaled));
+  });
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const Scaled c;
     std::vector<RationalVec<3>> parts;
@@ -101,22 +97,20 @@ PROPTEST(a2_two_phase_skinning) {
             scales.push_back({{parts[k], parts[k + 1], parts[k + 2]}, parts[k + 3]});
           return stays_in_scaled_ball<S>(scales, {center, squared_radius}, vertex, w).verdict;
         },
-        parts, c.around.center, Rational(c.around.squared_radius * *rc::gen::element(Rational(1), Rational(1, 10))),
-        c.vertex, c.weights);
+        parts, c.around.center, Rational(c.around.squared_radius * *rc::gen::element(Rational(1), Rational(1, 10))), c.vertex,
+        c.weights);
   });
-  t.holds("mutated witnesses are rejected, and true ones outside of the ball",
-          {.number_type = "rational", .cases = 400}, [] {
-            const Scaled c;
-            auto scaled = stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).scaled;
-            const SquaredBall<Rational, 3> elsewhere{scaled, Rational(-1)},
-                small{c.around.center, squared_distance(scaled, c.around.center) - *gen::excess()};
-            RC_ASSERT(is_scaled_vertex<Rational>(c.scales, elsewhere, c.vertex, c.weights, scaled) == Verdict::fails);
-            RC_ASSERT(is_scaled_vertex<Rational>(c.scales, small, c.vertex, c.weights, scaled) == Verdict::fails);
-            scaled[static_cast<int>(gen::any_place(3))] += *gen::excess();
-            RC_ASSERT(is_scaled_vertex<Rational>(
-                          c.scales, {c.around.center, c.around.squared_radius * Rational(4) + Rational(1000000)},
-                          c.vertex, c.weights, scaled) == Verdict::fails);
-          });
+  t.holds("mutated witnesses are rejected, and true ones outside of the ball", {.number_type = "rational", .cases = 400}, [] {
+    const Scaled c;
+    auto scaled = stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).scaled;
+    const SquaredBall<Rational, 3> elsewhere{scaled, Rational(-1)},
+        small{c.around.center, squared_distance(scaled, c.around.center) - *gen::excess()};
+    RC_ASSERT(is_scaled_vertex<Rational>(c.scales, elsewhere, c.vertex, c.weights, scaled) == Verdict::fails);
+    RC_ASSERT(is_scaled_vertex<Rational>(c.scales, small, c.vertex, c.weights, scaled) == Verdict::fails);
+    scaled[static_cast<int>(gen::any_place(3))] += *gen::excess();
+    RC_ASSERT(is_scaled_vertex<Rational>(c.scales, {c.around.center, c.around.squared_radius * Rational(4) + Rational(1000000)},
+                                         c.vertex, c.weights, scaled) == Verdict::fails);
+  });
   needs_each_part(t, "two phases need each part of the hypotheses", 0.02, [] {
     Scaled c;
     std::string part;
@@ -139,8 +133,7 @@ PROPTEST(a2_two_phase_skinning) {
     }
     return Weakening{
         part, two_phase_hypotheses<Rational>(c.scales, c.around, c.vertex, c.weights),
-        asked ? std::optional(stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).verdict)
-              : std::nullopt};
+        asked ? std::optional(stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).verdict) : std::nullopt};
   });
   t.example("between a joint that scales and one that does not a vertex leaves its ball",
             {.form = "beyond", .hypothesis = "the ball encloses the scaled vertices"}, [] {

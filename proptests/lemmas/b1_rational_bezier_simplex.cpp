@@ -108,8 +108,8 @@ PROPTEST(b1_rational_bezier_simplex) {
             const auto a = *gen::rational_vector<4>(), b = *gen::rational_vector<4>();
             const auto x = *gen::rational_vector<3>();
             const RationalQuaternion pure(0, x[0], x[1], x[2]);
-            const RationalQuaternion both =
-                oracle::hamilton(oracle::hamilton(a, pure), conjugate(b)) + oracle::hamilton(oracle::hamilton(b, pure), conjugate(a));
+            const RationalQuaternion both = oracle::hamilton(oracle::hamilton(a, pure), conjugate(b)) +
+                                            oracle::hamilton(oracle::hamilton(b, pure), conjugate(a));
             const MixedCorners<Rational> mixed = mix_rotations<Rational>(a, b, x);
             RC_ASSERT(mixed.weight == dot(a, b));
             RC_ASSERT(mixed.numerator * Rational(2) == imaginary(both));
@@ -125,8 +125,7 @@ PROPTEST(b1_rational_bezier_simplex) {
   t.holds("dual quaternion blending is one of degree 2, linear blending one of degree 1", exact, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
-    const auto duals =
-        *rc::gen::container<std::vector<gen::RationalQuaternion>>(c.weights.size(), gen::nonzero_quaternion());
+    const auto duals = *rc::gen::container<std::vector<gen::RationalQuaternion>>(c.weights.size(), gen::nonzero_quaternion());
     assert_simplex(DualQuaternionBlend<Rational>{c.blend.rotations, duals, c.blend.x}, c.weights);
     assert_simplex(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });
@@ -147,12 +146,11 @@ PROPTEST(b1_rational_bezier_simplex) {
     const auto c = *gen::blend_case(gen::Spread::any, 3);
     auto wrong = c.weights;
     wrong[0] += *gen::rational();
-    const auto statement = []<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Vec<S, 3>>& r,
-                                       const Vec<S, 3>& x, const std::vector<S>& u) {
+    const auto statement = []<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Vec<S, 3>>& r, const Vec<S, 3>& x,
+                                       const std::vector<S>& u) {
       return bezier_simplex(SphericalBlend<S>{q, r, x}, std::span<const S>(u)).verdict;
     };
-    for (const auto& u : {c.weights, wrong})
-      decide_by_all(statement, c.blend.rotations, c.blend.center_images, c.blend.x, u);
+    for (const auto& u : {c.weights, wrong}) decide_by_all(statement, c.blend.rotations, c.blend.center_images, c.blend.x, u);
   });
 
   t.holds("a mutated control point is rejected", {.number_type = "rational", .cases = 400}, [] {
@@ -203,8 +201,7 @@ PROPTEST(b1_rational_bezier_simplex) {
         const bool more = *rc::gen::arbitrary<bool>();
         u[k] += more ? amount : Rational(-amount);
         return Weakening{gen::place(k, u.size()) + (more ? " is too much" : " is too little"),
-                         bezier_simplex_hypotheses<Rational>(u),
-                         bezier_simplex(c.blend, std::span<const Rational>(u)).verdict};
+                         bezier_simplex_hypotheses<Rational>(u), bezier_simplex(c.blend, std::span<const Rational>(u)).verdict};
       },
       600);
   t.holds("a blend that is 0 has no image, and any other has one", {.number_type = "rational", .cases = 300}, [] {
@@ -216,8 +213,7 @@ PROPTEST(b1_rational_bezier_simplex) {
     c.weights.push_back(Rational(1, 2));
     RationalQuaternion sum(0, 0, 0, 0);
     for (std::size_t k = 0; k + 1 < c.weights.size(); ++k) sum += c.blend.rotations[k] * c.weights[k];
-    c.blend.rotations.push_back(RationalQuaternion(sum * Rational(-2)) +
-                                (vanishes ? RationalQuaternion(0, 0, 0, 0) : left));
+    c.blend.rotations.push_back(RationalQuaternion(sum * Rational(-2)) + (vanishes ? RationalQuaternion(0, 0, 0, 0) : left));
     c.blend.center_images.push_back(RationalVec<3>(0, 0, 0));
     const std::span<const Rational> u(c.weights);
     RC_ASSERT(blend_has_image(c.blend, u) == verdict_of(!vanishes));
@@ -245,8 +241,7 @@ PROPTEST(b1_rational_bezier_simplex) {
   t.holds("each field of each control point is checked", {.number_type = "rational", .cases = 60}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 3);
     assert_each_field_checked(c.blend, c.weights);
-    assert_each_field_checked(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x},
-                              c.weights);
+    assert_each_field_checked(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x}, c.weights);
     assert_each_field_checked(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });
   reaches_share(t, "cases of several corners that differ, with none at a right angle or 0", 0.25,

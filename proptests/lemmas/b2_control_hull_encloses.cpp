@@ -24,13 +24,11 @@ void assert_in_hull(const Blend& blend, const Weights& w) {
   const auto found = image_in_control_hull(blend, u);
   RC_ASSERT(found.verdict == Verdict::holds);
   RC_ASSERT(is_blended_image(blend, u, found.image) == Verdict::holds);
-  RC_ASSERT((is_hull_point<Rational, 3>(positions(control_points(blend)), found.image, found.coefficients) ==
-             Verdict::holds));
+  RC_ASSERT((is_hull_point<Rational, 3>(positions(control_points(blend)), found.image, found.coefficients) == Verdict::holds));
 }
 
 // The ball about a center that touches the farthest of the balls.
-Ball3<Rational> ball_around(const RationalVec<3>& center, const std::vector<RationalVec<3>>& points,
-                            const Rational& radius) {
+Ball3<Rational> ball_around(const RationalVec<3>& center, const std::vector<RationalVec<3>>& points, const Rational& radius) {
   Rational farthest(0);
   for (const auto& p : points) farthest = std::max(farthest, squared_distance(p, center));
   return {center, upper_root(farthest) + radius};
@@ -43,8 +41,7 @@ PROPTEST(b2_control_hull_encloses) {
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
     RC_ASSERT(pairs_are_positive(c.blend.rotations) == Verdict::holds);
     assert_in_hull(c.blend, c.weights);
-    const auto duals =
-        *rc::gen::container<std::vector<gen::RationalQuaternion>>(c.weights.size(), gen::nonzero_quaternion());
+    const auto duals = *rc::gen::container<std::vector<gen::RationalQuaternion>>(c.weights.size(), gen::nonzero_quaternion());
     assert_in_hull(DualQuaternionBlend<Rational>{c.blend.rotations, duals, c.blend.x}, c.weights);
     assert_in_hull(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });
@@ -75,16 +72,15 @@ PROPTEST(b2_control_hull_encloses) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const auto c = *gen::blend_case(gen::Spread::positive, 3);
     const auto wrong = *gen::affine_weights(static_cast<int>(c.weights.size()));
-    const auto statement = []<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Vec<S, 3>>& r,
-                                       const Vec<S, 3>& x, const std::vector<S>& u) {
+    const auto statement = []<class S>(const std::vector<Quaternion<S>>& q, const std::vector<Vec<S, 3>>& r, const Vec<S, 3>& x,
+                                       const std::vector<S>& u) {
       return image_in_control_hull(SphericalBlend<S>{q, r, x}, std::span<const S>(u)).verdict;
     };
     for (const auto& u : {c.weights, wrong}) {
       if (blend_has_image(c.blend, std::span<const Rational>(u)) != Verdict::holds) continue;
       decide_by_all(statement, c.blend.rotations, c.blend.center_images, c.blend.x, u);
     }
-    decide_by_all([]<class S>(const std::vector<Quaternion<S>>& q) { return pairs_are_positive<S>(q); },
-                  c.blend.rotations);
+    decide_by_all([]<class S>(const std::vector<Quaternion<S>>& q) { return pairs_are_positive<S>(q); }, c.blend.rotations);
   });
 
   t.holds("mutated coefficients or a mutated image are rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -125,20 +121,18 @@ PROPTEST(b2_control_hull_encloses) {
                          image_in_control_hull(c.blend, u).verdict};
       },
       500);
-  t.holds("one weight that is not positive is enough to refuse, whichever it is",
-          {.number_type = "rational", .cases = 100}, [] {
-            const auto c = *gen::blend_case(gen::Spread::positive, 4);
-            const auto good = control_points(c.blend);
-            for (std::size_t k = 0; k < good.size(); ++k) {
-              auto points = good;
-              points[k].weight =
-                  *rc::gen::oneOf(rc::gen::just(Rational(0)),
-                                  rc::gen::map(gen::excess(), [](const Rational& x) { return Rational(-x); }));
-              RC_ASSERT(control_weights_are_positive(points) == Verdict::fails);
-              points[k].weight = *gen::excess();
-              RC_ASSERT(control_weights_are_positive(points) == Verdict::holds);
-            }
-          });
+  t.holds("one weight that is not positive is enough to refuse, whichever it is", {.number_type = "rational", .cases = 100}, [] {
+    const auto c = *gen::blend_case(gen::Spread::positive, 4);
+    const auto good = control_points(c.blend);
+    for (std::size_t k = 0; k < good.size(); ++k) {
+      auto points = good;
+      points[k].weight = *rc::gen::oneOf(rc::gen::just(Rational(0)),
+                                         rc::gen::map(gen::excess(), [](const Rational& x) { return Rational(-x); }));
+      RC_ASSERT(control_weights_are_positive(points) == Verdict::fails);
+      points[k].weight = *gen::excess();
+      RC_ASSERT(control_weights_are_positive(points) == Verdict::holds);
+    }
+  });
   needs_each_part(
       t, "each pair of corners, and each corner with itself, is looked at", 0.2,
       [] {
@@ -165,44 +159,41 @@ PROPTEST(b2_control_hull_encloses) {
         return Weakening{part, pairs_are_positive(q), control_weights_are_positive(control_points(blend))};
       },
       500);
-  t.holds(
-      "what is said of control balls is said of just those cases that it speaks of",
-      {.number_type = "rational", .cases = 600}, [] {
-        auto c = *gen::blend_case(*rc::gen::element(gen::Spread::any, gen::Spread::positive), 3);
-        const std::span<const Rational> u(c.weights);
-        const auto control = control_points(c.blend);
-        for (const auto& p : control) RC_PRE(p.weight != 0);
-        RC_PRE(blend_has_image(c.blend, u) == Verdict::holds);
-        const Rational size = *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational()),
-                       excess = *gen::excess();
-        const Rational radius = size * *rc::gen::element(Rational(1), Rational(1), Rational(-1));
-        const RationalVec<3> offset =
-            *gen::sphere_point<3>() *
-            Rational(size * *rc::gen::element(Rational(1), Rational(1, 2), Rational(1 + excess), Rational(20)));
-        Ball3<Rational> ball = ball_around(*gen::rational_vector<3>(), positions(control), radius);
-        ball.radius +=
-            *rc::gen::element(Rational(0), Rational(0), excess, Rational(-excess), Rational(-2 * ball.radius));
-        bool around = true;
-        std::vector<RationalVec<3>> centers;
-        for (const auto& p : control) centers.push_back(p.numerator / p.weight);
-        for (const auto& p : centers) {
-          const RationalVec<3> gap = p - ball.center;
-          const Rational room = ball.radius - radius;
-          around = around && room >= 0 && gap.dot(gap) <= room * room;
-        }
-        const auto at = c.blend.at(u);
-        const RationalVec<3> vertex = at.numerator / at.denominator + offset, gap = vertex - ball.center;
-        const bool inside = ball.radius >= 0 && gap.dot(gap) <= ball.radius * ball.radius;
-        const bool short_enough = offset.dot(offset) <= radius * radius;
-        RC_CLASSIFY(around && short_enough && radius >= 0 && inside, "holds as the theorem says");
-        RC_CLASSIFY(around && short_enough && radius >= 0 && !inside, "fails: a weight is not positive");
-        RC_CLASSIFY(around && short_enough && radius < 0 && !inside, "nothing is said: only the radius is negative");
-        RC_CLASSIFY(around && !short_enough && radius >= 0 && !inside, "nothing is said: only the offset is too long");
-        RC_CLASSIFY(!around && short_enough && radius >= 0 && !inside, "nothing is said: only the ball is too small");
-        RC_ASSERT(encloses_control_balls(ball, control, radius) == verdict_of(around));
-        RC_ASSERT(control_balls_enclose(c.blend, u, ball, radius, offset) ==
-                  verdict_of(!(around && short_enough && radius >= 0) || inside));
-      });
+  t.holds("what is said of control balls is said of just those cases that it speaks of",
+          {.number_type = "rational", .cases = 600}, [] {
+            auto c = *gen::blend_case(*rc::gen::element(gen::Spread::any, gen::Spread::positive), 3);
+            const std::span<const Rational> u(c.weights);
+            const auto control = control_points(c.blend);
+            for (const auto& p : control) RC_PRE(p.weight != 0);
+            RC_PRE(blend_has_image(c.blend, u) == Verdict::holds);
+            const Rational size = *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational()), excess = *gen::excess();
+            const Rational radius = size * *rc::gen::element(Rational(1), Rational(1), Rational(-1));
+            const RationalVec<3> offset =
+                *gen::sphere_point<3>() *
+                Rational(size * *rc::gen::element(Rational(1), Rational(1, 2), Rational(1 + excess), Rational(20)));
+            Ball3<Rational> ball = ball_around(*gen::rational_vector<3>(), positions(control), radius);
+            ball.radius += *rc::gen::element(Rational(0), Rational(0), excess, Rational(-excess), Rational(-2 * ball.radius));
+            bool around = true;
+            std::vector<RationalVec<3>> centers;
+            for (const auto& p : control) centers.push_back(p.numerator / p.weight);
+            for (const auto& p : centers) {
+              const RationalVec<3> gap = p - ball.center;
+              const Rational room = ball.radius - radius;
+              around = around && room >= 0 && gap.dot(gap) <= room * room;
+            }
+            const auto at = c.blend.at(u);
+            const RationalVec<3> vertex = at.numerator / at.denominator + offset, gap = vertex - ball.center;
+            const bool inside = ball.radius >= 0 && gap.dot(gap) <= ball.radius * ball.radius;
+            const bool short_enough = offset.dot(offset) <= radius * radius;
+            RC_CLASSIFY(around && short_enough && radius >= 0 && inside, "holds as the theorem says");
+            RC_CLASSIFY(around && short_enough && radius >= 0 && !inside, "fails: a weight is not positive");
+            RC_CLASSIFY(around && short_enough && radius < 0 && !inside, "nothing is said: only the radius is negative");
+            RC_CLASSIFY(around && !short_enough && radius >= 0 && !inside, "nothing is said: only the offset is too long");
+            RC_CLASSIFY(!around && short_enough && radius >= 0 && !inside, "nothing is said: only the ball is too small");
+            RC_ASSERT(encloses_control_balls(ball, control, radius) == verdict_of(around));
+            RC_ASSERT(control_balls_enclose(c.blend, u, ball, radius, offset) ==
+                      verdict_of(!(around && short_enough && radius >= 0) || inside));
+          });
   t.example("a single corner that is 0 is refused, though it has no other to be at a right angle to", {}, [] {
     const std::vector<RationalQuaternion> zero{RationalQuaternion(0, 0, 0, 0)};
     return pairs_are_positive(zero) == Verdict::fails;
@@ -215,35 +206,33 @@ PROPTEST(b2_control_hull_encloses) {
            control_balls_enclose(b2::far_apart, std::span<const Rational>(b2::halves), ball, Rational(0),
                                  RationalVec<3>(0, 0, 0)) == Verdict::fails;
   });
-  t.holds("a single control ball that is not inside is enough, whichever it is",
-          {.number_type = "rational", .cases = 100}, [] {
-            const auto c = *gen::blend_case(gen::Spread::positive, 4);
-            const auto good = control_points(c.blend);
-            const Rational radius = *gen::positive_rational();
-            auto ball = ball_around(*gen::rational_vector<3>(), positions(good), radius);
-            for (std::size_t k = 0; k < good.size(); ++k) {
-              auto points = good;
-              const RationalVec<3> direction = *gen::sphere_point<3>(),
-                                   touching = ball.center + direction * Rational(ball.radius - radius);
-              points[k].numerator = touching * points[k].weight;
-              RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::holds);
-              points[k].numerator += direction * *gen::excess();
-              RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::fails);
-            }
-          });
+  t.holds("a single control ball that is not inside is enough, whichever it is", {.number_type = "rational", .cases = 100}, [] {
+    const auto c = *gen::blend_case(gen::Spread::positive, 4);
+    const auto good = control_points(c.blend);
+    const Rational radius = *gen::positive_rational();
+    auto ball = ball_around(*gen::rational_vector<3>(), positions(good), radius);
+    for (std::size_t k = 0; k < good.size(); ++k) {
+      auto points = good;
+      const RationalVec<3> direction = *gen::sphere_point<3>(),
+                           touching = ball.center + direction * Rational(ball.radius - radius);
+      points[k].numerator = touching * points[k].weight;
+      RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::holds);
+      points[k].numerator += direction * *gen::excess();
+      RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::fails);
+    }
+  });
   reaches_share(t, "cases of several corners that differ, at neither right angle nor 0", 0.3,
                 [] { return !(*gen::blend_case(gen::Spread::positive, 4)).is_degenerate(); });
 
-  t.example("with a negative weight the image is outside the hull",
-            {.form = "beyond", .hypothesis = "all W_I are positive"}, [] {
-              const std::span<const Rational> u(b2::halves);
-              const auto points = control_points(b2::far_apart);
-              const auto found = image_in_control_hull(b2::far_apart, u);
-              return control_weights_are_positive(points) == Verdict::fails && found.verdict == Verdict::fails &&
-                     separates<Rational, 3>(b2::upwards, found.image, positions(points)) == Verdict::holds;
-            });
-  t.example("weights beyond the corners make images outside the hull",
-            {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
+  t.example("with a negative weight the image is outside the hull", {.form = "beyond", .hypothesis = "all W_I are positive"}, [] {
+    const std::span<const Rational> u(b2::halves);
+    const auto points = control_points(b2::far_apart);
+    const auto found = image_in_control_hull(b2::far_apart, u);
+    return control_weights_are_positive(points) == Verdict::fails && found.verdict == Verdict::fails &&
+           separates<Rational, 3>(b2::upwards, found.image, positions(points)) == Verdict::holds;
+  });
+  t.example("weights beyond the corners make images outside the hull", {.form = "beyond", .hypothesis = "the weights are convex"},
+            [] {
               const std::span<const Rational> u(b2::beyond_the_first);
               const auto points = control_points(b2::near);
               const auto found = image_in_control_hull(b2::near, u);
@@ -254,15 +243,13 @@ PROPTEST(b2_control_hull_encloses) {
             {.form = "beyond", .hypothesis = "||y|| <= r"}, [] {
               const RationalVec<3> vertex =
                   image_in_control_hull(b2::resting, std::span<const Rational>(b2::all)).image + b2::too_long;
-              return encloses_control_balls<Rational>(b2::unit_ball, control_points(b2::resting), 1) ==
-                         Verdict::holds &&
+              return encloses_control_balls<Rational>(b2::unit_ball, control_points(b2::resting), 1) == Verdict::holds &&
                      encloses(b2::unit_ball, vertex) == Verdict::fails;
             });
   t.example("degree 3 reaches beyond half a turn, where a pair is negative", {.form = "beyond"}, [] {
     return pairs_are_positive(b2::beyond_half_a_turn.rotations) == Verdict::fails &&
            control_weights_are_positive(control_points(b2::beyond_half_a_turn)) == Verdict::holds &&
-           image_in_control_hull(b2::beyond_half_a_turn, std::span<const Rational>(b2::halves)).verdict ==
-               Verdict::holds;
+           image_in_control_hull(b2::beyond_half_a_turn, std::span<const Rational>(b2::halves)).verdict == Verdict::holds;
   });
 }
 

@@ -87,8 +87,8 @@ PROPTEST(b3_subdivision) {
     RC_ASSERT(is_blended_image(c.blend, Span(c.weights), in_half.image) == Verdict::holds);
     const auto inside = half_control_point_in_hull(c.blend, found.half, any_index(half.weight_vertex_count()));
     RC_ASSERT(inside.verdict == Verdict::holds);
-    RC_ASSERT((is_hull_point<Rational, 3>(positions(control_points(c.blend)), inside.image, inside.coefficients) ==
-               Verdict::holds));
+    RC_ASSERT(
+        (is_hull_point<Rational, 3>(positions(control_points(c.blend)), inside.image, inside.coefficients) == Verdict::holds));
   });
   t.holds("a control point is as near to the surface as the square of the sizes", exact, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
@@ -100,8 +100,7 @@ PROPTEST(b3_subdivision) {
     const auto near = control_point_is_near(c.blend, index, sizes);
     RC_ASSERT(near.verdict == Verdict::holds);
     RC_ASSERT(is_control_point_distance(c.blend, index, sizes, near) == Verdict::holds);
-    const SimplexSizes<Rational> half{sizes.rotation_spread / 2, sizes.center_spread / 2, sizes.rotation_length,
-                                      sizes.arm};
+    const SimplexSizes<Rational> half{sizes.rotation_spread / 2, sizes.center_spread / 2, sizes.rotation_length, sizes.arm};
     RC_ASSERT(distance_bound(half) * 4 <= distance_bound(sizes));
   });
   t.holds("halving the longest edge leaves new edges of at most sqrt(3)/2 of it", rarer, [] {
@@ -129,25 +128,23 @@ PROPTEST(b3_subdivision) {
             RC_ASSERT(found.verdict == Verdict::holds);
             RC_ASSERT(is_positive_halves(q[0], q[1], found) == Verdict::holds);
           });
-  t.example(
-      "measured: each halving of all edges takes the control points four times nearer", {.number_type = "double"}, [] {
-        SphericalBlend<double> blend{{{1, 0, 0, 0}, {0.6, 0.8, 0, 0}}, {{0, 0, 0}, {0.3, -0.2, 0.1}}, {0.4, 1, 0.2}};
-        std::string text = "distances";
-        double last = 0, worst = 4;
-        for (int halvings = 0; halvings <= 6; ++halvings) {
-          const double distance = largest_distance(blend);
-          char number[32];
-          std::snprintf(number, sizeof number, " %.2e", distance);
-          text += number;
-          if (halvings > 1) worst = std::min(worst, last / distance);
-          last = distance;
-          blend =
-              SphericalBlend<double>{{blend.rotations[0], (blend.rotations[0] + blend.rotations[1]) / 2},
+  t.example("measured: each halving of all edges takes the control points four times nearer", {.number_type = "double"}, [] {
+    SphericalBlend<double> blend{{{1, 0, 0, 0}, {0.6, 0.8, 0, 0}}, {{0, 0, 0}, {0.3, -0.2, 0.1}}, {0.4, 1, 0.2}};
+    std::string text = "distances";
+    double last = 0, worst = 4;
+    for (int halvings = 0; halvings <= 6; ++halvings) {
+      const double distance = largest_distance(blend);
+      char number[32];
+      std::snprintf(number, sizeof number, " %.2e", distance);
+      text += number;
+      if (halvings > 1) worst = std::min(worst, last / distance);
+      last = distance;
+      blend = SphericalBlend<double>{{blend.rotations[0], (blend.rotations[0] + blend.rotations[1]) / 2},
                                      {blend.center_images[0], (blend.center_images[0] + blend.center_images[1]) / 2},
                                      blend.x};
-        }
-        return Checked(worst > 3, 7, text);
-      });
+    }
+    return Checked(worst > 3, 7, text);
+  });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 150}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 3);
@@ -169,9 +166,8 @@ PROPTEST(b3_subdivision) {
             return control_point_is_near<S>({q, r, x}, index, {s[0], s[1], s[2], s[3]}).verdict;
           },
           c.blend.rotations, c.blend.center_images, c.blend.x, all);
-    decide_by_all(
-        []<class S>(const Quaternion<S>& p, const Quaternion<S>& q) { return halving_makes_positive<S>(p, q).verdict; },
-        c.blend.rotations[0], c.blend.rotations[1]);
+    decide_by_all([]<class S>(const Quaternion<S>& p, const Quaternion<S>& q) { return halving_makes_positive<S>(p, q).verdict; },
+                  c.blend.rotations[0], c.blend.rotations[1]);
   });
 
   t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -232,27 +228,26 @@ PROPTEST(b3_subdivision) {
     return Weakening{broken.part, halving_hypotheses(c.blend, half, Span(broken.weights)),
                      halves_cover<Rational>(c.blend, half.kept, half.replaced, broken.weights).verdict};
   });
-  t.holds("a half has the middle in place of one end, and the rest as it was",
-          {.number_type = "rational", .cases = 200}, [] {
-            const auto c = *gen::blend_case(gen::Spread::any, 4);
-            RC_PRE(c.blend.weight_vertex_count() > 1);
-            const Half edge = any_edge(c.blend);
-            const Blend half = half_of(c.blend, edge);
-            RC_ASSERT(half.x == c.blend.x && half.weight_vertex_count() == c.blend.weight_vertex_count());
-            for (std::size_t i = 0; i < half.weight_vertex_count(); ++i) {
-              const std::size_t other = i == edge.replaced ? edge.kept : i;
-              RC_ASSERT(half.rotations[i] * Rational(2) == c.blend.rotations[i] + c.blend.rotations[other]);
-              RC_ASSERT(half.center_images[i] * Rational(2) == c.blend.center_images[i] + c.blend.center_images[other]);
-            }
-            // Both ways between the weights, by themselves.
-            const auto back = half_in_whole<Rational>(c.blend, edge, c.weights);
-            for (std::size_t i = 0; i < half.weight_vertex_count(); ++i) {
-              const Rational share = c.weights[edge.replaced] / 2;
-              RC_ASSERT(back.coefficients[i] == (i == edge.kept       ? Rational(c.weights[i] + share)
-                                                 : i == edge.replaced ? share
-                                                                      : c.weights[i]));
-            }
-          });
+  t.holds("a half has the middle in place of one end, and the rest as it was", {.number_type = "rational", .cases = 200}, [] {
+    const auto c = *gen::blend_case(gen::Spread::any, 4);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const Half edge = any_edge(c.blend);
+    const Blend half = half_of(c.blend, edge);
+    RC_ASSERT(half.x == c.blend.x && half.weight_vertex_count() == c.blend.weight_vertex_count());
+    for (std::size_t i = 0; i < half.weight_vertex_count(); ++i) {
+      const std::size_t other = i == edge.replaced ? edge.kept : i;
+      RC_ASSERT(half.rotations[i] * Rational(2) == c.blend.rotations[i] + c.blend.rotations[other]);
+      RC_ASSERT(half.center_images[i] * Rational(2) == c.blend.center_images[i] + c.blend.center_images[other]);
+    }
+    // Both ways between the weights, by themselves.
+    const auto back = half_in_whole<Rational>(c.blend, edge, c.weights);
+    for (std::size_t i = 0; i < half.weight_vertex_count(); ++i) {
+      const Rational share = c.weights[edge.replaced] / 2;
+      RC_ASSERT(back.coefficients[i] == (i == edge.kept       ? Rational(c.weights[i] + share)
+                                         : i == edge.replaced ? share
+                                                              : c.weights[i]));
+    }
+  });
   t.holds("blends that differ in one coordinate are not the same", {.number_type = "rational", .cases = 200}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
     const Rational amount = *gen::excess();
@@ -270,27 +265,25 @@ PROPTEST(b3_subdivision) {
       RC_ASSERT(differs(moved) && differs(arm));
     }
   });
-  t.holds("weights of corners that count for nothing must be convex too", {.number_type = "rational", .cases = 200},
-          [] {
-            auto c = *gen::blend_case(gen::Spread::any, 3);
-            RC_PRE(c.blend.weight_vertex_count() > 1);
-            const Half edge = any_edge(c.blend);
-            for (int i = 0; i < 2; ++i) {
-              c.blend.rotations.push_back(RationalQuaternion(0, 0, 0, 0)),
-                  c.blend.center_images.push_back(gen::RationalVec<3>(0, 0, 0));
-              c.weights.push_back(Rational(0));
-            }
-            const auto good = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
-            const Rational amount = *gen::excess();
-            auto sum = good, sign = good;
-            sum.coefficients.back() += amount;
-            sign.coefficients.back() += amount, sign.coefficients[sign.coefficients.size() - 2] -= amount;
-            RC_ASSERT(good.verdict == Verdict::holds);
-            RC_ASSERT(is_half_point<Rational>(c.blend, c.weights, sum) == Verdict::fails);
-            RC_ASSERT(is_half_point<Rational>(c.blend, c.weights, sign) == Verdict::fails);
-            RC_ASSERT(half_in_whole<Rational>(c.blend, edge, sum.coefficients).verdict == Verdict::fails);
-            RC_ASSERT(half_in_whole<Rational>(c.blend, edge, sign.coefficients).verdict == Verdict::fails);
-          });
+  t.holds("weights of corners that count for nothing must be convex too", {.number_type = "rational", .cases = 200}, [] {
+    auto c = *gen::blend_case(gen::Spread::any, 3);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const Half edge = any_edge(c.blend);
+    for (int i = 0; i < 2; ++i) {
+      c.blend.rotations.push_back(RationalQuaternion(0, 0, 0, 0)), c.blend.center_images.push_back(gen::RationalVec<3>(0, 0, 0));
+      c.weights.push_back(Rational(0));
+    }
+    const auto good = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
+    const Rational amount = *gen::excess();
+    auto sum = good, sign = good;
+    sum.coefficients.back() += amount;
+    sign.coefficients.back() += amount, sign.coefficients[sign.coefficients.size() - 2] -= amount;
+    RC_ASSERT(good.verdict == Verdict::holds);
+    RC_ASSERT(is_half_point<Rational>(c.blend, c.weights, sum) == Verdict::fails);
+    RC_ASSERT(is_half_point<Rational>(c.blend, c.weights, sign) == Verdict::fails);
+    RC_ASSERT(half_in_whole<Rational>(c.blend, edge, sum.coefficients).verdict == Verdict::fails);
+    RC_ASSERT(half_in_whole<Rational>(c.blend, edge, sign.coefficients).verdict == Verdict::fails);
+  });
   t.holds("whether a half's control point is in the hull is what the check of a hull point says",
           {.number_type = "rational", .cases = 400}, [] {
             const auto c = *gen::blend_case(gen::Spread::any, 3);
@@ -341,8 +334,7 @@ PROPTEST(b3_subdivision) {
           RationalQuaternion longest = q[0];
           for (const auto& p : q) longest = squared_norm(p) > squared_norm(longest) ? p : longest;
           q.assign(3, RationalQuaternion(longest / Rational(2)));
-          q[k] = longest, sizes = sizes_of(c.blend), sizes.rotation_length *= less,
-          part = "the length of " + gen::place(k, 3);
+          q[k] = longest, sizes = sizes_of(c.blend), sizes.rotation_length *= less, part = "the length of " + gen::place(k, 3);
         }
         if (kind == 3) {
           if (squared_norm(c.blend.x) == 0) c.blend.x[0] = 1;
@@ -363,9 +355,8 @@ PROPTEST(b3_subdivision) {
         RC_PRE(blend_has_image(c.blend, Span(middle_weights<Rational>(index, 3))) == Verdict::holds);
         // Of a negative length or arm, or of a single large one, the other terms may make up.
         const bool is_needed = kind < 2;
-        return Weakening{
-            part, sizes_bound(c.blend, sizes),
-            is_needed ? std::optional(control_point_is_near(c.blend, index, smaller).verdict) : std::nullopt};
+        return Weakening{part, sizes_bound(c.blend, sizes),
+                         is_needed ? std::optional(control_point_is_near(c.blend, index, smaller).verdict) : std::nullopt};
       },
       900);
   t.holds("the sizes are bounds up to their edge, and the bound of the distance is its formula",
@@ -375,8 +366,8 @@ PROPTEST(b3_subdivision) {
                            x = *gen::rational();
             const Blend blend{{{a, 0, 0, 0}, {b, 0, 0, 0}}, {{0, p, 0}, {0, q, 0}}, {0, 0, x}};
             const auto absolute = [](const Rational& y) { return y < 0 ? Rational(-y) : y; };
-            const SimplexSizes<Rational> sizes{absolute(a - b), absolute(p - q),
-                                               std::max<Rational>(absolute(a), absolute(b)), absolute(x)};
+            const SimplexSizes<Rational> sizes{absolute(a - b), absolute(p - q), std::max<Rational>(absolute(a), absolute(b)),
+                                               absolute(x)};
             RC_ASSERT(sizes_bound(blend, sizes) == Verdict::holds);
             const auto& [s, t, length, arm] = sizes;
             RC_ASSERT(distance_bound(sizes) * 15 == 5 * arm * s * s + 5 * length * s * t + 3 * s * s * t);
@@ -385,53 +376,49 @@ PROPTEST(b3_subdivision) {
             for (std::size_t k = 0; k < 4; ++k)
               RC_ASSERT(u.at(k) * 3 == Rational(static_cast<int>(std::count(index.begin(), index.end(), k))));
           });
-  t.holds("each part of what is said of a control point is checked by itself",
-          {.number_type = "rational", .cases = 300}, [] {
-            auto c = *gen::blend_case(gen::Spread::positive, 3);
-            RC_PRE(c.blend.weight_vertex_count() > 1);
-            const std::size_t m = c.blend.weight_vertex_count();
-            const auto index = any_index(m);
-            const auto sizes = sizes_of(c.blend);
-            const Rational amount = *gen::excess();
-            const auto witness_at = [&](const std::vector<Rational>& u) {
-              const auto point = c.blend.control_point(index);
-              const auto at = c.blend.at(u);
-              RC_PRE(at.denominator != 0);
-              return ControlPointDistance<Rational>{
-                  Verdict::undecided, u, point.numerator - at.numerator * Rational(point.weight / at.denominator)};
-            };
-            // Sizes so large that the bounds hold of anything.
-            const SimplexSizes<Rational> loose{Rational(1000000000), Rational(1000000000), Rational(1000000000),
-                                               Rational(1000000000)};
-            auto good = witness_at(middle_weights<Rational>(index, m));
-            RC_ASSERT(is_control_point_distance(c.blend, index, loose, good) == Verdict::holds);
-            for (int i = 0; i < 3; ++i) {
-              auto wrong = good;
-              wrong.scaled_gap[i] += amount;
-              RC_ASSERT(is_control_point_distance(c.blend, index, loose, wrong) == Verdict::fails);
-            }
-            const auto broken = gen::broken_weights(good.weights).weights;
-            RC_PRE(blend_has_image(c.blend, Span(broken)) == Verdict::holds);
-            RC_ASSERT(is_control_point_distance(c.blend, index, loose, witness_at(broken)) == Verdict::fails);
-            auto tight = sizes;  // the gap alone is too long: the weight's part knows only the rotations' spread
-            tight.center_spread = 0, tight.arm = 0;
-            if (squared_norm(good.scaled_gap) > 0)
-              RC_ASSERT(is_control_point_distance(c.blend, index, tight, good) == Verdict::fails);
-            // No gap at all, and only the weight is too small for a spread of 0.
-            c.blend.x.setZero();
-            for (auto& r : c.blend.center_images) r.setZero();
-            auto point = sizes_of(c.blend);
-            point.rotation_spread = 0;
-            const auto at = c.blend.at(good.weights);
-            const auto verdict = is_control_point_distance(c.blend, index, point, witness_at(good.weights));
-            RC_ASSERT(verdict == verdict_of(at.denominator <= c.blend.control_point(index).weight));
-          });
+  t.holds("each part of what is said of a control point is checked by itself", {.number_type = "rational", .cases = 300}, [] {
+    auto c = *gen::blend_case(gen::Spread::positive, 3);
+    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const std::size_t m = c.blend.weight_vertex_count();
+    const auto index = any_index(m);
+    const auto sizes = sizes_of(c.blend);
+    const Rational amount = *gen::excess();
+    const auto witness_at = [&](const std::vector<Rational>& u) {
+      const auto point = c.blend.control_point(index);
+      const auto at = c.blend.at(u);
+      RC_PRE(at.denominator != 0);
+      return ControlPointDistance<Rational>{Verdict::undecided, u,
+                                            point.numerator - at.numerator * Rational(point.weight / at.denominator)};
+    };
+    // Sizes so large that the bounds hold of anything.
+    const SimplexSizes<Rational> loose{Rational(1000000000), Rational(1000000000), Rational(1000000000), Rational(1000000000)};
+    auto good = witness_at(middle_weights<Rational>(index, m));
+    RC_ASSERT(is_control_point_distance(c.blend, index, loose, good) == Verdict::holds);
+    for (int i = 0; i < 3; ++i) {
+      auto wrong = good;
+      wrong.scaled_gap[i] += amount;
+      RC_ASSERT(is_control_point_distance(c.blend, index, loose, wrong) == Verdict::fails);
+    }
+    const auto broken = gen::broken_weights(good.weights).weights;
+    RC_PRE(blend_has_image(c.blend, Span(broken)) == Verdict::holds);
+    RC_ASSERT(is_control_point_distance(c.blend, index, loose, witness_at(broken)) == Verdict::fails);
+    auto tight = sizes;  // the gap alone is too long: the weight's part knows only the rotations' spread
+    tight.center_spread = 0, tight.arm = 0;
+    if (squared_norm(good.scaled_gap) > 0) RC_ASSERT(is_control_point_distance(c.blend, index, tight, good) == Verdict::fails);
+    // No gap at all, and only the weight is too small for a spread of 0.
+    c.blend.x.setZero();
+    for (auto& r : c.blend.center_images) r.setZero();
+    auto point = sizes_of(c.blend);
+    point.rotation_spread = 0;
+    const auto at = c.blend.at(good.weights);
+    const auto verdict = is_control_point_distance(c.blend, index, point, witness_at(good.weights));
+    RC_ASSERT(verdict == verdict_of(at.denominator <= c.blend.control_point(index).weight));
+  });
   t.holds("of a new edge only what is said of the longest is said", {.number_type = "rational", .cases = 600}, [] {
     auto q = *gen::unit_quaternions(3, 3);
     for (auto& p : q) p *= *rc::gen::element(Rational(1), Rational(1, 10), Rational(3));
     const RationalQuaternion ab = q[0] - q[1], ac = q[0] - q[2], bc = q[1] - q[2], m = (ac + bc) / Rational(2);
-    const bool first = ac.dot(ac) <= ab.dot(ab), second = bc.dot(bc) <= ab.dot(ab),
-               shorter = 4 * m.dot(m) <= 3 * ab.dot(ab);
+    const bool first = ac.dot(ac) <= ab.dot(ab), second = bc.dot(bc) <= ab.dot(ab), shorter = 4 * m.dot(m) <= 3 * ab.dot(ab);
     RC_CLASSIFY(first && !second && !shorter, "only b c is longer, and the new edge too long");
     RC_CLASSIFY(!first && second && !shorter, "only a c is longer, and the new edge too long");
     RC_ASSERT(new_edge_is_shorter(q[0], q[1], q[2]) == verdict_of(!(first && second) || shorter));
@@ -443,12 +430,9 @@ PROPTEST(b3_subdivision) {
         RationalQuaternion p = q[0], r = q[1];
         const std::size_t kind = gen::any_place(3);
         const Rational factor = *rc::gen::element(Rational(5), Rational(2), Rational(1001, 1000));
-        if (kind == 0)
-          p *= factor;
-        else if (kind == 1)
-          r *= factor;
-        else
-          r = -p;
+        if (kind == 0) p *= factor;
+        else if (kind == 1) r *= factor;
+        else r = -p;
         if (kind < 2) RC_PRE(p != RationalQuaternion(-r));
         const Weakening asked{kind == 0   ? "the first is longer"
                               : kind == 1 ? "the second is longer"
@@ -474,8 +458,8 @@ PROPTEST(b3_subdivision) {
               RC_ASSERT(is_positive_halves(p, r, {Verdict::holds, middle, claimed}) == verdict_of(right));
             }
           });
-  t.holds("a middle that is wrong across both ends is rejected, and one of length 0",
-          {.number_type = "rational", .cases = 50}, [] {
+  t.holds("a middle that is wrong across both ends is rejected, and one of length 0", {.number_type = "rational", .cases = 50},
+          [] {
             // Two in a coordinate plane; what is changed is perpendicular to both.
             const bool low = *rc::gen::arbitrary<bool>();
             const auto in_plane = [&](const Rational& a, const Rational& b) {
@@ -495,13 +479,11 @@ PROPTEST(b3_subdivision) {
 
   t.example("a blend beyond the corners is in no half", {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
     const Span u(b3::beyond_the_first);
-    return halving_hypotheses(b3::edge, {0, 1}, u) == Verdict::fails &&
-           halves_cover(b3::edge, 0, 1, u).verdict == Verdict::fails;
+    return halving_hypotheses(b3::edge, {0, 1}, u) == Verdict::fails && halves_cover(b3::edge, 0, 1, u).verdict == Verdict::fails;
   });
   t.example("an edge has two ends", {.form = "beyond", .hypothesis = "k and l are different"}, [] {
     const Span u(b3::halves);
-    return halving_hypotheses(b3::edge, {0, 0}, u) == Verdict::fails &&
-           halves_cover(b3::edge, 0, 0, u).verdict == Verdict::fails;
+    return halving_hypotheses(b3::edge, {0, 0}, u) == Verdict::fails && halves_cover(b3::edge, 0, 0, u).verdict == Verdict::fails;
   });
   t.example("with sizes that are too small the control points are farther off",
             {.form = "beyond", .hypothesis = "s and t bound the edges"}, [] {

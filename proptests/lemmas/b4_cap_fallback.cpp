@@ -90,8 +90,7 @@ PROPTEST(b4_cap_fallback) {
             RC_CLASSIFY(f.c.is_degenerate() || f.radius == 0, "degenerate");
             const auto steps = cap_fallback_encloses(f.cap, f.c.blend.x, f.u(), f.offset);
             const auto turned = fallback_ball(f.cap, f.c.blend.x);
-            const PartBounds<Rational> bounds{
-                f.cap.center_images, {turned.center, upper_root(turned.squared_radius)}, f.radius};
+            const PartBounds<Rational> bounds{f.cap.center_images, {turned.center, upper_root(turned.squared_radius)}, f.radius};
             const RationalVec<3> center = *gen::rational_vector<3>();
             Rational farthest(0);
             for (const auto& r : f.cap.center_images)
@@ -118,8 +117,7 @@ PROPTEST(b4_cap_fallback) {
                 const b4::Point control = mix_rotations<b4::Q>(q[0], q[1], b4::x).numerator / dot(q[0], q[1]);
                 return encloses(fallback_ball(cap, b4::x), control);
               };
-              return inside(b4::below_a_right_angle) == Verdict::holds &&
-                     inside(b4::beyond_a_right_angle) == Verdict::fails;
+              return inside(b4::below_a_right_angle) == Verdict::holds && inside(b4::beyond_a_right_angle) == Verdict::fails;
             });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
@@ -195,8 +193,7 @@ PROPTEST(b4_cap_fallback) {
         // Without a blend or an axis there is no image or no ball.
         if (!is_image) return Weakening{part, hypothesis, {}};
         const RationalVec<3> x = *gen::nonzero_vector<3>();
-        return Weakening{part, hypothesis,
-                         cap_fallback_encloses(cap, x, Span(n.weights), RationalVec<3>(0, 0, 0)).verdict};
+        return Weakening{part, hypothesis, cap_fallback_encloses(cap, x, Span(n.weights), RationalVec<3>(0, 0, 0)).verdict};
       },
       900);
   t.holds("a cap is valid if nothing is claimed, and at 1/2 nothing is", {.number_type = "rational", .cases = 300}, [] {
@@ -220,18 +217,17 @@ PROPTEST(b4_cap_fallback) {
     cap.squared_cosine = Rational(1, 2) - Rational(excess / (1 + excess) / 2);
     RC_ASSERT(cap_is_valid(cap) == Verdict::holds && fallback_height(cap) == 0);
   });
-  t.holds(
-      "the ball of a cap is about h R_c x and has the squared radius (1 - h^2) ||x||^2",
-      {.number_type = "rational", .cases = 300}, [] {
-        Fallback cap = NarrowCap().cap;
-        cap.squared_cosine = *gen::unit_interval_rational();
-        const RationalVec<3> x = *gen::rational_vector<3>(), zero(0, 0, 0);
-        const Rational h = std::max<Rational>(2 * cap.squared_cosine - 1, Rational(0));
-        RC_CLASSIFY(h > 0, "a cap");
-        const RationalVec<3> center = oracle::times(oracle::affine_of(cap.axis, zero), x) * h;
-        const auto ball = fallback_ball(cap, x);
-        RC_ASSERT(fallback_height(cap) == h && ball.center == center && ball.squared_radius == (1 - h * h) * x.dot(x));
-      });
+  t.holds("the ball of a cap is about h R_c x and has the squared radius (1 - h^2) ||x||^2",
+          {.number_type = "rational", .cases = 300}, [] {
+            Fallback cap = NarrowCap().cap;
+            cap.squared_cosine = *gen::unit_interval_rational();
+            const RationalVec<3> x = *gen::rational_vector<3>(), zero(0, 0, 0);
+            const Rational h = std::max<Rational>(2 * cap.squared_cosine - 1, Rational(0));
+            RC_CLASSIFY(h > 0, "a cap");
+            const RationalVec<3> center = oracle::times(oracle::affine_of(cap.axis, zero), x) * h;
+            const auto ball = fallback_ball(cap, x);
+            RC_ASSERT(fallback_height(cap) == h && ball.center == center && ball.squared_radius == (1 - h * h) * x.dot(x));
+          });
   t.holds("each part of the steps is checked by itself", {.number_type = "rational", .cases = 400}, [] {
     const NarrowCap n;
     Fallback cap = n.cap;
@@ -267,10 +263,8 @@ PROPTEST(b4_cap_fallback) {
     for (auto& q : same.rotations) q = cap.axis;
     for (auto& r : same.center_images) r = cap.center_images[0];
     const RationalVec<3> turned = fallback_ball(same, x).center;
-    FallbackSteps<Rational> scaled{Verdict::undecided,
-                                   {},
-                                   RationalVec<3>((same.center_images[0] + turned) * sum),
-                                   rotate_by(cap.axis, x) - turned};
+    FallbackSteps<Rational> scaled{
+        Verdict::undecided, {}, RationalVec<3>((same.center_images[0] + turned) * sum), rotate_by(cap.axis, x) - turned};
     scaled.vertex = scaled.hull_point + scaled.rotation_step + offset;
     RC_ASSERT(rejected(same, scaled, Span(broken)));
   });
@@ -299,12 +293,10 @@ PROPTEST(b4_cap_fallback) {
              cap_fallback_encloses(cap, b4::x, weights, b4::no_offset).verdict == Verdict::fails;
     });
   };
-  fails_without("kappa^2 bounds every corner", "a cap without one of the corners misses it", b4::too_narrow,
-                b4::second);
-  fails_without("no corner is behind the axis", "half-way to a corner behind the axis the blend leaves the cap",
-                b4::behind, b4::halves);
-  fails_without("the weights are convex", "beyond the corners a blend leaves the cap", b4::fitting,
-                b4::beyond_the_second);
+  fails_without("kappa^2 bounds every corner", "a cap without one of the corners misses it", b4::too_narrow, b4::second);
+  fails_without("no corner is behind the axis", "half-way to a corner behind the axis the blend leaves the cap", b4::behind,
+                b4::halves);
+  fails_without("the weights are convex", "beyond the corners a blend leaves the cap", b4::fitting, b4::beyond_the_second);
 }
 
 }  // namespace

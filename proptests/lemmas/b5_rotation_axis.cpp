@@ -66,21 +66,20 @@ struct NarrowTwist : Twist {
 };
 
 PROPTEST(b5_rotation_axis) {
-  t.holds(
-      "on a twist a point keeps its part along the axis, and its ball has the radius of the part across",
-      {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
-        const Twist w;
-        RC_PRE(w.applies());
-        RC_CLASSIFY(w.is_degenerate(), "degenerate");
-        const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
-        RC_ASSERT(found.verdict == Verdict::holds);
-        RC_ASSERT(is_twisted_point<Rational>(w.axis, w.cap, w.x, w.weights, found) == Verdict::holds);
-        // Smaller than the paper's ball by ||p||^2 / ||x||^2, squared.
-        const auto tight = twist_ball(w.cap, found.parts), loose = fallback_ball(w.cap, w.x);
-        RC_ASSERT(tight.squared_radius * squared_norm(w.x) == loose.squared_radius * squared_norm(found.parts.across));
-      });
-  t.holds("so do the control points",
-          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1}, [] {
+  t.holds("on a twist a point keeps its part along the axis, and its ball has the radius of the part across",
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
+            const Twist w;
+            RC_PRE(w.applies());
+            RC_CLASSIFY(w.is_degenerate(), "degenerate");
+            const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
+            RC_ASSERT(found.verdict == Verdict::holds);
+            RC_ASSERT(is_twisted_point<Rational>(w.axis, w.cap, w.x, w.weights, found) == Verdict::holds);
+            // Smaller than the paper's ball by ||p||^2 / ||x||^2, squared.
+            const auto tight = twist_ball(w.cap, found.parts), loose = fallback_ball(w.cap, w.x);
+            RC_ASSERT(tight.squared_radius * squared_norm(w.x) == loose.squared_radius * squared_norm(found.parts.across));
+          });
+  t.holds("so do the control points", {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1},
+          [] {
             const Twist w;
             const auto p = w.about_axis(), q = w.about_axis();
             RC_CLASSIFY(w.is_degenerate() || p == q, "degenerate");
@@ -126,23 +125,22 @@ PROPTEST(b5_rotation_axis) {
     RC_ASSERT(rejected(split) && rejected(sum) && rejected(image));
   });
 
-  t.holds(
-      "an axis is refused if it is 0, or if a quaternion turns about another in one coordinate",
-      {.number_type = "rational", .cases = 100}, [] {
-        const Rational s = *gen::rational(), length = *gen::excess(), off = *gen::excess();
-        RC_ASSERT(turns_about<Rational>(RationalVec<3>(0, 0, 0), Quaternion<Rational>(1, 0, 0, 0)) == Verdict::fails);
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) {
-            if (i == j) continue;
-            RationalVec<3> axis(0, 0, 0);
-            axis[i] = length;
-            Quaternion<Rational> q(s, 0, 0, 0);
-            q[1 + i] = *gen::rational();
-            RC_ASSERT(turns_about(axis, q) == Verdict::holds);
-            q[1 + j] = off;  // the cross product differs from 0 in the third coordinate alone
-            RC_ASSERT(turns_about(axis, q) == Verdict::fails);
-          }
-      });
+  t.holds("an axis is refused if it is 0, or if a quaternion turns about another in one coordinate",
+          {.number_type = "rational", .cases = 100}, [] {
+            const Rational s = *gen::rational(), length = *gen::excess(), off = *gen::excess();
+            RC_ASSERT(turns_about<Rational>(RationalVec<3>(0, 0, 0), Quaternion<Rational>(1, 0, 0, 0)) == Verdict::fails);
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j) {
+                if (i == j) continue;
+                RationalVec<3> axis(0, 0, 0);
+                axis[i] = length;
+                Quaternion<Rational> q(s, 0, 0, 0);
+                q[1 + i] = *gen::rational();
+                RC_ASSERT(turns_about(axis, q) == Verdict::holds);
+                q[1 + j] = off;  // the cross product differs from 0 in the third coordinate alone
+                RC_ASSERT(turns_about(axis, q) == Verdict::fails);
+              }
+          });
   needs_each_part(
       t, "each part of the hypotheses is looked at by itself", 0.1,
       [] {
@@ -209,8 +207,7 @@ PROPTEST(b5_rotation_axis) {
     Twist w;
     RC_PRE(squared_norm(w.cap.axis) > 0 && squared_norm(combine<Rational, 4>(Span(w.weights), w.cap.rotations)) > 0);
     w.cap.squared_cosine = *gen::unit_interval_rational();
-    const RationalVec<3> along = w.axis * Rational(w.axis.dot(w.x) / w.axis.dot(w.axis)), across = w.x - along,
-                         zero(0, 0, 0);
+    const RationalVec<3> along = w.axis * Rational(w.axis.dot(w.x) / w.axis.dot(w.axis)), across = w.x - along, zero(0, 0, 0);
     const Rational h = std::max<Rational>(2 * w.cap.squared_cosine - 1, Rational(0));
     const RationalVec<3> center = along + oracle::times(oracle::affine_of(w.cap.axis, zero), across) * h;
     const Rational r2 = (1 - h * h) * across.dot(across);
@@ -218,8 +215,8 @@ PROPTEST(b5_rotation_axis) {
     RC_ASSERT(found.parts.along == along && found.parts.across == across);
     const auto ball = twist_ball(w.cap, found.parts);
     RC_ASSERT(ball.center == center && ball.squared_radius == r2);
-    const RationalVec<3> rotated = oracle::times(
-        oracle::affine_of(Quaternion<Rational>(combine<Rational, 4>(Span(w.weights), w.cap.rotations)), zero), w.x);
+    const RationalVec<3> rotated =
+        oracle::times(oracle::affine_of(Quaternion<Rational>(combine<Rational, 4>(Span(w.weights), w.cap.rotations)), zero), w.x);
     const RationalVec<3> gap = rotated - center;
     const bool inside = gap.dot(gap) <= r2;
     RC_CLASSIFY(!inside, "outside");
@@ -231,21 +228,19 @@ PROPTEST(b5_rotation_axis) {
     const auto found = twist_keeps_axis(b5::x_axis, towards, b5::Point(3, 4, 0), Span(b5::all));
     auto split_after = found;  // at the image: then its part along is kept, but the point's part across is not across
     split_after.parts = {b5::Point(5, 0, 0), b5::Point(-2, 4, 0)};
-    return found.rotated == b5::Point(5, 0, 0) &&
-           encloses(twist_ball(towards, found.parts), found.rotated) == Verdict::holds &&
+    return found.rotated == b5::Point(5, 0, 0) && encloses(twist_ball(towards, found.parts), found.rotated) == Verdict::holds &&
            found.verdict == Verdict::fails &&
            is_twisted_point(b5::x_axis, towards, b5::Point(3, 4, 0), Span(b5::all), split_after) == Verdict::fails;
   });
-  t.holds("of control points only what is said of rotations about the axis is said",
-          {.number_type = "rational", .cases = 300}, [] {
+  t.holds("of control points only what is said of rotations about the axis is said", {.number_type = "rational", .cases = 300},
+          [] {
             const Twist w;
             const auto other = *gen::nonzero_quaternion(), p = w.about_axis();
             RC_PRE(turns_about(w.axis, other) == Verdict::fails);
             RC_ASSERT(control_points_keep_axis(w.axis, p, other, w.x) == Verdict::holds);
             RC_ASSERT(control_points_keep_axis(w.axis, other, p, w.x) == Verdict::holds);
-            const RationalVec<3> moved =
-                mix_rotations<Rational>(p, other, w.x).numerator -
-                RationalVec<3>(w.axis * Rational(w.axis.dot(w.x) / w.axis.dot(w.axis))) * dot(p, other);
+            const RationalVec<3> moved = mix_rotations<Rational>(p, other, w.x).numerator -
+                                         RationalVec<3>(w.axis * Rational(w.axis.dot(w.x) / w.axis.dot(w.axis))) * dot(p, other);
             RC_CLASSIFY(moved.dot(w.axis) != 0, "the part along the axis is not kept");
           });
   t.holds("with a cap of less than all rotations the ball of a twist is as small as is said",
@@ -260,12 +255,11 @@ PROPTEST(b5_rotation_axis) {
     return w.applies() && !w.is_degenerate() && w.cap.squared_cosine > Rational(1, 2) && w.cap.squared_cosine < 1;
   });
 
-  t.example("with rotations about two axes no axis is kept",
-            {.form = "beyond", .hypothesis = "all turn about one axis"}, [] {
-              const Span u(b5::halves);
-              return twist_hypotheses(b5::x_axis, b5::two_axes, u) == Verdict::fails &&
-                     twist_keeps_axis(b5::x_axis, b5::two_axes, b5::x_axis, u).verdict == Verdict::fails;
-            });
+  t.example("with rotations about two axes no axis is kept", {.form = "beyond", .hypothesis = "all turn about one axis"}, [] {
+    const Span u(b5::halves);
+    return twist_hypotheses(b5::x_axis, b5::two_axes, u) == Verdict::fails &&
+           twist_keeps_axis(b5::x_axis, b5::two_axes, b5::x_axis, u).verdict == Verdict::fails;
+  });
 }
 
 }  // namespace

@@ -71,18 +71,16 @@ PROPTEST(b6_dual_quaternion_ball) {
             const BallCase c(4);
             RC_CLASSIFY(c.is_degenerate, "degenerate");
             for (std::size_t k = 0; k < c.blend.weight_vertex_count(); ++k)
-              if (squared_norm(c.blend.rotations[k]) > 0)
-                RC_ASSERT(reach_is_distance(c.blend, k, c.center) == Verdict::holds);
+              if (squared_norm(c.blend.rotations[k]) > 0) RC_ASSERT(reach_is_distance(c.blend, k, c.center) == Verdict::holds);
           });
-  t.holds("of rigid transforms it is the distance alone",
-          {.form = "beyond", .number_type = "rational", .cases = 400}, [] {
-            const auto joint = *gen::rigid_transform();
-            const auto& x = joint.translation;
-            const RationalVec<3> p = *gen::rational_vector<3>(), f = *gen::rational_vector<3>();
-            const auto twice_dual = oracle::hamilton<Rational>({0, x[0], x[1], x[2]}, joint.rotation);
-            const Blend blend{{joint.rotation}, {twice_dual / Rational(2)}, p};
-            RC_ASSERT(squared_norm(reach_at(blend, 0, f)) == (squared_distance<Rational, 3>(apply(joint, p), f)));
-          });
+  t.holds("of rigid transforms it is the distance alone", {.form = "beyond", .number_type = "rational", .cases = 400}, [] {
+    const auto joint = *gen::rigid_transform();
+    const auto& x = joint.translation;
+    const RationalVec<3> p = *gen::rational_vector<3>(), f = *gen::rational_vector<3>();
+    const auto twice_dual = oracle::hamilton<Rational>({0, x[0], x[1], x[2]}, joint.rotation);
+    const Blend blend{{joint.rotation}, {twice_dual / Rational(2)}, p};
+    RC_ASSERT(squared_norm(reach_at(blend, 0, f)) == (squared_distance<Rational, 3>(apply(joint, p), f)));
+  });
   t.holds("there is an axis if and only if no blend is 0",
           {.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2}, [] {
             const BallCase c(5);
@@ -177,8 +175,8 @@ PROPTEST(b6_dual_quaternion_ball) {
             RationalQuaternion reach(0, 0, 0, 0), q(0, 0, 0, 0), d(0, 0, 0, 0);
             for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) {
               const auto& r = blend.rotations[k];
-              const RationalQuaternion e = blend.duals[k] * Rational(2) + oracle::hamilton(r, pure(blend.point)) -
-                                           oracle::hamilton(pure(c.center), r);
+              const RationalQuaternion e =
+                  blend.duals[k] * Rational(2) + oracle::hamilton(r, pure(blend.point)) - oracle::hamilton(pure(c.center), r);
               RC_ASSERT(reach_at(blend, k, c.center) == e);
               greatest = std::max<Rational>(greatest, e.dot(e) / (r.dot(c.axis) * r.dot(c.axis)));
               reach += e * c.weights[k], q += r * c.weights[k], d += blend.duals[k] * c.weights[k];
@@ -187,10 +185,9 @@ PROPTEST(b6_dual_quaternion_ball) {
             RC_ASSERT(ball.center == c.center && ball.squared_radius == greatest * c.axis.dot(c.axis));
             // ||q||^2 v' = Im(q p q* + 2 d q*).
             const RationalQuaternion back(q[0], -q[1], -q[2], -q[3]);
-            const RationalQuaternion scaled = oracle::hamilton(oracle::hamilton(q, pure(blend.point)), back) +
-                                              oracle::hamilton(d, back) * Rational(2);
-            const RationalVec<3> image = RationalVec<3>(scaled[1], scaled[2], scaled[3]) / q.dot(q),
-                                 gap = image - c.center;
+            const RationalQuaternion scaled =
+                oracle::hamilton(oracle::hamilton(q, pure(blend.point)), back) + oracle::hamilton(d, back) * Rational(2);
+            const RationalVec<3> image = RationalVec<3>(scaled[1], scaled[2], scaled[3]) / q.dot(q), gap = image - c.center;
             const auto found = dual_quaternion_ball_encloses(blend, c.axis, c.center, c.u());
             RC_ASSERT(found.image == image && found.reach == reach);
             const bool inside = gap.dot(gap) <= ball.squared_radius;
@@ -240,10 +237,10 @@ PROPTEST(b6_dual_quaternion_ball) {
              dual_quaternion_ball_encloses(blend, b6::identity, center, weights).verdict == Verdict::fails;
     });
   };
-  fails_without("all corners are ahead of the axis", "with a corner behind the axis a vertex leaves the ball",
-                b6::opposite, b6::between, b6::third);
-  fails_without("the weights are convex", "beyond the corners a vertex leaves the ball", b6::turning,
-                b6::turning.point, b6::beyond_the_first);
+  fails_without("all corners are ahead of the axis", "with a corner behind the axis a vertex leaves the ball", b6::opposite,
+                b6::between, b6::third);
+  fails_without("the weights are convex", "beyond the corners a vertex leaves the ball", b6::turning, b6::turning.point,
+                b6::beyond_the_first);
 }
 
 }  // namespace

@@ -30,8 +30,7 @@ RationalQuaternion drawn_in(RationalQuaternion q) {
   if (q[0] < 0) q = -q;
   const RationalVec<3> v = imaginary(q) / (Rational(2) * (Rational(1) + q[0]));
   const Rational s = squared_norm(v), scale = Rational(1) / (Rational(1) + s);
-  return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale,
-          Rational(2) * v[2] * scale};
+  return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
 }
 
 // A solution of the normal equations, by elimination; what they leave free is 0.
@@ -88,17 +87,20 @@ struct ReachCase {
 };
 
 PROPTEST(b7_motion_bound) {
-  t.holds("the share that kernels compute is no less than either bound, exact where joints turn as much as 106 degrees or not at all",
-          {.number_type = "rational", .cases = 400, .degenerate_at_least = 0.05}, [] {
-            const Rational c = *rc::gen::oneOf(gen::unit_interval_rational(), rc::gen::element(Rational(0), Rational(3, 5), Rational(1)));
-            const Rational share = squared_deviation_share(c), sharp = (Rational(1) - c) / (Rational(4) * (Rational(1) + c));
-            const bool is_close = c >= Rational(3, 5);
-            RC_CLASSIFY(c == Rational(3, 5) || c == Rational(1) || c == Rational(0), "degenerate");
-            RC_ASSERT(share >= (is_close ? sharp : Rational(Rational(9, 16) * (Rational(1) - c))));
-            RC_ASSERT(share <= (is_close ? Rational(sharp * Rational(33, 32)) : Rational(Rational(9, 16) * (Rational(1) - c))));
-            if (c == Rational(3, 5)) RC_ASSERT(share == sharp);
-            RC_ASSERT(deviates_little(Rational(sharp), c, Rational(1)) == verdict_of(is_close || sharp * 16 <= (Rational(1) - c) * 9));
-          });
+  t.holds(
+      "the share that kernels compute is no less than either bound, exact where joints turn as much as 106 degrees or not at all",
+      {.number_type = "rational", .cases = 400, .degenerate_at_least = 0.05}, [] {
+        const Rational c =
+            *rc::gen::oneOf(gen::unit_interval_rational(), rc::gen::element(Rational(0), Rational(3, 5), Rational(1)));
+        const Rational share = squared_deviation_share(c), sharp = (Rational(1) - c) / (Rational(4) * (Rational(1) + c));
+        const bool is_close = c >= Rational(3, 5);
+        RC_CLASSIFY(c == Rational(3, 5) || c == Rational(1) || c == Rational(0), "degenerate");
+        RC_ASSERT(share >= (is_close ? sharp : Rational(Rational(9, 16) * (Rational(1) - c))));
+        RC_ASSERT(share <= (is_close ? Rational(sharp * Rational(33, 32)) : Rational(Rational(9, 16) * (Rational(1) - c))));
+        if (c == Rational(3, 5)) RC_ASSERT(share == sharp);
+        RC_ASSERT(deviates_little(Rational(sharp), c, Rational(1)) ==
+                  verdict_of(is_close || sharp * 16 <= (Rational(1) - c) * 9));
+      });
   t.holds("the spread of images is that of their sums, as seen from any point", {.number_type = "rational", .cases = 300}, [] {
     const auto images = *rc::gen::nonEmpty(rc::gen::container<std::vector<RationalVec<3>>>(gen::rational_vector<3>()));
     const RationalVec<3> from = *gen::rational_vector<3>();
@@ -135,8 +137,7 @@ PROPTEST(b7_motion_bound) {
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
             const ReachCase c(4);
             const auto found = spherical_reach(c.transforms, Rational(1), c.point, c.point, c.u(), c.vertex);
-            RC_ASSERT(squared_norm(found.deviated) == 0 &&
-                      squared_norm(found.turned) == squared_distance(c.vertex, c.point));
+            RC_ASSERT(squared_norm(found.deviated) == 0 && squared_norm(found.turned) == squared_distance(c.vertex, c.point));
             const RationalVec<3> sum = found.carried + found.turned;
             RC_ASSERT(sum == oracle::spherical(c.transforms, c.w(), c.point, c.vertex));
             const RationalVec<3> left = oracle::linear(c.transforms, c.w(), c.vertex) - found.carried;
@@ -157,9 +158,8 @@ PROPTEST(b7_motion_bound) {
   t.holds("a part of the joints has no more spread and no smaller cosine",
           {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
             const ReachCase c(4);
-            const Transforms part(
-                c.transforms.begin(),
-                c.transforms.begin() + *rc::gen::inRange<int>(1, static_cast<int>(c.transforms.size()) + 1));
+            const Transforms part(c.transforms.begin(),
+                                  c.transforms.begin() + *rc::gen::inRange<int>(1, static_cast<int>(c.transforms.size()) + 1));
             RC_ASSERT(squared_spread(images_of(part, c.point)) <= squared_spread(images_of(c.transforms, c.point)));
             RC_ASSERT(least_cosine(part) >= least_cosine(c.transforms));
           });
@@ -167,11 +167,10 @@ PROPTEST(b7_motion_bound) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const ReachCase c(3);
     const Rational cosine = *rc::gen::element(c.cosine, Rational(1));
-    decide_by_all(
-        []<class S>(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
-                    const std::vector<S>& u,
-                    const Vec<S, 3>& vertex) { return dual_reach<S>(transforms, cosine, point, u, vertex).verdict; },
-        c.transforms, cosine, c.point, c.weights, c.vertex);
+    decide_by_all([]<class S>(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
+                              const std::vector<S>& u,
+                              const Vec<S, 3>& vertex) { return dual_reach<S>(transforms, cosine, point, u, vertex).verdict; },
+                  c.transforms, cosine, c.point, c.weights, c.vertex);
   });
 
   t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 400}, [] {
@@ -182,8 +181,8 @@ PROPTEST(b7_motion_bound) {
     };
     auto carried = good, turned = good, deviated = good;
     carried.carried += *gen::nonzero_vector<3>();
-    turned.turned = turned.turned * Rational(2) +
-                    *gen::nonzero_vector<3>() * (Rational(8) * (Rational(1) + squared_norm(good.turned)));
+    turned.turned =
+        turned.turned * Rational(2) + *gen::nonzero_vector<3>() * (Rational(8) * (Rational(1) + squared_norm(good.turned)));
     deviated.deviated +=
         RationalVec<3>(1, 0, 0) * (Rational(8) * (Rational(1) + squared_spread(images_of(c.transforms, c.point))));
     RC_ASSERT(rejected(carried) && rejected(deviated));
@@ -208,15 +207,13 @@ PROPTEST(b7_motion_bound) {
         } else if (kind == 1) {
           part = gen::place(k, 3) + " is too short";
           // Still at the cosine from the others, so that its length alone is wrong.
-          cosine = 0,
-          transforms[k].rotation *= *rc::gen::element(Rational(1, 2), Rational(999, 1000), Rational(1, 100));
+          cosine = 0, transforms[k].rotation *= *rc::gen::element(Rational(1, 2), Rational(999, 1000), Rational(1, 100));
         } else if (kind == 2) {
           part = "the pair of " + gen::place(std::min(k, l), 3) + " and " + gen::place(std::max(k, l), 3);
           const std::size_t other = 3 - k - l;
           transforms[k].rotation = *gen::unit_quaternion(), transforms[l].rotation = *gen::unit_quaternion();
           for (const std::size_t i : {k, l})
-            if (dot(transforms[i].rotation, transforms[other].rotation) < 0)
-              transforms[i].rotation = -transforms[i].rotation;
+            if (dot(transforms[i].rotation, transforms[other].rotation) < 0) transforms[i].rotation = -transforms[i].rotation;
           cosine = std::min<Rational>(dot(transforms[k].rotation, transforms[other].rotation),
                                       dot(transforms[l].rotation, transforms[other].rotation));
           RC_PRE(dot(transforms[k].rotation, transforms[l].rotation) < cosine);
@@ -238,13 +235,12 @@ PROPTEST(b7_motion_bound) {
   t.holds("the hypotheses hold up to their edges", {.number_type = "rational", .cases = 300}, [] {
     const ReachCase c(4);
     const Rational least = least_cosine(c.transforms), excess = *gen::excess();
-    RC_ASSERT(are_within(c.transforms, least) == Verdict::holds &&
-              are_within(c.transforms, Rational(0)) == Verdict::holds);
+    RC_ASSERT(are_within(c.transforms, least) == Verdict::holds && are_within(c.transforms, Rational(0)) == Verdict::holds);
     if (c.transforms.size() > 1) RC_ASSERT(are_within(c.transforms, Rational(least + excess)) == Verdict::fails);
     RC_ASSERT(are_within(c.transforms, Rational(-excess)) == Verdict::fails);
   });
-  t.holds("a center is not least-squares if one of the normal equations is not met",
-          {.number_type = "rational", .cases = 50}, [] {
+  t.holds("a center is not least-squares if one of the normal equations is not met", {.number_type = "rational", .cases = 50},
+          [] {
             const Rational amount = *gen::excess();
             for (int axis = 0; axis < 3; ++axis)
               for (int i = 0; i < 3; ++i) {
@@ -256,15 +252,14 @@ PROPTEST(b7_motion_bound) {
                 RC_ASSERT(is_least_squares_center(joints, center) == verdict_of(i == axis));
               }
           });
-  t.holds("both bounds of a deviation are those of the statement, at their edges too",
-          {.number_type = "rational", .cases = 1000}, [] {
+  t.holds("both bounds of a deviation are those of the statement, at their edges too", {.number_type = "rational", .cases = 1000},
+          [] {
             const Rational excess = *gen::excess(),
                            spread = *rc::gen::oneOf(gen::positive_rational(), rc::gen::just(Rational(0)));
             const Rational cosine = *rc::gen::oneOf(
                 rc::gen::element(Rational(0), Rational(3, 5), Rational(3, 5) - excess / (1 + 2 * excess), Rational(1)),
                 gen::unit_interval_rational());
-            const Rational first = Rational(9, 16) * (1 - cosine) * spread,
-                           second = (1 - cosine) * spread / (4 * (1 + cosine));
+            const Rational first = Rational(9, 16) * (1 - cosine) * spread, second = (1 - cosine) * spread / (4 * (1 + cosine));
             const Rational length =
                 *rc::gen::element(first, second, Rational(first + excess), Rational(second + excess), Rational(0));
             const bool within = length <= first && (cosine < Rational(3, 5) || length <= second);
@@ -349,24 +344,23 @@ PROPTEST(b7_motion_bound) {
                            squared_spread(images_of(rotations_alone(c.transforms), RationalVec<3>(center - c.point)));
     RC_CLASSIFY(squared_spread(images_of(c.transforms, c.point)) != split, "the spread does not split");
   });
-  reaches_share(t, "cases of several joints that differ, close and not", 0.4,
-                [] { return !ReachCase(4).is_degenerate(); });
+  reaches_share(t, "cases of several joints that differ, close and not", 0.4, [] { return !ReachCase(4).is_degenerate(); });
 
-  const auto deviates_without = [&t](const std::string& hypothesis, const std::string& sentence,
-                                   const b7::Transforms& transforms, const b7::Q& cosine, const std::vector<b7::Q>& u) {
+  const auto deviates_without = [&t](const std::string& hypothesis, const std::string& sentence, const b7::Transforms& transforms,
+                                     const b7::Q& cosine, const std::vector<b7::Q>& u) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
       return reach_hypotheses(transforms, cosine, Span(u)) == Verdict::fails &&
              dual_reach(transforms, cosine, b7::y_axis, Span(u), b7::y_axis).verdict == Verdict::fails;
     });
   };
   deviates_without("the quaternions are less than a right angle apart", "on the long way round a point deviates too far",
-                 b7::long_way, b7::Q(-24, 25), b7::halves);
+                   b7::long_way, b7::Q(-24, 25), b7::halves);
   deviates_without("the cosine is no greater than theirs", "a greater cosine promises too much", b7::short_way, b7::Q(1),
-                 b7::halves);
-  deviates_without("the quaternions are of unit length", "a long quaternion outweighs the others", b7::unequal,
-                 b7::short_cosine, b7::halves);
+                   b7::halves);
+  deviates_without("the quaternions are of unit length", "a long quaternion outweighs the others", b7::unequal, b7::short_cosine,
+                   b7::halves);
   deviates_without("the weights are convex", "beyond the joints a point deviates too far", b7::short_way, b7::short_cosine,
-                 b7::beyond_the_first);
+                   b7::beyond_the_first);
   t.example("two joints at halves deviation by just the second bound", {.form = "beyond"}, [] {
     const auto found = dual_reach(b7::short_way, b7::short_cosine, b7::y_axis, Span(b7::halves), b7::y_axis);
     const b7::Q spread = squared_spread(images_of(b7::short_way, b7::y_axis));

@@ -70,23 +70,20 @@ PROPTEST(c1_chord_bound) {
             const Rational slack = first_order_slack(speed, c.curve.duration);
             RC_ASSERT(squared_deviation(c.curve, c.share) <= slack * slack);
             const Motion<Rational> motion{Rational(0), speed, c.acceleration};
-            RC_ASSERT(chord_slack(motion, c.curve.duration) ==
-                      std::min(slack, chord_slack(c.acceleration, c.curve.duration)));
+            RC_ASSERT(chord_slack(motion, c.curve.duration) == std::min(slack, chord_slack(c.acceleration, c.curve.duration)));
           });
   t.holds("velocities and accelerations are the derivatives", {.number_type = "rational", .cases = 300}, [] {
     const BoundedCurve c = gen::bounded_curve();
     using Jet = oracle::Jet<Rational>;
     CubicCurve<Jet, 3> curve;
     for (int i = 0; i < 4; ++i) curve.points[i] = c.curve.points[i].cast<Jet>();
-    const auto now =
-        oracle::moment_of<Rational, 3>(curve.at(Jet(c.share, Rational(1) / c.curve.duration, Rational(0))));
+    const auto now = oracle::moment_of<Rational, 3>(curve.at(Jet(c.share, Rational(1) / c.curve.duration, Rational(0))));
     RC_ASSERT(now.value == c.curve.at(c.share));
     const auto ends = c.curve.accelerations();
     const RationalVec<3> bend = between<Rational, 3>(ends[0], ends[1], c.share);
     RC_ASSERT(now.acceleration == bend);
     const auto v = c.curve.velocities();
-    const RationalVec<3> early = between<Rational, 3>(v[0], v[1], c.share),
-                         late = between<Rational, 3>(v[1], v[2], c.share);
+    const RationalVec<3> early = between<Rational, 3>(v[0], v[1], c.share), late = between<Rational, 3>(v[1], v[2], c.share);
     const RationalVec<3> velocity = between<Rational, 3>(early, late, c.share);
     RC_ASSERT(now.velocity == velocity);
   });
@@ -112,16 +109,12 @@ PROPTEST(c1_chord_bound) {
     const Rational speed = speed_of(c.curve), amount = *gen::excess();
     const auto i = static_cast<int>(gen::any_place(3));
     auto point = point_near_chord(c.curve, c.acceleration, c.share);
-    if (*rc::gen::arbitrary<bool>() || c.share == 0 || c.share == 1)
-      point.on_chord[i] += amount;
-    else
-      point.bend[i] += amount;
+    if (*rc::gen::arbitrary<bool>() || c.share == 0 || c.share == 1) point.on_chord[i] += amount;
+    else point.bend[i] += amount;
     RC_ASSERT(is_chord_point(c.curve, c.acceleration, c.share, point) == Verdict::fails);
     auto steps = steps_near_chord(c.curve, speed, c.share);
-    if ((*rc::gen::arbitrary<bool>() && c.share != 0) || c.share == 1)
-      steps.before[i] += amount;
-    else
-      steps.after[i] += amount;
+    if ((*rc::gen::arbitrary<bool>() && c.share != 0) || c.share == 1) steps.before[i] += amount;
+    else steps.after[i] += amount;
     RC_ASSERT(are_chord_steps(c.curve, speed, c.share, steps) == Verdict::fails);
   });
   t.holds("a witness that is right but for a bound is rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -144,32 +137,20 @@ PROPTEST(c1_chord_bound) {
     std::optional<Verdict> none;
     bool asked = true;
     switch (gen::any_place(6)) {
-      case 0:
-        part = "the bend at the start", start += *gen::excess();
-        break;
-      case 1:
-        part = "the bend at the end", end += *gen::excess();
-        break;
-      case 2:
-        part = "the share is negative", share = -*gen::excess();
-        break;
-      case 3:
-        part = "the share is more than 1", share = Rational(1) + *gen::excess();
-        break;
-      case 4:
-        part = "the duration is negative", duration = -duration, asked = false;
-        break;
-      default:
-        part = "the bound is negative", start = end = Rational(0), asked = false;
+      case 0: part = "the bend at the start", start += *gen::excess(); break;
+      case 1: part = "the bend at the end", end += *gen::excess(); break;
+      case 2: part = "the share is negative", share = -*gen::excess(); break;
+      case 3: part = "the share is more than 1", share = Rational(1) + *gen::excess(); break;
+      case 4: part = "the duration is negative", duration = -duration, asked = false; break;
+      default: part = "the bound is negative", start = end = Rational(0), asked = false;
     }
-    const Curve curve = gen::cubic_between(*gen::rational_vector<3>(), *gen::rational_vector<3>(), direction * start,
-                                           direction * end, duration);
+    const Curve curve =
+        gen::cubic_between(*gen::rational_vector<3>(), *gen::rational_vector<3>(), direction * start, direction * end, duration);
     const Rational bound = part == "the bound is negative" ? Rational(-acceleration) : acceleration;
     // Beyond the ends the bound as it is written is that of a share within; a wrong sign of it is not seen in its square.
     const Rational at = share;
-    const auto conclusion = at < 0 || at > 1
-                                ? less_equal(squared_deviation(curve, at), sq(chord_slack(acceleration, duration)))
-                                : point_near_chord(curve, acceleration, at).verdict;
+    const auto conclusion = at < 0 || at > 1 ? less_equal(squared_deviation(curve, at), sq(chord_slack(acceleration, duration)))
+                                             : point_near_chord(curve, acceleration, at).verdict;
     return Weakening{part, chord_hypotheses(curve, bound, at), asked ? std::optional(conclusion) : none};
   });
   needs_each_part(t, "the bound by the speed needs each part of its hypotheses", 0.3, [] {
@@ -188,8 +169,8 @@ PROPTEST(c1_chord_bound) {
     if (fast == 1) conclusion = std::nullopt;
     return Weakening{part, first_order_hypotheses(curve, speed, share), conclusion};
   });
-  t.example("a kink is 1 from its chord without bending anywhere else",
-            {.form = "beyond", .hypothesis = "f is differentiable"}, [] {
+  t.example("a kink is 1 from its chord without bending anywhere else", {.form = "beyond", .hypothesis = "f is differentiable"},
+            [] {
               using namespace c1;
               return is_near_chord(kink_start, kink_end, Point(0, 0), Q(0), Q(2), half) == Verdict::fails &&
                      squared_distance(kink, kink_start) == sq(first_order_slack(Q(1), Q(2))) &&
@@ -200,37 +181,35 @@ PROPTEST(c1_chord_bound) {
     using namespace c1;
     return is_near_chord_to_first_order(before_jump, after_jump, after_jump, Q(0), Q(1), half) == Verdict::fails;
   });
-  t.example("a curve that bends more than the bound deviates from its chord",
-            {.form = "beyond", .hypothesis = "||f''|| <= M"}, [] {
+  t.example("a curve that bends more than the bound deviates from its chord", {.form = "beyond", .hypothesis = "||f''|| <= M"},
+            [] {
               using namespace c1;
               return chord_hypotheses(late_bend, Q(1), half) == Verdict::fails &&
                      point_near_chord(late_bend, Q(1), half).verdict == Verdict::fails &&
                      point_near_chord(late_bend, Q(6), half).verdict == Verdict::holds;
             });
-  t.example("a curve that runs faster than the bound deviates from its chord",
-            {.form = "beyond", .hypothesis = "||f'|| <= L"}, [] {
+  t.example("a curve that runs faster than the bound deviates from its chord", {.form = "beyond", .hypothesis = "||f'|| <= L"},
+            [] {
               using namespace c1;
               return first_order_hypotheses(parabola, Q(1, 10), half) == Verdict::fails &&
                      steps_near_chord(parabola, Q(1, 10), half).verdict == Verdict::fails;
             });
-  t.example("beyond its ends a parabola leaves the strip about its chord",
-            {.form = "beyond", .hypothesis = "0 <= s <= 1"}, [] {
-              using namespace c1;
-              const Point at = parabola.at(Q(2)), chord = between<Q, 2>(parabola.points[0], parabola.points[3], Q(2));
-              return chord_hypotheses(parabola, parabola_bends, Q(2)) == Verdict::fails &&
-                     squared_distance<Q, 2>(at, chord) > sq(chord_slack(parabola_bends, Q(1)));
-            });
-  t.example("a parabola reaches the bound, and the chord of the moments that are looked at misses it",
-            {.form = "beyond"}, [] {
-              using namespace c1;
-              const Point at = parabola.at(half);
-              const auto found = point_near_chord(parabola, parabola_bends, half);
-              return found.verdict == Verdict::holds &&
-                     squared_distance<Q, 2>(at, found.on_chord) == sq(chord_slack(parabola_bends, Q(1))) &&
-                     point_near_chord(parabola, Q(199, 100), half).verdict == Verdict::fails &&
-                     is_on_chord_of_moments(parabola.points[0], parabola.points[3], at, half) == Verdict::fails &&
-                     is_on_chord_of_moments(arc_start, arc_end, arc_middle, half) == Verdict::fails;
-            });
+  t.example("beyond its ends a parabola leaves the strip about its chord", {.form = "beyond", .hypothesis = "0 <= s <= 1"}, [] {
+    using namespace c1;
+    const Point at = parabola.at(Q(2)), chord = between<Q, 2>(parabola.points[0], parabola.points[3], Q(2));
+    return chord_hypotheses(parabola, parabola_bends, Q(2)) == Verdict::fails &&
+           squared_distance<Q, 2>(at, chord) > sq(chord_slack(parabola_bends, Q(1)));
+  });
+  t.example("a parabola reaches the bound, and the chord of the moments that are looked at misses it", {.form = "beyond"}, [] {
+    using namespace c1;
+    const Point at = parabola.at(half);
+    const auto found = point_near_chord(parabola, parabola_bends, half);
+    return found.verdict == Verdict::holds &&
+           squared_distance<Q, 2>(at, found.on_chord) == sq(chord_slack(parabola_bends, Q(1))) &&
+           point_near_chord(parabola, Q(199, 100), half).verdict == Verdict::fails &&
+           is_on_chord_of_moments(parabola.points[0], parabola.points[3], at, half) == Verdict::fails &&
+           is_on_chord_of_moments(arc_start, arc_end, arc_middle, half) == Verdict::fails;
+  });
 }
 
 }  // namespace

@@ -37,8 +37,7 @@ struct Arc {
     // A turn by the angle of (n, 1) n times is less than half a turn in R^4.
     const RationalVec<3> v = *gen::rational_vector<3>() / Rational(100 * steps);
     const Rational s = squared_norm(v), scale = Rational(1) / (Rational(1) + s);
-    step = {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale,
-            Rational(2) * v[2] * scale};
+    step = {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
     to = from;
     for (int i = 0; i < steps; ++i) to = multiply<Rational>(step, to);
   }
@@ -87,8 +86,7 @@ PROPTEST(c2_channel_motion) {
             RC_CLASSIFY(k.is_degenerate(), "degenerate");
             const auto found = line_moves<Rational, 3>(k.from, k.to, k.duration, k.share, by_greatest_factor);
             RC_ASSERT(found.verdict == Verdict::holds);
-            const auto line =
-                gen::cubic_between(k.from, k.to, RationalVec<3>::Zero(), RationalVec<3>::Zero(), k.duration);
+            const auto line = gen::cubic_between(k.from, k.to, RationalVec<3>::Zero(), RationalVec<3>::Zero(), k.duration);
             RC_ASSERT(is_moment_of(line, k.share, found.moment) == Verdict::holds);
             const auto bounds = linear_motion<Rational, 3>(k.from, k.to, k.duration, by_greatest_factor);
             RC_ASSERT(bounds.size == std::max(by_greatest_factor(k.from), by_greatest_factor(k.to)));
@@ -99,15 +97,14 @@ PROPTEST(c2_channel_motion) {
                           },
                           k.from, k.to, k.duration, k.share) == Verdict::holds);
           });
-  t.holds("a factor of a scale stretches a vector by no more than the greatest",
-          {.number_type = "rational", .cases = 300}, [] {
-            const RationalVec<3> scale = *gen::rational_vector<3>(), x = *gen::rational_vector<3>();
-            const RationalVec<3> stretched = scale.cwiseProduct(x);
-            const Rational factor = by_greatest_factor(scale);
-            RC_ASSERT(squared_norm(stretched) <= factor * factor * squared_norm(x));
-            RC_ASSERT(factor >= 0 && (factor == scale[0] || factor == -scale[0] || factor == scale[1] ||
-                                      factor == -scale[1] || factor == scale[2] || factor == -scale[2]));
-          });
+  t.holds("a factor of a scale stretches a vector by no more than the greatest", {.number_type = "rational", .cases = 300}, [] {
+    const RationalVec<3> scale = *gen::rational_vector<3>(), x = *gen::rational_vector<3>();
+    const RationalVec<3> stretched = scale.cwiseProduct(x);
+    const Rational factor = by_greatest_factor(scale);
+    RC_ASSERT(squared_norm(stretched) <= factor * factor * squared_norm(x));
+    RC_ASSERT(factor >= 0 && (factor == scale[0] || factor == -scale[0] || factor == scale[1] || factor == -scale[1] ||
+                              factor == scale[2] || factor == -scale[2]));
+  });
   t.holds("the angle between unit quaternions is at most the bound, which is 1/3 % too great on the shorter way",
           {.form = "beyond",
            .number_type = "multiprecision interval",
@@ -138,8 +135,7 @@ PROPTEST(c2_channel_motion) {
   });
   t.holds("a slerp is within its bounds: its derivatives, by sines in intervals",
           {.form = "beyond", .number_type = "multiprecision interval", .cases = 300, .degenerate_at_most = 0.6}, [] {
-            const RationalQuaternion from = *gen::unit_quaternion(),
-                                     to = by_shorter_way<Rational>(from, *gen::unit_quaternion());
+            const RationalQuaternion from = *gen::unit_quaternion(), to = by_shorter_way<Rational>(from, *gen::unit_quaternion());
             const Rational duration = *gen::positive_rational(), share = *gen::unit_interval_rational();
             RC_CLASSIFY(to == from || share == 0 || share == 1, "degenerate");
             const auto bounds = slerp_motion<M>(lift<M>(from), lift<M>(to), lift<M>(duration));
@@ -161,32 +157,30 @@ PROPTEST(c2_channel_motion) {
             const auto said = slerp_moves<M>(now.value, across, speed, bounds).moment;
             for (int i = 0; i < 4; ++i) RC_ASSERT(equal(said.acceleration[i], now.acceleration[i]) != Verdict::fails);
           });
-  t.holds(
-      "and, exactly, where it is after some of the equal steps that it consists of",
-      {.form = "beyond",
-       .number_type = "interval to exact root",
-       .cases = 300,
-       .degenerate_at_least = 0.1,
-       .degenerate_at_most = 0.8},
-      [] {
-        const Arc arc;
-        RC_CLASSIFY(arc.is_degenerate(), "degenerate");
-        RC_ASSERT(has_an_arc(arc.from, arc.to) == Verdict::holds);
-        const Decision decided = decide<ExactRoot>(
-            []<class S>(const Quaternion<S>& from, const Quaternion<S>& to, const Quaternion<S>& at, const S& share) {
-              const Motion<S> bounds = slerp_motion<S>(from, to, S(2));
-              return is_near_chord<S, 4>(from, to, at, bounds.acceleration, S(2), share) &
-                     is_near_chord_to_first_order<S, 4>(from, to, at, bounds.speed, S(2), share);
-            },
-            arc.from, arc.to, arc.at(), Rational(arc.passed, arc.steps));
-        RC_ASSERT(decided.verdict == Verdict::holds);
-      });
+  t.holds("and, exactly, where it is after some of the equal steps that it consists of",
+          {.form = "beyond",
+           .number_type = "interval to exact root",
+           .cases = 300,
+           .degenerate_at_least = 0.1,
+           .degenerate_at_most = 0.8},
+          [] {
+            const Arc arc;
+            RC_CLASSIFY(arc.is_degenerate(), "degenerate");
+            RC_ASSERT(has_an_arc(arc.from, arc.to) == Verdict::holds);
+            const Decision decided = decide<ExactRoot>(
+                []<class S>(const Quaternion<S>& from, const Quaternion<S>& to, const Quaternion<S>& at, const S& share) {
+                  const Motion<S> bounds = slerp_motion<S>(from, to, S(2));
+                  return is_near_chord<S, 4>(from, to, at, bounds.acceleration, S(2), share) &
+                         is_near_chord_to_first_order<S, 4>(from, to, at, bounds.speed, S(2), share);
+                },
+                arc.from, arc.to, arc.at(), Rational(arc.passed, arc.steps));
+            RC_ASSERT(decided.verdict == Verdict::holds);
+          });
   t.holds("a moment within great-circle bounds is that of its speed, exactly",
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
             const RationalQuaternion q = *gen::unit_quaternion();
             const RationalVec<3> axis = gen::unit_direction();
-            const RationalQuaternion across =
-                multiply<Rational>(RationalQuaternion(Rational(0), axis[0], axis[1], axis[2]), q);
+            const RationalQuaternion across = multiply<Rational>(RationalQuaternion(Rational(0), axis[0], axis[1], axis[2]), q);
             const Rational speed = *gen::positive_rational(), more = Rational(speed + *gen::excess()),
                            less = Rational(speed * Rational(999, 1000));
             const auto found = slerp_moves<Rational>(q, across, speed, circle_motion(speed));
@@ -206,26 +200,18 @@ PROPTEST(c2_channel_motion) {
     const auto i = static_cast<int>(gen::any_place(3));
     const Rational amount = *gen::excess();
     switch (gen::any_place(3)) {
-      case 0:
-        moment.value[i] += amount;
-        break;
-      case 1:
-        moment.velocity[i] += amount;
-        break;
-      default:
-        moment.acceleration[i] += amount;
+      case 0: moment.value[i] += amount; break;
+      case 1: moment.velocity[i] += amount; break;
+      default: moment.acceleration[i] += amount;
     }
     RC_ASSERT(is_moment_of(curve, k.share, moment) == Verdict::fails);
   });
   needs_each_part(t, "an arc needs unit quaternions that are not opposite", 0, [] {
     RationalQuaternion from = *gen::unit_quaternion(), to = *gen::unit_quaternion();
     switch (gen::any_place(3)) {
-      case 0:
-        return Weakening{"the first is no unit", has_an_arc<Rational>(from * Rational(1001, 1000), to), {}};
-      case 1:
-        return Weakening{"the last is no unit", has_an_arc<Rational>(from, to * Rational(999, 1000)), {}};
-      default:
-        return Weakening{"they are opposite", has_an_arc<Rational>(from, -from), {}};
+      case 0: return Weakening{"the first is no unit", has_an_arc<Rational>(from * Rational(1001, 1000), to), {}};
+      case 1: return Weakening{"the last is no unit", has_an_arc<Rational>(from, to * Rational(999, 1000)), {}};
+      default: return Weakening{"they are opposite", has_an_arc<Rational>(from, -from), {}};
     }
   });
   needs_each_part(t, "a spline needs a time between its keys, and a share of it", 0.2, [] {
@@ -233,10 +219,8 @@ PROPTEST(c2_channel_motion) {
     Rational share = *gen::unit_interval_rational(), duration = *gen::positive_rational();
     std::string part;
     const bool before = *rc::gen::arbitrary<bool>();
-    if (before)
-      part = "the share is negative", share = -*gen::excess();
-    else
-      part = "the share is more than 1", share = Rational(1) + *gen::excess();
+    if (before) part = "the share is negative", share = -*gen::excess();
+    else part = "the share is more than 1", share = Rational(1) + *gen::excess();
     const Rational end(before ? 0 : 1);
     const RationalVec<3> key = gen::unit_direction();
     const RationalVec<3> from = key * Rational(Rational(1) - end), to = key * end;
@@ -244,30 +228,28 @@ PROPTEST(c2_channel_motion) {
     return Weakening{part, channel_hypotheses(duration, share), found.verdict};
   });
   t.example("no time passes between keys that are at once", {.form = "beyond"}, [] {
-    return channel_hypotheses(c2::Q(0), c2::Q(0)) == Verdict::fails &&
-           channel_hypotheses(c2::Q(-1), c2::Q(0)) == Verdict::fails;
+    return channel_hypotheses(c2::Q(0), c2::Q(0)) == Verdict::fails && channel_hypotheses(c2::Q(-1), c2::Q(0)) == Verdict::fails;
   });
   t.example("a step between two keys is at rest", {.form = "beyond"}, [] {
     const auto bounds = at_rest(c2::Q(3));
     return bounds.size == 3 && bounds.speed == 0 && bounds.acceleration == 0 && is_motion(bounds) == Verdict::holds &&
-           is_motion(Motion<c2::Q>{0, 0, -1}) == Verdict::fails &&
-           is_motion(Motion<c2::Q>{0, -1, 0}) == Verdict::fails && is_motion(Motion<c2::Q>{-1, 0, 0}) == Verdict::fails;
+           is_motion(Motion<c2::Q>{0, 0, -1}) == Verdict::fails && is_motion(Motion<c2::Q>{0, -1, 0}) == Verdict::fails &&
+           is_motion(Motion<c2::Q>{-1, 0, 0}) == Verdict::fails;
   });
   t.example("a spline of scales goes above all of its keys, which the keys alone do not tell", {.form = "beyond"}, [] {
     using namespace c2;
     const auto curve = spline_curve<Q, 3>(one, up, down, one, Q(1));
-    return by_greatest_factor(curve.at(Q(1, 2))) == Q(3, 2) &&
-           cubic_motion<Q, 3>(curve, by_greatest_factor).size == Q(5, 3) && by_greatest_factor(one) == 1;
+    return by_greatest_factor(curve.at(Q(1, 2))) == Q(3, 2) && cubic_motion<Q, 3>(curve, by_greatest_factor).size == Q(5, 3) &&
+           by_greatest_factor(one) == 1;
   });
   t.example("an engine that takes the long way turns by more than the bound of the shorter one",
             {.form = "beyond", .hypothesis = "the channel takes the shorter way"}, [] {
               using namespace c2;
               using D = Quaternion<double>;
               const D a = lift<double>(start), b = lift<double>(end), c = lift<double>(other_sign);
-              const double angle = 2 * std::atan2(0.6, 0.8), bound = angle_at_most(a, b),
-                           way_round = angle_at_most(a, c);
-              return bound > angle && bound < 1.0033 * angle && bound < 3.14159 - angle &&
-                     way_round > 3.14159 - angle && by_shorter_way(start, other_sign) == end;
+              const double angle = 2 * std::atan2(0.6, 0.8), bound = angle_at_most(a, b), way_round = angle_at_most(a, c);
+              return bound > angle && bound < 1.0033 * angle && bound < 3.14159 - angle && way_round > 3.14159 - angle &&
+                     by_shorter_way(start, other_sign) == end;
             });
 }
 

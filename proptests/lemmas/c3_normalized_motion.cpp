@@ -29,8 +29,7 @@ struct Blend {
     motion = gen::any_motion();
     moment = gen::moment_within<4>(motion);
     moment.value = *gen::unit_quaternion() * least;
-    if (*rc::gen::inRange(0, 4) == 0)
-      least = least * *gen::unit_interval_rational() / Rational(2) + least / Rational(3);
+    if (*rc::gen::inRange(0, 4) == 0) least = least * *gen::unit_interval_rational() / Rational(2) + least / Rational(3);
   }
   bool is_degenerate() const { return squared_norm(moment.velocity) == 0 || squared_norm(moment.acceleration) == 0; }
   std::vector<RationalQuaternion> parts() const { return {moment.value, moment.velocity, moment.acceleration}; }
@@ -84,30 +83,25 @@ PROPTEST(c3_normalized_motion) {
             RC_ASSERT(twin.value == found.moment.value && twin.velocity == found.moment.velocity &&
                       twin.acceleration == found.moment.acceleration);
           });
-  t.holds("the inverse reaches its bounds, and a turn without a bend reaches those of the normalised blend",
-          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
-            // p'' such that its reflection points where the rest does.
-            const Rational least = *gen::positive_rational(), speed = *gen::positive_rational(),
-                           bend = *gen::positive_rational();
-            const RationalQuaternion p = *gen::unit_quaternion(), v = *gen::unit_quaternion();
-            const Moment<Rational, 4> still{p * least, v * speed, RationalQuaternion::Zero()};
-            const auto rest = inverse_moves<Rational>(still, {Rational(0), speed, Rational(0)}, least).moment;
-            const Rational long_rest = Rational(2) * speed * speed / (least * least * least);
-            RC_ASSERT(squared_norm(rest.velocity) == sq(Rational(speed / (least * least))));
-            RC_ASSERT(squared_norm(rest.acceleration) == long_rest * long_rest);
-            const RationalQuaternion along = rest.acceleration / long_rest;
-            const Moment<Rational, 4> all{still.value, still.velocity,
-                                          (along - p * Rational(Rational(2) * dot(along, p))) * bend};
-            const RationalMotion motion{Rational(0), speed, bend};
-            const Rational greatest = inverse_motion(motion, least).acceleration;
-            RC_ASSERT(squared_norm(inverse_moves(all, motion, least).moment.acceleration) == greatest * greatest);
-          });
+  t.holds(
+      "the inverse reaches its bounds, and a turn without a bend reaches those of the normalised blend",
+      {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+        // p'' such that its reflection points where the rest does.
+        const Rational least = *gen::positive_rational(), speed = *gen::positive_rational(), bend = *gen::positive_rational();
+        const RationalQuaternion p = *gen::unit_quaternion(), v = *gen::unit_quaternion();
+        const Moment<Rational, 4> still{p * least, v * speed, RationalQuaternion::Zero()};
+        const auto rest = inverse_moves<Rational>(still, {Rational(0), speed, Rational(0)}, least).moment;
+        const Rational long_rest = Rational(2) * speed * speed / (least * least * least);
+        RC_ASSERT(squared_norm(rest.velocity) == sq(Rational(speed / (least * least))));
+        RC_ASSERT(squared_norm(rest.acceleration) == long_rest * long_rest);
+        const RationalQuaternion along = rest.acceleration / long_rest;
+        const Moment<Rational, 4> all{still.value, still.velocity, (along - p * Rational(Rational(2) * dot(along, p))) * bend};
+        const RationalMotion motion{Rational(0), speed, bend};
+        const Rational greatest = inverse_motion(motion, least).acceleration;
+        RC_ASSERT(squared_norm(inverse_moves(all, motion, least).moment.acceleration) == greatest * greatest);
+      });
   t.holds("a blend of close quaternions is long, of few more than of many",
-          {.form = "beyond",
-           .number_type = "rational",
-           .cases = 600,
-           .degenerate_at_least = 0.05,
-           .degenerate_at_most = 0.7},
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.05, .degenerate_at_most = 0.7},
           [] {
             const auto units = *gen::unit_quaternions(1, 5);
             const auto w = *gen::convex_weights(static_cast<int>(units.size()));
@@ -177,14 +171,12 @@ PROPTEST(c3_normalized_motion) {
     } else {
       RC_PRE(squared_norm(normalized.acceleration) > 0 && squared_norm(inverse.acceleration) > 0);
       // Bends are bounded by both: what turns too slowly for its bend as well.
-      b.motion = {Rational(0), b.motion.speed * little * little * little,
-                  b.motion.acceleration * little * little * little};
+      b.motion = {Rational(0), b.motion.speed * little * little * little, b.motion.acceleration * little * little * little};
     }
     const bool too_small = normalization_hypotheses(b.moment, b.motion, b.least) == Verdict::fails;
     const auto now = normalized_moves(b.moment, b.motion, b.least);
     RC_ASSERT(is_normalized_moment(b.moment, b.motion, b.least, now) == now.verdict);
-    RC_ASSERT(is_inverse_moment(b.moment, b.motion, b.least, inverse) ==
-              inverse_moves(b.moment, b.motion, b.least).verdict);
+    RC_ASSERT(is_inverse_moment(b.moment, b.motion, b.least, inverse) == inverse_moves(b.moment, b.motion, b.least).verdict);
     RC_CLASSIFY(too_small && now.verdict == Verdict::fails, "beyond the bounds");
   });
   needs_each_part(t, "the bounds need each part of the hypotheses", 0.15, [] {
@@ -203,23 +195,16 @@ PROPTEST(c3_normalized_motion) {
                        asked ? std::optional(verdict(m, motion, shortest)) : std::nullopt};
     };
     const Moment<Rational, 4> turn{p * least, across * speed, RationalQuaternion::Zero()},
-        bend{p * least, RationalQuaternion::Zero(), across * speed},
-        fast{p * least, across * more, RationalQuaternion::Zero()},
+        bend{p * least, RationalQuaternion::Zero(), across * speed}, fast{p * least, across * more, RationalQuaternion::Zero()},
         bent{p * least, RationalQuaternion::Zero(), across * more};
     const RationalMotion of_turn{Rational(0), speed, Rational(0)}, of_bend{Rational(0), Rational(0), speed};
     switch (gen::any_place(6)) {
-      case 0:
-        return weakened("the blend is shorter than the least", turn, of_turn, Rational(least + tiny));
-      case 1:
-        return weakened("the blend is faster", fast, of_turn, least);
-      case 2:
-        return weakened("the blend bends more", bent, of_bend, least);
-      case 3:
-        return weakened("the least is not positive", turn, of_turn, Rational(-least), false);
-      case 4:
-        return weakened("the speed's bound is negative", turn, {Rational(0), -speed, Rational(0)}, least, false);
-      default:
-        return weakened("the acceleration's bound is negative", bend, {Rational(0), Rational(0), -speed}, least, false);
+      case 0: return weakened("the blend is shorter than the least", turn, of_turn, Rational(least + tiny));
+      case 1: return weakened("the blend is faster", fast, of_turn, least);
+      case 2: return weakened("the blend bends more", bent, of_bend, least);
+      case 3: return weakened("the least is not positive", turn, of_turn, Rational(-least), false);
+      case 4: return weakened("the speed's bound is negative", turn, {Rational(0), -speed, Rational(0)}, least, false);
+      default: return weakened("the acceleration's bound is negative", bend, {Rational(0), Rational(0), -speed}, least, false);
     }
   });
   needs_each_part(t, "the length of a blend needs each part of its hypotheses", 0.2, [] {
@@ -252,8 +237,7 @@ PROPTEST(c3_normalized_motion) {
   t.example("near 0 a blend turns as fast as it wants to", {.form = "beyond", .hypothesis = "m > 0"}, [] {
     using namespace c3;
     const auto found = normalized_moves(nearly_zero, of_nearly_zero, Q(1, 1000));
-    return found.verdict == Verdict::holds &&
-           squared_norm(found.velocity) == sq(Q(1000)) * squared_norm(nearly_zero.value);
+    return found.verdict == Verdict::holds && squared_norm(found.velocity) == sq(Q(1000)) * squared_norm(nearly_zero.value);
   });
   t.example("the greatest bend without a bend of the blend is nearly reached", {.form = "beyond"}, [] {
     using namespace c3;
@@ -261,8 +245,7 @@ PROPTEST(c3_normalized_motion) {
     const Motion motion{0, Q(8602326, 1000000), 0};  // a little more than sqrt(74)
     const auto found = normalized_moves(greatest_bend, motion, Q(1));
     const Motion less{0, motion.speed * Q(998, 1000), 0};
-    return Q(37, 32) * Q(37, 32) * 3 >= 4 && Q(37, 32) * Q(37, 32) * 3 < Q(1003 * 4, 1000) &&
-           found.verdict == Verdict::holds &&
+    return Q(37, 32) * Q(37, 32) * 3 >= 4 && Q(37, 32) * Q(37, 32) * 3 < Q(1003 * 4, 1000) && found.verdict == Verdict::holds &&
            squared_norm(normalized_moves(greatest_bend, motion, Q(1)).acceleration) >
                sq(normalized_motion(less, Q(1)).acceleration) &&
            normalization_hypotheses(greatest_bend, less, Q(1)) == Verdict::fails;
@@ -270,8 +253,7 @@ PROPTEST(c3_normalized_motion) {
   t.example("opposite quaternions have no blend of any length, and none is promised",
             {.form = "beyond", .hypothesis = "no less than c"}, [] {
               using namespace c3;
-              return least_squared_blend(Q(-1), Q(2)) == 0 &&
-                     blend_is_long<Q>(opposite, Q(0), halves) == Verdict::fails &&
+              return least_squared_blend(Q(-1), Q(2)) == 0 && blend_is_long<Q>(opposite, Q(0), halves) == Verdict::fails &&
                      least_squared_blend(Q(0), Q(2)) == Q(1, 2) &&
                      blend_is_long<Q>(right_angle, Q(0), halves) == Verdict::holds &&
                      least_along<Q>(opposite, {1, 0, 0, 0}) == -1;

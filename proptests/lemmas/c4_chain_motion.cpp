@@ -78,35 +78,31 @@ PROPTEST(c4_chain_motion) {
               q = product(q, link.rotation, [](const auto& a, const auto& b) { return multiply<Rational>(a, b); });
             RC_ASSERT(moves_within(q, chain.rotation) == Verdict::holds);
           });
-  t.holds(
-      "hinges in a row that turn one way about one axis reach the bounds",
-      {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
-        // Stretched along x, all about z: nothing is lost between the products.
-        const RationalVec<3> none = RationalVec<3>::Zero();
-        MovingChain c(0);
-        const int count = *rc::gen::inRange(1, 5);
-        for (int k = 0; k < count; ++k) {
-          const Rational speed = *gen::positive_rational(), bone = *gen::positive_rational();
-          const auto turn = gen::turning_moment({1, 0, 0, 0}, RationalVec<3>(0, 0, speed), none);
-          c.links.push_back({{RationalVec<3>(bone, 0, 0), none, none}, turn, {RationalVec<3>(1, 1, 1), none, none}});
-          c.motions.push_back({at_rest(bone), circle_motion(speed), at_rest(Rational(1))});
-        }
-        const Rational arm = *gen::positive_rational();
-        const auto found =
-            chain_moves<Rational>(c.links, c.motions, {RationalVec<3>(arm, 0, 0), none, none}, at_rest(arm))
-                .steps.back();
-        const auto bounds = carried_motion(chain_motion<Rational>(c.motions), at_rest(arm));
-        RC_ASSERT(squared_norm(found.value) == sq(bounds.size) && squared_norm(found.velocity) == sq(bounds.speed) &&
-                  squared_norm(found.acceleration) == sq(bounds.acceleration));
-      });
+  t.holds("hinges in a row that turn one way about one axis reach the bounds",
+          {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
+            // Stretched along x, all about z: nothing is lost between the products.
+            const RationalVec<3> none = RationalVec<3>::Zero();
+            MovingChain c(0);
+            const int count = *rc::gen::inRange(1, 5);
+            for (int k = 0; k < count; ++k) {
+              const Rational speed = *gen::positive_rational(), bone = *gen::positive_rational();
+              const auto turn = gen::turning_moment({1, 0, 0, 0}, RationalVec<3>(0, 0, speed), none);
+              c.links.push_back({{RationalVec<3>(bone, 0, 0), none, none}, turn, {RationalVec<3>(1, 1, 1), none, none}});
+              c.motions.push_back({at_rest(bone), circle_motion(speed), at_rest(Rational(1))});
+            }
+            const Rational arm = *gen::positive_rational();
+            const auto found =
+                chain_moves<Rational>(c.links, c.motions, {RationalVec<3>(arm, 0, 0), none, none}, at_rest(arm)).steps.back();
+            const auto bounds = carried_motion(chain_motion<Rational>(c.motions), at_rest(arm));
+            RC_ASSERT(squared_norm(found.value) == sq(bounds.size) && squared_norm(found.velocity) == sq(bounds.speed) &&
+                      squared_norm(found.acceleration) == sq(bounds.acceleration));
+          });
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     std::vector<Vec<Rational, 4>> numbers;
     const auto add = [&](const auto& m) {
       for (const auto& x : {m.value, m.velocity, m.acceleration})
-        if constexpr (std::is_same_v<std::decay_t<decltype(m)>, Moment<Rational, 3>>)
-          numbers.push_back({0, x[0], x[1], x[2]});
-        else
-          numbers.push_back(x);
+        if constexpr (std::is_same_v<std::decay_t<decltype(m)>, Moment<Rational, 3>>) numbers.push_back({0, x[0], x[1], x[2]});
+        else numbers.push_back(x);
     };
     const auto add_bound = [&](const RationalMotion& m) { numbers.push_back({m.size, m.speed, m.acceleration, 0}); };
     const Rational share = *rc::gen::element(Rational(1), Rational(1, 4));
@@ -114,8 +110,7 @@ PROPTEST(c4_chain_motion) {
       const auto turn = gen::turning_quaternion();
       const LinkMotion<Rational> m{gen::any_motion(), turn.motion, gen::any_motion()};
       add(gen::moment_within<3>(m.translation)), add(turn.moment), add(gen::moment_within<3>(m.scale));
-      add_bound(m.translation), add_bound({share, m.rotation.speed * share, m.rotation.acceleration * share}),
-          add_bound(m.scale);
+      add_bound(m.translation), add_bound({share, m.rotation.speed * share, m.rotation.acceleration * share}), add_bound(m.scale);
     }
     const auto below = gen::any_motion();
     add(gen::moment_within<3>(below)), add_bound(below);
@@ -128,17 +123,10 @@ PROPTEST(c4_chain_motion) {
     const auto i = static_cast<int>(gen::any_place(3));
     const Rational amount = *gen::excess();
     switch (gen::any_place(4)) {
-      case 0:
-        steps[k].value[i] += amount;
-        break;
-      case 1:
-        steps[k].velocity[i] += amount;
-        break;
-      case 2:
-        steps[k].acceleration[i] += amount;
-        break;
-      default:
-        steps.pop_back();
+      case 0: steps[k].value[i] += amount; break;
+      case 1: steps[k].velocity[i] += amount; break;
+      case 2: steps[k].acceleration[i] += amount; break;
+      default: steps.pop_back();
     }
     RC_ASSERT(are_chain_steps<Rational>(c.links, c.motions, c.point, c.below, steps) == Verdict::fails);
   });
@@ -178,12 +166,8 @@ PROPTEST(c4_chain_motion) {
       if (what == 3) bounds.speed = -more, part = name + "'s bound is negative";
     };
     switch (gen::any_place(3)) {
-      case 0:
-        break_of(link.translation, motion.translation, "the translation");
-        break;
-      case 1:
-        break_of(link.scale, motion.scale, "the scale");
-        break;
+      case 0: break_of(link.translation, motion.translation, "the translation"); break;
+      case 1: break_of(link.scale, motion.scale, "the scale"); break;
       default: {
         link.rotation = gen::turning_moment({1, 0, 0, 0}, RationalVec<3>(0, 0, 1), none);
         motion.rotation = circle_motion(Rational(1));
@@ -196,9 +180,9 @@ PROPTEST(c4_chain_motion) {
     const std::vector links{link};
     const std::vector motions{motion};
     const bool asked = part.find("negative") == std::string::npos;
-    return Weakening{part, link_hypotheses(link, motion),
-                     asked ? std::optional(chain_moves<Rational>(links, motions, point, at_rest(Rational(1))).verdict)
-                           : std::nullopt};
+    return Weakening{
+        part, link_hypotheses(link, motion),
+        asked ? std::optional(chain_moves<Rational>(links, motions, point, at_rest(Rational(1))).verdict) : std::nullopt};
   });
   t.example("an arm of two hinges that turn one way reaches its bounds", {.form = "beyond"}, [] {
     using namespace c4;
@@ -210,14 +194,13 @@ PROPTEST(c4_chain_motion) {
     return found.verdict == Verdict::holds && bounds.size == 2 && bounds.speed == 6 && bounds.acceleration == 20 &&
            squared_norm(found.steps.back().acceleration) == 400;
   });
-  t.example(
-      "without the products of speeds an arm of two hinges leaves its bounds",
-      {.form = "beyond", .hypothesis = "speeds multiply too"}, [] {
-        using namespace c4;
-        const std::vector<Link> links{hinge, bone};
-        const auto found = chain_moves<Q>(links, std::vector<LinkMotion>{of_hinge, of_bone}, tip, one).steps.back();
-        return squared_norm(found.acceleration) > sq(Q(12));
-      });
+  t.example("without the products of speeds an arm of two hinges leaves its bounds",
+            {.form = "beyond", .hypothesis = "speeds multiply too"}, [] {
+              using namespace c4;
+              const std::vector<Link> links{hinge, bone};
+              const auto found = chain_moves<Q>(links, std::vector<LinkMotion>{of_hinge, of_bone}, tip, one).steps.back();
+              return squared_norm(found.acceleration) > sq(Q(12));
+            });
   t.example("no links leave a point where it is", {.form = "beyond"}, [] {
     using namespace c4;
     const auto found = chain_moves<Q>(std::vector<Link>{}, std::vector<LinkMotion>{}, tip, one);

@@ -21,8 +21,7 @@ using Jet = oracle::Jet<Rational>;
 using Motions = std::span<const RationalMotion>;
 
 RationalMotion bounds_of(const Moment<Rational, 3>& m) {
-  return {upper_root(squared_norm(m.value)), upper_root(squared_norm(m.velocity)),
-          upper_root(squared_norm(m.acceleration))};
+  return {upper_root(squared_norm(m.value)), upper_root(squared_norm(m.velocity)), upper_root(squared_norm(m.acceleration))};
 }
 
 // Rigid joints that turn and move, and what they make of a point.
@@ -52,8 +51,7 @@ struct Skin {
   void see_from(const RationalVec<3>& f) {
     images.clear(), skin.images.clear();
     for (const auto& joint : joints) {
-      const Vec<Jet, 3> image =
-          oracle::times<Jet>(oracle::affine_of<Jet>(joint.rotation, joint.translation), point.cast<Jet>());
+      const Vec<Jet, 3> image = oracle::times<Jet>(oracle::affine_of<Jet>(joint.rotation, joint.translation), point.cast<Jet>());
       skin.images.push_back(oracle::moment_of<Rational, 3>(Vec<Jet, 3>(image - f.cast<Jet>())));
       images.push_back(bounds_of(skin.images.back()));
     }
@@ -94,15 +92,15 @@ PROPTEST(c5_skinned_motion) {
             const Rational distance = upper_root(squared_norm(arm));
             const auto found = spherical_moves<Rational>(s.skin, arm, s.images, s.rotations, distance, s.least);
             RC_ASSERT(found.verdict == Verdict::holds);
-            RC_ASSERT(is_spherical_moment<Rational>(s.skin, arm, s.images, s.rotations, distance, s.least,
-                                                    found.vertex) == Verdict::holds);
+            RC_ASSERT(is_spherical_moment<Rational>(s.skin, arm, s.images, s.rotations, distance, s.least, found.vertex) ==
+                      Verdict::holds);
             const RationalVec<3> vertex = s.point + arm;
             RC_ASSERT(same(found.vertex, oracle::moment_of<Rational, 3>(oracle::spherical<Jet>(
                                              s.joints, s.weights(), s.point.cast<Jet>(), vertex.cast<Jet>()))));
             const auto linear = linear_moves<Rational>(s.skin, s.images);
             RC_ASSERT(linear.verdict == Verdict::holds);
-            RC_ASSERT(same(linear.vertex, oracle::moment_of<Rational, 3>(
-                                              oracle::linear<Jet>(s.joints, s.weights(), s.point.cast<Jet>()))));
+            RC_ASSERT(same(linear.vertex,
+                           oracle::moment_of<Rational, 3>(oracle::linear<Jet>(s.joints, s.weights(), s.point.cast<Jet>()))));
           });
   t.holds("what all joints do alike may be left out",
           {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_most = 0.6}, [] {
@@ -116,9 +114,8 @@ PROPTEST(c5_skinned_motion) {
             const auto quaternion = oracle::jets_of(turn.moment);
             std::vector<RigidTransform<Jet>> all;
             for (const auto& joint : s.joints)
-              all.push_back(
-                  {multiply<Jet>(quaternion, joint.rotation),
-                   oracle::times<Jet>(oracle::affine_of<Jet>(quaternion, oracle::jets_of(moved)), joint.translation)});
+              all.push_back({multiply<Jet>(quaternion, joint.rotation),
+                             oracle::times<Jet>(oracle::affine_of<Jet>(quaternion, oracle::jets_of(moved)), joint.translation)});
             const auto vertex =
                 oracle::moment_of<Rational, 3>(oracle::dual_quaternion<Jet>(all, s.weights(), s.point.cast<Jet>()));
             Skin seen = s;
@@ -135,11 +132,9 @@ PROPTEST(c5_skinned_motion) {
         const RationalVec<3> from = *gen::rational_vector<3>(), to = *gen::rational_vector<3>(),
                              bone = *gen::rational_vector<3>(), vertex = *gen::rational_vector<3>(),
                              pivot = *gen::rational_vector<3>(), none = RationalVec<3>::Zero();
-        const Rational duration = *gen::unit_interval_rational() + Rational(1, 100),
-                       share = *gen::unit_interval_rational();
+        const Rational duration = *gen::unit_interval_rational() + Rational(1, 100), share = *gen::unit_interval_rational();
         const auto w = *gen::convex_weights(2);
-        RC_CLASSIFY(w[0] == 1 || w[1] == 1 || share == 0 || share == 1 || (outer.rate == 0 && inner.rate == 0),
-                    "degenerate");
+        RC_CLASSIFY(w[0] == 1 || w[1] == 1 || share == 0 || share == 1 || (outer.rate == 0 && inner.rate == 0), "degenerate");
         const auto length = [](const RationalVec<3>& x) { return upper_root(squared_norm(x)); };
         // The channels' bounds, and those of the chains.
         const LinkMotion<Rational> of_outer{
@@ -166,16 +161,15 @@ PROPTEST(c5_skinned_motion) {
           return Rational(dot(c[0].rotation, c[1].rotation));
         };
         if (cosine_at(Rational(0)) < 0) sign = Rational(-1);
-        const Rational cosine = least_over_interval<Rational>(
-            cosine_at(Rational(0)), cosine_at(Rational(1)), chord_slack(product(rotations[0], rotations[1]), duration));
+        const Rational cosine = least_over_interval<Rational>(cosine_at(Rational(0)), cosine_at(Rational(1)),
+                                                              chord_slack(product(rotations[0], rotations[1]), duration));
         RC_PRE(cosine > Rational(-99, 100));
         const Rational least = gen::lower_root(least_squared_blend<Rational>(cosine, 2));
         const auto near = [&](const auto& skinned, const RationalMotion& motion) {
           const RationalVec<3> at = skinned(joints(share, sign)), start = skinned(joints(Rational(0), sign)),
                                end = skinned(joints(Rational(1), sign));
           RC_ASSERT((is_near_chord<Rational, 3>(start, end, at, motion.acceleration, duration, share) &
-                     is_near_chord_to_first_order<Rational, 3>(start, end, at, motion.speed, duration, share)) ==
-                    Verdict::holds);
+                     is_near_chord_to_first_order<Rational, 3>(start, end, at, motion.speed, duration, share)) == Verdict::holds);
         };
         near([&](const auto& c) { return oracle::linear(c, w, vertex); }, widest<Rational>(images(vertex)));
         near([&](const auto& c) { return oracle::spherical(c, w, pivot, vertex); },
@@ -229,8 +223,7 @@ PROPTEST(c5_skinned_motion) {
     const std::size_t what = gen::any_place(3);
     for (auto* m : {&dual, &spherical}) (what == 0 ? m->value : what == 1 ? m->velocity : m->acceleration)[i] += amount;
     RC_ASSERT(is_dual_moment<Rational>(s.skin, s.images, s.rotations, s.least, dual) == Verdict::fails);
-    RC_ASSERT(is_spherical_moment<Rational>(s.skin, arm, s.images, s.rotations, distance, s.least, spherical) ==
-              Verdict::fails);
+    RC_ASSERT(is_spherical_moment<Rational>(s.skin, arm, s.images, s.rotations, distance, s.least, spherical) == Verdict::fails);
   });
   t.holds("true moments that leave the bounds are rejected", {.number_type = "rational", .cases = 200}, [] {
     Skin s(1);
@@ -256,26 +249,17 @@ PROPTEST(c5_skinned_motion) {
     s.skin.weights = {Rational(1, 2), Rational(1, 2)};
     const auto q = gen::turning_moment(a, axis, still);
     s.skin.rotations = {q, q}, s.rotations = {circle_motion(Rational(1)), circle_motion(Rational(1))};
-    s.skin.images = {{image, still, still}, {image, still, still}},
-    s.images = {at_rest(Rational(1)), at_rest(Rational(1))};
+    s.skin.images = {{image, still, still}, {image, still, still}}, s.images = {at_rest(Rational(1)), at_rest(Rational(1))};
     s.least = Rational(1);
     const std::size_t k = gen::any_place(2);
     const Rational more = Rational(1) + *rc::gen::element(Rational(30), Rational(5));
     std::string part;
     bool asked = true;
     switch (gen::any_place(8)) {
-      case 0:
-        part = "an image's size", s.skin.images[k].value *= more * more;
-        break;
-      case 1:
-        part = "an image's speed", s.skin.images[k].velocity = image * more;
-        break;
-      case 2:
-        part = "an image's acceleration", s.skin.images[k].acceleration = image * Rational(more * more);
-        break;
-      case 3:
-        part = "a quaternion's speed", s.skin.rotations[k].velocity *= more * Rational(10);
-        break;
+      case 0: part = "an image's size", s.skin.images[k].value *= more * more; break;
+      case 1: part = "an image's speed", s.skin.images[k].velocity = image * more; break;
+      case 2: part = "an image's acceleration", s.skin.images[k].acceleration = image * Rational(more * more); break;
+      case 3: part = "a quaternion's speed", s.skin.rotations[k].velocity *= more * Rational(10); break;
       case 4:
         part = "a quaternion's acceleration",
         s.skin.rotations[k].acceleration = gen::turning_moment(a, axis, axis * Rational(more * more)).acceleration;
@@ -285,19 +269,15 @@ PROPTEST(c5_skinned_motion) {
         part = broken.part, s.skin.weights = broken.weights, asked = false;
         break;
       }
-      case 6:
-        part = "the least is not positive", s.least = Rational(0) - *gen::excess(), asked = false;
-        break;
-      default:
-        part = "a quaternion is no unit", s.skin.rotations[k].value *= Rational(1, 2), asked = false;
+      case 6: part = "the least is not positive", s.least = Rational(0) - *gen::excess(), asked = false; break;
+      default: part = "a quaternion is no unit", s.skin.rotations[k].value *= Rational(1, 2), asked = false;
     }
     const Verdict hypothesis = skin_hypotheses<Rational>(s.skin, s.images, s.rotations, s.least);
     if (!asked) return Weakening{part, hypothesis, std::nullopt};
     // Seen where it shows: in the linear blend, or in one of the turns.
-    const Verdict conclusion =
-        linear_moves<Rational>(s.skin, s.images).verdict &
-        dual_moves<Rational>(s.skin, s.images, s.rotations, s.least).verdict &
-        spherical_moves<Rational>(s.skin, image, s.images, s.rotations, Rational(1), s.least).verdict;
+    const Verdict conclusion = linear_moves<Rational>(s.skin, s.images).verdict &
+                               dual_moves<Rational>(s.skin, s.images, s.rotations, s.least).verdict &
+                               spherical_moves<Rational>(s.skin, image, s.images, s.rotations, Rational(1), s.least).verdict;
     return Weakening{part, hypothesis, conclusion};
   });
   t.example("a short blend turns faster than its joints: without its length the vertex is faster than said",
@@ -311,20 +291,19 @@ PROPTEST(c5_skinned_motion) {
                      skin_hypotheses<Q>(skin, images, rotations, Q(2)) == Verdict::fails &&
                      spherical_moves<Q>(skin, arm, images, rotations, Q(1), Q(2)).verdict == Verdict::fails;
             });
-  t.example("weights that change are more than the joints' motion",
-            {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
+  t.example("weights that change are more than the joints' motion", {.form = "beyond", .hypothesis = "the weights are convex"},
+            [] {
               using namespace c5;
               const c5::Skin skin{{at_x, at_origin}, {ahead, behind}, {Q(2), Q(-1)}};
               const std::vector<Motion> images{{1, 0, 0}, resting};
               return linear_moves<Q>(skin, images).verdict == Verdict::fails;
             });
-  t.example("joints that turn as fast, far apart, move a vertex within the bounds of their short blend",
-            {.form = "beyond"}, [] {
-              using namespace c5;
-              const c5::Skin skin{{at_x, at_origin}, {ahead, along}, halves};
-              const std::vector<Motion> images{{1, 0, 0}, {1, 0, 0}}, rotations{turning, turning};
-              return dual_moves<Q>(skin, images, rotations, length).verdict == Verdict::holds;
-            });
+  t.example("joints that turn as fast, far apart, move a vertex within the bounds of their short blend", {.form = "beyond"}, [] {
+    using namespace c5;
+    const c5::Skin skin{{at_x, at_origin}, {ahead, along}, halves};
+    const std::vector<Motion> images{{1, 0, 0}, {1, 0, 0}}, rotations{turning, turning};
+    return dual_moves<Q>(skin, images, rotations, length).verdict == Verdict::holds;
+  });
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ struct MovingPoints {
     for (std::size_t k = 0; k < count; ++k) {
       const RationalVec<3> bend = gen::unit_direction() * acceleration;
       const Rational share_of_bend = *rc::gen::oneOf(rc::gen::just(Rational(1)), gen::unit_interval_rational());
-      curves.push_back(gen::cubic_between(*gen::rational_vector<3>(), *gen::rational_vector<3>(), bend,
-                                          bend * share_of_bend, duration));
+      curves.push_back(
+          gen::cubic_between(*gen::rational_vector<3>(), *gen::rational_vector<3>(), bend, bend * share_of_bend, duration));
     }
     enclose();
   }
@@ -51,9 +51,7 @@ struct MovingPoints {
     both.radius = upper_root(farthest);
   }
   bool is_degenerate() const { return acceleration == 0 || share == 0 || share == 1; }
-  Verdict hypotheses() const {
-    return interval_hypotheses<Rational>(curves, acceleration, start, end, direction, both, share);
-  }
+  Verdict hypotheses() const { return interval_hypotheses<Rational>(curves, acceleration, start, end, direction, both, share); }
   Verdict conclusion() const {
     return stays_in_interval<Rational>(curves, acceleration, start, end, direction, direction_length, both, share);
   }
@@ -73,8 +71,8 @@ struct Patch {
       shares.push_back(*gen::unit_interval_rational());
       std::vector<RationalVec<3>> bends(corners);
       for (std::size_t k = 0; k < corners; ++k)
-        bends[k] = k >> i & 1 ? bends[k ^ (std::size_t(1) << i)]
-                              : RationalVec<3>(gen::unit_direction() * motions[i].acceleration);
+        bends[k] =
+            k >> i & 1 ? bends[k ^ (std::size_t(1) << i)] : RationalVec<3>(gen::unit_direction() * motions[i].acceleration);
       patch.bends.push_back(bends);
     }
   }
@@ -95,29 +93,27 @@ PROPTEST(c6_interval_hull) {
             RC_ASSERT(c.conclusion() == Verdict::holds);
             const auto keys = slab_of_keys(c.start, c.end);
             for (const auto& curve : c.curves) {
-              RC_CLASSIFY(in_slab(keys, c.direction, curve.at(c.share)) == Verdict::fails,
-                          "outside of the slab of the ends");
+              RC_CLASSIFY(in_slab(keys, c.direction, curve.at(c.share)) == Verdict::fails, "outside of the slab of the ends");
               RC_ASSERT(in_slab(keys, c.direction, curve.points[0]) == Verdict::holds);
             }
           });
-  t.holds(
-      "a parabola at right angles to a slab reaches its border, and half of the interval has a quarter of the slack",
-      {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
-        const RationalVec<3> n = gen::unit_direction(), at = *gen::rational_vector<3>();
-        const Rational bend = *gen::positive_rational(), duration = *gen::positive_rational(),
-                       length = *gen::positive_rational();
-        const Curve up = gen::cubic_between(at, at, n * Rational(-bend), n * Rational(-bend), duration);
-        const Rational slack = chord_slack(bend, duration), level = n.dot(at) * length;
-        const auto slab = interval_slab<Rational>({level, level}, {level, level}, slack, length);
-        const RationalVec<3> direction = n * length;
-        RC_ASSERT(direction.dot(up.at(Rational(1, 2))) == slab.high);
-        RC_ASSERT(slab.low == level - length * slack);
-        RC_ASSERT(chord_slack(bend, Rational(duration / Rational(2))) * Rational(4) == slack);
-        const auto apart = interval_slab<Rational>({level, level + 1}, {level - 2, level - 1}, slack, length);
-        RC_ASSERT(apart.low == slab.low - 2 && apart.high == slab.high + 1);
-        RC_ASSERT(least_over_interval<Rational>(level, level - 1, slack) == level - 1 - slack);
-        RC_ASSERT(interval_ball<Rational>({at, length}, slack).radius == length + slack);
-      });
+  t.holds("a parabola at right angles to a slab reaches its border, and half of the interval has a quarter of the slack",
+          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+            const RationalVec<3> n = gen::unit_direction(), at = *gen::rational_vector<3>();
+            const Rational bend = *gen::positive_rational(), duration = *gen::positive_rational(),
+                           length = *gen::positive_rational();
+            const Curve up = gen::cubic_between(at, at, n * Rational(-bend), n * Rational(-bend), duration);
+            const Rational slack = chord_slack(bend, duration), level = n.dot(at) * length;
+            const auto slab = interval_slab<Rational>({level, level}, {level, level}, slack, length);
+            const RationalVec<3> direction = n * length;
+            RC_ASSERT(direction.dot(up.at(Rational(1, 2))) == slab.high);
+            RC_ASSERT(slab.low == level - length * slack);
+            RC_ASSERT(chord_slack(bend, Rational(duration / Rational(2))) * Rational(4) == slack);
+            const auto apart = interval_slab<Rational>({level, level + 1}, {level - 2, level - 1}, slack, length);
+            RC_ASSERT(apart.low == slab.low - 2 && apart.high == slab.high + 1);
+            RC_ASSERT(least_over_interval<Rational>(level, level - 1, slack) == level - 1 - slack);
+            RC_ASSERT(interval_ball<Rational>({at, length}, slack).radius == length + slack);
+          });
   t.holds("a function of several parameters is near the hull of its corners",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.03, .degenerate_at_most = 0.5}, [] {
             const Patch c;
@@ -156,11 +152,10 @@ PROPTEST(c6_interval_hull) {
     const Rational part = *rc::gen::element(Rational(1), Rational(1, 2));
     const std::vector<RationalVec<3>> points(c.curves[0].points.begin(), c.curves[0].points.end());
     decide_by_all(
-        []<class S>(const std::vector<Vec<S, 3>>& p, const S& duration, const S& acceleration, const S& share,
-                    const Vec<S, 3>& n, const S& length, const std::vector<S>& slabs, const Ball<S, 3>& both) {
+        []<class S>(const std::vector<Vec<S, 3>>& p, const S& duration, const S& acceleration, const S& share, const Vec<S, 3>& n,
+                    const S& length, const std::vector<S>& slabs, const Ball<S, 3>& both) {
           const std::vector curves{CubicCurve<S, 3>{{p[0], p[1], p[2], p[3]}, duration}};
-          return stays_in_interval<S>(curves, acceleration, {slabs[0], slabs[1]}, {slabs[2], slabs[3]}, n, length, both,
-                                      share);
+          return stays_in_interval<S>(curves, acceleration, {slabs[0], slabs[1]}, {slabs[2], slabs[3]}, n, length, both, share);
         },
         points, c.curves[0].duration, Rational(c.acceleration * part), c.share, c.direction, c.direction_length,
         std::vector<Rational>{c.start.low, c.start.high, c.end.low, c.end.high}, c.both);
@@ -170,10 +165,8 @@ PROPTEST(c6_interval_hull) {
     auto found = point_near_hull<Rational>(c.patch, c.motions, c.shares);
     const Rational amount = *gen::excess();
     const std::size_t k = gen::any_place(found.weights.size());
-    if (*rc::gen::arbitrary<bool>())
-      found.in_hull[static_cast<int>(gen::any_place(3))] += amount;
-    else
-      found.weights[k] += amount;
+    if (*rc::gen::arbitrary<bool>()) found.in_hull[static_cast<int>(gen::any_place(3))] += amount;
+    else found.weights[k] += amount;
     RC_ASSERT(is_near_hull<Rational>(c.patch, c.motions, c.shares, found) == Verdict::fails);
   });
   t.holds("a true point of the hull that is too far is rejected", {.number_type = "rational", .cases = 200}, [] {
@@ -187,16 +180,16 @@ PROPTEST(c6_interval_hull) {
     auto less = c.motions;
     for (auto& m : less) m.acceleration = Rational(0);
     less[0].acceleration = c.motions[0].acceleration * Rational(999, 1000);
-    RC_ASSERT(is_near_hull<Rational>(c.patch, less, c.shares,
-                                     point_near_hull<Rational>(c.patch, c.motions, c.shares)) == Verdict::fails);
+    RC_ASSERT(is_near_hull<Rational>(c.patch, less, c.shares, point_near_hull<Rational>(c.patch, c.motions, c.shares)) ==
+              Verdict::fails);
   });
   needs_each_part(t, "an interval needs each part of the hypotheses", 0.2, [] {
     MovingPoints c;
     const std::size_t k = gen::any_place(c.curves.size());
     c.acceleration = *gen::positive_rational(), c.share = Rational(1, 2);
     for (auto& curve : c.curves)
-      curve = gen::cubic_between(curve.points[0], curve.points[3], RationalVec<3>::Zero(), RationalVec<3>::Zero(),
-                                 curve.duration);
+      curve =
+          gen::cubic_between(curve.points[0], curve.points[3], RationalVec<3>::Zero(), RationalVec<3>::Zero(), curve.duration);
     c.enclose();
     const RationalVec<3> away = c.direction;
     const Rational huge(1000000);
@@ -211,22 +204,16 @@ PROPTEST(c6_interval_hull) {
       case 1:
         c.start = {c.start.low - huge, c.start.low - Rational(huge / Rational(2))};
         c.end = c.start;
-        return Weakening{"the slab at an end", c.hypotheses(),
-                         c.acceleration * c.curves[k].duration * c.curves[k].duration < 100
-                             ? std::optional(c.conclusion())
-                             : std::nullopt};
+        return Weakening{
+            "the slab at an end", c.hypotheses(),
+            c.acceleration * c.curves[k].duration * c.curves[k].duration < 100 ? std::optional(c.conclusion()) : std::nullopt};
       case 2:
         c.both.center += away * huge;
-        return Weakening{"the ball", c.hypotheses(),
-                         c.acceleration * c.curves[k].duration * c.curves[k].duration < 100
-                             ? std::optional(c.conclusion())
-                             : std::nullopt};
-      case 3:
-        c.share = -*gen::excess();
-        return Weakening{"the share is negative", c.hypotheses(), std::nullopt};
-      case 4:
-        c.share = Rational(1) + *gen::excess();
-        return Weakening{"the share is more than 1", c.hypotheses(), std::nullopt};
+        return Weakening{
+            "the ball", c.hypotheses(),
+            c.acceleration * c.curves[k].duration * c.curves[k].duration < 100 ? std::optional(c.conclusion()) : std::nullopt};
+      case 3: c.share = -*gen::excess(); return Weakening{"the share is negative", c.hypotheses(), std::nullopt};
+      case 4: c.share = Rational(1) + *gen::excess(); return Weakening{"the share is more than 1", c.hypotheses(), std::nullopt};
       default:
         c.curves[k].duration = -c.curves[k].duration;
         return Weakening{"the duration is negative", c.hypotheses(), std::nullopt};
@@ -239,18 +226,10 @@ PROPTEST(c6_interval_hull) {
     std::string part;
     bool asked = false;
     switch (gen::any_place(5)) {
-      case 0:
-        part = "a share is negative", c.shares[i] = -amount;
-        break;
-      case 1:
-        part = "a share is more than 1", c.shares[i] = Rational(1) + amount;
-        break;
-      case 2:
-        part = "a side is negative", c.patch.sides[i] = -Rational(1) - amount;
-        break;
-      case 3:
-        part = "a bound is negative", c.motions[i].acceleration = -c.motions[i].acceleration - amount;
-        break;
+      case 0: part = "a share is negative", c.shares[i] = -amount; break;
+      case 1: part = "a share is more than 1", c.shares[i] = Rational(1) + amount; break;
+      case 2: part = "a side is negative", c.patch.sides[i] = -Rational(1) - amount; break;
+      case 3: part = "a bound is negative", c.motions[i].acceleration = -c.motions[i].acceleration - amount; break;
       default: {
         part = "a bend", asked = true;
         const RationalVec<3> way = gen::unit_direction();
@@ -261,17 +240,15 @@ PROPTEST(c6_interval_hull) {
         }
       }
     }
-    return Weakening{
-        part, patch_hypotheses<Rational>(c.patch, c.motions, c.shares),
-        asked ? std::optional(point_near_hull<Rational>(c.patch, c.motions, c.shares).verdict) : std::nullopt};
+    return Weakening{part, patch_hypotheses<Rational>(c.patch, c.motions, c.shares),
+                     asked ? std::optional(point_near_hull<Rational>(c.patch, c.motions, c.shares).verdict) : std::nullopt};
   });
   t.example("a hand that turns leaves the box of its keys, not that of the interval", {.form = "beyond"}, [] {
     using namespace c6;
     const Slab keys = slab_of_keys(hand_slab, hand_slab),
                interval = interval_slab(hand_slab, hand_slab, chord_slack(hand_bends, Q(1)), Q(1));
     return in_slab(keys, x_axis, hand_start) == Verdict::holds && in_slab(keys, x_axis, hand_end) == Verdict::holds &&
-           in_slab(keys, x_axis, hand_middle) == Verdict::fails &&
-           in_slab(interval, x_axis, hand_middle) == Verdict::holds;
+           in_slab(keys, x_axis, hand_middle) == Verdict::fails && in_slab(interval, x_axis, hand_middle) == Verdict::holds;
   });
   const auto thrown = [](const c6::Q& acceleration, const c6::Q& share) {
     using namespace c6;
@@ -279,21 +256,20 @@ PROPTEST(c6_interval_hull) {
     return std::pair(interval_hypotheses<Q>(curves, acceleration, ground, ground, x_axis, at_ground, share),
                      stays_in_interval<Q>(curves, acceleration, ground, ground, x_axis, Q(1), at_ground, share));
   };
-  t.example("what bends more than said leaves the interval's slab and ball",
-            {.form = "beyond", .hypothesis = "||f''|| <= M"}, [&] {
+  t.example("what bends more than said leaves the interval's slab and ball", {.form = "beyond", .hypothesis = "||f''|| <= M"},
+            [&] {
               return thrown(8, c6::Q(1, 2)) == std::pair(Verdict::holds, Verdict::holds) &&
                      thrown(7, c6::Q(1, 2)) == std::pair(Verdict::fails, Verdict::fails);
             });
   t.example("beyond the interval nothing holds", {.form = "beyond", .hypothesis = "0 <= s <= 1"},
             [&] { return thrown(8, c6::Q(2)) == std::pair(Verdict::fails, Verdict::fails); });
-  t.example(
-      "a set that holds one end alone says nothing of the other", {.form = "beyond", .hypothesis = "K holds both ends"},
-      [] {
-        using namespace c6;
-        const std::vector curves{Curve{{origin, Point(1, 0, 0), Point(2, 0, 0), Point(3, 0, 0)}, 1}};
-        return interval_hypotheses<Q>(curves, Q(0), ground, ground, x_axis, at_ground, Q(1, 2)) == Verdict::fails &&
-               stays_in_interval<Q>(curves, Q(0), ground, ground, x_axis, Q(1), at_ground, Q(1, 2)) == Verdict::fails;
-      });
+  t.example("a set that holds one end alone says nothing of the other", {.form = "beyond", .hypothesis = "K holds both ends"},
+            [] {
+              using namespace c6;
+              const std::vector curves{Curve{{origin, Point(1, 0, 0), Point(2, 0, 0), Point(3, 0, 0)}, 1}};
+              return interval_hypotheses<Q>(curves, Q(0), ground, ground, x_axis, at_ground, Q(1, 2)) == Verdict::fails &&
+                     stays_in_interval<Q>(curves, Q(0), ground, ground, x_axis, Q(1), at_ground, Q(1, 2)) == Verdict::fails;
+            });
 }
 
 }  // namespace

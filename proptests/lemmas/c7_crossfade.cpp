@@ -48,8 +48,7 @@ PROPTEST(c7_crossfade) {
             const Rational most = std::min(Rational(1), Rational(f.weight + Rational(1, 10))),
                            least = std::max(Rational(0), Rational(f.weight - Rational(1, 10)));
             const Rational left = Rational(1) - least;
-            const std::vector<RationalQuaternion> parts{p.value, p.velocity, p.acceleration,
-                                                        q.value, q.velocity, q.acceleration};
+            const std::vector<RationalQuaternion> parts{p.value, p.velocity, p.acceleration, q.value, q.velocity, q.acceleration};
             const std::vector<Rational> bounds{f.first.motion.speed,
                                                f.first.motion.acceleration,
                                                f.second.motion.speed,
@@ -63,10 +62,8 @@ PROPTEST(c7_crossfade) {
                   const Moment<S, 4> p{n[0], n[1], n[2]}, q{n[3], n[4], n[5]};
                   const Motion<S> of_p{S(1), b[0], b[1]}, of_q{S(1), b[2], b[3]};
                   const S &left = b[4], &most = b[5], &weight = b[6], &cosine = b[7];
-                  return nlerp_moves<S>(fading_first<S, 4>(p, q.value, weight), faded_by_time(of_p, of_q.size, left),
-                                        cosine) &
-                         nlerp_moves<S>(fading_second<S, 4>(p.value, q, weight), faded_by_time(of_q, of_p.size, most),
-                                        cosine) &
+                  return nlerp_moves<S>(fading_first<S, 4>(p, q.value, weight), faded_by_time(of_p, of_q.size, left), cosine) &
+                         nlerp_moves<S>(fading_second<S, 4>(p.value, q, weight), faded_by_time(of_q, of_p.size, most), cosine) &
                          nlerp_moves<S>(fading_weight<S, 4>(p.value, q.value, weight),
                                         faded_by_weight(S(1), S(1), gap_of_units(cosine)), cosine);
                 },
@@ -87,17 +84,14 @@ PROPTEST(c7_crossfade) {
         const auto jets = [](const Moment<Rational, 4>& m, bool moves) {
           Vec<J, 4> out;
           for (int i = 0; i < 4; ++i)
-            out[i] = moves ? J(lift<M>(m.value[i]), lift<M>(m.velocity[i]), lift<M>(m.acceleration[i]))
-                           : J(lift<M>(m.value[i]));
+            out[i] = moves ? J(lift<M>(m.value[i]), lift<M>(m.velocity[i]), lift<M>(m.acceleration[i])) : J(lift<M>(m.value[i]));
           return out;
         };
-        const auto motion = [](const RationalMotion& m) {
-          return Motion<M>{M(1), lift<M>(m.speed), lift<M>(m.acceleration)};
-        };
+        const auto motion = [](const RationalMotion& m) { return Motion<M>{M(1), lift<M>(m.speed), lift<M>(m.acceleration)}; };
         const M weight = lift<M>(f.weight);
         const auto moment = [&](bool first, bool second, bool third) {
-          return oracle::moment_of<M, 4>(oracle::slerp<J>(jets(f.first.moment, first), jets(f.second.moment, second),
-                                                          J(weight, M(third ? 1 : 0), M(0))));
+          return oracle::moment_of<M, 4>(
+              oracle::slerp<J>(jets(f.first.moment, first), jets(f.second.moment, second), J(weight, M(third ? 1 : 0), M(0))));
         };
         for (const auto& [m, bounds] : {std::pair(moment(true, false, false), slerp_by_time(motion(f.first.motion))),
                                         std::pair(moment(false, true, false), slerp_by_time(motion(f.second.motion))),
@@ -109,19 +103,14 @@ PROPTEST(c7_crossfade) {
         }
       });
   t.holds("translations and scales fade within the bounds",
-          {.form = "beyond",
-           .number_type = "rational",
-           .cases = 500,
-           .degenerate_at_least = 0.02,
-           .degenerate_at_most = 0.6},
+          {.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.02, .degenerate_at_most = 0.6},
           [] {
             const RationalMotion of_x = gen::any_motion(), of_y = gen::any_motion();
             const auto x = gen::moment_within<3>(of_x), y = gen::moment_within<3>(of_y);
             const Rational w = *gen::unit_interval_rational();
             const Rational gap = upper_root(squared_distance(x.value, y.value));
             RC_CLASSIFY(w == 0 || w == 1, "degenerate");
-            const auto first = fading_first<Rational, 3>(x, y.value, w),
-                       second = fading_second<Rational, 3>(x.value, y, w),
+            const auto first = fading_first<Rational, 3>(x, y.value, w), second = fading_second<Rational, 3>(x.value, y, w),
                        third = fading_weight<Rational, 3>(x.value, y.value, w);
             RC_ASSERT(first.value == second.value && first.value == third.value);
             const Rational left = Rational(1) - w;
@@ -136,92 +125,77 @@ PROPTEST(c7_crossfade) {
                         b = (Jet(1) - Jet(w)) * Jet(x.value[i]) + Jet(w) * jy[i],
                         c = (Jet(1) - Jet(w, Rational(1), Rational(0))) * Jet(x.value[i]) +
                             Jet(w, Rational(1), Rational(0)) * Jet(y.value[i]);
-              RC_ASSERT(a.first == first.velocity[i] && a.second == first.acceleration[i] &&
-                        b.first == second.velocity[i] && b.second == second.acceleration[i] &&
-                        c.first == third.velocity[i] && c.second == third.acceleration[i]);
+              RC_ASSERT(a.first == first.velocity[i] && a.second == first.acceleration[i] && b.first == second.velocity[i] &&
+                        b.second == second.acceleration[i] && c.first == third.velocity[i] && c.second == third.acceleration[i]);
             }
           });
-  t.holds("a point of a crossfaded joint is near the hull of the eight corners, exactly",
-          {.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_most = 0.6}, [] {
-            gen::RationalTurn first, second;
-            if (dot(first.start, second.start) < 0) second.start = -second.start;
-            const std::vector<Rational> sides{*gen::unit_interval_rational() / Rational(4),
-                                              *gen::unit_interval_rational() / Rational(4),
-                                              *gen::unit_interval_rational()};
-            const std::vector<Rational> shares{*gen::unit_interval_rational(), *gen::unit_interval_rational(),
-                                               *gen::unit_interval_rational()};
-            const Rational cosine =
-                dot(first.start, second.start) - first.motion().speed * sides[0] - second.motion().speed * sides[1];
-            RC_PRE(cosine >= 0);
-            RC_CLASSIFY((first.rate == 0 && second.rate == 0) || cosine == 1, "degenerate");
-            const RationalVec<3> x = *gen::rational_vector<3>(), here = *gen::rational_vector<3>(),
-                                 there = *gen::rational_vector<3>();
-            const auto f = [&](const Rational& a, const Rational& b, const Rational& w) {
-              const RationalQuaternion blend = between<Rational, 4>(first.at(a), second.at(b), w);
-              const RationalVec<3> moved = between<Rational, 3>(here, there, w);
-              return RationalVec<3>(rotate_by<Rational>(blend, x) + moved);
-            };
-            // With the weight from 0 on.
-            const Rational least = gen::lower_root((Rational(1) + cosine) / Rational(2)),
-                           gap = upper_root(Rational(2) - Rational(2) * cosine),
-                           apart = upper_root(squared_distance(here, there));
-            const Rational size = upper_root(std::max(squared_norm(here), squared_norm(there))),
-                           length = upper_root(squared_norm(x));
-            const auto of_point = [&](const RationalMotion& blend, const RationalMotion& translation) {
-              return carried_motion(
-                  chain_of<Rational>({translation, normalized_motion(blend, least), at_rest(Rational(1))}),
-                  at_rest(length));
-            };
-            const std::vector<RationalMotion> motions{
-                of_point(faded_by_time(first.motion(), Rational(1), Rational(1)), at_rest(size)),
-                of_point(faded_by_time(second.motion(), Rational(1), sides[2]), at_rest(size)),
-                of_point(faded_by_weight(Rational(1), Rational(1), gap), faded_by_weight(size, size, apart))};
-            std::vector<RationalVec<3>> corners;
-            for (int k = 0; k < 8; ++k)
-              corners.push_back(
-                  f(k & 1 ? sides[0] : Rational(0), k & 2 ? sides[1] : Rational(0), k & 4 ? sides[2] : Rational(0)));
-            const RationalVec<3> at = f(sides[0] * shares[0], sides[1] * shares[1], sides[2] * shares[2]);
-            const Rational slack = box_slack<Rational>(motions, sides);
-            RC_ASSERT(squared_distance(at, BentPatch<Rational>::interpolated(corners, shares)) <= slack * slack);
-          });
+  t.holds(
+      "a point of a crossfaded joint is near the hull of the eight corners, exactly",
+      {.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_most = 0.6}, [] {
+        gen::RationalTurn first, second;
+        if (dot(first.start, second.start) < 0) second.start = -second.start;
+        const std::vector<Rational> sides{*gen::unit_interval_rational() / Rational(4),
+                                          *gen::unit_interval_rational() / Rational(4), *gen::unit_interval_rational()};
+        const std::vector<Rational> shares{*gen::unit_interval_rational(), *gen::unit_interval_rational(),
+                                           *gen::unit_interval_rational()};
+        const Rational cosine =
+            dot(first.start, second.start) - first.motion().speed * sides[0] - second.motion().speed * sides[1];
+        RC_PRE(cosine >= 0);
+        RC_CLASSIFY((first.rate == 0 && second.rate == 0) || cosine == 1, "degenerate");
+        const RationalVec<3> x = *gen::rational_vector<3>(), here = *gen::rational_vector<3>(),
+                             there = *gen::rational_vector<3>();
+        const auto f = [&](const Rational& a, const Rational& b, const Rational& w) {
+          const RationalQuaternion blend = between<Rational, 4>(first.at(a), second.at(b), w);
+          const RationalVec<3> moved = between<Rational, 3>(here, there, w);
+          return RationalVec<3>(rotate_by<Rational>(blend, x) + moved);
+        };
+        // With the weight from 0 on.
+        const Rational least = gen::lower_root((Rational(1) + cosine) / Rational(2)),
+                       gap = upper_root(Rational(2) - Rational(2) * cosine), apart = upper_root(squared_distance(here, there));
+        const Rational size = upper_root(std::max(squared_norm(here), squared_norm(there))), length = upper_root(squared_norm(x));
+        const auto of_point = [&](const RationalMotion& blend, const RationalMotion& translation) {
+          return carried_motion(chain_of<Rational>({translation, normalized_motion(blend, least), at_rest(Rational(1))}),
+                                at_rest(length));
+        };
+        const std::vector<RationalMotion> motions{
+            of_point(faded_by_time(first.motion(), Rational(1), Rational(1)), at_rest(size)),
+            of_point(faded_by_time(second.motion(), Rational(1), sides[2]), at_rest(size)),
+            of_point(faded_by_weight(Rational(1), Rational(1), gap), faded_by_weight(size, size, apart))};
+        std::vector<RationalVec<3>> corners;
+        for (int k = 0; k < 8; ++k)
+          corners.push_back(f(k & 1 ? sides[0] : Rational(0), k & 2 ? sides[1] : Rational(0), k & 4 ? sides[2] : Rational(0)));
+        const RationalVec<3> at = f(sides[0] * shares[0], sides[1] * shares[1], sides[2] * shares[2]);
+        const Rational slack = box_slack<Rational>(motions, sides);
+        RC_ASSERT(squared_distance(at, BentPatch<Rational>::interpolated(corners, shares)) <= slack * slack);
+      });
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const Fade f;
     decide_by_all<ExactRoot>(
         []<class S>(const Quaternion<S>& p, const Quaternion<S>& q, const S& cosine, const S& weight) {
-          return nlerp_moves<S>(fading_weight<S, 4>(p, q, weight), faded_by_weight(S(1), S(1), gap_of_units(cosine)),
-                                cosine);
+          return nlerp_moves<S>(fading_weight<S, 4>(p, q, weight), faded_by_weight(S(1), S(1), gap_of_units(cosine)), cosine);
         },
         f.first.moment.value, f.second.moment.value,
         Rational((f.cosine + *rc::gen::element(f.cosine, Rational(1))) / Rational(2)), f.weight);
   });
-  t.holds("mutated moments of a slerp are rejected, and those beyond the bounds",
-          {.number_type = "rational", .cases = 300}, [] {
-            const auto turn = gen::turning_quaternion();
-            RC_ASSERT(is_slerp_moment(turn.moment, turn.motion) == Verdict::holds);
-            auto moment = turn.moment;
-            const Rational amount = *gen::excess();
-            // Along the quaternion, where it may not go.
-            switch (gen::any_place(4)) {
-              case 0:
-                moment.value += turn.moment.value * amount;
-                break;
-              case 1:
-                moment.velocity += turn.moment.value * amount;
-                break;
-              case 2:
-                moment.acceleration += turn.moment.value * amount;
-                break;
-              default:  // with the acceleration that this speed would need
-                moment.velocity += turn.moment.value * amount;
-                moment.acceleration +=
-                    turn.moment.value * Rational(squared_norm(turn.moment.velocity) - squared_norm(moment.velocity));
-            }
-            const RationalMotion wide{Rational(1000), turn.motion.speed + Rational(1000),
-                                      turn.motion.acceleration + Rational(1000000)};
-            RC_ASSERT(is_slerp_moment(moment, wide) == Verdict::fails);
-            const RationalMotion slow{Rational(1), turn.motion.speed * Rational(1, 2), turn.motion.acceleration};
-            RC_ASSERT(is_slerp_moment(turn.moment, slow) == verdict_of(turn.motion.speed == 0));
-          });
+  t.holds("mutated moments of a slerp are rejected, and those beyond the bounds", {.number_type = "rational", .cases = 300}, [] {
+    const auto turn = gen::turning_quaternion();
+    RC_ASSERT(is_slerp_moment(turn.moment, turn.motion) == Verdict::holds);
+    auto moment = turn.moment;
+    const Rational amount = *gen::excess();
+    // Along the quaternion, where it may not go.
+    switch (gen::any_place(4)) {
+      case 0: moment.value += turn.moment.value * amount; break;
+      case 1: moment.velocity += turn.moment.value * amount; break;
+      case 2: moment.acceleration += turn.moment.value * amount; break;
+      default:  // with the acceleration that this speed would need
+        moment.velocity += turn.moment.value * amount;
+        moment.acceleration += turn.moment.value * Rational(squared_norm(turn.moment.velocity) - squared_norm(moment.velocity));
+    }
+    const RationalMotion wide{Rational(1000), turn.motion.speed + Rational(1000), turn.motion.acceleration + Rational(1000000)};
+    RC_ASSERT(is_slerp_moment(moment, wide) == Verdict::fails);
+    const RationalMotion slow{Rational(1), turn.motion.speed * Rational(1, 2), turn.motion.acceleration};
+    RC_ASSERT(is_slerp_moment(turn.moment, slow) == verdict_of(turn.motion.speed == 0));
+  });
   needs_each_part(t, "a crossfade needs each part of the hypotheses", 0.2, [] {
     const RationalQuaternion p = *gen::unit_quaternion();
     RationalQuaternion first = p, second = *gen::unit_quaternion();
@@ -231,28 +205,17 @@ PROPTEST(c7_crossfade) {
     std::string part;
     bool asked = true;
     switch (gen::any_place(6)) {
-      case 0:
-        part = "the first is no unit", first *= Rational(1) - amount;
-        break;
-      case 1:
-        part = "the second is no unit", second *= Rational(1) - amount;
-        break;
-      case 2:
-        part = "the cosine is greater than theirs", cosine += std::min(amount, Rational(Rational(1) - cosine));
-        break;
-      case 3:
-        part = "the weight is negative", weight = -amount, asked = false;
-        break;
-      case 4:
-        part = "the weight is more than 1", weight = Rational(1) + amount, asked = false;
-        break;
-      default:
-        part = "the cosine is not more than -1", cosine = Rational(-1), asked = false;
+      case 0: part = "the first is no unit", first *= Rational(1) - amount; break;
+      case 1: part = "the second is no unit", second *= Rational(1) - amount; break;
+      case 2: part = "the cosine is greater than theirs", cosine += std::min(amount, Rational(Rational(1) - cosine)); break;
+      case 3: part = "the weight is negative", weight = -amount, asked = false; break;
+      case 4: part = "the weight is more than 1", weight = Rational(1) + amount, asked = false; break;
+      default: part = "the cosine is not more than -1", cosine = Rational(-1), asked = false;
     }
     if (asked && part != "the cosine is greater than theirs") cosine = std::min(cosine, dot(first, second));
-    return Weakening{part, crossfade_hypotheses(first, second, cosine, weight),
-                     asked ? std::optional(is_long_blend<Rational>(between<Rational, 4>(first, second, weight), cosine))
-                           : std::nullopt};
+    return Weakening{
+        part, crossfade_hypotheses(first, second, cosine, weight),
+        asked ? std::optional(is_long_blend<Rational>(between<Rational, 4>(first, second, weight), cosine)) : std::nullopt};
   });
   t.example("between the clips a hand leaves the box of both, and not the bounds", {.form = "beyond"}, [] {
     using namespace c7;
@@ -264,8 +227,7 @@ PROPTEST(c7_crossfade) {
     return middle == Point(1, 0, 0) &&
            stays_in_slab_of_clips(of_both, of_both, hand, rotate_by<Q>(right, hand)) == Verdict::holds &&
            stays_in_slab_of_clips(of_both, of_both, hand, middle) == Verdict::fails && point.speed == 3 &&
-           in_slab(interval_slab(of_both, of_both, chord_slack(point.acceleration, Q(1)), Q(1)), hand, middle) ==
-               Verdict::holds;
+           in_slab(interval_slab(of_both, of_both, chord_slack(point.acceleration, Q(1)), Q(1)), hand, middle) == Verdict::holds;
   });
   t.example("by the other sign the joint goes the long way: the bounds of the shorter one are no bounds",
             {.form = "beyond", .hypothesis = "(p, q) >= c"}, [] {
@@ -293,8 +255,7 @@ PROPTEST(c7_crossfade) {
               const M cosine = lift<M>(Rational(-99, 101)), sine = lift<M>(Rational(20, 101));
               const Quaternion<J> a(J(1), J(0), J(0), J(M(0), M(1), M(0))), b(J(cosine), J(sine), J(0), J(0));
               const auto m = oracle::moment_of<M, 4>(oracle::slerp<J>(a, b, J(M(1) / M(2))));
-              return less(M(4), squared_norm(m.velocity)) == Verdict::holds &&
-                     is_shorter_way(cosine) == Verdict::fails &&
+              return less(M(4), squared_norm(m.velocity)) == Verdict::holds && is_shorter_way(cosine) == Verdict::fails &&
                      is_slerp_moment(m, slerp_by_time(Motion<M>{M(1), M(1), M(1)})) == Verdict::fails;
             });
 }

@@ -44,8 +44,7 @@ PROPTEST(c8_any_pose) {
   t.holds("a point stays within the reach of its chain, in any pose",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.6}, [] {
             const Chain c(4);
-            for (std::size_t k = 0; k < c.links.size(); ++k)
-              RC_ASSERT(is_in_range(c.links[k], c.ranges[k]) == Verdict::holds);
+            for (std::size_t k = 0; k < c.links.size(); ++k) RC_ASSERT(is_in_range(c.links[k], c.ranges[k]) == Verdict::holds);
             RC_CLASSIFY(c.is_degenerate(), "degenerate");
             RC_CLASSIFY(c.links.empty(), "no links");
             const auto found = stays_in_reach<Rational>(c.links, c.ranges, c.point, c.distance);
@@ -54,8 +53,7 @@ PROPTEST(c8_any_pose) {
             RationalVec<3> twin = c.point;
             for (std::size_t k = c.links.size(); k-- > 0;) {
               const RationalVec<3> scaled = c.links[k].scale.cwiseProduct(twin);
-              twin = oracle::times<Rational>(oracle::affine_of<Rational>(c.links[k].rotation, c.links[k].translation),
-                                             scaled);
+              twin = oracle::times<Rational>(oracle::affine_of<Rational>(c.links[k].rotation, c.links[k].translation), scaled);
             }
             RC_ASSERT(twin == found.steps.back());
           });
@@ -65,19 +63,13 @@ PROPTEST(c8_any_pose) {
     c.point = RationalVec<3>(arm, 0, 0);
     for (std::size_t k = 0; k < c.links.size(); ++k) {
       const Rational length = abs(*gen::rational()), stretch = abs(*gen::rational());
-      c.links[k] = {{1, 0, 0, 0}, RationalVec<3>(length, 0, 0), RationalVec<3>(stretch, 0, 0)},
-      c.ranges[k] = {length, stretch};
+      c.links[k] = {{1, 0, 0, 0}, RationalVec<3>(length, 0, 0), RationalVec<3>(stretch, 0, 0)}, c.ranges[k] = {length, stretch};
     }
     const Rational reach = reach_of_chain<Rational>(c.ranges, arm);
     RC_ASSERT(squared_norm(stays_in_reach<Rational>(c.links, c.ranges, c.point, arm).steps.back()) == reach * reach);
   });
   t.holds("two joints stay together",
-          {.form = "beyond",
-           .number_type = "rational",
-           .cases = 500,
-           .degenerate_at_least = 0.1,
-           .degenerate_at_most = 0.7},
-          [] {
+          {.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.1, .degenerate_at_most = 0.7}, [] {
             const Chain common(2), first(2), second(2);
             RC_CLASSIFY(first.is_degenerate() || second.is_degenerate(), "degenerate");
             const auto place = [](const Chain& c) {
@@ -139,25 +131,22 @@ PROPTEST(c8_any_pose) {
           const std::vector ranges{LinkRange<S>{length, stretch}};
           return stays_in_reach<S>(links, ranges, point, distance).verdict;
         },
-        c.links[0].rotation, c.links[0].translation, c.links[0].scale, length, c.ranges[0].stretch, c.point,
-        c.distance);
+        c.links[0].rotation, c.links[0].translation, c.links[0].scale, length, c.ranges[0].stretch, c.point, c.distance);
   });
   t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 400}, [] {
     const Chain c(3);
     auto steps = stays_in_reach<Rational>(c.links, c.ranges, c.point, c.distance).steps;
     const std::size_t k = gen::any_place(steps.size() + 1);
-    if (k == steps.size())
-      steps.pop_back();
-    else
-      steps[k][static_cast<int>(gen::any_place(3))] += *gen::excess();
+    if (k == steps.size()) steps.pop_back();
+    else steps[k][static_cast<int>(gen::any_place(3))] += *gen::excess();
     RC_ASSERT(are_reach_steps<Rational>(c.links, c.ranges, c.point, c.distance, steps) == Verdict::fails);
   });
   t.holds("true steps that are too far are rejected", {.number_type = "rational", .cases = 200}, [] {
     const Chain c(3);
     RC_PRE(c.distance > 0);
     const auto steps = stays_in_reach<Rational>(c.links, c.ranges, c.point, c.distance).steps;
-    RC_ASSERT(are_reach_steps<Rational>(c.links, c.ranges, c.point, Rational(c.distance * Rational(999, 1000)),
-                                        steps) == Verdict::fails);
+    RC_ASSERT(are_reach_steps<Rational>(c.links, c.ranges, c.point, Rational(c.distance * Rational(999, 1000)), steps) ==
+              Verdict::fails);
     auto shorter = c.ranges;
     for (auto& r : shorter) r = {Rational(0), Rational(0)};
     bool moved = false;
@@ -165,41 +154,30 @@ PROPTEST(c8_any_pose) {
     RC_ASSERT(are_reach_steps<Rational>(c.links, shorter, c.point, c.distance, steps) == verdict_of(!moved));
   });
   needs_each_part(t, "a reach needs each part of its hypotheses", 0.2, [] {
-    const Rational length = *gen::positive_rational(), stretch = *gen::positive_rational(),
-                   more = Rational(1) + *gen::excess();
+    const Rational length = *gen::positive_rational(), stretch = *gen::positive_rational(), more = Rational(1) + *gen::excess();
     LinkRange<Rational> range{length, stretch};
     PosedLink<Rational> link{{1, 0, 0, 0}, RationalVec<3>(length, 0, 0), RationalVec<3>(stretch, stretch, stretch)};
     const RationalVec<3> point(1, 0, 0);
     std::string part;
     bool asked = true;
     switch (gen::any_place(4)) {
-      case 0:
-        part = "the translation is longer", link.translation *= more;
-        break;
-      case 1:
-        part = "the scale stretches more", link.scale[0] *= more;
-        break;
-      case 2:
-        part = "the rotation is none", link.rotation[1] = Rational(2), asked = false;
-        break;
-      default:
-        part = "the length is negative", range.length = -length, asked = false;
+      case 0: part = "the translation is longer", link.translation *= more; break;
+      case 1: part = "the scale stretches more", link.scale[0] *= more; break;
+      case 2: part = "the rotation is none", link.rotation[1] = Rational(2), asked = false; break;
+      default: part = "the length is negative", range.length = -length, asked = false;
     }
     return Weakening{
         part, is_in_range(link, range),
-        asked
-            ? std::optional(stays_in_reach<Rational>(std::vector{link}, std::vector{range}, point, Rational(1)).verdict)
-            : std::nullopt};
+        asked ? std::optional(stays_in_reach<Rational>(std::vector{link}, std::vector{range}, point, Rational(1)).verdict)
+              : std::nullopt};
   });
   t.example("an arm that is bent in the reference pose reaches 3 times as far stretched", {.form = "beyond"}, [] {
     using namespace c8;
     const std::vector<Link> bent{shoulder, bent_elbow}, stretched{shoulder, elbow};
     const std::vector<Range> ranges{bone, bone};
-    const auto folded = stays_in_reach<Q>(bent, ranges, hand, Q(1)),
-               out = stays_in_reach<Q>(stretched, ranges, hand, Q(1));
+    const auto folded = stays_in_reach<Q>(bent, ranges, hand, Q(1)), out = stays_in_reach<Q>(stretched, ranges, hand, Q(1));
     return folded.verdict == Verdict::holds && out.verdict == Verdict::holds && reach_of_chain<Q>(ranges, Q(1)) == 3 &&
-           stays_in_guess(folded.steps.back(), out.steps.back(), Q(2)) == Verdict::fails &&
-           squared_norm(out.steps.back()) == 9;
+           stays_in_guess(folded.steps.back(), out.steps.back(), Q(2)) == Verdict::fails && squared_norm(out.steps.back()) == 9;
   });
   t.example("a bone that is longer than said reaches farther", {.form = "beyond", .hypothesis = "||t|| <= l"}, [] {
     using namespace c8;
@@ -208,8 +186,8 @@ PROPTEST(c8_any_pose) {
     return is_in_range(links[0], bone) == Verdict::fails &&
            stays_in_reach<Q>(links, ranges, hand, Q(1)).verdict == Verdict::fails;
   });
-  t.example("a scale that stretches more than said reaches farther",
-            {.form = "beyond", .hypothesis = "the scale is at most f"}, [] {
+  t.example("a scale that stretches more than said reaches farther", {.form = "beyond", .hypothesis = "the scale is at most f"},
+            [] {
               using namespace c8;
               const std::vector<Link> links{{straight, Point(1, 0, 0), twice}};
               const std::vector<Range> ranges{bone};

@@ -36,16 +36,14 @@ void encloses_all_operations(const Rational& x, const Rational& y) {
 const auto at_most = [](const auto& x, const auto& y) { return less_equal(x, y); };
 
 PROPTEST(ladder) {
-  t.holds(
-      "an interval of doubles encloses the result of every operation", {.number_type = "interval", .cases = 3000}, [] {
-        const Rational x = *gen::rational().as("x"), y = x + *gen::nudge().as("nudge"), z = *gen::rational().as("z");
-        encloses_all_operations<Interval>(x, y);
-        encloses_all_operations<Interval>(x, z);
-      });
+  t.holds("an interval of doubles encloses the result of every operation", {.number_type = "interval", .cases = 3000}, [] {
+    const Rational x = *gen::rational().as("x"), y = x + *gen::nudge().as("nudge"), z = *gen::rational().as("z");
+    encloses_all_operations<Interval>(x, y);
+    encloses_all_operations<Interval>(x, z);
+  });
   t.holds("an interval of 60 digits encloses the result of every operation",
           {.number_type = "multiprecision interval", .cases = 3000}, [] {
-            const Rational x = *gen::rational().as("x"), y = x + *gen::nudge().as("nudge"),
-                           z = *gen::rational().as("z");
+            const Rational x = *gen::rational().as("x"), y = x + *gen::nudge().as("nudge"), z = *gen::rational().as("z");
             encloses_all_operations<MultiprecisionInterval>(x, y);
             encloses_all_operations<MultiprecisionInterval>(x, z);
           });

@@ -56,24 +56,20 @@ gen::SurfaceInHalfSpace<D> at_offset(gen::SurfaceInHalfSpace<D> c, const Rationa
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  t.holds("the surface meets a half-space up to the offset c + r ||d|| and no further", {.number_type = "rational"},
-          [] {
-            gen::for_some_dimension<1, 4>([](auto d) {
-              const auto c = cut_surface<d>();
-              const Rational most = farthest_offset<d>(c), amount = *gen::positive_rational().as("amount");
-              for (const Rational& e :
-                   {most, Rational(most - amount), Rational(-most), Rational(-most - amount), Rational(0)})
-                RC_ASSERT(meets(c.surface, at_offset<d>(c, e).half_space) == verdict_of(e <= most) &&
-                          cuts_cap(c.surface, at_offset<d>(c, e).half_space) == verdict_of(e <= most));
-              const auto beyond = at_offset<d>(c, most + amount);
-              RC_ASSERT(meets(beyond.surface, beyond.half_space) == Verdict::fails);
-              // At the rim the scale and the cosine are at their ends: 1 and -1.
-              RC_ASSERT(cap_of_half_space(c.surface, at_offset<d>(c, most).half_space, c.scale).cap.cos_angle ==
-                        Rational(1));
-              RC_ASSERT(cap_of_half_space(c.surface, at_offset<d>(c, -most).half_space, c.scale).cap.cos_angle ==
-                        Rational(-1));
-            });
-          });
+  t.holds("the surface meets a half-space up to the offset c + r ||d|| and no further", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto c = cut_surface<d>();
+      const Rational most = farthest_offset<d>(c), amount = *gen::positive_rational().as("amount");
+      for (const Rational& e : {most, Rational(most - amount), Rational(-most), Rational(-most - amount), Rational(0)})
+        RC_ASSERT(meets(c.surface, at_offset<d>(c, e).half_space) == verdict_of(e <= most) &&
+                  cuts_cap(c.surface, at_offset<d>(c, e).half_space) == verdict_of(e <= most));
+      const auto beyond = at_offset<d>(c, most + amount);
+      RC_ASSERT(meets(beyond.surface, beyond.half_space) == Verdict::fails);
+      // At the rim the scale and the cosine are at their ends: 1 and -1.
+      RC_ASSERT(cap_of_half_space(c.surface, at_offset<d>(c, most).half_space, c.scale).cap.cos_angle == Rational(1));
+      RC_ASSERT(cap_of_half_space(c.surface, at_offset<d>(c, -most).half_space, c.scale).cap.cos_angle == Rational(-1));
+    });
+  });
   needs_part(t, "they meet", [] {
     Violation v{};
     gen::for_some_dimension<1, 4>([&v](auto d) {
@@ -108,8 +104,7 @@ void hypotheses_need_each_part(Suite& t) {
       RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, c.scale, c.surface.center) == Verdict::holds);
       // There is no cap to compute; that of its center is none either.
       const Cap<Rational, d> center{c.surface.center, c.surface.center + c.half_space.normal * c.scale, Rational(-1)};
-      v = {cuts_cap(c.surface, c.half_space),
-           is_cap_of_half_space(c.surface, c.half_space, {Verdict::holds, center, c.scale})};
+      v = {cuts_cap(c.surface, c.half_space), is_cap_of_half_space(c.surface, c.half_space, {Verdict::holds, center, c.scale})};
     });
     return v;
   });
@@ -121,8 +116,7 @@ void hypotheses_need_each_part(Suite& t) {
       const auto turned = cap_of_half_space(c.surface, c.half_space, Rational(-c.scale));
       RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, Rational(-c.scale), c.point) == Verdict::holds);
       RC_ASSERT(is_cap_of_half_space(c.surface, c.half_space, turned) == Verdict::fails);
-      v = {is_cap_scale(c.surface, c.half_space, Rational(-c.scale)),
-           definitions_agree(c.half_space, turned.cap, c.point)};
+      v = {is_cap_scale(c.surface, c.half_space, Rational(-c.scale)), definitions_agree(c.half_space, turned.cap, c.point)};
     });
     return v;
   });
@@ -132,13 +126,11 @@ void hypotheses_need_each_part(Suite& t) {
       const auto c = cut_surface<d>();
       RC_PRE(cuts_cap(c.surface, c.half_space) == Verdict::holds);
       const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
-      const Rational scale =
-          *rc::gen::arbitrary<bool>().as("larger") ? Rational(c.scale * factor) : Rational(c.scale / factor);
+      const Rational scale = *rc::gen::arbitrary<bool>().as("larger") ? Rational(c.scale * factor) : Rational(c.scale / factor);
       RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, scale, c.point) == Verdict::holds);
       const auto made = cap_of_half_space(c.surface, c.half_space, scale);
       RC_ASSERT(is_cap_of_half_space(c.surface, c.half_space, made) == Verdict::fails);
-      v = {is_cap_scale(c.surface, c.half_space, scale),
-           made.verdict & definitions_agree(c.half_space, made.cap, c.point)};
+      v = {is_cap_scale(c.surface, c.half_space, scale), made.verdict & definitions_agree(c.half_space, made.cap, c.point)};
     });
     return v;
   });
@@ -149,8 +141,7 @@ void hypotheses_need_each_part(Suite& t) {
       gen::RationalVec<d> x = c.point + *gen::nonzero_vector<d>().as("shift");
       if (*rc::gen::arbitrary<bool>().as("behind a surface that is all in the half-space")) {
         c = at_offset<d>(c, -farthest_offset<d>(c) * (Rational(1) + *gen::positive_rational().as("room")));
-        x = c.surface.center -
-            c.half_space.normal * (c.scale * (Rational(1) + *gen::positive_rational().as("distance")));
+        x = c.surface.center - c.half_space.normal * (c.scale * (Rational(1) + *gen::positive_rational().as("distance")));
       }
       RC_PRE(cuts_cap(c.surface, c.half_space) == Verdict::holds);
       RC_PRE(on_surface(c.surface, x) == Verdict::fails);
@@ -193,25 +184,23 @@ void hypotheses_need_each_part(Suite& t) {
 
 // Each statement beside the booleans of its words, on half-spaces, caps and points that need not belong together.
 void statements_say_their_words(Suite& t) {
-  t.holds("the definitions agree on a point if both of their inequalities hold, or none", {.number_type = "rational"},
-          [] {
-            gen::for_some_dimension<1, 4>([](auto d) {
-              auto c = cut_surface<d>();
-              const auto cap = (*gen::cap_point<d>().as("cap")).cap;
-              const gen::RationalVec<d> to_x = c.point - cap.center, axis = cap.apex - cap.center;
-              if (*rc::gen::arbitrary<bool>().as("on the plane"))
-                c.half_space.offset = dot(c.point, c.half_space.normal);
-              const bool first = dot(c.point, c.half_space.normal) >= c.half_space.offset;
-              auto touching = cap;
-              if (axis != gen::RationalVec<d>::Zero()) touching.cos_angle = dot(to_x, axis) / squared_norm(axis);
-              RC_ASSERT(within_angle(touching, c.point) == Verdict::holds);
-              RC_ASSERT(definitions_agree(c.half_space, touching, c.point) == verdict_of(first));
-              const bool second = dot(to_x, axis) >= squared_norm(axis) * cap.cos_angle;
-              RC_CLASSIFY(first && !second, "only in the half-space");
-              RC_CLASSIFY(second && !first, "only in the cap");
-              RC_ASSERT(definitions_agree(c.half_space, cap, c.point) == verdict_of(first == second));
-            });
-          });
+  t.holds("the definitions agree on a point if both of their inequalities hold, or none", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      auto c = cut_surface<d>();
+      const auto cap = (*gen::cap_point<d>().as("cap")).cap;
+      const gen::RationalVec<d> to_x = c.point - cap.center, axis = cap.apex - cap.center;
+      if (*rc::gen::arbitrary<bool>().as("on the plane")) c.half_space.offset = dot(c.point, c.half_space.normal);
+      const bool first = dot(c.point, c.half_space.normal) >= c.half_space.offset;
+      auto touching = cap;
+      if (axis != gen::RationalVec<d>::Zero()) touching.cos_angle = dot(to_x, axis) / squared_norm(axis);
+      RC_ASSERT(within_angle(touching, c.point) == Verdict::holds);
+      RC_ASSERT(definitions_agree(c.half_space, touching, c.point) == verdict_of(first));
+      const bool second = dot(to_x, axis) >= squared_norm(axis) * cap.cos_angle;
+      RC_CLASSIFY(first && !second, "only in the half-space");
+      RC_CLASSIFY(second && !first, "only in the cap");
+      RC_ASSERT(definitions_agree(c.half_space, cap, c.point) == verdict_of(first == second));
+    });
+  });
   t.holds("the printed statement holds exactly where its words do", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
       auto c = *gen::surface_in_half_space<d>().as("case");
@@ -220,8 +209,7 @@ void statements_say_their_words(Suite& t) {
       const Rational most = has_length ? Rational(c.scale * n2) : Rational(0);
       const int edge = *rc::gen::inRange(0, 5).as("edge");
       if (edge < 2) c = at_offset<d>(c, edge == 0 ? most : Rational(-most));
-      const Rational factor =
-          *rc::gen::element(Rational(1), Rational(-1), Rational(0), Rational(2), Rational(1, 2)).as("factor");
+      const Rational factor = *rc::gen::element(Rational(1), Rational(-1), Rational(0), Rational(2), Rational(1, 2)).as("factor");
       const Rational scalar = c.scale * factor, e = offset_from_center(c.surface, c.half_space);
       auto x = c.point;
       if (*rc::gen::inRange(0, 4).as("off the surface") == 0) x += *gen::rational_vector<d>().as("shift");
@@ -254,9 +242,9 @@ void undecided_parts_are_not_lost(Suite& t) {
     };
     return Checked(of_half_space(about_one, left) == Verdict::undecided &&     // whether there is an angle
                        of_half_space(about_zero, up) == Verdict::undecided &&  // whether the point is in both
-                       of_half_space(about_zero, left) == Verdict::holds &&
-                       of_cap(about_one, left) == Verdict::undecided && of_cap(about_zero, up) == Verdict::undecided &&
-                       of_cap(about_zero, far_up) == Verdict::holds && of_cap(about_zero, left) == Verdict::holds,
+                       of_half_space(about_zero, left) == Verdict::holds && of_cap(about_one, left) == Verdict::undecided &&
+                       of_cap(about_zero, up) == Verdict::undecided && of_cap(about_zero, far_up) == Verdict::holds &&
+                       of_cap(about_zero, left) == Verdict::holds,
                    7);
   });
 }
@@ -275,9 +263,7 @@ void checks_need_each_part(Suite& t) {
         witness.cap.cos_angle = scale * e / c.surface.squared_radius;  // not raised to -1
         return witness;
       };
-      const auto verdict = [&](const CapOfHalfSpace<Rational, d>& w) {
-        return is_cap_of_half_space(c.surface, c.half_space, w);
-      };
+      const auto verdict = [&](const CapOfHalfSpace<Rational, d>& w) { return is_cap_of_half_space(c.surface, c.half_space, w); };
       const Rational inside = most * (Rational(2) * *gen::unit_interval_rational().as("share") - Rational(1));
       const int part = *rc::gen::inRange(0, 8).as("part");
       auto w = made_at(part == 2 ? Rational(most + amount) : part == 3 ? Rational(-most - amount) : inside, c.scale);
@@ -313,21 +299,18 @@ void checks_need_each_part(Suite& t) {
               for (const Rational& e : {most, Rational(-most), Rational(-most - more)}) {
                 const auto there = at_offset<d>(c, e);
                 RC_ASSERT(is_cap_of_half_space(there.surface, there.half_space,
-                                               cap_of_half_space(there.surface, there.half_space, c.scale)) ==
-                          Verdict::holds);
+                                               cap_of_half_space(there.surface, there.half_space, c.scale)) == Verdict::holds);
               }
               c.surface.squared_radius = 0;
               const Cap<Rational, d> point{c.surface.center, c.surface.center, Rational(1)};
-              RC_ASSERT(is_cap_of_half_space(c.surface, c.half_space, {Verdict::holds, point, Rational(0)}) ==
-                        Verdict::fails);
+              RC_ASSERT(is_cap_of_half_space(c.surface, c.half_space, {Verdict::holds, point, Rational(0)}) == Verdict::fails);
               RC_ASSERT(is_cap_scale(c.surface, c.half_space, Rational(0)) == Verdict::fails);
             });
           });
   t.holds("a half-space with one wrong coordinate is rejected", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
       auto cap = (*gen::cap_point<d>().as("case")).cap;
-      cap.cos_angle =
-          -1 - abs(*gen::rational().as("more"));  // a half-space of all of the surface, which holds the apex
+      cap.cos_angle = -1 - abs(*gen::rational().as("more"));  // a half-space of all of the surface, which holds the apex
       const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
       RC_PRE(cap.apex[i] != cap.center[i]);
       auto made = half_space_of_cap(cap);
@@ -403,20 +386,19 @@ PROPTEST(lemma1_cap_definitions) {
               RC_ASSERT(back.cap.cos_angle == c.cap.cos_angle);
             });
           });
-  t.holds("the same for normals of any length, with a root",
-          {.form = "repaired", .number_type = "exact root", .cases = 150}, [] {
-            gen::for_some_dimension<1, 4>([](auto d) {
-              const auto surface = lift<ExactRoot>(SquaredBall<Rational, d>{
-                  *gen::rational_vector<d>().as("center"), *gen::positive_rational().as("squared radius")});
-              const auto h = lift<ExactRoot>(
-                  HalfSpace<Rational, d>{*gen::nonzero_vector<d>().as("normal"), *gen::rational().as("offset")});
-              // The surface meets the half-space if its foremost point is in it.
-              const auto apex = point_towards<d>(surface, h.normal);
-              RC_ASSERT((meets(surface, h) == contains(h, apex)));
-              if (meets(surface, h) != Verdict::holds) return;
-              RC_ASSERT(is_cap_of_half_space(surface, h, cap_of_half_space_by_root(surface, h)) == Verdict::holds);
-            });
-          });
+  t.holds("the same for normals of any length, with a root", {.form = "repaired", .number_type = "exact root", .cases = 150}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto surface = lift<ExactRoot>(
+          SquaredBall<Rational, d>{*gen::rational_vector<d>().as("center"), *gen::positive_rational().as("squared radius")});
+      const auto h =
+          lift<ExactRoot>(HalfSpace<Rational, d>{*gen::nonzero_vector<d>().as("normal"), *gen::rational().as("offset")});
+      // The surface meets the half-space if its foremost point is in it.
+      const auto apex = point_towards<d>(surface, h.normal);
+      RC_ASSERT((meets(surface, h) == contains(h, apex)));
+      if (meets(surface, h) != Verdict::holds) return;
+      RC_ASSERT(is_cap_of_half_space(surface, h, cap_of_half_space_by_root(surface, h)) == Verdict::holds);
+    });
+  });
 
   t.holds("intervals never contradict the exact verdict on half-spaces and points",
           {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.25}, [] {
@@ -460,8 +442,7 @@ PROPTEST(lemma1_cap_definitions) {
 
   t.example("d = 0 has no apex", {.form = "repaired", .hypothesis = "d != 0"}, [] {
     return is_half_space(whole_plane) == Verdict::fails &&
-           is_cap_of_half_space(unit_circle, whole_plane, cap_of_half_space(unit_circle, whole_plane, Q(1))) ==
-               Verdict::fails;
+           is_cap_of_half_space(unit_circle, whole_plane, cap_of_half_space(unit_circle, whole_plane, Q(1))) == Verdict::fails;
   });
   t.example("a cap with r = 0 has no half-space", {.form = "repaired", .hypothesis = "r > 0"}, [] {
     return is_proper_cap(no_radius) == Verdict::fails && half_space_of_cap(no_radius).verdict == Verdict::fails &&
@@ -476,16 +457,14 @@ PROPTEST(lemma1_cap_definitions) {
     return is_cap_scale(unit_circle, right_half, Q(-1)) == Verdict::fails &&
            definitions_agree(right_half, made.cap, right) == Verdict::fails;
   });
-  t.example("another scale puts the apex off the surface",
-            {.form = "repaired", .hypothesis = "s d is as long as the radius"}, [] {
+  t.example("another scale puts the apex off the surface", {.form = "repaired", .hypothesis = "s d is as long as the radius"},
+            [] {
               const auto made = cap_of_half_space(unit_circle, beyond_a_half, Q(2));
               return is_cap_scale(unit_circle, beyond_a_half, Q(2)) == Verdict::fails &&
                      definitions_agree(beyond_a_half, made.cap, up_right) == Verdict::fails;
             });
-  t.example("a cosine above 1 makes a half-space that misses the surface",
-            {.form = "repaired", .hypothesis = "cos(alpha) <= 1"}, [] {
-              return is_proper_cap(no_angle) == Verdict::fails && half_space_of_cap(no_angle).verdict == Verdict::fails;
-            });
+  t.example("a cosine above 1 makes a half-space that misses the surface", {.form = "repaired", .hypothesis = "cos(alpha) <= 1"},
+            [] { return is_proper_cap(no_angle) == Verdict::fails && half_space_of_cap(no_angle).verdict == Verdict::fails; });
   t.example("off the surface the half-space holds points that the cap does not",
             {.form = "repaired", .hypothesis = "the point is on the surface"}, [] {
               const auto made = half_space_of_cap(Arc{Point(0, 0), Point(1, 0), Q(0)});

@@ -87,9 +87,7 @@ void hypotheses_need_each_part(Suite& t) {
       const auto k = *rc::gen::inRange<std::size_t>(0, lengths.size()).as("which");
       const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
       const int kind = *rc::gen::inRange(0, 3).as("kind");
-      lengths[k] = kind == 0   ? Rational(lengths[k] * factor)
-                   : kind == 1 ? Rational(lengths[k] / factor)
-                               : Rational(-lengths[k]);
+      lengths[k] = kind == 0 ? Rational(lengths[k] * factor) : kind == 1 ? Rational(lengths[k] / factor) : Rational(-lengths[k]);
       // What the lengths are for: that the divided vectors are units.
       const auto units = divided(hull.vectors, lengths);
       v = {are_lengths(hull.vectors, lengths), are_positive(lengths) & equal(squared_norm(units[k]), Rational(1))};
@@ -146,8 +144,7 @@ void undecided_parts_are_not_lost(Suite& t) {
       for (const Rational& x : vectors) list.push_back(Vec<Interval, 1>(lift<Interval>(x)));
       return normalisation_keeps_rays_repaired(list, lift<Interval>(factors), lift<Interval>(weights));
     };
-    const std::vector<Rational> quarters{Rational(1, 4), Rational(3, 4)},
-        several{Rational(1, 2), Rational(1, 4), Rational(1, 4)};
+    const std::vector<Rational> quarters{Rational(1, 4), Rational(3, 4)}, several{Rational(1, 2), Rational(1, 4), Rational(1, 4)};
     return verdict({1, 1}, {1, 1}, quarters) == Verdict::holds &&
            verdict({3, 1}, {3, 1}, quarters) == Verdict::undecided &&                  // 1/3 on the way back
            verdict({1, 1, 1}, {2, Rational(1, 2), 1}, several) == Verdict::undecided;  // 11/8 on the way there
@@ -216,10 +213,8 @@ void verdicts_and_checks_need_each_part(Suite& t) {
         w.weights[0] += amount;
       }
       if (part == 3) {  // a weight too many, or too few
-        if (*rc::gen::arbitrary<bool>().as("too many"))
-          w.weights.push_back(Rational(0));
-        else
-          to.push_back(to[0]);
+        if (*rc::gen::arbitrary<bool>().as("too many")) w.weights.push_back(Rational(0));
+        else to.push_back(to[0]);
       }
       if (part == 4) {  // a scale of 0, where the blend is 0
         RC_PRE(squared_norm(blend(hull)) == Rational(0));
@@ -228,22 +223,21 @@ void verdicts_and_checks_need_each_part(Suite& t) {
       RC_ASSERT(is_same_ray(hull.vectors, hull.weights, to, w) == Verdict::fails);
     });
   });
-  t.holds("two quaternions are one rotation if neither is 0 and one is a multiple of the other",
-          {.number_type = "rational"}, [] {
-            const auto p = *gen::nonzero_vector<4>().as("p");
-            const Rational factor = *gen::rational().as("factor");
-            const gen::RationalVec<4> zero = gen::RationalVec<4>::Zero(), multiple = p * factor;
-            RC_ASSERT(are_same_rotation(p, multiple) == verdict_of(factor != Rational(0)));
-            RC_ASSERT(are_same_rotation(multiple, p) == verdict_of(factor != Rational(0)));
-            RC_ASSERT(are_same_rotation(zero, p) == Verdict::fails && are_same_rotation(p, zero) == Verdict::fails);
-            // Every pair of coordinates is looked at.
-            const int i = *rc::gen::inRange(0, 4).as("one coordinate"), j = *rc::gen::inRange(0, 4).as("another");
-            RC_PRE(i != j);
-            gen::RationalVec<4> along = zero, aside = zero;
-            along[i] = aside[i] = 1;
-            aside[j] = *gen::positive_rational().as("amount");
-            RC_ASSERT(are_same_rotation(along, aside) == Verdict::fails);
-          });
+  t.holds("two quaternions are one rotation if neither is 0 and one is a multiple of the other", {.number_type = "rational"}, [] {
+    const auto p = *gen::nonzero_vector<4>().as("p");
+    const Rational factor = *gen::rational().as("factor");
+    const gen::RationalVec<4> zero = gen::RationalVec<4>::Zero(), multiple = p * factor;
+    RC_ASSERT(are_same_rotation(p, multiple) == verdict_of(factor != Rational(0)));
+    RC_ASSERT(are_same_rotation(multiple, p) == verdict_of(factor != Rational(0)));
+    RC_ASSERT(are_same_rotation(zero, p) == Verdict::fails && are_same_rotation(p, zero) == Verdict::fails);
+    // Every pair of coordinates is looked at.
+    const int i = *rc::gen::inRange(0, 4).as("one coordinate"), j = *rc::gen::inRange(0, 4).as("another");
+    RC_PRE(i != j);
+    gen::RationalVec<4> along = zero, aside = zero;
+    along[i] = aside[i] = 1;
+    aside[j] = *gen::positive_rational().as("amount");
+    RC_ASSERT(are_same_rotation(along, aside) == Verdict::fails);
+  });
 }
 
 PROPTEST(lemma2_normalization) {
@@ -260,53 +254,48 @@ PROPTEST(lemma2_normalization) {
            normalisation_keeps_rays_repaired(three_around, three_ones, cancelling) == Verdict::holds;
   });
 
-  t.refuted(
-      "every element of the hull is a rotation that the normalised hull has too",
-      {.form = "printed", .number_type = "rational"}, [] {
-        const auto hull = *gen::scaled_hull<4>().as("case");
-        RC_ASSERT(normalisation_keeps_rotations_printed(hull.vectors, hull.lengths, hull.weights) == Verdict::holds);
-      });
+  t.refuted("every element of the hull is a rotation that the normalised hull has too",
+            {.form = "printed", .number_type = "rational"}, [] {
+              const auto hull = *gen::scaled_hull<4>().as("case");
+              RC_ASSERT(normalisation_keeps_rotations_printed(hull.vectors, hull.lengths, hull.weights) == Verdict::holds);
+            });
 
-  t.holds(
-      "every element of the hull that is not 0 is a rotation that the normalised hull has too",
-      {.form = "repaired", .number_type = "rational", .cases = 3000, .degenerate_at_least = 0.2}, [] {
-        const auto hull = *gen::scaled_hull<4>().as("case");
-        RC_CLASSIFY(is_degenerate<4>(hull), "degenerate");
-        RC_ASSERT(are_lengths(hull.vectors, hull.lengths) == Verdict::holds);
-        RC_ASSERT(normalisation_keeps_rotations_repaired(hull.vectors, hull.lengths, hull.weights) == Verdict::holds);
-        if (squared_norm(blend(hull)) == Rational(0)) return;
-        const auto u = weights_on_same_ray(hull.weights, hull.lengths).weights;
-        RC_ASSERT(rotate_alike(blend(hull), combine<Rational, 4>(u, divided(hull.vectors, hull.lengths))));
-      });
-  t.holds(
-      "any positive factors keep the rays of the hull, and 0 if it is there, both ways",
-      {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.2}, [] {
-        gen::for_some_dimension<1, 4>([](auto d) {
-          const auto hull = *gen::scaled_hull<d>().as("case");
-          const auto factors =
-              *rc::gen::container<std::vector<Rational>>(hull.vectors.size(), gen::positive_rational()).as("factors");
-          RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
-          RC_ASSERT(normalisation_keeps_rays_repaired(hull.vectors, factors, hull.weights) == Verdict::holds);
-          RC_ASSERT(blends_vanish_together(hull.vectors, factors, hull.weights) == Verdict::holds);
-          // The way back undoes the way there.
-          const auto there = weights_on_same_ray(hull.weights, factors);
-          const auto back = weights_on_same_ray(there.weights, inverses(factors));
-          RC_ASSERT(back.weights == hull.weights);
-          RC_ASSERT(there.scale * back.scale == Rational(1));
-        });
-      });
-  t.holds("the same for vectors of any length, with roots",
-          {.form = "repaired", .number_type = "exact root", .cases = 60}, [] {
+  t.holds("every element of the hull that is not 0 is a rotation that the normalised hull has too",
+          {.form = "repaired", .number_type = "rational", .cases = 3000, .degenerate_at_least = 0.2}, [] {
+            const auto hull = *gen::scaled_hull<4>().as("case");
+            RC_CLASSIFY(is_degenerate<4>(hull), "degenerate");
+            RC_ASSERT(are_lengths(hull.vectors, hull.lengths) == Verdict::holds);
+            RC_ASSERT(normalisation_keeps_rotations_repaired(hull.vectors, hull.lengths, hull.weights) == Verdict::holds);
+            if (squared_norm(blend(hull)) == Rational(0)) return;
+            const auto u = weights_on_same_ray(hull.weights, hull.lengths).weights;
+            RC_ASSERT(rotate_alike(blend(hull), combine<Rational, 4>(u, divided(hull.vectors, hull.lengths))));
+          });
+  t.holds("any positive factors keep the rays of the hull, and 0 if it is there, both ways",
+          {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.2}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
-              const VecList<Rational, d> list{*gen::nonzero_vector<d>().as("first"),
-                                              *gen::nonzero_vector<d>().as("second")};
-              const auto vectors = lift<ExactRoot>(list);
-              const auto weights = lift<ExactRoot>(*gen::convex_weights(2).as("weights"));
-              const auto lengths = lengths_by_roots(vectors);
-              RC_ASSERT(are_lengths(vectors, lengths) == Verdict::holds);
-              RC_ASSERT(normalisation_keeps_rays_repaired(vectors, lengths, weights) == Verdict::holds);
+              const auto hull = *gen::scaled_hull<d>().as("case");
+              const auto factors =
+                  *rc::gen::container<std::vector<Rational>>(hull.vectors.size(), gen::positive_rational()).as("factors");
+              RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
+              RC_ASSERT(normalisation_keeps_rays_repaired(hull.vectors, factors, hull.weights) == Verdict::holds);
+              RC_ASSERT(blends_vanish_together(hull.vectors, factors, hull.weights) == Verdict::holds);
+              // The way back undoes the way there.
+              const auto there = weights_on_same_ray(hull.weights, factors);
+              const auto back = weights_on_same_ray(there.weights, inverses(factors));
+              RC_ASSERT(back.weights == hull.weights);
+              RC_ASSERT(there.scale * back.scale == Rational(1));
             });
           });
+  t.holds("the same for vectors of any length, with roots", {.form = "repaired", .number_type = "exact root", .cases = 60}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const VecList<Rational, d> list{*gen::nonzero_vector<d>().as("first"), *gen::nonzero_vector<d>().as("second")};
+      const auto vectors = lift<ExactRoot>(list);
+      const auto weights = lift<ExactRoot>(*gen::convex_weights(2).as("weights"));
+      const auto lengths = lengths_by_roots(vectors);
+      RC_ASSERT(are_lengths(vectors, lengths) == Verdict::holds);
+      RC_ASSERT(normalisation_keeps_rays_repaired(vectors, lengths, weights) == Verdict::holds);
+    });
+  });
 
   t.holds("intervals never contradict the exact verdict on the rays and on blends that are 0",
           {.number_type = "interval", .cases = 1500, .degenerate_at_least = 0.2}, [] {
@@ -317,13 +306,12 @@ PROPTEST(lemma2_normalization) {
               decide_by_all(vanish_together, hull.vectors, hull.lengths, hull.weights);
             });
           });
-  t.holds("intervals seldom decide the equality of rays, exact numbers always do",
-          {.number_type = "interval", .cases = 300}, [] {
-            gen::for_some_dimension<1, 4>([](auto d) {
-              const auto hull = *gen::scaled_hull<d>().as("case");
-              RC_ASSERT(decide_by_all(keeps_rays, hull.vectors, hull.lengths, hull.weights) == Verdict::holds);
-            });
-          });
+  t.holds("intervals seldom decide the equality of rays, exact numbers always do", {.number_type = "interval", .cases = 300}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto hull = *gen::scaled_hull<d>().as("case");
+      RC_ASSERT(decide_by_all(keeps_rays, hull.vectors, hull.lengths, hull.weights) == Verdict::holds);
+    });
+  });
 
   t.holds("a mutated witness is rejected", {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
@@ -354,12 +342,11 @@ PROPTEST(lemma2_normalization) {
     });
   });
 
-  t.example("a negative factor leads to another ray", {.form = "repaired", .hypothesis = "the factors are positive"},
-            [] {
-              const auto made = weights_on_same_ray(halves, one_negative);
-              return are_positive(one_negative) == Verdict::fails && made.verdict == Verdict::fails &&
-                     is_same_ray(right_angle, halves, divided(right_angle, one_negative), made) == Verdict::fails;
-            });
+  t.example("a negative factor leads to another ray", {.form = "repaired", .hypothesis = "the factors are positive"}, [] {
+    const auto made = weights_on_same_ray(halves, one_negative);
+    return are_positive(one_negative) == Verdict::fails && made.verdict == Verdict::fails &&
+           is_same_ray(right_angle, halves, divided(right_angle, one_negative), made) == Verdict::fails;
+  });
   t.example("a zero vector has no direction", {.form = "repaired", .hypothesis = "the vectors are not 0"}, [] {
     bool none = are_lengths(with_zero, zero_and_one) == Verdict::fails;
     for (int k = 0; k <= 4; ++k) {
@@ -369,12 +356,11 @@ PROPTEST(lemma2_normalization) {
     }
     return Checked(none, 5);
   });
-  t.example("weights that are not convex have no convex counterpart", {.form = "repaired", .hypothesis = "w is in W_m"},
-            [] {
-              const auto made = weights_on_same_ray(not_convex, ones);
-              return is_convex<Q>(not_convex) == Verdict::fails && made.verdict == Verdict::fails &&
-                     is_same_ray(right_angle, not_convex, right_angle, made) == Verdict::fails;
-            });
+  t.example("weights that are not convex have no convex counterpart", {.form = "repaired", .hypothesis = "w is in W_m"}, [] {
+    const auto made = weights_on_same_ray(not_convex, ones);
+    return is_convex<Q>(not_convex) == Verdict::fails && made.verdict == Verdict::fails &&
+           is_same_ray(right_angle, not_convex, right_angle, made) == Verdict::fails;
+  });
 }
 
 }  // namespace

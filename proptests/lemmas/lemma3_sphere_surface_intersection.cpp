@@ -17,9 +17,8 @@ using namespace refitlab;
 // A zero radius, a common center, a point on both surfaces, or a plane through the center.
 template <int D>
 bool is_degenerate(const gen::SurfaceAndBall<D>& c) {
-  return c.surface.squared_radius == Rational(0) || c.ball.squared_radius == Rational(0) ||
-         c.surface.center == c.ball.center || on_surface(c.ball, c.point) == Verdict::holds ||
-         intersection_offset(c.surface, c.ball) == Rational(0);
+  return c.surface.squared_radius == Rational(0) || c.ball.squared_radius == Rational(0) || c.surface.center == c.ball.center ||
+         on_surface(c.ball, c.point) == Verdict::holds || intersection_offset(c.surface, c.ball) == Rational(0);
 }
 
 // The paper's surface has the center 0 and the radius 1.
@@ -133,40 +132,38 @@ void hypotheses_need_each_part(Suite& t) {
     });
     return v;
   });
-  t.holds(
-      "nothing is printed of negative squared radii, nor of a distance for r_b >= 1", {.number_type = "rational"}, [] {
-        gen::for_some_dimension<1, 4>([](auto d) {
-          auto c = eccentric<d>();
-          const Rational amount = *gen::positive_rational().as("amount");
-          auto none = c;
-          none.ball.squared_radius = -amount;
-          RC_ASSERT(intersection_is_cap_printed(none.surface, none.ball, none.point) == Verdict::holds);
-          RC_ASSERT(intersection_distance_printed(none.ball) == Verdict::holds);
-          none.ball.center = gen::RationalVec<d>::Zero();
-          RC_ASSERT(intersection_distance_printed(none.ball) == Verdict::holds);
-          auto wide = c;
-          // About 0, where no distance is defined, and so large that 0 is inside H.
-          for (const Rational& r2 : {Rational(1), Rational(1 + amount), Rational(2 + squared_norm(c.ball.center))}) {
-            wide.ball.squared_radius = r2;
-            RC_ASSERT(intersection_distance_printed(wide.ball) == Verdict::holds);
-            RC_ASSERT(intersection_distance_printed(SquaredBall<Rational, d>{gen::RationalVec<d>::Zero(), r2}) ==
-                      Verdict::holds);
-          }
-          const SquaredBall<Rational, d> concentric{gen::RationalVec<d>::Zero(), Rational(1) / (Rational(1) + amount)};
-          RC_ASSERT(intersection_distance_printed(concentric) == Verdict::fails);
-          // A squared radius of 0 is one.
-          const SquaredBall<Rational, d> origin{gen::RationalVec<d>::Zero(), Rational(0)};
-          RC_ASSERT(intersection_distance_printed(origin) == Verdict::fails);
-          const SquaredBall<Rational, d> inner{c.surface.center, c.surface.squared_radius / (Rational(1) + amount)};
-          RC_ASSERT(intersection_is_cap_printed(c.surface, inner, c.point) == Verdict::fails);
-          const SquaredBall<Rational, d> point{c.surface.center, Rational(0)};
-          RC_ASSERT(intersection_is_cap_printed(c.surface, point, c.point) == Verdict::fails);
-          RC_ASSERT(intersection_is_cap_printed(point, {point.center, amount}, point.center) == Verdict::fails);
-          // A surface of a negative squared radius has no points; a case that pretends one is not the theorem's.
-          const SquaredBall<Rational, d> no_surface{c.surface.center, -amount};
-          RC_ASSERT(intersection_is_cap_printed(no_surface, inner, c.point) == Verdict::holds);
-        });
-      });
+  t.holds("nothing is printed of negative squared radii, nor of a distance for r_b >= 1", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      auto c = eccentric<d>();
+      const Rational amount = *gen::positive_rational().as("amount");
+      auto none = c;
+      none.ball.squared_radius = -amount;
+      RC_ASSERT(intersection_is_cap_printed(none.surface, none.ball, none.point) == Verdict::holds);
+      RC_ASSERT(intersection_distance_printed(none.ball) == Verdict::holds);
+      none.ball.center = gen::RationalVec<d>::Zero();
+      RC_ASSERT(intersection_distance_printed(none.ball) == Verdict::holds);
+      auto wide = c;
+      // About 0, where no distance is defined, and so large that 0 is inside H.
+      for (const Rational& r2 : {Rational(1), Rational(1 + amount), Rational(2 + squared_norm(c.ball.center))}) {
+        wide.ball.squared_radius = r2;
+        RC_ASSERT(intersection_distance_printed(wide.ball) == Verdict::holds);
+        RC_ASSERT(intersection_distance_printed(SquaredBall<Rational, d>{gen::RationalVec<d>::Zero(), r2}) == Verdict::holds);
+      }
+      const SquaredBall<Rational, d> concentric{gen::RationalVec<d>::Zero(), Rational(1) / (Rational(1) + amount)};
+      RC_ASSERT(intersection_distance_printed(concentric) == Verdict::fails);
+      // A squared radius of 0 is one.
+      const SquaredBall<Rational, d> origin{gen::RationalVec<d>::Zero(), Rational(0)};
+      RC_ASSERT(intersection_distance_printed(origin) == Verdict::fails);
+      const SquaredBall<Rational, d> inner{c.surface.center, c.surface.squared_radius / (Rational(1) + amount)};
+      RC_ASSERT(intersection_is_cap_printed(c.surface, inner, c.point) == Verdict::fails);
+      const SquaredBall<Rational, d> point{c.surface.center, Rational(0)};
+      RC_ASSERT(intersection_is_cap_printed(c.surface, point, c.point) == Verdict::fails);
+      RC_ASSERT(intersection_is_cap_printed(point, {point.center, amount}, point.center) == Verdict::fails);
+      // A surface of a negative squared radius has no points; a case that pretends one is not the theorem's.
+      const SquaredBall<Rational, d> no_surface{c.surface.center, -amount};
+      RC_ASSERT(intersection_is_cap_printed(no_surface, inner, c.point) == Verdict::holds);
+    });
+  });
 }
 
 void statements_say_their_words(Suite& t) {
@@ -194,36 +191,34 @@ void undecided_parts_are_not_lost(Suite& t) {
     const SquaredBall<Interval, 2> touching{Point(Interval(2), zero), about_one};
     const SquaredBall<Interval, 2> through_top{Point(Interval(2), zero), about_five};
     const SquaredBall<Interval, 2> third{Point(Interval(3), zero), lift<Interval>(Rational(1, 3))};
-    return Checked(
-        intersection_is_cap_repaired(circle, touching, left) == Verdict::undecided &&  // whether they meet
-            intersection_is_cap_repaired(circle, through_top, up) == Verdict::undecided &&
-            intersection_is_cap_repaired(circle, through_top, left) == Verdict::holds &&
-            intersection_is_cap_printed(circle, through_top, up) == Verdict::undecided &&
-            intersection_is_cap_printed(circle, through_top, left) == Verdict::holds &&
-            intersection_distance_repaired(circle, third) == Verdict::undecided &&  // equality of the distance
-            intersection_distance_printed(third) == Verdict::undecided,
-        7);
+    return Checked(intersection_is_cap_repaired(circle, touching, left) == Verdict::undecided &&  // whether they meet
+                       intersection_is_cap_repaired(circle, through_top, up) == Verdict::undecided &&
+                       intersection_is_cap_repaired(circle, through_top, left) == Verdict::holds &&
+                       intersection_is_cap_printed(circle, through_top, up) == Verdict::undecided &&
+                       intersection_is_cap_printed(circle, through_top, left) == Verdict::holds &&
+                       intersection_distance_repaired(circle, third) == Verdict::undecided &&  // equality of the distance
+                       intersection_distance_printed(third) == Verdict::undecided,
+                   7);
   });
 }
 
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
-  t.holds("a half-space that is wrong in one coordinate or at the origin alone is rejected",
-          {.number_type = "rational"}, [] {
-            gen::for_some_dimension<1, 4>([](auto d) {
-              const auto c = eccentric<d>();
-              const Rational amount = *gen::positive_rational().as("amount");
-              const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
-              auto coordinate = intersection_cap(c.surface, c.ball), origin = coordinate;
-              coordinate.half_space.normal[i] += amount;  // right at the origin and at the other coordinate vectors
-              RC_PRE(is_half_space(coordinate.half_space) == Verdict::holds);
-              RC_ASSERT(is_intersection_cap(c.surface, c.ball, coordinate) == Verdict::fails);
-              origin.half_space.offset += amount;  // right at all of the coordinate vectors
-              for (int k = 0; k < int(d); ++k) origin.half_space.normal[k] += amount;
-              RC_PRE(is_half_space(origin.half_space) == Verdict::holds);
-              RC_ASSERT(is_intersection_cap(c.surface, c.ball, origin) == Verdict::fails);
-            });
-          });
+  t.holds("a half-space that is wrong in one coordinate or at the origin alone is rejected", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto c = eccentric<d>();
+      const Rational amount = *gen::positive_rational().as("amount");
+      const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
+      auto coordinate = intersection_cap(c.surface, c.ball), origin = coordinate;
+      coordinate.half_space.normal[i] += amount;  // right at the origin and at the other coordinate vectors
+      RC_PRE(is_half_space(coordinate.half_space) == Verdict::holds);
+      RC_ASSERT(is_intersection_cap(c.surface, c.ball, coordinate) == Verdict::fails);
+      origin.half_space.offset += amount;  // right at all of the coordinate vectors
+      for (int k = 0; k < int(d); ++k) origin.half_space.normal[k] += amount;
+      RC_PRE(is_half_space(origin.half_space) == Verdict::holds);
+      RC_ASSERT(is_intersection_cap(c.surface, c.ball, origin) == Verdict::fails);
+    });
+  });
   t.holds("a nearest point that is wrong in one part is rejected", {.number_type = "rational", .cases = 2000}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
       using Vector = gen::RationalVec<d>;
@@ -239,8 +234,7 @@ void checks_need_each_part(Suite& t) {
       const Rational square = squared_norm(way);
       through(way);
       RC_ASSERT(verdict(way, square) == Verdict::holds);
-      RC_ASSERT(verdict(way, square + amount) == Verdict::fails &&
-                verdict(way, square / 2) == Verdict::fails);                 // the distance
+      RC_ASSERT(verdict(way, square + amount) == Verdict::fails && verdict(way, square / 2) == Verdict::fails);  // the distance
       const Vector farther = way * Rational(2), nearer = way / Rational(2);  // not in the plane
       RC_ASSERT(verdict(farther, squared_norm(farther)) == Verdict::fails);
       RC_ASSERT(verdict(nearer, squared_norm(nearer)) == Verdict::fails);
@@ -291,13 +285,11 @@ PROPTEST(lemma3_sphere_surface_intersection) {
       RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::holds);
     });
   });
-  t.refuted(
-      "for r_b < 1 the printed formula is the distance from 0 to H", {.form = "printed", .number_type = "rational"},
-      [] {
-        gen::for_some_dimension<1, 4>([](auto d) {
-          RC_ASSERT(intersection_distance_printed((*gen::surface_and_ball<d>().as("case")).ball) == Verdict::holds);
-        });
-      });
+  t.refuted("for r_b < 1 the printed formula is the distance from 0 to H", {.form = "printed", .number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      RC_ASSERT(intersection_distance_printed((*gen::surface_and_ball<d>().as("case")).ball) == Verdict::holds);
+    });
+  });
 
   t.holds("where b != a and the ball meets the surface, they have a cap in common",
           {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.25}, [] {
@@ -313,16 +305,15 @@ PROPTEST(lemma3_sphere_surface_intersection) {
               RC_ASSERT(ball_and_half_space_agree(c.ball, made.half_space, c.point) == Verdict::holds);
             });
           });
-  t.holds("for b = a the ball holds all of the surface or nothing of it",
-          {.form = "repaired", .number_type = "rational"}, [] {
-            gen::for_some_dimension<1, 4>([](auto d) {
-              auto c = *gen::surface_and_ball<d>().as("case");
-              c.ball.center = c.surface.center;
-              const gen::RationalVec<d> opposite = c.surface.center * Rational(2) - c.point;
-              RC_ASSERT((surface_meets_ball(c.surface, c.ball) == encloses(c.ball, c.point)));
-              RC_ASSERT((encloses(c.ball, opposite) == encloses(c.ball, c.point)));
-            });
-          });
+  t.holds("for b = a the ball holds all of the surface or nothing of it", {.form = "repaired", .number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      auto c = *gen::surface_and_ball<d>().as("case");
+      c.ball.center = c.surface.center;
+      const gen::RationalVec<d> opposite = c.surface.center * Rational(2) - c.point;
+      RC_ASSERT((surface_meets_ball(c.surface, c.ball) == encloses(c.ball, c.point)));
+      RC_ASSERT((encloses(c.ball, opposite) == encloses(c.ball, c.point)));
+    });
+  });
   t.holds("0 is outside H if and only if r_b^2 < 1 + b^2, and then the printed formula is right unless b = 0",
           {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
@@ -414,8 +405,8 @@ PROPTEST(lemma3_sphere_surface_intersection) {
            surface_meets_ball(unit_circle, inside) == Verdict::fails &&
            intersection_cap(unit_circle, inside).verdict == Verdict::fails;
   });
-  t.example("for r_b^2 > 1 + b^2 the distance is 0, not the formula's",
-            {.form = "repaired", .hypothesis = "r_b^2 <= 1 + b^2"}, [] {
+  t.example("for r_b^2 > 1 + b^2 the distance is 0, not the formula's", {.form = "repaired", .hypothesis = "r_b^2 <= 1 + b^2"},
+            [] {
               const auto made = nearest_point_of_intersection_cap(unit_circle, holds_most);
               const auto h = intersection_cap(unit_circle, holds_most).half_space;
               return made.verdict == Verdict::fails && contains(h, unit_circle.center) == Verdict::holds &&

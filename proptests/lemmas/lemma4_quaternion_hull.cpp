@@ -143,25 +143,21 @@ void hypotheses_need_each_part(Suite& t) {
       RC_ASSERT(are_units_enclosed(hull.ball, one) == Verdict::holds);
     });
   });
-  t.holds(
-      "a ball keeps hulls up to r^2 = 1 + c^2 and from r = 1 + c on, and nowhere between", {.number_type = "rational"},
-      [] {
-        gen::for_some_dimension<1, 4>([](auto d) {
-          const auto u = *gen::sphere_point<d>().as("direction");
-          const Rational c = *gen::positive_rational().as("distance"), amount = *gen::positive_rational().as("amount");
-          const Rational half = Rational(1) + c * c, whole = sq(Rational(Rational(1) + c));
-          const auto keeps = [&](const Rational& square) {
-            return ball_keeps_hulls(SquaredBall<Rational, d>{u * c, square});
-          };
-          RC_ASSERT(keeps(half) == Verdict::holds && keeps(half - amount) == Verdict::holds);
-          RC_ASSERT(keeps(whole) == Verdict::holds && keeps(whole + amount) == Verdict::holds);
-          const Rational share = Rational(1) / (Rational(1) + amount);
-          RC_ASSERT(keeps(half + (whole - half) * share) == Verdict::fails);
-          // The printed border is another: at r = 1 it is already passed.
-          RC_ASSERT(radius_below_one_is_needed_printed(SquaredBall<Rational, d>{u * c, Rational(1)}) == Verdict::fails);
-          RC_ASSERT(radius_below_one_is_needed_printed(SquaredBall<Rational, d>{u * c, share}) == Verdict::holds);
-        });
-      });
+  t.holds("a ball keeps hulls up to r^2 = 1 + c^2 and from r = 1 + c on, and nowhere between", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<1, 4>([](auto d) {
+      const auto u = *gen::sphere_point<d>().as("direction");
+      const Rational c = *gen::positive_rational().as("distance"), amount = *gen::positive_rational().as("amount");
+      const Rational half = Rational(1) + c * c, whole = sq(Rational(Rational(1) + c));
+      const auto keeps = [&](const Rational& square) { return ball_keeps_hulls(SquaredBall<Rational, d>{u * c, square}); };
+      RC_ASSERT(keeps(half) == Verdict::holds && keeps(half - amount) == Verdict::holds);
+      RC_ASSERT(keeps(whole) == Verdict::holds && keeps(whole + amount) == Verdict::holds);
+      const Rational share = Rational(1) / (Rational(1) + amount);
+      RC_ASSERT(keeps(half + (whole - half) * share) == Verdict::fails);
+      // The printed border is another: at r = 1 it is already passed.
+      RC_ASSERT(radius_below_one_is_needed_printed(SquaredBall<Rational, d>{u * c, Rational(1)}) == Verdict::fails);
+      RC_ASSERT(radius_below_one_is_needed_printed(SquaredBall<Rational, d>{u * c, share}) == Verdict::holds);
+    });
+  });
   t.holds("the printed hypotheses are those of a radius strictly below 1", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
       auto hull = *gen::enclosed_hull<d>().as("case");
@@ -195,8 +191,7 @@ void checks_need_each_part(Suite& t) {
     gen::for_some_dimension<1, 4>([](auto d) {
       using Vector = gen::RationalVec<d>;
       const Vector u = *gen::sphere_point<d>().as("direction"), b = u * *gen::positive_rational().as("length");
-      SquaredBall<Rational, d> ball{*gen::rational_vector<d>().as("center"),
-                                    abs(*gen::rational().as("squared radius"))};
+      SquaredBall<Rational, d> ball{*gen::rational_vector<d>().as("center"), abs(*gen::rational().as("squared radius"))};
       if (*rc::gen::arbitrary<bool>().as("on the surface")) ball.squared_radius = squared_distance(u, ball.center);
       const Vector opposite = -u;
       const bool ahead = squared_distance(u, ball.center) <= ball.squared_radius;
@@ -217,9 +212,8 @@ void checks_need_each_part(Suite& t) {
         return is_hull_element(ball, VecList<Rational, d>{unit}, {Rational(1)},
                                HullElement<Rational, d>{Verdict::holds, blend, dot(blend, ball.center)});
       };
-      const SquaredBall<Rational, d> point{u, Rational(0)}, opposite{-u, Rational(0)},
-          origin{Vector::Zero(), Rational(1)};
-      RC_ASSERT(verdict(point, u, u) == Verdict::holds);  // with equality in the length and in the offset
+      const SquaredBall<Rational, d> point{u, Rational(0)}, opposite{-u, Rational(0)}, origin{Vector::Zero(), Rational(1)};
+      RC_ASSERT(verdict(point, u, u) == Verdict::holds);                    // with equality in the length and in the offset
       RC_ASSERT(verdict(point, u * longer, u * longer) == Verdict::fails);  // the length
       RC_ASSERT(verdict(opposite, u, u) == Verdict::fails);                 // the offset
       Vector mirrored = u;
@@ -270,7 +264,8 @@ PROPTEST(lemma4_quaternion_hull) {
               RC_ASSERT(are_units_enclosed(hull.ball, hull.units) == Verdict::holds);
               RC_ASSERT(hull_stays_in_cap_repaired(hull.ball, hull.units, hull.weights) == Verdict::holds);
               // c != 0 need not be asked for.
-              if (scaled_distance(hull.ball.center, hull.ball.squared_radius) > Rational(0)) RC_ASSERT(hull.ball.center != gen::RationalVec<d>::Zero());
+              if (scaled_distance(hull.ball.center, hull.ball.squared_radius) > Rational(0))
+                RC_ASSERT(hull.ball.center != gen::RationalVec<d>::Zero());
               if (ball_keeps_hulls(hull.ball) != Verdict::holds) return;
               RC_CLASSIFY(hull.ball.squared_radius >= Rational(1), "radius of 1 or more");
               const auto made = hull_element(hull.ball, hull.units, hull.weights);
@@ -302,12 +297,13 @@ PROPTEST(lemma4_quaternion_hull) {
             gen::for_some_dimension<1, 4>([](auto d) {
               const auto hull = *gen::enclosed_hull<d>().as("case");
               RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
-              RC_CLASSIFY(scaled_distance(hull.ball.center, hull.ball.squared_radius) < Rational(0), "more than half of the surface");
+              RC_CLASSIFY(scaled_distance(hull.ball.center, hull.ball.squared_radius) < Rational(0),
+                          "more than half of the surface");
               RC_ASSERT(rotations_stay_in_cap_repaired(hull.ball, hull.units, hull.weights) == Verdict::holds);
             });
           });
-  t.holds("the squared form says what the normalised blend does",
-          {.form = "repaired", .number_type = "exact root", .cases = 150}, [] {
+  t.holds("the squared form says what the normalised blend does", {.form = "repaired", .number_type = "exact root", .cases = 150},
+          [] {
             gen::for_some_dimension<1, 4>([](auto d) {
               const auto hull = *gen::enclosed_hull<d>().as("case");
               const auto b = combine<Rational, d>(hull.weights, hull.units);
@@ -351,26 +347,26 @@ PROPTEST(lemma4_quaternion_hull) {
     });
   });
 
-  t.example(
-      "a ball of more than half of the surface loses a direction, but not its rotation",
-      {.form = "repaired", .hypothesis = "r^2 <= 1 + c^2"}, [] {
-        bool all = true;
-        for (const auto& [disc, units] : {std::pair{around_behind, behind}, {around_left_and_down, left_and_down}})
-          all = all && are_units_enclosed(disc, units) == Verdict::holds && ball_keeps_hulls(disc) == Verdict::fails &&
-                hull_element(disc, units, halves).verdict == Verdict::fails &&
-                rotations_stay_in_cap_repaired(disc, units, halves) == Verdict::holds;
-        return Checked(all, 2);
-      });
+  t.example("a ball of more than half of the surface loses a direction, but not its rotation",
+            {.form = "repaired", .hypothesis = "r^2 <= 1 + c^2"}, [] {
+              bool all = true;
+              for (const auto& [disc, units] : {std::pair{around_behind, behind}, {around_left_and_down, left_and_down}})
+                all = all && are_units_enclosed(disc, units) == Verdict::holds && ball_keeps_hulls(disc) == Verdict::fails &&
+                      hull_element(disc, units, halves).verdict == Verdict::fails &&
+                      rotations_stay_in_cap_repaired(disc, units, halves) == Verdict::holds;
+              return Checked(all, 2);
+            });
   t.example("the mean ball of 1, 1, 1 and a wide turn has a negative d_H: it bounds rotations, but not directions",
             {.form = "repaired", .hypothesis = "r^2 <= 1 + c^2"}, [] {
               const Disc& disc = mean_of_three_and_wide;
-              return are_units_enclosed(disc, three_and_wide) == Verdict::holds && scaled_distance(disc.center, disc.squared_radius) == Q(-7, 10) &&
-                     ball_keeps_hulls(disc) == Verdict::fails &&
+              return are_units_enclosed(disc, three_and_wide) == Verdict::holds &&
+                     scaled_distance(disc.center, disc.squared_radius) == Q(-7, 10) && ball_keeps_hulls(disc) == Verdict::fails &&
                      rotations_stay_in_cap_repaired(disc, three_and_wide, quarters) == Verdict::holds;
             });
   t.example("at r^2 = 1 + c^2 a blend may be 0", {.form = "repaired", .hypothesis = "r^2 < 1 + c^2"}, [] {
     return are_units_enclosed(around_up_and_down, up_and_down) == Verdict::holds &&
-           scaled_distance(around_up_and_down.center, around_up_and_down.squared_radius) == Q(0) && squared_norm(combine<Q, 2>(halves, up_and_down)) == Q(0) &&
+           scaled_distance(around_up_and_down.center, around_up_and_down.squared_radius) == Q(0) &&
+           squared_norm(combine<Q, 2>(halves, up_and_down)) == Q(0) &&
            hull_stays_in_cap_repaired(around_up_and_down, up_and_down, halves) == Verdict::holds;
   });
   t.example("a vector that is not of unit length is in the ball, its direction is not",

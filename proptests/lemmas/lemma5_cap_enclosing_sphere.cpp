@@ -123,8 +123,7 @@ void hypotheses_need_each_part(Suite& t) {
   t.holds("as printed, the cosine is that of an angle", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
       auto c = about_origin(*gen::cap_point<d>().as("case"));
-      const Rational cosine =
-          *rc::gen::oneOf(rc::gen::element(Rational(1), Rational(-1)), gen::rational()).as("cosine");
+      const Rational cosine = *rc::gen::oneOf(rc::gen::element(Rational(1), Rational(-1)), gen::rational()).as("cosine");
       c.cap.cos_angle = cosine;
       RC_ASSERT(cap_ball_hypotheses_printed(c.cap) == verdict_of(abs(cosine) <= Rational(1)));
       c.cap.cos_angle = Rational(-1) - *gen::positive_rational().as("amount");  // its ball has no real radius
@@ -176,26 +175,25 @@ void checks_need_each_part(Suite& t) {
       RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
     });
   });
-  t.holds("an end that is not in the cap, or not opposite in one coordinate, is rejected", {.number_type = "rational"},
+  t.holds("an end that is not in the cap, or not opposite in one coordinate, is rejected", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<2, 4>([](auto d) {
+      const auto center = *gen::rational_vector<d>().as("center");
+      const auto u = *gen::sphere_point<d>().as("axis");
+      // From pi/2 on the ball is the whole sphere's.
+      const Rational cosine = -*gen::unit_interval_rational().as("- cosine");
+      const Cap<Rational, d> cap{center, center + u, cosine}, whole{center, center + u, Rational(-1)};
+      CapBall<Rational, d> w{Verdict::holds, {center, Rational(1)}, Rational(0), center + u, center - u};
+      RC_ASSERT(is_smallest_cap_ball(whole, w) == Verdict::holds);
+      RC_ASSERT(is_smallest_cap_ball(cap, w) == verdict_of(cosine == Rational(-1)));  // the second is behind
+      std::swap(w.first, w.second);
+      RC_ASSERT(is_smallest_cap_ball(cap, w) == verdict_of(cosine == Rational(-1)));  // the first is
+      const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
+      w.second[i] = w.first[i];
+      RC_ASSERT(is_smallest_cap_ball(whole, w) == verdict_of(u[i] == Rational(0)));
+    });
+  });
+  t.holds("a ball of the whole sphere, with one point of the cap for both ends, is not the smallest", {.number_type = "rational"},
           [] {
-            gen::for_some_dimension<2, 4>([](auto d) {
-              const auto center = *gen::rational_vector<d>().as("center");
-              const auto u = *gen::sphere_point<d>().as("axis");
-              // From pi/2 on the ball is the whole sphere's.
-              const Rational cosine = -*gen::unit_interval_rational().as("- cosine");
-              const Cap<Rational, d> cap{center, center + u, cosine}, whole{center, center + u, Rational(-1)};
-              CapBall<Rational, d> w{Verdict::holds, {center, Rational(1)}, Rational(0), center + u, center - u};
-              RC_ASSERT(is_smallest_cap_ball(whole, w) == Verdict::holds);
-              RC_ASSERT(is_smallest_cap_ball(cap, w) == verdict_of(cosine == Rational(-1)));  // the second is behind
-              std::swap(w.first, w.second);
-              RC_ASSERT(is_smallest_cap_ball(cap, w) == verdict_of(cosine == Rational(-1)));  // the first is
-              const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
-              w.second[i] = w.first[i];
-              RC_ASSERT(is_smallest_cap_ball(whole, w) == verdict_of(u[i] == Rational(0)));
-            });
-          });
-  t.holds("a ball of the whole sphere, with one point of the cap for both ends, is not the smallest",
-          {.number_type = "rational"}, [] {
             gen::for_some_dimension<2, 4>([](auto d) {
               const auto c = narrow_cap<d>();
               const CapBall<Rational, d> w{
@@ -203,44 +201,40 @@ void checks_need_each_part(Suite& t) {
               RC_ASSERT(is_smallest_cap_ball(c.cap, w) == Verdict::fails);
             });
           });
-  t.holds(
-      "what is said of another ball is what its words say, whatever the witness",
-      {.number_type = "rational", .cases = 2000}, [] {
-        gen::for_some_dimension<2, 4>([](auto d) {
-          const auto c = *gen::rimmed_cap<d>().as("cap");
-          auto w = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
-          if (*rc::gen::arbitrary<bool>().as("one end only")) w.second = w.first;
-          if (*rc::gen::arbitrary<bool>().as("a larger ball"))
-            w.ball.squared_radius += *gen::positive_rational().as("more");
-          const auto center = *rc::gen::oneOf(rc::gen::just(w.ball.center), rc::gen::just(w.first),
-                                              rc::gen::just(w.second), gen::rational_vector<d>())
-                                   .as("center of the other");
-          const Rational first = squared_distance(center, w.first), second = squared_distance(center, w.second);
-          const Rational square =
-              *rc::gen::element(first, second, w.ball.squared_radius, Rational(0)).as("squared radius of the other");
-          const bool holds_both = first <= square && second <= square;
-          const bool same = center == w.ball.center && square == w.ball.squared_radius;
-          RC_CLASSIFY(holds_both && !same && square <= w.ball.squared_radius, "refutes the witness");
-          RC_CLASSIFY(holds_both && !same && square == w.ball.squared_radius, "as large, about another center");
-          RC_ASSERT(no_other_ball_that_small(w, {center, square}) ==
-                    verdict_of(!holds_both || same || w.ball.squared_radius < square));
-        });
-      });
+  t.holds("what is said of another ball is what its words say, whatever the witness", {.number_type = "rational", .cases = 2000},
+          [] {
+            gen::for_some_dimension<2, 4>([](auto d) {
+              const auto c = *gen::rimmed_cap<d>().as("cap");
+              auto w = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
+              if (*rc::gen::arbitrary<bool>().as("one end only")) w.second = w.first;
+              if (*rc::gen::arbitrary<bool>().as("a larger ball")) w.ball.squared_radius += *gen::positive_rational().as("more");
+              const auto center = *rc::gen::oneOf(rc::gen::just(w.ball.center), rc::gen::just(w.first), rc::gen::just(w.second),
+                                                  gen::rational_vector<d>())
+                                       .as("center of the other");
+              const Rational first = squared_distance(center, w.first), second = squared_distance(center, w.second);
+              const Rational square =
+                  *rc::gen::element(first, second, w.ball.squared_radius, Rational(0)).as("squared radius of the other");
+              const bool holds_both = first <= square && second <= square;
+              const bool same = center == w.ball.center && square == w.ball.squared_radius;
+              RC_CLASSIFY(holds_both && !same && square <= w.ball.squared_radius, "refutes the witness");
+              RC_CLASSIFY(holds_both && !same && square == w.ball.squared_radius, "as large, about another center");
+              RC_ASSERT(no_other_ball_that_small(w, {center, square}) ==
+                        verdict_of(!holds_both || same || w.ball.squared_radius < square));
+            });
+          });
 }
 
 PROPTEST(lemma5_cap_enclosing_sphere) {
   hypotheses_need_each_part(t);
   checks_need_each_part(t);
 
-  t.example("the printed ball misses the apex of caps beyond a right angle, the repaired one does not",
-            {.form = "printed"}, [] {
-              bool all = true;
-              for (const auto& cap : {lemma5::whole_circle, lemma5::wide, lemma5::hardly_wide})
-                all = all && contains(cap, cap.apex) == Verdict::holds &&
-                      cap_ball_encloses_printed(cap, cap.apex) == Verdict::fails &&
-                      cap_ball_encloses_repaired(cap, cap.apex) == Verdict::holds;
-              return Checked(all, 3);
-            });
+  t.example("the printed ball misses the apex of caps beyond a right angle, the repaired one does not", {.form = "printed"}, [] {
+    bool all = true;
+    for (const auto& cap : {lemma5::whole_circle, lemma5::wide, lemma5::hardly_wide})
+      all = all && contains(cap, cap.apex) == Verdict::holds && cap_ball_encloses_printed(cap, cap.apex) == Verdict::fails &&
+            cap_ball_encloses_repaired(cap, cap.apex) == Verdict::holds;
+    return Checked(all, 3);
+  });
 
   t.refuted("the ball with center a cos(alpha) and radius r sin(alpha) encloses the cap",
             {.form = "printed", .number_type = "rational"}, [] {
@@ -282,22 +276,21 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
                                                    *gen::rational().as("its squared radius")};
               RC_ASSERT(no_other_ball_that_small(smallest, other) == Verdict::holds);
               // The tightest ball about the other center, and the smallest about its own.
-              const Rational needed = max_of(squared_distance(other.center, smallest.first),
-                                             squared_distance(other.center, smallest.second));
+              const Rational needed =
+                  max_of(squared_distance(other.center, smallest.first), squared_distance(other.center, smallest.second));
               RC_ASSERT(no_other_ball_that_small(smallest, {other.center, needed}) == Verdict::holds);
               RC_ASSERT(needed >= smallest.ball.squared_radius);
             });
           });
-  t.holds("the same from the cap alone, with roots", {.form = "repaired", .number_type = "exact root", .cases = 150},
-          [] {
-            gen::for_some_dimension<2, 4>([](auto d) {
-              const Cap<Rational, d> cap{*gen::rational_vector<d>().as("center"), *gen::rational_vector<d>().as("apex"),
-                                         *gen::unit_interval_rational() * Rational(2) - Rational(1)};
-              RC_PRE(cap.apex != cap.center);
-              const auto exact = lift<ExactRoot>(cap);
-              RC_ASSERT(is_smallest_cap_ball(exact, smallest_cap_ball_by_roots(exact)) == Verdict::holds);
-            });
-          });
+  t.holds("the same from the cap alone, with roots", {.form = "repaired", .number_type = "exact root", .cases = 150}, [] {
+    gen::for_some_dimension<2, 4>([](auto d) {
+      const Cap<Rational, d> cap{*gen::rational_vector<d>().as("center"), *gen::rational_vector<d>().as("apex"),
+                                 *gen::unit_interval_rational() * Rational(2) - Rational(1)};
+      RC_PRE(cap.apex != cap.center);
+      const auto exact = lift<ExactRoot>(cap);
+      RC_ASSERT(is_smallest_cap_ball(exact, smallest_cap_ball_by_roots(exact)) == Verdict::holds);
+    });
+  });
 
   t.holds("intervals never contradict the exact verdict on points in and out of the cap",
           {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.3}, [] {
@@ -348,18 +341,17 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
       RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
     });
   });
-  t.holds("the ball of a narrower cap, smallest around two points of this one, is rejected", {.number_type = "rational"},
-          [] {
-            gen::for_some_dimension<2, 4>([](auto d) {
-              const auto c = *gen::rimmed_cap<d>().as("case");
-              const auto angle = *gen::cap_angle().as("angle of the narrower cap");
-              RC_PRE(c.cap.apex != c.cap.center && angle.cosine > max_of(c.cap.cos_angle, Rational(0)));
-              const Cap<Rational, d> narrower{c.cap.center, c.cap.apex, angle.cosine};
-              const auto bad = smallest_cap_ball(narrower, angle.sine, c.rim_direction);
-              RC_ASSERT(is_smallest_cap_ball(narrower, bad) == Verdict::holds);
-              RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
-            });
-          });
+  t.holds("the ball of a narrower cap, smallest around two points of this one, is rejected", {.number_type = "rational"}, [] {
+    gen::for_some_dimension<2, 4>([](auto d) {
+      const auto c = *gen::rimmed_cap<d>().as("case");
+      const auto angle = *gen::cap_angle().as("angle of the narrower cap");
+      RC_PRE(c.cap.apex != c.cap.center && angle.cosine > max_of(c.cap.cos_angle, Rational(0)));
+      const Cap<Rational, d> narrower{c.cap.center, c.cap.apex, angle.cosine};
+      const auto bad = smallest_cap_ball(narrower, angle.sine, c.rim_direction);
+      RC_ASSERT(is_smallest_cap_ball(narrower, bad) == Verdict::holds);
+      RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
+    });
+  });
 
   t.example("without cos(alpha) <= 1 there is no ball", {.form = "repaired", .hypothesis = "cos(alpha) <= 1"}, [] {
     return cap_has_points(lemma5::no_points) == Verdict::fails &&
@@ -370,8 +362,7 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
     const auto& smaller = lemma5::point_on_a_line;
     const lemma5::Point<1> other_end = -cap.apex;
     return contains(cap, cap.apex) == Verdict::holds && contains(cap, other_end) == Verdict::fails &&
-           encloses(smaller, cap.apex) == Verdict::holds &&
-           smaller.squared_radius < cap_ball_repaired(cap).squared_radius &&
+           encloses(smaller, cap.apex) == Verdict::holds && smaller.squared_radius < cap_ball_repaired(cap).squared_radius &&
            smaller.squared_radius < cap_ball_printed(cap).squared_radius;
   });
   t.example("a direction that is not perpendicular gives no witness",
@@ -380,8 +371,8 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
               return is_rim(lemma5::narrow, lemma5::sine_of_narrow, lemma5::slanted) == Verdict::fails &&
                      is_smallest_cap_ball(lemma5::narrow, made) == Verdict::fails;
             });
-  t.example("a sine that does not belong to the cosine gives no witness",
-            {.form = "repaired", .hypothesis = "cos^2 + sin^2 = 1"}, [] {
+  t.example("a sine that does not belong to the cosine gives no witness", {.form = "repaired", .hypothesis = "cos^2 + sin^2 = 1"},
+            [] {
               const auto made = smallest_cap_ball(lemma5::narrow, lemma5::not_its_sine, lemma5::perpendicular);
               return is_rim(lemma5::narrow, lemma5::not_its_sine, lemma5::perpendicular) == Verdict::fails &&
                      is_smallest_cap_ball(lemma5::narrow, made) == Verdict::fails;

@@ -20,14 +20,14 @@ struct Violation {
 template <class Draw>
 void needs_part(Suite& t, const std::string& part, const Draw& draw, int cases = 200) {
   using refitlab::Verdict;
-  t.holds("the hypothesis refuses what violates this part of it alone: " + part,
-          {.number_type = "rational", .cases = cases}, [draw] {
+  t.holds("the hypothesis refuses what violates this part of it alone: " + part, {.number_type = "rational", .cases = cases},
+          [draw] {
             const Violation v = draw();
             RC_CLASSIFY(v.conclusion != Verdict::holds, "the conclusion fails");
             RC_ASSERT(v.hypothesis == Verdict::fails);
           });
-  t.refuted("the conclusion holds without this part of the hypothesis: " + part,
-            {.number_type = "rational", .cases = cases}, [draw] { RC_ASSERT(draw().conclusion == Verdict::holds); });
+  t.refuted("the conclusion holds without this part of the hypothesis: " + part, {.number_type = "rational", .cases = cases},
+            [draw] { RC_ASSERT(draw().conclusion == Verdict::holds); });
 }
 
 }  // namespace proptests

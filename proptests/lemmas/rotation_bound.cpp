@@ -4,9 +4,9 @@
 
 #include <random>
 
+#include "lemmas/exact/lift.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/t3_one_cap.hpp"
-#include "lemmas/exact/lift.hpp"
 #include "proptests/counterexamples/rotation_bound.hpp"
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/weights.hpp"
@@ -35,8 +35,7 @@ Hull draw(int most) {
   h.direction = RationalQuaternion::Zero();
   if (kind < 2)
     for (const auto& q : h.unit) h.direction += q;
-  else
-    h.direction = kind == 2 ? h.unit.back() : *gen::nonzero_quaternion();
+  else h.direction = kind == 2 ? h.unit.back() : *gen::nonzero_quaternion();
   return h;
 }
 
@@ -126,21 +125,20 @@ PROPTEST(rotation_bound) {
             const SquaredBall<Rational, 3> all{RationalVec<3>::Zero(), squared_norm(x)};
             RC_ASSERT(same(ball, ball_from_lemmas(h, x)) != Verdict::fails || same(ball, all) != Verdict::fails);
           });
-  t.example(
-      "no direction, and quaternions on a half-sphere's rim or beyond, are all rotations", {.form = "repaired"}, [] {
-        const std::vector<Quaternion<double>> opposite{{1, 0, 0, 0}, {-1, 0, 0, 0}}, rim{{1, 0, 0, 0}, {0, 1, 0, 0}};
-        bool all = true;
-        for (const auto& [unit, direction] :
-             {std::pair{opposite, Quaternion<double>{0, 0, 0, 0}}, std::pair{opposite, Quaternion<double>{1, 0, 0, 0}},
-              std::pair{rim, Quaternion<double>{1, 0, 0, 0}}, std::pair{rim, Quaternion<double>{-1, -1, 0, 0}},
-              std::pair{rim, Quaternion<double>::Constant(std::nan("")).eval()}}) {
-          const auto bound = bound_rotations<double>(unit, direction);
-          all = all && bound.center_ratio == 0 && bound.radius_ratio == 1;
-        }
-        return Checked(all, 5);
-      });
-  t.example("in float the chord keeps its digits at small angles, where the dot product loses them",
-            {.number_type = "float"}, [] {
+  t.example("no direction, and quaternions on a half-sphere's rim or beyond, are all rotations", {.form = "repaired"}, [] {
+    const std::vector<Quaternion<double>> opposite{{1, 0, 0, 0}, {-1, 0, 0, 0}}, rim{{1, 0, 0, 0}, {0, 1, 0, 0}};
+    bool all = true;
+    for (const auto& [unit, direction] :
+         {std::pair{opposite, Quaternion<double>{0, 0, 0, 0}}, std::pair{opposite, Quaternion<double>{1, 0, 0, 0}},
+          std::pair{rim, Quaternion<double>{1, 0, 0, 0}}, std::pair{rim, Quaternion<double>{-1, -1, 0, 0}},
+          std::pair{rim, Quaternion<double>::Constant(std::nan("")).eval()}}) {
+      const auto bound = bound_rotations<double>(unit, direction);
+      all = all && bound.center_ratio == 0 && bound.radius_ratio == 1;
+    }
+    return Checked(all, 5);
+  });
+  t.example("in float the chord keeps its digits at small angles, where the dot product loses them", {.number_type = "float"},
+            [] {
               std::mt19937 random(2006);
               std::normal_distribution<double> gauss;
               double chord_worst = 0, dot_worst = 0;
@@ -158,8 +156,7 @@ PROPTEST(rotation_bound) {
                   const Quaternion<float> direction = (unit[0] + unit[1]) / 2;
                   const double sine = std::sin(2 * half_angle);
                   const double by_dot = sine_by_dot(unit, direction / norm(direction));
-                  chord_worst =
-                      std::max(chord_worst, std::abs(bound_rotations<float>(unit, direction).radius_ratio / sine - 1));
+                  chord_worst = std::max(chord_worst, std::abs(bound_rotations<float>(unit, direction).radius_ratio / sine - 1));
                   dot_worst = std::max(dot_worst, std::abs(by_dot / sine - 1));
                   too_small += by_dot < sine;
                 }

@@ -51,7 +51,8 @@ void hypotheses_need_each_part(Suite& t) {
     corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
     RC_ASSERT(corners_are_admissible(b.bounds, corners) == Verdict::holds);
     RC_ASSERT(corners_are_complete(b.bounds, corners) == Verdict::fails);
-    return Violation{weight_vertices_span_hypotheses(b.bounds, corners), weight_vertices_span(b.bounds, corners, missing).verdict};
+    return Violation{weight_vertices_span_hypotheses(b.bounds, corners),
+                     weight_vertices_span(b.bounds, corners, missing).verdict};
   });
   needs_part(t, "one of the listed points is not admissible: a bound or the sum is violated by one coordinate", [] {
     const auto b = several_corners();
@@ -83,21 +84,20 @@ void hypotheses_need_each_part(Suite& t) {
     w[(i + 1) % n] -= way;
     return Violation{admits<Rational>(b.bounds, w), weight_vertices_span(b.bounds, b.corners, w).verdict};
   });
-  t.holds("bounds of which one pair is crossed are not compatible, and have no corner", {.number_type = "rational"},
-          [] {
-            // Three pairs at 1/3, and one pair crossed about its place, so that both sums are still on their sides
-            // of 1.
-            const Rational third(1, 3), amount = *gen::positive_rational().as("amount"), room = Rational(2) * amount;
-            const std::size_t i = place_in(3);
-            WeightBounds<Rational> bounds{Weights(3, third), Weights(3, third)};
-            RC_ASSERT(bounds_are_compatible(bounds) == Verdict::holds && has_corner(bounds).verdict == Verdict::holds);
-            for (std::size_t k = 0; k < 3; ++k) {
-              bounds.low[k] += k == i ? amount : Rational(-room);
-              bounds.high[k] += k == i ? Rational(-amount) : room;
-            }
-            RC_ASSERT(bounds_are_compatible(bounds) == Verdict::fails && has_corner(bounds).verdict == Verdict::fails);
-            RC_ASSERT(corners_exist_repaired(bounds) == Verdict::holds);
-          });
+  t.holds("bounds of which one pair is crossed are not compatible, and have no corner", {.number_type = "rational"}, [] {
+    // Three pairs at 1/3, and one pair crossed about its place, so that both sums are still on their sides
+    // of 1.
+    const Rational third(1, 3), amount = *gen::positive_rational().as("amount"), room = Rational(2) * amount;
+    const std::size_t i = place_in(3);
+    WeightBounds<Rational> bounds{Weights(3, third), Weights(3, third)};
+    RC_ASSERT(bounds_are_compatible(bounds) == Verdict::holds && has_corner(bounds).verdict == Verdict::holds);
+    for (std::size_t k = 0; k < 3; ++k) {
+      bounds.low[k] += k == i ? amount : Rational(-room);
+      bounds.high[k] += k == i ? Rational(-amount) : room;
+    }
+    RC_ASSERT(bounds_are_compatible(bounds) == Verdict::fails && has_corner(bounds).verdict == Verdict::fails);
+    RC_ASSERT(corners_exist_repaired(bounds) == Verdict::holds);
+  });
   t.holds("bounds are compatible up to sums of exactly 1 and no further", {.number_type = "rational"}, [] {
     const Weights w = *gen::convex_weights(*rc::gen::inRange(1, 5).as("weights"));
     const Rational amount = *gen::positive_rational().as("amount");
@@ -139,8 +139,7 @@ void hypotheses_need_each_part(Suite& t) {
             RC_ASSERT(corners_are_proper(b.bounds, twice) == Verdict::fails);
             Weights middle(b.bounds.low.size(), Rational(0));  // of all corners
             for (const auto& c : b.corners)
-              for (std::size_t i = 0; i < c.size(); ++i)
-                middle[i] += c[i] / Rational(static_cast<int>(b.corners.size()));
+              for (std::size_t i = 0; i < c.size(); ++i) middle[i] += c[i] / Rational(static_cast<int>(b.corners.size()));
             between.insert(between.begin() + static_cast<std::ptrdiff_t>(place), middle);
             RC_ASSERT(corners_are_admissible(b.bounds, between) == Verdict::holds);
             RC_ASSERT(corners_are_proper(b.bounds, between) == Verdict::fails);
@@ -164,8 +163,8 @@ void checks_need_each_part(Suite& t) {
     other[place_in(w.size())] += *gen::positive_rational().as("amount");
     RC_ASSERT(same_weights(w, other) == Verdict::fails && same_weights(other, w) == Verdict::fails);
   });
-  t.holds("a combination that is wrong in one coordinate, or has a coefficient too few, is rejected",
-          {.number_type = "rational"}, [] {
+  t.holds("a combination that is wrong in one coordinate, or has a coefficient too few, is rejected", {.number_type = "rational"},
+          [] {
             const auto b = several_corners();
             const Weights u = *gen::convex_weights(static_cast<int>(b.corners.size()));
             Weights w = corners_combine(b.bounds, b.corners, u).weights;
@@ -177,34 +176,31 @@ void checks_need_each_part(Suite& t) {
             w[place_in(w.size())] += *rc::gen::element(amount, Rational(-amount)).as("change");
             RC_ASSERT(is_corner_combination(b.corners, w, u) == Verdict::fails);
           });
-  t.holds("coefficients of which one is negative make the right point and are rejected", {.number_type = "rational"},
-          [] {
-            auto b = several_corners();
-            Weights u = *gen::convex_weights(static_cast<int>(b.corners.size()));
-            const Weights w = corners_combine(b.bounds, b.corners, u).weights;
-            const auto k = place_in(u.size());
-            b.corners.push_back(b.corners[k]);
-            u.push_back(u[k] + *gen::positive_rational().as("amount"));
-            u[k] -= u.back();
-            RC_ASSERT(u[k] < Rational(0));
-            RC_ASSERT(is_corner_combination(b.corners, w, u) == Verdict::fails);
-          });
-  t.holds("a normal separates a point from others only if it is strictly beyond each of them",
-          {.number_type = "rational"}, [] {
-            const auto points =
-                *rc::gen::container<Corners<Rational>>(3, rc::gen::container<Weights>(3, gen::rational())).as("points");
-            const Weights normal = *rc::gen::container<Weights>(3, gen::rational()).as("normal");
-            Weights w = *rc::gen::container<Weights>(3, gen::rational()).as("point");
-            if (*rc::gen::inRange(0, 3).as("one of the points") == 0) w = points[place_in(3)];
-            bool beyond = true;
-            for (const auto& p : points) {
-              Rational gap(0);
-              for (std::size_t i = 0; i < 3; ++i) gap += normal[i] * (w[i] - p[i]);
-              beyond = beyond && gap > Rational(0);
-            }
-            RC_CLASSIFY(beyond, "separated");
-            RC_ASSERT(separates(normal, w, points) == verdict_of(beyond));
-          });
+  t.holds("coefficients of which one is negative make the right point and are rejected", {.number_type = "rational"}, [] {
+    auto b = several_corners();
+    Weights u = *gen::convex_weights(static_cast<int>(b.corners.size()));
+    const Weights w = corners_combine(b.bounds, b.corners, u).weights;
+    const auto k = place_in(u.size());
+    b.corners.push_back(b.corners[k]);
+    u.push_back(u[k] + *gen::positive_rational().as("amount"));
+    u[k] -= u.back();
+    RC_ASSERT(u[k] < Rational(0));
+    RC_ASSERT(is_corner_combination(b.corners, w, u) == Verdict::fails);
+  });
+  t.holds("a normal separates a point from others only if it is strictly beyond each of them", {.number_type = "rational"}, [] {
+    const auto points = *rc::gen::container<Corners<Rational>>(3, rc::gen::container<Weights>(3, gen::rational())).as("points");
+    const Weights normal = *rc::gen::container<Weights>(3, gen::rational()).as("normal");
+    Weights w = *rc::gen::container<Weights>(3, gen::rational()).as("point");
+    if (*rc::gen::inRange(0, 3).as("one of the points") == 0) w = points[place_in(3)];
+    bool beyond = true;
+    for (const auto& p : points) {
+      Rational gap(0);
+      for (std::size_t i = 0; i < 3; ++i) gap += normal[i] * (w[i] - p[i]);
+      beyond = beyond && gap > Rational(0);
+    }
+    RC_CLASSIFY(beyond, "separated");
+    RC_ASSERT(separates(normal, w, points) == verdict_of(beyond));
+  });
 }
 
 PROPTEST(s41_weight_vertices_span) {
@@ -280,17 +276,16 @@ PROPTEST(s41_weight_vertices_span) {
     return Checked(all, 3);
   });
 
-  t.holds("no number type contradicts the exact verdict on a combination", {.number_type = "interval", .cases = 300},
-          [] {
-            const auto b = *gen::any_bounds_of_vertices(4);
-            Weights w = *gen::admissible_weights(b.bounds);
-            if (*rc::gen::arbitrary<bool>()) w[0] += Rational(1, 64);  // a statement that fails
-            const auto coefficients = weight_vertices_span(b.bounds, b.corners, w).coefficients;
-            decide_by_all([](const auto& l, const auto& c, const auto& x) { return weight_vertices_span(l, c, x).verdict; },
-                          b.bounds, b.corners, w);
-            decide_by_all([](const auto& c, const auto& x, const auto& u) { return is_corner_combination(c, x, u); },
-                          b.corners, w, coefficients);
-          });
+  t.holds("no number type contradicts the exact verdict on a combination", {.number_type = "interval", .cases = 300}, [] {
+    const auto b = *gen::any_bounds_of_vertices(4);
+    Weights w = *gen::admissible_weights(b.bounds);
+    if (*rc::gen::arbitrary<bool>()) w[0] += Rational(1, 64);  // a statement that fails
+    const auto coefficients = weight_vertices_span(b.bounds, b.corners, w).coefficients;
+    decide_by_all([](const auto& l, const auto& c, const auto& x) { return weight_vertices_span(l, c, x).verdict; }, b.bounds,
+                  b.corners, w);
+    decide_by_all([](const auto& c, const auto& x, const auto& u) { return is_corner_combination(c, x, u); }, b.corners, w,
+                  coefficients);
+  });
   t.holds("no number type contradicts the exact verdict on bounds", {.number_type = "interval", .cases = 300}, [] {
     const auto bounds = *gen::arbitrary_bounds(4);
     decide_by_all([](const auto& l) { return corners_exist_printed(l); }, bounds);

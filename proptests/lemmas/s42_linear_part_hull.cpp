@@ -24,18 +24,13 @@ struct LinearPart {
 
   explicit LinearPart(int most)
       : weights(*gen::any_bounds_of_vertices(most)),
-        points(
-            *rc::gen::container<std::vector<Vec<Rational, D>>>(weights.bounds.low.size(), gen::rational_vector<D>())) {
+        points(*rc::gen::container<std::vector<Vec<Rational, D>>>(weights.bounds.low.size(), gen::rational_vector<D>())) {
     bool coincident = false;
     for (std::size_t i = 1; i < points.size(); ++i) coincident = coincident || points[i] == points[0];
     RC_CLASSIFY(coincident || weights.corners.size() == 1, "degenerate");
   }
-  auto in_hull(const Weights& w) const {
-    return linear_part_in_hull<Rational, D>(weights.bounds, weights.corners, points, w);
-  }
-  auto from_hull(const Weights& u) const {
-    return hull_in_linear_part<Rational, D>(weights.bounds, weights.corners, points, u);
-  }
+  auto in_hull(const Weights& w) const { return linear_part_in_hull<Rational, D>(weights.bounds, weights.corners, points, w); }
+  auto from_hull(const Weights& u) const { return hull_in_linear_part<Rational, D>(weights.bounds, weights.corners, points, u); }
   Weights coefficients() const { return *gen::convex_weights(static_cast<int>(weights.corners.size())); }
 };
 
@@ -53,19 +48,11 @@ struct SeveralCorners {
     weights.corners.assign(n, Weights(n, Rational(0)));
     for (std::size_t k = 0; k < n; ++k) weights.corners[k][k] = 1;
   }
-  auto in_hull(const Weights& w) const {
-    return linear_part_in_hull<Rational, 3>(weights.bounds, weights.corners, points, w);
-  }
-  auto from_hull(const Weights& u) const {
-    return hull_in_linear_part<Rational, 3>(weights.bounds, weights.corners, points, u);
-  }
+  auto in_hull(const Weights& w) const { return linear_part_in_hull<Rational, 3>(weights.bounds, weights.corners, points, w); }
+  auto from_hull(const Weights& u) const { return hull_in_linear_part<Rational, 3>(weights.bounds, weights.corners, points, u); }
   Weights coefficients() const { return *gen::convex_weights(static_cast<int>(weights.corners.size())); }
-  Verdict hypotheses() const {
-    return linear_part_hull_hypotheses<Rational, 3>(weights.bounds, weights.corners, points);
-  }
-  std::size_t some_corner() const {
-    return *rc::gen::inRange<std::size_t>(0, weights.corners.size()).as("which corner");
-  }
+  Verdict hypotheses() const { return linear_part_hull_hypotheses<Rational, 3>(weights.bounds, weights.corners, points); }
+  std::size_t some_corner() const { return *rc::gen::inRange<std::size_t>(0, weights.corners.size()).as("which corner"); }
 };
 
 void hypotheses_need_each_part(Suite& t) {
@@ -97,8 +84,7 @@ void hypotheses_need_each_part(Suite& t) {
   needs_part(t, "the weights are admissible", [] {
     SeveralCorners part;
     const bool at_one_place = *rc::gen::arbitrary<bool>().as("all points at one place");
-    if (at_one_place)
-      part.points.assign(part.points.size(), part.points[0]);  // then the blend is in the hull all the same
+    if (at_one_place) part.points.assign(part.points.size(), part.points[0]);  // then the blend is in the hull all the same
     Weights w = *gen::admissible_weights(part.weights.bounds);
     const auto i = *rc::gen::inRange<std::size_t>(0, w.size()).as("which weight");
     const Rational way = part.weights.bounds.high[i] - w[i] + *gen::positive_rational().as("amount");
@@ -136,8 +122,8 @@ void checks_need_each_part(Suite& t) {
             auto moved = forward.point, other = backward.point;
             moved[i] += change, other[i] += change;
             RC_ASSERT((is_hull_point<Rational, 3>(images, moved, forward.coefficients) == Verdict::fails));
-            RC_ASSERT((is_admissible_blend<Rational, 3>(part.weights.bounds, part.points, other,
-                                                        backward.coefficients) == Verdict::fails));
+            RC_ASSERT((is_admissible_blend<Rational, 3>(part.weights.bounds, part.points, other, backward.coefficients) ==
+                       Verdict::fails));
           });
   t.holds("a coefficient or a weight too many or too few is rejected", {.number_type = "rational"}, [] {
     const SeveralCorners part;
@@ -152,11 +138,11 @@ void checks_need_each_part(Suite& t) {
     const auto backward = part.from_hull(part.coefficients());
     auto points = part.points;
     points.push_back(Vec<Rational, 3>::Zero());
-    RC_ASSERT((is_admissible_blend<Rational, 3>(part.weights.bounds, points, backward.point, backward.coefficients) ==
-               Verdict::fails));
+    RC_ASSERT(
+        (is_admissible_blend<Rational, 3>(part.weights.bounds, points, backward.point, backward.coefficients) == Verdict::fails));
     points.resize(part.points.size() - 1);
-    RC_ASSERT((is_admissible_blend<Rational, 3>(part.weights.bounds, points, backward.point, backward.coefficients) ==
-               Verdict::fails));
+    RC_ASSERT(
+        (is_admissible_blend<Rational, 3>(part.weights.bounds, points, backward.point, backward.coefficients) == Verdict::fails));
   });
   t.holds("the images are the corners' sums, coordinate by coordinate", {.number_type = "rational"}, [] {
     const SeveralCorners part;
@@ -169,18 +155,15 @@ void checks_need_each_part(Suite& t) {
         RC_ASSERT(images[k][i] == sum);
       }
   });
-  t.holds("a normal separates a point from others only if it is strictly beyond each of them",
-          {.number_type = "rational"}, [] {
-            const auto points =
-                *rc::gen::container<std::vector<Vec<Rational, 3>>>(3, gen::rational_vector<3>()).as("points");
-            const Vec<Rational, 3> normal = *gen::rational_vector<3>().as("normal");
-            const Vec<Rational, 3> x =
-                *rc::gen::oneOf(rc::gen::elementOf(points), gen::rational_vector<3>()).as("point");
-            bool beyond = true;
-            for (const auto& p : points) beyond = beyond && dot(normal, p) < dot(normal, x);
-            RC_CLASSIFY(beyond, "separated");
-            RC_ASSERT((separates<Rational, 3>(normal, x, points) == verdict_of(beyond)));
-          });
+  t.holds("a normal separates a point from others only if it is strictly beyond each of them", {.number_type = "rational"}, [] {
+    const auto points = *rc::gen::container<std::vector<Vec<Rational, 3>>>(3, gen::rational_vector<3>()).as("points");
+    const Vec<Rational, 3> normal = *gen::rational_vector<3>().as("normal");
+    const Vec<Rational, 3> x = *rc::gen::oneOf(rc::gen::elementOf(points), gen::rational_vector<3>()).as("point");
+    bool beyond = true;
+    for (const auto& p : points) beyond = beyond && dot(normal, p) < dot(normal, x);
+    RC_CLASSIFY(beyond, "separated");
+    RC_ASSERT((separates<Rational, 3>(normal, x, points) == verdict_of(beyond)));
+  });
 }
 
 PROPTEST(s42_linear_part_hull) {
@@ -193,8 +176,8 @@ PROPTEST(s42_linear_part_hull) {
             gen::for_some_dimension<3, 4>([](auto d) {
               const LinearPart<d()> part(4);
               const Weights w = *gen::admissible_weights(part.weights.bounds);
-              RC_ASSERT((linear_part_hull_hypotheses<Rational, d()>(part.weights.bounds, part.weights.corners,
-                                                                    part.points) == Verdict::holds));
+              RC_ASSERT((linear_part_hull_hypotheses<Rational, d()>(part.weights.bounds, part.weights.corners, part.points) ==
+                         Verdict::holds));
               const auto found = part.in_hull(w);
               RC_ASSERT(found.verdict == Verdict::holds);
               const auto images = corner_images<Rational, d()>(part.weights.corners, part.points);
@@ -208,8 +191,8 @@ PROPTEST(s42_linear_part_hull) {
               const LinearPart<d()> part(4);
               const auto found = part.from_hull(part.coefficients());
               RC_ASSERT(found.verdict == Verdict::holds);
-              RC_ASSERT((is_admissible_blend<Rational, d()>(part.weights.bounds, part.points, found.point,
-                                                            found.coefficients) == Verdict::holds));
+              RC_ASSERT((is_admissible_blend<Rational, d()>(part.weights.bounds, part.points, found.point, found.coefficients) ==
+                         Verdict::holds));
             });
           });
 

@@ -18,10 +18,9 @@ template <int D>
 struct BallAndSphere {
   Rational length = *gen::positive_rational();
   Vec<Rational, D> center = *gen::sphere_point<D>() * length;
-  Rational radius =
-      *rc::gen::oneOf(rc::gen::just(Rational(abs(length - 1))), gen::unit_interval_rational(),
-                      rc::gen::map(gen::unit_interval_rational(),
-                                   [at = abs(length - 1)](const Rational& x) { return Rational(at + x); }));
+  Rational radius = *rc::gen::oneOf(
+      rc::gen::just(Rational(abs(length - 1))), gen::unit_interval_rational(),
+      rc::gen::map(gen::unit_interval_rational(), [at = abs(length - 1)](const Rational& x) { return Rational(at + x); }));
 
   bool touches() const { return radius == abs(length - 1); }
 };
@@ -36,13 +35,12 @@ void predicates_say_their_words(Suite& t) {
                      .as("||c||");
             const Vec<Rational, 3> center = *gen::sphere_point<3>().as("direction") * c;
             const Rational near = c - 1, far = c + 1, zero(0), one(1);
-            const Rational r = *rc::gen::oneOf(rc::gen::element(zero, one, near, Rational(-near), far, Rational(-far)),
-                                               gen::rational())
-                                    .as("radius");
+            const Rational r =
+                *rc::gen::oneOf(rc::gen::element(zero, one, near, Rational(-near), far, Rational(-far)), gen::rational())
+                     .as("radius");
             // At r^2 = 1 + c^2 too, which has no rational root.
             const Rational half = one + c * c;
-            const Rational square =
-                *rc::gen::element(Rational(r * r), half, Rational(half + 1), Rational(half / 2)).as("r^2");
+            const Rational square = *rc::gen::element(Rational(r * r), half, Rational(half + 1), Rational(half / 2)).as("r^2");
             const Rational n = half - square;
             RC_ASSERT(scaled_distance(center, square) == n);
             RC_ASSERT(distance_is_in_range(center, square) == verdict_of(c > 0 && n >= 0 && n <= 2 * c));
@@ -112,16 +110,14 @@ void hypotheses_by_point_need_each_part(Suite& t) {
     b.squared_radius = Rational(1) + squared_norm(b.center) + *gen::positive_rational().as("amount");
     return Violation{b.hypotheses(), b.conclusion()};
   });
-  t.holds("a vector is a witness of the range only if it is short enough and in the ball", {.number_type = "rational"},
-          [] {
-            // About a unit vector u, with r = 1: N = 1, so the witness needs 1/2 <= (x, u) <= 1.
-            const Vec<Rational, 3> u = *gen::sphere_point<3>(), x = u * *gen::rational();
-            const Rational along = dot(x, u);
-            RC_ASSERT(distance_range_by_point(u, Rational(1), x) ==
-                      verdict_of(along >= Rational(1, 2) && along <= Rational(1)));
-            for (const Rational& edge : {Rational(1, 2), Rational(1)})
-              RC_ASSERT((distance_range_by_point<Rational, 3>(u, Rational(1), u * edge) == Verdict::holds));
-          });
+  t.holds("a vector is a witness of the range only if it is short enough and in the ball", {.number_type = "rational"}, [] {
+    // About a unit vector u, with r = 1: N = 1, so the witness needs 1/2 <= (x, u) <= 1.
+    const Vec<Rational, 3> u = *gen::sphere_point<3>(), x = u * *gen::rational();
+    const Rational along = dot(x, u);
+    RC_ASSERT(distance_range_by_point(u, Rational(1), x) == verdict_of(along >= Rational(1, 2) && along <= Rational(1)));
+    for (const Rational& edge : {Rational(1, 2), Rational(1)})
+      RC_ASSERT((distance_range_by_point<Rational, 3>(u, Rational(1), u * edge) == Verdict::holds));
+  });
 }
 
 // Wrong witnesses, each of them wrong in one part and right in all others.
@@ -157,8 +153,7 @@ PROPTEST(s43_distance_range) {
     const auto& [center, radius, distance] = s43_range::outside;
     return distance_range_hypotheses_printed(center, radius) == Verdict::holds &&
            distance_range_printed(center, radius) == Verdict::fails &&
-           distance_range_repaired(center, radius) == Verdict::holds &&
-           scaled_distance(center, sq(radius)) / 6 == distance;
+           distance_range_repaired(center, radius) == Verdict::holds && scaled_distance(center, sq(radius)) / 6 == distance;
   });
   t.holds("| ||c|| - 1 | <= r and r^2 <= 1 + ||c||^2 give a distance in [0, 1]",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
@@ -178,8 +173,7 @@ PROPTEST(s43_distance_range) {
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             const BallAndSphere<3> b;
             RC_CLASSIFY(b.touches() || b.radius == 0 || b.length == 1, "degenerate");
-            RC_ASSERT(distance_is_in_range(b.center, sq(b.radius)) ==
-                      distance_range_hypotheses_repaired(b.center, b.radius));
+            RC_ASSERT(distance_is_in_range(b.center, sq(b.radius)) == distance_range_hypotheses_repaired(b.center, b.radius));
           });
   t.holds("a ball that holds a unit vector and at most half of the sphere has a distance in [0, 1]",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
@@ -193,23 +187,21 @@ PROPTEST(s43_distance_range) {
             });
           });
 
-  t.holds("the conditions on the norm, decided without it, are right where it is known", {.number_type = "rational"},
-          [] {
-            const BallAndSphere<3> b;
-            const Rational radius = *rc::gen::oneOf(rc::gen::just(b.radius), gen::positive_rational());
-            RC_ASSERT(reaches_surface_from_inside(b.center, radius) == verdict_of(b.length + radius >= 1));
-            RC_ASSERT(reaches_surface_from_outside(b.center, radius) == verdict_of(b.length - radius <= 1));
-          });
+  t.holds("the conditions on the norm, decided without it, are right where it is known", {.number_type = "rational"}, [] {
+    const BallAndSphere<3> b;
+    const Rational radius = *rc::gen::oneOf(rc::gen::just(b.radius), gen::positive_rational());
+    RC_ASSERT(reaches_surface_from_inside(b.center, radius) == verdict_of(b.length + radius >= 1));
+    RC_ASSERT(reaches_surface_from_outside(b.center, radius) == verdict_of(b.length - radius <= 1));
+  });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 500}, [] {
     const BallAndSphere<4> b;
     decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_repaired<S, 4>(c, r); }, b.center,
                   b.radius);
-    decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_printed<S, 4>(c, r); }, b.center,
-                  b.radius);
+    decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_printed<S, 4>(c, r); }, b.center, b.radius);
     // The range check that arccos relies on.
-    decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_is_in_range<S, 4>(c, sq(r)); },
-                  b.center, b.radius);
+    decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_is_in_range<S, 4>(c, sq(r)); }, b.center,
+                  b.radius);
   });
 
   t.holds("a mutated factor of Heron's formula is rejected", {.number_type = "rational", .cases = 500}, [] {
@@ -223,12 +215,10 @@ PROPTEST(s43_distance_range) {
     both.from_outside = -both.from_outside;
     if (good.from_outside != 0) RC_ASSERT(is_distance_range(b.center, b.radius, from_inside) == Verdict::fails);
     if (good.from_inside != 0) RC_ASSERT(is_distance_range(b.center, b.radius, from_outside) == Verdict::fails);
-    if (good.from_outside != 0 || good.from_inside != 0)
-      RC_ASSERT(is_distance_range(b.center, b.radius, both) == Verdict::fails);
+    if (good.from_outside != 0 || good.from_inside != 0) RC_ASSERT(is_distance_range(b.center, b.radius, both) == Verdict::fails);
   });
 
-  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence,
-                                  const s43_range::Case& c) {
+  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const s43_range::Case& c) {
     t.example(sentence, {.form = "repaired", .hypothesis = hypothesis}, [&] {
       return distance_range_hypotheses_repaired(c.center, c.radius) == Verdict::fails &&
              distance_range(c.center, c.radius).verdict == Verdict::fails &&

@@ -23,9 +23,9 @@ struct TurnedBall {
   Point offset = *gen::sphere_point<3>() * (ball.radius * *gen::unit_interval_rational());
 
   TurnedBall() {
-    RC_CLASSIFY(ball.radius == Rational(0) || squared_norm(offset) == sq(ball.radius) || pivot == ball.center ||
-                    blend[0] == Rational(0),
-                "degenerate");
+    RC_CLASSIFY(
+        ball.radius == Rational(0) || squared_norm(offset) == sq(ball.radius) || pivot == ball.center || blend[0] == Rational(0),
+        "degenerate");
   }
   auto turned() const { return turned_ball_in_sum<Rational>(blend, ball, pivot, ball.center + offset); }
   auto summed() const { return sum_in_turned_ball<Rational>(blend, ball, pivot, offset); }
@@ -75,25 +75,22 @@ void hypotheses_need_each_part(Suite& t) {
 
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
-  t.holds("a vector is the turned one if it is the product of quaternions, in every coordinate",
-          {.number_type = "rational"}, [] {
-            const Quaternion<Rational> q = *gen::nonzero_vector<4>();
-            const Point x = *gen::rational_vector<3>();
-            const Point turned = by_products(q, x);
-            RC_ASSERT(rotate_by(q, x) == turned);
-            RC_ASSERT(is_rotated(q, x, turned) == Verdict::holds);
-            const Rational amount = *gen::positive_rational();
-            Point wrong = turned;
-            wrong[*rc::gen::inRange(0, 3)] += *rc::gen::element(amount, Rational(-amount));
-            RC_ASSERT(is_rotated(q, x, wrong) == Verdict::fails);
-          });
+  t.holds("a vector is the turned one if it is the product of quaternions, in every coordinate", {.number_type = "rational"}, [] {
+    const Quaternion<Rational> q = *gen::nonzero_vector<4>();
+    const Point x = *gen::rational_vector<3>();
+    const Point turned = by_products(q, x);
+    RC_ASSERT(rotate_by(q, x) == turned);
+    RC_ASSERT(is_rotated(q, x, turned) == Verdict::holds);
+    const Rational amount = *gen::positive_rational();
+    Point wrong = turned;
+    wrong[*rc::gen::inRange(0, 3)] += *rc::gen::element(amount, Rational(-amount));
+    RC_ASSERT(is_rotated(q, x, wrong) == Verdict::fails);
+  });
   t.holds("a turned point that is wrong in one part, with an offset that is short enough, is rejected",
           {.number_type = "rational"}, [] {
             TurnedBall c;
             c.ball.radius = *gen::positive_rational();
-            const auto verdict = [&](const TurnedPoint<Rational>& w) {
-              return is_turned_point(c.blend, c.ball, c.pivot, w);
-            };
+            const auto verdict = [&](const TurnedPoint<Rational>& w) { return is_turned_point(c.blend, c.ball, c.pivot, w); };
             const Point shift = *gen::sphere_point<3>() * c.ball.radius;
             auto center = turned_ball_in_sum<Rational>(c.blend, c.ball, c.pivot, c.ball.center).witness;
             auto turned = center, sum = center, point = center;
@@ -177,8 +174,7 @@ PROPTEST(s43_minkowski_sum) {
   t.example("for the zero blend every point is an image, so an offset may be longer than the radius", non_zero, [] {
     using namespace s43_minkowski;
     const Point center = unit_ball.center;
-    return minkowski_sum_hypotheses(zero_blend) == Verdict::fails &&
-           is_rotated(zero_blend, center, center) == Verdict::holds &&
+    return minkowski_sum_hypotheses(zero_blend) == Verdict::fails && is_rotated(zero_blend, center, center) == Verdict::holds &&
            is_rotated(zero_blend, center, anywhere) == Verdict::holds &&
            is_turned_point(zero_blend, unit_ball, pivot, {center, anywhere, center, anywhere}) == Verdict::fails &&
            is_turned_point(zero_blend, unit_ball, pivot, {anywhere, center, center, center}) == Verdict::fails;
@@ -188,10 +184,9 @@ PROPTEST(s43_minkowski_sum) {
     const Point turned(Rational(-1, 5), Rational(7, 5), 1);  // no longer in [-1, 1]^3
     const Ball3<Rational> around_box{s43_minkowski::pivot, Rational(2)};
     return is_rotated(s43_minkowski::turn, s43_minkowski::box_corner, turned) == Verdict::holds &&
-           turned_ball_in_sum(s43_minkowski::turn, around_box, s43_minkowski::pivot, s43_minkowski::box_corner)
-                   .verdict == Verdict::holds &&
-           turned_ball_in_sum(s43_minkowski::turn, s43_minkowski::unit_ball, s43_minkowski::pivot,
-                              s43_minkowski::box_corner)
+           turned_ball_in_sum(s43_minkowski::turn, around_box, s43_minkowski::pivot, s43_minkowski::box_corner).verdict ==
+               Verdict::holds &&
+           turned_ball_in_sum(s43_minkowski::turn, s43_minkowski::unit_ball, s43_minkowski::pivot, s43_minkowski::box_corner)
                    .verdict == Verdict::fails;
   });
 }

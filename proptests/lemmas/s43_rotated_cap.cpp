@@ -44,22 +44,20 @@ void hypotheses_need_each_part(Suite& t) {
     return Violation{rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation),
                      rotated_cap(c.apex, c.rotation, v, rotated_cap_cosine_repaired(c.angle.cosine)).verdict};
   });
-  t.holds("neither the apex nor the rotation of a cap is 0, nor the apex of a filled one", {.number_type = "rational"},
-          [] {
-            const CapOfRotations c;
-            const Quaternion<Rational> zero = Quaternion<Rational>::Zero();
-            const Vector v = *gen::rational_vector<3>();
-            RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation) == Verdict::holds);
-            RC_ASSERT((within_angle<Rational, 4>(zero, c.rotation, c.angle.cosine) == Verdict::holds));
-            RC_ASSERT(rotated_cap_hypotheses(zero, c.angle.cosine, c.rotation) == Verdict::fails);
-            RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, zero) == Verdict::fails);
-            RC_ASSERT(filled_cap_hypotheses<Rational>(zero, v, v, Rational(-1)) == Verdict::fails);
-            // For them the conclusions are empty: 0 takes every vector to every other.
-            RC_ASSERT(is_rotated<Rational>(zero, v, *gen::rational_vector<3>()) == Verdict::holds);
-            RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, v, zero) == Verdict::fails);
-            RC_ASSERT(is_rotation_onto<Rational>(zero, c.angle.cosine, v, v, identity_quaternion<Rational>()) ==
-                      Verdict::fails);
-          });
+  t.holds("neither the apex nor the rotation of a cap is 0, nor the apex of a filled one", {.number_type = "rational"}, [] {
+    const CapOfRotations c;
+    const Quaternion<Rational> zero = Quaternion<Rational>::Zero();
+    const Vector v = *gen::rational_vector<3>();
+    RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation) == Verdict::holds);
+    RC_ASSERT((within_angle<Rational, 4>(zero, c.rotation, c.angle.cosine) == Verdict::holds));
+    RC_ASSERT(rotated_cap_hypotheses(zero, c.angle.cosine, c.rotation) == Verdict::fails);
+    RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, zero) == Verdict::fails);
+    RC_ASSERT(filled_cap_hypotheses<Rational>(zero, v, v, Rational(-1)) == Verdict::fails);
+    // For them the conclusions are empty: 0 takes every vector to every other.
+    RC_ASSERT(is_rotated<Rational>(zero, v, *gen::rational_vector<3>()) == Verdict::holds);
+    RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, v, zero) == Verdict::fails);
+    RC_ASSERT(is_rotation_onto<Rational>(zero, c.angle.cosine, v, v, identity_quaternion<Rational>()) == Verdict::fails);
+  });
   needs_part(t, "x is as long as v, not longer and not shorter", [] {
     const CapOfRotations c;
     const Vector v = *gen::nonzero_vector<3>();
@@ -113,18 +111,16 @@ void checks_need_each_part(Suite& t) {
     RC_ASSERT(rotated_cap<Rational>(c.apex, c.rotation, v, cosine + amount).verdict == Verdict::fails);
     RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, cosine + amount, pair) == Verdict::fails);
   });
-  t.holds("a rotated pair of which one vector is wrong is rejected, though it is close enough",
-          {.number_type = "rational"}, [] {
-            const CapOfRotations c;
-            const Vector v = *gen::nonzero_vector<3>(), wrong = *gen::nonzero_vector<3>();
-            const Vector at_apex = rotate_by(c.apex, v), rotated = rotate_by(c.rotation, v);
-            const Rational any =
-                min_of(dot(Vector(at_apex + wrong), rotated), dot(at_apex, Vector(rotated + wrong))) / squared_norm(v);
-            RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, any,
-                                                {Verdict::holds, at_apex + wrong, rotated}) == Verdict::fails);
-            RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, any,
-                                                {Verdict::holds, at_apex, rotated + wrong}) == Verdict::fails);
-          });
+  t.holds("a rotated pair of which one vector is wrong is rejected, though it is close enough", {.number_type = "rational"}, [] {
+    const CapOfRotations c;
+    const Vector v = *gen::nonzero_vector<3>(), wrong = *gen::nonzero_vector<3>();
+    const Vector at_apex = rotate_by(c.apex, v), rotated = rotate_by(c.rotation, v);
+    const Rational any = min_of(dot(Vector(at_apex + wrong), rotated), dot(at_apex, Vector(rotated + wrong))) / squared_norm(v);
+    RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, any, {Verdict::holds, at_apex + wrong, rotated}) ==
+              Verdict::fails);
+    RC_ASSERT(is_rotated_pair<Rational>(c.apex, c.rotation, v, any, {Verdict::holds, at_apex, rotated + wrong}) ==
+              Verdict::fails);
+  });
   t.holds("0 is within every angle of every vector, and every vector of it", {.number_type = "rational"}, [] {
     const Vector a = *gen::rational_vector<3>(), zero = Vector::Zero();
     const auto angle = *gen::cap_angle();
@@ -168,8 +164,7 @@ PROPTEST(s43_rotated_cap) {
   t.holds("the rotated cap is filled: some rotation of the cap takes v to each of its points",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             const CapOfRotations c;
-            const Rational length = *gen::unit_interval_rational(),
-                           cosine = rotated_cap_cosine_repaired(c.angle.cosine);
+            const Rational length = *gen::unit_interval_rational(), cosine = rotated_cap_cosine_repaired(c.angle.cosine);
             const auto frame = *gen::perpendicular_pair<3>();
             // The doubled angle; past pi/2 it is pi.
             const gen::CapAngle doubled{cosine, c.angle.cosine < 0 ? Rational(0) : 2 * c.angle.cosine * c.angle.sine};
@@ -184,22 +179,18 @@ PROPTEST(s43_rotated_cap) {
 
   t.example("the half turn refutes the printed doubled angle of an angle past pi/2", {.form = "printed"}, [] {
     using namespace s43_cap;
-    const Q printed = rotated_cap_cosine_printed(past_right_angle),
-            repaired = rotated_cap_cosine_repaired(past_right_angle);
-    return rotated_cap_hypotheses(no_turn, past_right_angle, half_turn_about_x) == Verdict::holds &&
-           printed == Q(7, 25) && rotated_cap(no_turn, half_turn_about_x, y, printed).verdict == Verdict::fails &&
-           repaired == Q(-1) && rotated_cap(no_turn, half_turn_about_x, y, repaired).verdict == Verdict::holds;
+    const Q printed = rotated_cap_cosine_printed(past_right_angle), repaired = rotated_cap_cosine_repaired(past_right_angle);
+    return rotated_cap_hypotheses(no_turn, past_right_angle, half_turn_about_x) == Verdict::holds && printed == Q(7, 25) &&
+           rotated_cap(no_turn, half_turn_about_x, y, printed).verdict == Verdict::fails && repaired == Q(-1) &&
+           rotated_cap(no_turn, half_turn_about_x, y, repaired).verdict == Verdict::holds;
   });
 
-  t.holds(
-      "membership in a cap agrees with a comparison of cosines where norms are rational", {.number_type = "rational"},
-      [] {
-        const CapOfRotations c;
-        const gen::CapAngle other = *gen::cap_angle();
-        const Quaternion<Rational> q =
-            (c.frame.first * other.cosine + c.frame.second * other.sine) * *gen::positive_rational();
-        RC_ASSERT((within_angle<Rational, 4>(c.apex, q, c.angle.cosine) == verdict_of(c.angle.cosine <= other.cosine)));
-      });
+  t.holds("membership in a cap agrees with a comparison of cosines where norms are rational", {.number_type = "rational"}, [] {
+    const CapOfRotations c;
+    const gen::CapAngle other = *gen::cap_angle();
+    const Quaternion<Rational> q = (c.frame.first * other.cosine + c.frame.second * other.sine) * *gen::positive_rational();
+    RC_ASSERT((within_angle<Rational, 4>(c.apex, q, c.angle.cosine) == verdict_of(c.angle.cosine <= other.cosine)));
+  });
 
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     const CapOfRotations c;
@@ -209,8 +200,7 @@ PROPTEST(s43_rotated_cap) {
                   c.apex, c.rotation, v);
     decide_by_all(
         []<class S>(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x, const S& cosine) {
-          return rotated_cap_hypotheses<S>(p, cosine, q) &
-                 rotated_cap<S>(p, q, x, rotated_cap_cosine_printed(cosine)).verdict;
+          return rotated_cap_hypotheses<S>(p, cosine, q) & rotated_cap<S>(p, q, x, rotated_cap_cosine_printed(cosine)).verdict;
         },
         c.apex, c.rotation, v, c.angle.cosine);
     decide_by_all([]<class S>(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x,
@@ -236,16 +226,14 @@ PROPTEST(s43_rotated_cap) {
     const Vector x = rotate_by(c.rotation, v);
     RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, -x, c.rotation) == Verdict::fails);
     RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, c.rotation * Rational(0)) == Verdict::fails);
-    if (c.angle.cosine > 0)
-      RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, -c.rotation) == Verdict::fails);
+    if (c.angle.cosine > 0) RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, -c.rotation) == Verdict::fails);
   });
 
   const Options in_cap{.form = "repaired", .hypothesis = "the rotation is in the cap"};
   t.example("a rotation outside the cap takes v out of the doubled cap", in_cap, [] {
     using namespace s43_cap;
     return rotated_cap_hypotheses(no_turn, before_right_angle, half_turn_about_x) == Verdict::fails &&
-           rotated_cap(no_turn, half_turn_about_x, y, rotated_cap_cosine_repaired(before_right_angle)).verdict ==
-               Verdict::fails;
+           rotated_cap(no_turn, half_turn_about_x, y, rotated_cap_cosine_repaired(before_right_angle)).verdict == Verdict::fails;
   });
   const Options non_zero{.form = "repaired", .hypothesis = "the rotation is not 0"};
   t.example("0 is within every angle, and takes y to -y", non_zero, [] {

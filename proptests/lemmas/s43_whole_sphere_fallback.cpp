@@ -85,8 +85,7 @@ void hypotheses_need_each_part(Suite& t) {
     c.squared_radius = max_of(c.squared_radius, squared_distance(c.units[k], c.center));
     RC_PRE(ball_makes_cap(c.center, c.squared_radius) == Verdict::holds);
     lean_on(c, k);
-    return Violation{units_of(c),
-                     is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c))};
+    return Violation{units_of(c), is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c))};
   });
   needs_part(t, "one of the units is not in the ball, the others are", [] {
     Case c = several_in_cap();
@@ -111,8 +110,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_PRE(angle.cosine <= 0 && angle.sine > 0);
     Case c;
     c.center = frame.first * *gen::positive_rational().as("distance");
-    c.units = {frame.first * angle.cosine + frame.second * angle.sine,
-               frame.first * angle.cosine - frame.second * angle.sine};
+    c.units = {frame.first * angle.cosine + frame.second * angle.sine, frame.first * angle.cosine - frame.second * angle.sine};
     c.squared_radius = squared_distance(c.units[0], c.center);
     c.coefficients = *gen::convex_weights(2);
     if (*rc::gen::arbitrary<bool>().as("their middle")) c.coefficients = {Rational(1, 2), Rational(1, 2)};
@@ -127,21 +125,20 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational square = squared_distance(u, center);
     RC_ASSERT(units_in_ball<Rational>(std::vector{u}, center, square) == Verdict::holds);
   });
-  t.holds("the printed border is r_E = 1 and the repaired one N = 0, both with the border", {.number_type = "rational"},
-          [] {
-            const auto center = *gen::rational_vector<4>();
-            const Rational half = Rational(1) + squared_norm(center), amount = *gen::positive_rational();
-            RC_ASSERT(fallback_is_needed_printed(Rational(1)) == Verdict::holds);
-            RC_ASSERT(fallback_is_needed_printed(Rational(1 / (1 + amount))) == Verdict::fails);
-            RC_ASSERT(fallback_is_needed_repaired(center, half) == Verdict::holds);
-            RC_ASSERT(fallback_is_needed_repaired(center, Rational(half / (1 + amount))) ==
-                      verdict_of(center == Quaternion<Rational>::Zero()));
-          });
+  t.holds("the printed border is r_E = 1 and the repaired one N = 0, both with the border", {.number_type = "rational"}, [] {
+    const auto center = *gen::rational_vector<4>();
+    const Rational half = Rational(1) + squared_norm(center), amount = *gen::positive_rational();
+    RC_ASSERT(fallback_is_needed_printed(Rational(1)) == Verdict::holds);
+    RC_ASSERT(fallback_is_needed_printed(Rational(1 / (1 + amount))) == Verdict::fails);
+    RC_ASSERT(fallback_is_needed_repaired(center, half) == Verdict::holds);
+    RC_ASSERT(fallback_is_needed_repaired(center, Rational(half / (1 + amount))) ==
+              verdict_of(center == Quaternion<Rational>::Zero()));
+  });
 }
 
 void verdicts_and_checks_need_each_part(Suite& t) {
-  t.holds("the verdict on a blend of known length is that of its words, for any ball",
-          {.number_type = "rational", .cases = 2000}, [] {
+  t.holds("the verdict on a blend of known length is that of its words, for any ball", {.number_type = "rational", .cases = 2000},
+          [] {
             const auto u = *gen::unit_quaternion(), center = *gen::rational_vector<4>();
             const Rational length = *gen::rational().as("signed length"), along = length * dot(u, center);
             Rational n = *gen::rational().as("N");
@@ -166,25 +163,22 @@ void verdicts_and_checks_need_each_part(Suite& t) {
     };
     const Rational half(1, 2), amount = *gen::positive_rational().as("amount");
     const Q4 middle = axis * half;
-    RC_ASSERT(verdict(axis, half, middle, Rational(1)) == Verdict::holds);       // with equality in (b, c) >= N / 2
-    RC_ASSERT(verdict(axis, Rational(1), axis, Rational(1)) == Verdict::holds);  // and in ||b|| <= 1
+    RC_ASSERT(verdict(axis, half, middle, Rational(1)) == Verdict::holds);                 // with equality in (b, c) >= N / 2
+    RC_ASSERT(verdict(axis, Rational(1), axis, Rational(1)) == Verdict::holds);            // and in ||b|| <= 1
     RC_ASSERT(verdict(axis, half, middle + other * half, Rational(1)) == Verdict::fails);  // one coordinate
-    RC_ASSERT(verdict(axis, half + amount, axis * (half + amount), Rational(1)) ==
-              verdict_of(amount <= half));                                                                // the length
-    RC_ASSERT(verdict(axis, half / (1 + amount), middle / (1 + amount), Rational(1)) == Verdict::fails);  // the height
-    RC_ASSERT(verdict(axis, half, middle, Rational(2)) == Verdict::fails);                                // N = 0
-    RC_ASSERT(verdict(axis, half, middle, Rational(2 + amount)) == Verdict::fails);                       // N < 0
+    RC_ASSERT(verdict(axis, half + amount, axis * (half + amount), Rational(1)) == verdict_of(amount <= half));  // the length
+    RC_ASSERT(verdict(axis, half / (1 + amount), middle / (1 + amount), Rational(1)) == Verdict::fails);         // the height
+    RC_ASSERT(verdict(axis, half, middle, Rational(2)) == Verdict::fails);                                       // N = 0
+    RC_ASSERT(verdict(axis, half, middle, Rational(2 + amount)) == Verdict::fails);                              // N < 0
     const BlendInCap<Rational> higher{Verdict::holds, middle, half + amount};
-    RC_ASSERT(is_blend_in_cap<Rational>(std::vector{axis}, axis, Rational(1), std::vector{half}, higher) ==
-              Verdict::fails);
+    RC_ASSERT(is_blend_in_cap<Rational>(std::vector{axis}, axis, Rational(1), std::vector{half}, higher) == Verdict::fails);
   });
   t.holds("a bound on rotated vectors has the cosine of an angle, and the angle between them within it",
           {.number_type = "rational"}, [] {
             const auto apex = *gen::nonzero_quaternion(), q = *gen::nonzero_quaternion();
             const Vec<Rational, 3> v = *gen::nonzero_vector<3>(), zero = Vec<Rational, 3>::Zero();
             const Rational amount = *gen::positive_rational();
-            const auto bounded = [&](const Rational& cosine, const Quaternion<Rational>& blend,
-                                     const Vec<Rational, 3>& x) {
+            const auto bounded = [&](const Rational& cosine, const Quaternion<Rational>& blend, const Vec<Rational, 3>& x) {
               return rotated_blend_is_bounded<Rational>({apex, cosine}, blend, x);
             };
             RC_ASSERT(bounded(Rational(-1), q, v) == Verdict::holds);
@@ -203,16 +197,16 @@ PROPTEST(s43_whole_sphere_fallback) {
 
   t.refuted("a ball with r_E >= 1 needs the whole sphere", {.form = "printed", .number_type = "rational"}, [] {
     const Case c = any_cap();
-    RC_ASSERT(implies(fallback_is_needed_printed(c.squared_radius),
-                      fallback_is_needed_repaired(c.center, c.squared_radius)) == Verdict::holds);
+    RC_ASSERT(implies(fallback_is_needed_printed(c.squared_radius), fallback_is_needed_repaired(c.center, c.squared_radius)) ==
+              Verdict::holds);
   });
   t.example("a mean ball of radius 6/5 that makes a valid cap refutes the printed border", {.form = "printed"}, [] {
     const Case& c = s43_fallback::thrown_away;
     const auto cap = rotated_vectors_cap_repaired(c.center, c.squared_radius);
     return units_in_ball<Rational>(c.units, c.center, c.squared_radius) == Verdict::holds &&
            fallback_is_needed_printed(c.squared_radius) == Verdict::holds &&
-           fallback_is_needed_repaired(c.center, c.squared_radius) == Verdict::fails &&
-           blend_of(c).verdict == Verdict::holds && (cap.cos_angle + 1) / 2 == Rational(1, 325);
+           fallback_is_needed_repaired(c.center, c.squared_radius) == Verdict::fails && blend_of(c).verdict == Verdict::holds &&
+           (cap.cos_angle + 1) / 2 == Rational(1, 325);
   });
   t.refuted("line 15 makes a ball of every mean ball", {.form = "printed", .number_type = "rational"}, [] {
     const Case c = any_mean_ball();
@@ -239,8 +233,7 @@ PROPTEST(s43_whole_sphere_fallback) {
             RC_ASSERT(units_in_ball<Rational>(c.units, c.center, c.squared_radius) == Verdict::holds);
             const auto blend = blend_of(c);
             RC_ASSERT(blend.verdict == Verdict::holds);
-            RC_ASSERT(is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend) ==
-                      Verdict::holds);
+            RC_ASSERT(is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend) == Verdict::holds);
           });
   t.holds("with the fallback every blend that is not 0 takes v into the cap of line 13",
           {.form = "repaired", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
@@ -258,12 +251,10 @@ PROPTEST(s43_whole_sphere_fallback) {
     decide_by_all([]<class S>(const std::vector<Quaternion<S>>& n, const Quaternion<S>& center, const S& r2,
                               const std::vector<S>& u) { return blend_in_cap<S>(n, center, r2, u).verdict; },
                   c.units, c.center, c.squared_radius, c.coefficients);
-    decide_by_all(
-        []<class S>(const Quaternion<S>& center, const S& r2) { return fallback_is_needed_repaired<S>(center, r2); },
-        c.center, c.squared_radius);
-    decide_by_all(
-        []<class S>(const Quaternion<S>& center, const S& r2) { return line_15_makes_ball_printed<S>(center, r2); },
-        c.center, c.squared_radius);
+    decide_by_all([]<class S>(const Quaternion<S>& center, const S& r2) { return fallback_is_needed_repaired<S>(center, r2); },
+                  c.center, c.squared_radius);
+    decide_by_all([]<class S>(const Quaternion<S>& center, const S& r2) { return line_15_makes_ball_printed<S>(center, r2); },
+                  c.center, c.squared_radius);
   });
 
   t.holds("a mutated blend is rejected", {.number_type = "rational", .cases = 300}, [] {
@@ -288,29 +279,25 @@ PROPTEST(s43_whole_sphere_fallback) {
       const Verdict all = units_in_ball<Rational>(c.units, c.center, c.squared_radius) &
                           ball_makes_cap(c.center, c.squared_radius) & is_convex<Rational>(c.coefficients);
       return all == Verdict::fails && blend_of(c).verdict == Verdict::fails &&
-             is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c)) ==
-                 Verdict::fails;
+             is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c)) == Verdict::fails;
     });
   };
   fails_without("r^2 < 1 + ||c||^2", "past half of the sphere a blend leaves the cap", s43_fallback::past_half);
   fails_without("the vectors are units", "a short vector in the ball is far from the axis", s43_fallback::short_one);
-  fails_without("the ball encloses the units", "a unit outside the ball is outside the cap",
-                s43_fallback::not_enclosed);
-  fails_without("the coefficients are convex", "a negative multiple of a unit is outside the cap",
-                s43_fallback::not_convex);
+  fails_without("the ball encloses the units", "a unit outside the ball is outside the cap", s43_fallback::not_enclosed);
+  fails_without("the coefficients are convex", "a negative multiple of a unit is outside the cap", s43_fallback::not_convex);
   t.holds("a ball of units with r^2 < 1 + ||c||^2 is not about 0", {.form = "repaired", .number_type = "rational"}, [] {
     const Case c = any_mean_ball();
     RC_ASSERT(implies(less(Rational(0), scaled_distance(c.center, c.squared_radius)),
                       less(Rational(0), squared_norm(c.center))) == Verdict::holds);
   });
-  t.example(
-      "past half of the sphere a unit is still on the rim, and of two opposite units the mean is nowhere", {}, [] {
-        const Case &rim = s43_fallback::past_half, &zero = s43_fallback::zero_center;
-        const std::vector<Rational> first{1, 0}, mean{Rational(1, 2), Rational(1, 2)};
-        return blend_in_cap<Rational>(rim.units, rim.center, rim.squared_radius, first).verdict == Verdict::holds &&
-               blend_in_cap<Rational>(zero.units, zero.center, zero.squared_radius, first).verdict == Verdict::holds &&
-               blend_in_cap<Rational>(zero.units, zero.center, zero.squared_radius, mean).verdict == Verdict::fails;
-      });
+  t.example("past half of the sphere a unit is still on the rim, and of two opposite units the mean is nowhere", {}, [] {
+    const Case &rim = s43_fallback::past_half, &zero = s43_fallback::zero_center;
+    const std::vector<Rational> first{1, 0}, mean{Rational(1, 2), Rational(1, 2)};
+    return blend_in_cap<Rational>(rim.units, rim.center, rim.squared_radius, first).verdict == Verdict::holds &&
+           blend_in_cap<Rational>(zero.units, zero.center, zero.squared_radius, first).verdict == Verdict::holds &&
+           blend_in_cap<Rational>(zero.units, zero.center, zero.squared_radius, mean).verdict == Verdict::fails;
+  });
   t.example("a ball of nothing about 0 makes no cap, though its distance is positive", {}, [] {
     const Quaternion<Rational> zero = Quaternion<Rational>::Zero();
     return scaled_distance(zero, Rational(1, 4)) > 0 && ball_makes_cap(zero, Rational(1, 4)) == Verdict::fails;

@@ -31,10 +31,9 @@ struct Node {
     for (int z = 0; z < count; ++z) {
       auto limits = *gen::bounds_of_vertices(joints);
       bounds.push_back(limits.bounds);
-      sets.push_back(
-          {*rc::gen::container<std::vector<RigidTransform<Rational>>>(joints, gen::rigid_transform()),
-           *rc::gen::weightedOneOf<Point>({{1, rc::gen::just(reference.center)}, {5, gen::rational_vector<3>()}}),
-           limits.corners});
+      sets.push_back({*rc::gen::container<std::vector<RigidTransform<Rational>>>(joints, gen::rigid_transform()),
+                      *rc::gen::weightedOneOf<Point>({{1, rc::gen::just(reference.center)}, {5, gen::rational_vector<3>()}}),
+                      limits.corners});
     }
     set = *rc::gen::inRange<std::size_t>(0, count);
     weights = *gen::admissible_weights(bounds[set]);
@@ -52,8 +51,8 @@ Ball3<Rational> ball_around(const std::vector<SquaredBall<Rational, 3>>& parts) 
   for (const auto& part : parts) sum += part.center;
   Ball3<Rational> ball{sum / Rational(static_cast<int>(parts.size())), 0};
   for (const auto& part : parts)
-    ball.radius = max_of(ball.radius, Rational(upper_root(squared_distance(part.center, ball.center)) +
-                                               upper_root(part.squared_radius)));
+    ball.radius =
+        max_of(ball.radius, Rational(upper_root(squared_distance(part.center, ball.center)) + upper_root(part.squared_radius)));
   return ball;
 }
 
@@ -74,52 +73,50 @@ Violation of(const Node& n) {
 }
 
 void formulas_are_those_of_the_paper(Suite& t) {
-  t.holds(
-      "the blend, the vertex and the balls are the sums that they are said to be",
-      {.number_type = "rational", .cases = 400}, [] {
-        const Node n;
-        RC_PRE(is_vertex(n));
-        const auto& set = n.own();
-        Quaternion<Rational> q = Quaternion<Rational>::Zero();
-        Point linear = Point::Zero();
-        std::vector<Point> images;
-        for (std::size_t i = 0; i < n.weights.size(); ++i) {
-          images.push_back(turned_by(set.transforms[i].rotation, set.rotation_center) + set.transforms[i].translation);
-          q += set.transforms[i].rotation * n.weights[i];
-          linear += images[i] * n.weights[i];
-        }
-        RC_CLASSIFY(n.weights.size() > 2, "three joints");
-        RC_ASSERT(blended_rotation<Rational>(set.transforms, n.weights) == q);
-        const Point deformed = linear + turned_by(q, n.vertex - set.rotation_center);
-        RC_ASSERT(blend_vertex<Rational>(set, n.weights, n.vertex) == deformed);
-        const JointSets alone{set};
-        const auto balls = joint_set_balls_repaired<Rational>(alone, n.reference.center);
-        RC_ASSERT(balls.size() == set.corners.size());
-        for (std::size_t k = 0; k < balls.size(); ++k) {
-          Point center = Point::Zero();
-          for (std::size_t i = 0; i < images.size(); ++i) center += images[i] * set.corners[k][i];
-          RC_ASSERT(balls[k].center == center);
-          RC_ASSERT(balls[k].squared_radius == squared_distance(n.reference.center, set.rotation_center));
-        }
-        // Of several joint-sets: one after the other.
-        std::size_t count = 0;
-        for (const auto& s : n.sets) count += s.corners.size();
-        RC_ASSERT(joint_set_balls_repaired<Rational>(n.sets, n.reference.center).size() == count);
-      });
-  t.holds("the verdict on a vertex is whether the ball, larger by r, encloses it",
-          {.number_type = "rational", .cases = 400}, [] {
+  t.holds("the blend, the vertex and the balls are the sums that they are said to be", {.number_type = "rational", .cases = 400},
+          [] {
             const Node n;
             RC_PRE(is_vertex(n));
-            const Point deformed = blend_vertex<Rational>(n.own(), n.weights, n.vertex);
-            const Rational radius = abs(*gen::rational().as("R")), amount = *gen::positive_rational().as("amount");
-            const Point way = *gen::sphere_point<3>();
-            const auto verdict = [&](const Rational& distance) {
-              const Ball3<Rational> ball{deformed + way * distance, radius};
-              return joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict;
-            };
-            RC_ASSERT(verdict(radius + n.reference.radius) == Verdict::holds);
-            RC_ASSERT(verdict(radius + n.reference.radius + amount) == Verdict::fails);
+            const auto& set = n.own();
+            Quaternion<Rational> q = Quaternion<Rational>::Zero();
+            Point linear = Point::Zero();
+            std::vector<Point> images;
+            for (std::size_t i = 0; i < n.weights.size(); ++i) {
+              images.push_back(turned_by(set.transforms[i].rotation, set.rotation_center) + set.transforms[i].translation);
+              q += set.transforms[i].rotation * n.weights[i];
+              linear += images[i] * n.weights[i];
+            }
+            RC_CLASSIFY(n.weights.size() > 2, "three joints");
+            RC_ASSERT(blended_rotation<Rational>(set.transforms, n.weights) == q);
+            const Point deformed = linear + turned_by(q, n.vertex - set.rotation_center);
+            RC_ASSERT(blend_vertex<Rational>(set, n.weights, n.vertex) == deformed);
+            const JointSets alone{set};
+            const auto balls = joint_set_balls_repaired<Rational>(alone, n.reference.center);
+            RC_ASSERT(balls.size() == set.corners.size());
+            for (std::size_t k = 0; k < balls.size(); ++k) {
+              Point center = Point::Zero();
+              for (std::size_t i = 0; i < images.size(); ++i) center += images[i] * set.corners[k][i];
+              RC_ASSERT(balls[k].center == center);
+              RC_ASSERT(balls[k].squared_radius == squared_distance(n.reference.center, set.rotation_center));
+            }
+            // Of several joint-sets: one after the other.
+            std::size_t count = 0;
+            for (const auto& s : n.sets) count += s.corners.size();
+            RC_ASSERT(joint_set_balls_repaired<Rational>(n.sets, n.reference.center).size() == count);
           });
+  t.holds("the verdict on a vertex is whether the ball, larger by r, encloses it", {.number_type = "rational", .cases = 400}, [] {
+    const Node n;
+    RC_PRE(is_vertex(n));
+    const Point deformed = blend_vertex<Rational>(n.own(), n.weights, n.vertex);
+    const Rational radius = abs(*gen::rational().as("R")), amount = *gen::positive_rational().as("amount");
+    const Point way = *gen::sphere_point<3>();
+    const auto verdict = [&](const Rational& distance) {
+      const Ball3<Rational> ball{deformed + way * distance, radius};
+      return joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict;
+    };
+    RC_ASSERT(verdict(radius + n.reference.radius) == Verdict::holds);
+    RC_ASSERT(verdict(radius + n.reference.radius + amount) == Verdict::fails);
+  });
   t.holds("a ball encloses balls if it encloses each of them, to the farthest point", {.number_type = "rational"}, [] {
     const Ball3<Rational> ball{*gen::rational_vector<3>(), abs(*gen::rational().as("R"))};
     const Rational amount = *gen::positive_rational().as("amount");
@@ -156,8 +153,7 @@ void hypotheses_need_each_part(Suite& t) {
       [] {
         Node n;
         RC_PRE(is_vertex(n));
-        n.vertex = n.reference.center +
-                   *gen::sphere_point<3>() * (n.reference.radius + *gen::positive_rational().as("amount"));
+        n.vertex = n.reference.center + *gen::sphere_point<3>() * (n.reference.radius + *gen::positive_rational().as("amount"));
         return of(n);
       },
       150);
@@ -179,8 +175,7 @@ void hypotheses_need_each_part(Suite& t) {
     auto opposite = joint;
     opposite.rotation = -joint.rotation;
     const Point center = *gen::rational_vector<3>(), v = *gen::rational_vector<3>();
-    const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, thirds{Rational(1, 3), Rational(2, 3)},
-        alone{1};
+    const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, thirds{Rational(1, 3), Rational(2, 3)}, alone{1};
     const Ball3<Rational> reference{v, Rational(0)};
     const auto is_vertex = [&](const std::vector<Rational>& w) {
       return is_vertex_of<Rational>({{joint, opposite}, center, {w}}, reference, w, v, alone);
@@ -192,8 +187,8 @@ void hypotheses_need_each_part(Suite& t) {
 
 // Wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
-  t.holds("a part that is too long or not in its hull is rejected, with the right sum",
-          {.number_type = "rational", .cases = 600}, [] {
+  t.holds("a part that is too long or not in its hull is rejected, with the right sum", {.number_type = "rational", .cases = 600},
+          [] {
             Node n;
             n.vertex = n.reference.center;  // no offset
             n.reference.radius = *gen::positive_rational().as("r");
@@ -228,15 +223,13 @@ PROPTEST(s44_joint_sets) {
   hypotheses_need_each_part(t);
   checks_need_each_part(t);
 
-  t.refuted(
-      "a ball of the balls made with the corners and rotation center of the first joint-set encloses every vertex",
-      {.form = "printed", .number_type = "rational"}, [] {
-        const Node n;
-        RC_PRE(is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds);
-        const auto ball = ball_around(joint_set_balls_printed<Rational>(n.sets, n.reference.center));
-        RC_ASSERT(joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict ==
-                  Verdict::holds);
-      });
+  t.refuted("a ball of the balls made with the corners and rotation center of the first joint-set encloses every vertex",
+            {.form = "printed", .number_type = "rational"}, [] {
+              const Node n;
+              RC_PRE(is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds);
+              const auto ball = ball_around(joint_set_balls_printed<Rational>(n.sets, n.reference.center));
+              RC_ASSERT(joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict == Verdict::holds);
+            });
   t.holds("a ball of the balls of all joint-sets, each made with its own data, encloses every vertex",
           {.form = "repaired", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.3}, [] {
             const Node n;
@@ -259,8 +252,7 @@ PROPTEST(s44_joint_sets) {
             auto first = parts.begin();
             for (std::size_t z = 0; z < n.set; ++z) first += static_cast<std::ptrdiff_t>(n.sets[z].corners.size());
             const auto ball = ball_around({first, first + static_cast<std::ptrdiff_t>(n.own().corners.size())});
-            RC_ASSERT(joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict ==
-                      Verdict::holds);
+            RC_ASSERT(joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict == Verdict::holds);
           });
   const auto refutes = [&t](const std::string& sentence, const s44_joints::Case& c) {
     t.example(sentence, {.form = "printed"}, [&] {
@@ -271,12 +263,10 @@ PROPTEST(s44_joint_sets) {
              blend_vertex<Rational>(own, c.weights, c.vertex) == c.deformed &&
              encloses_parts<Rational>(c.ball, printed) == Verdict::holds &&
              joint_set_vertex<Rational>(c.ball, own, c.reference, c.weights, c.vertex).verdict == Verdict::fails &&
-             joint_set_vertex<Rational>(ball_around(repaired), own, c.reference, c.weights, c.vertex).verdict ==
-                 Verdict::holds;
+             joint_set_vertex<Rational>(ball_around(repaired), own, c.reference, c.weights, c.vertex).verdict == Verdict::holds;
     });
   };
-  refutes("one rotation center for two joint-sets misses a vertex that the second one turns",
-          s44_joints::rotation_center);
+  refutes("one rotation center for two joint-sets misses a vertex that the second one turns", s44_joints::rotation_center);
   refutes("one list of corners for two joint-sets misses a vertex that the second one moves", s44_joints::corners);
 
   t.holds("a vertex of one joint moves rigidly, whatever its rotation center", {.number_type = "rational"}, [] {
@@ -289,8 +279,7 @@ PROPTEST(s44_joint_sets) {
     const Rational a = abs(*gen::rational());
     const Rational b = *rc::gen::oneOf(rc::gen::just(a), gen::positive_rational());
     const Rational almost_one = *rc::gen::element(Rational(1, 2), Rational(19, 20), Rational(99, 100));
-    const Rational c =
-        *rc::gen::element(Rational(a + b), Rational((a + b) * almost_one), Rational(-a - b), Rational(a - b));
+    const Rational c = *rc::gen::element(Rational(a + b), Rational((a + b) * almost_one), Rational(-a - b), Rational(a - b));
     RC_ASSERT(roots_sum_at_most(sq(a), sq(b), c) == verdict_of(a + b <= c));
   });
 
@@ -318,8 +307,7 @@ PROPTEST(s44_joint_sets) {
     RC_PRE(is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds);
     const auto good = joint_set_vertex<Rational>({n.vertex, 1}, n.own(), n.reference, n.weights, n.vertex);
     const auto rejected = [&](const JointSetVertex<Rational>& w) {
-      return is_joint_set_vertex<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients, w) ==
-             Verdict::fails;
+      return is_joint_set_vertex<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients, w) == Verdict::fails;
     };
     auto linear = good, spherical = good, offset = good, shifted = good, longer = good;
     const Point bump = *gen::nonzero_vector<3>();
@@ -356,8 +344,7 @@ PROPTEST(s44_joint_sets) {
     const auto& c = s44_joints::corners;
     const JointSets first{c.sets[0]};
     const auto ball = ball_around(joint_set_balls_repaired<Rational>(first, c.reference.center));
-    return encloses_parts<Rational>(ball, joint_set_balls_repaired<Rational>(c.sets, c.reference.center)) ==
-               Verdict::fails &&
+    return encloses_parts<Rational>(ball, joint_set_balls_repaired<Rational>(c.sets, c.reference.center)) == Verdict::fails &&
            joint_set_vertex<Rational>(ball, c.sets[1], c.reference, c.weights, c.vertex).verdict == Verdict::fails;
   });
 }

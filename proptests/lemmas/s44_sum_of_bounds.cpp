@@ -15,14 +15,10 @@ namespace {
 using namespace refitlab;
 using Point = Vec<Rational, 3>;
 
-Rational any_radius() {
-  return *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational(), gen::positive_rational());
-}
+Rational any_radius() { return *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational(), gen::positive_rational()); }
 
 // A point of the ball [0, radius], often of its boundary.
-Point point_within(const Rational& radius) {
-  return *gen::sphere_point<3>() * (radius * *gen::unit_interval_rational());
-}
+Point point_within(const Rational& radius) { return *gen::sphere_point<3>() * (radius * *gen::unit_interval_rational()); }
 
 s44_sum::Case any_case() {
   s44_sum::Case c;
@@ -90,8 +86,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Point way = *gen::sphere_point<3>();
     const Rational amount = *gen::positive_rational().as("amount");
     // Its center is in the ball or not.
-    c.bounds.linear[k] =
-        c.ball.center - c.bounds.spherical.center + way * (c.ball.radius - c.bounds.spherical.radius + amount);
+    c.bounds.linear[k] = c.ball.center - c.bounds.spherical.center + way * (c.ball.radius - c.bounds.spherical.radius + amount);
     RC_ASSERT(encloses_equal_balls(c.ball, c.bounds) == Verdict::fails);
     lean_on(c, k);
     c.parts.spherical = c.bounds.spherical.center + way * c.bounds.spherical.radius;
@@ -115,8 +110,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational amount = *gen::positive_rational().as("amount");
     if (*rc::gen::arbitrary<bool>().as("keeps the sum"))
       c.parts.coefficients[(k + 1) % m] += c.parts.coefficients[k] + amount, c.parts.coefficients[k] = -amount;
-    else
-      c.parts.coefficients[k] += amount;
+    else c.parts.coefficients[k] += amount;
     return of(c);
   });
   t.holds("a coefficient more or less than there are points is refused", {.number_type = "rational"}, [] {
@@ -182,36 +176,34 @@ void checks_need_each_part(Suite& t) {
     c.bounds.spherical.radius += amount;
     RC_ASSERT(is_sum_steps(c.ball, c.bounds, c.ball.center, rest) == Verdict::fails);
   });
-  t.holds("a sum is in the inflated ball up to its surface, and a hull of balls in the sum up to F's",
-          {.number_type = "rational"}, [] {
-            auto c = several_points();
-            const Rational amount = *gen::positive_rational().as("amount");
-            const Point way = *gen::sphere_point<3>();
-            const Point to_surface = way * (c.ball.radius + c.bounds.inflation);
-            c.parts.spherical = Point::Zero();
-            c.parts.offset = c.ball.center + to_surface - combine<Rational, 3>(c.parts.coefficients, c.bounds.linear);
-            RC_ASSERT(of(c).conclusion == Verdict::holds);
-            c.parts.offset += way * amount;
-            RC_ASSERT(of(c).conclusion == Verdict::fails);
-            for (const bool beyond : {false, true}) {
-              std::vector<Point> points;
-              for (const Point& r : c.bounds.linear)
-                points.push_back(r + c.bounds.spherical.center +
-                                 way * (c.bounds.spherical.radius + (beyond ? amount : Rational(0))));
-              RC_ASSERT(hull_of_balls_in_sum<Rational>(c.bounds, points, c.parts.coefficients).verdict ==
-                        verdict_of(!beyond));
-            }
-          });
   t.holds(
-      "a ball encloses another, about the same center too, as its farthest point says",
-      {.number_type = "exact root", .cases = 100}, [] {
-        const Point center = *gen::rational_vector<3>();
-        const Rational inner = any_radius(), outer = any_radius();
-        const auto small = lift<ExactRoot>(Ball3<Rational>{center, inner}),
-                   large = lift<ExactRoot>(Ball3<Rational>{center, outer});
-        RC_ASSERT(encloses(large, farthest_point(small, large.center)) == verdict_of(inner <= outer));
-        RC_ASSERT(squared_distance(farthest_point(small, large.center), small.center) == lift<ExactRoot>(sq(inner)));
+      "a sum is in the inflated ball up to its surface, and a hull of balls in the sum up to F's", {.number_type = "rational"},
+      [] {
+        auto c = several_points();
+        const Rational amount = *gen::positive_rational().as("amount");
+        const Point way = *gen::sphere_point<3>();
+        const Point to_surface = way * (c.ball.radius + c.bounds.inflation);
+        c.parts.spherical = Point::Zero();
+        c.parts.offset = c.ball.center + to_surface - combine<Rational, 3>(c.parts.coefficients, c.bounds.linear);
+        RC_ASSERT(of(c).conclusion == Verdict::holds);
+        c.parts.offset += way * amount;
+        RC_ASSERT(of(c).conclusion == Verdict::fails);
+        for (const bool beyond : {false, true}) {
+          std::vector<Point> points;
+          for (const Point& r : c.bounds.linear)
+            points.push_back(r + c.bounds.spherical.center + way * (c.bounds.spherical.radius + (beyond ? amount : Rational(0))));
+          RC_ASSERT(hull_of_balls_in_sum<Rational>(c.bounds, points, c.parts.coefficients).verdict == verdict_of(!beyond));
+        }
       });
+  t.holds("a ball encloses another, about the same center too, as its farthest point says",
+          {.number_type = "exact root", .cases = 100}, [] {
+            const Point center = *gen::rational_vector<3>();
+            const Rational inner = any_radius(), outer = any_radius();
+            const auto small = lift<ExactRoot>(Ball3<Rational>{center, inner}),
+                       large = lift<ExactRoot>(Ball3<Rational>{center, outer});
+            RC_ASSERT(encloses(large, farthest_point(small, large.center)) == verdict_of(inner <= outer));
+            RC_ASSERT(squared_distance(farthest_point(small, large.center), small.center) == lift<ExactRoot>(sq(inner)));
+          });
 }
 
 PROPTEST(s44_sum_of_bounds) {
@@ -227,31 +219,28 @@ PROPTEST(s44_sum_of_bounds) {
             RC_ASSERT(sum.verdict == Verdict::holds);
             RC_ASSERT(is_sum_steps(c.ball, c.bounds, sum.vertex, sum.steps) == Verdict::holds);
           });
-  t.holds(
-      "the hull of the balls r'_k + F is the hull of the r'_k plus F: nothing is lost",
-      {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
-        const auto c = any_case();
-        RC_CLASSIFY(is_degenerate(c), "degenerate");
-        std::vector<Point> points;
-        for (const Point& r : c.bounds.linear)
-          points.push_back(r + c.bounds.spherical.center + point_within(c.bounds.spherical.radius));
-        const auto hull = hull_of_balls_in_sum<Rational>(c.bounds, points, c.parts.coefficients);
-        RC_ASSERT(hull.verdict == Verdict::holds);
-        RC_ASSERT((is_hull_point<Rational, 3>(c.bounds.linear, hull.linear, c.parts.coefficients) == Verdict::holds));
-        RC_ASSERT(
-            (is_hull_point<Rational, 3>(points, hull.linear + hull.spherical, c.parts.coefficients) == Verdict::holds));
-      });
-  t.holds(
-      "a ball encloses another if and only if it encloses its farthest point",
-      {.form = "printed", .number_type = "exact root", .cases = 200, .degenerate_at_least = 0.2}, [] {
-        const Ball3<Rational> inner{*gen::rational_vector<3>(), any_radius()};
-        Ball3<Rational> outer{*rc::gen::oneOf(rc::gen::just(inner.center), gen::rational_vector<3>()), any_radius()};
-        if (*rc::gen::arbitrary<bool>())  // touching, if the distance is rational, or nearly so
-          outer.radius = inner.radius + upper_root(squared_distance(inner.center, outer.center));
-        RC_CLASSIFY(inner.radius == 0 || inner.center == outer.center, "degenerate");
-        const auto decides = [](const auto& o, const auto& i) { return farthest_point_decides(o, i); };
-        RC_ASSERT(decide_by_all<ExactRoot>(decides, outer, inner) == Verdict::holds);
-      });
+  t.holds("the hull of the balls r'_k + F is the hull of the r'_k plus F: nothing is lost",
+          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
+            const auto c = any_case();
+            RC_CLASSIFY(is_degenerate(c), "degenerate");
+            std::vector<Point> points;
+            for (const Point& r : c.bounds.linear)
+              points.push_back(r + c.bounds.spherical.center + point_within(c.bounds.spherical.radius));
+            const auto hull = hull_of_balls_in_sum<Rational>(c.bounds, points, c.parts.coefficients);
+            RC_ASSERT(hull.verdict == Verdict::holds);
+            RC_ASSERT((is_hull_point<Rational, 3>(c.bounds.linear, hull.linear, c.parts.coefficients) == Verdict::holds));
+            RC_ASSERT((is_hull_point<Rational, 3>(points, hull.linear + hull.spherical, c.parts.coefficients) == Verdict::holds));
+          });
+  t.holds("a ball encloses another if and only if it encloses its farthest point",
+          {.form = "printed", .number_type = "exact root", .cases = 200, .degenerate_at_least = 0.2}, [] {
+            const Ball3<Rational> inner{*gen::rational_vector<3>(), any_radius()};
+            Ball3<Rational> outer{*rc::gen::oneOf(rc::gen::just(inner.center), gen::rational_vector<3>()), any_radius()};
+            if (*rc::gen::arbitrary<bool>())  // touching, if the distance is rational, or nearly so
+              outer.radius = inner.radius + upper_root(squared_distance(inner.center, outer.center));
+            RC_CLASSIFY(inner.radius == 0 || inner.center == outer.center, "degenerate");
+            const auto decides = [](const auto& o, const auto& i) { return farthest_point_decides(o, i); };
+            RC_ASSERT(decide_by_all<ExactRoot>(decides, outer, inner) == Verdict::holds);
+          });
   t.example("the farthest vertex of a segment of balls is on the boundary of the inflated ball", {}, [] {
     const auto& c = s44_sum::extreme;
     const auto sum = sum_of_bounds(c.ball, c.bounds, c.parts);
@@ -267,8 +256,7 @@ PROPTEST(s44_sum_of_bounds) {
                     const std::vector<S>& u, const Vec<S, 3>& s, const Vec<S, 3>& y) {
           return sum_of_bounds<S>(ball, {linear, spherical, r}, {u, s, y}).verdict;
         },
-        c.ball, c.bounds.linear, c.bounds.spherical, c.bounds.inflation, c.parts.coefficients, c.parts.spherical,
-        c.parts.offset);
+        c.ball, c.bounds.linear, c.bounds.spherical, c.bounds.inflation, c.parts.coefficients, c.parts.spherical, c.parts.offset);
     decide_by_all(
         []<class S>(const Ball3<S>& ball, const std::vector<Vec<S, 3>>& linear, const Ball3<S>& spherical) {
           return encloses_equal_balls<S>(ball, {linear, spherical, S(0)});
@@ -297,8 +285,8 @@ PROPTEST(s44_sum_of_bounds) {
     third.to_offset += leap, third.to_spherical -= leap;
     RC_ASSERT(rejected(first) && rejected(second) && rejected(third));
   });
-  t.holds("one step from the center may be as long as its own bound, and no longer",
-          {.number_type = "rational", .cases = 400}, [] {
+  t.holds("one step from the center may be as long as its own bound, and no longer", {.number_type = "rational", .cases = 400},
+          [] {
             const auto c = any_case();
             const Rational amount = *gen::positive_rational(), s = c.bounds.spherical.radius;
             const Point way = *gen::sphere_point<3>(), rest = Point::Zero();
@@ -323,8 +311,7 @@ PROPTEST(s44_sum_of_bounds) {
   fails_without("the coefficients are convex", "beyond the hull a sum leaves the ball", s44_sum::not_convex);
   fails_without("the spherical part is in F", "beyond F a sum leaves the ball", s44_sum::spherical_outside);
   fails_without("the offset is at most r", "beyond r a sum leaves the ball", s44_sum::offset_too_long);
-  fails_without("the ball encloses balls, not only their centers", "a ball of the centers is too small",
-                s44_sum::ball_of_points);
+  fails_without("the ball encloses balls, not only their centers", "a ball of the centers is too small", s44_sum::ball_of_points);
   fails_without("the ball encloses every ball", "a ball of the first ball misses the second", s44_sum::ball_of_one);
   fails_without("the ball encloses every ball", "a ball of the second ball misses the first", s44_sum::ball_of_other);
 }

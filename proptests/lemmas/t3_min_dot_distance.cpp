@@ -30,8 +30,7 @@ struct UnitsAndCenter {
   Vec<Rational, D> mean() const {
     Vec<Rational, D> sum = Vec<Rational, D>::Zero();
     for (const auto& n : units) sum += n;
-    return sum == Vec<Rational, D>::Zero() ? units[0]
-                                           : Vec<Rational, D>(sum / Rational(static_cast<int>(units.size())));
+    return sum == Vec<Rational, D>::Zero() ? units[0] : Vec<Rational, D>(sum / Rational(static_cast<int>(units.size())));
   }
 };
 
@@ -40,8 +39,7 @@ PROPTEST(t3_min_dot_distance) {
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             gen::for_some_dimension<2, 4>([](auto d) {
               const UnitsAndCenter<d()> c;
-              RC_ASSERT(
-                  (min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) == Verdict::holds));
+              RC_ASSERT((min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) == Verdict::holds));
               const auto distance = c.distance();
               RC_ASSERT(distance.verdict == Verdict::holds);
               RC_ASSERT((is_least_dot<Rational, d()>(c.units, c.center, distance) == Verdict::holds));
@@ -84,28 +82,26 @@ PROPTEST(t3_min_dot_distance) {
     }
   });
 
-  t.holds("each verdict is that of its inequality, on both sides and at its edge",
-          {.number_type = "rational", .cases = 600}, [] {
-            gen::for_some_dimension<2, 4>([](auto d) {
-              UnitsAndCenter<d()> c;
-              if (*rc::gen::inRange(0, 6) == 0) c.center.setZero(), c.squared_radius = 1;
-              const bool is_center = squared_norm(c.center) != 0;
-              const Rational largest = c.squared_radius, excess = *gen::excess();
-              c.squared_radius += *rc::gen::element(Rational(0), excess, Rational(-excess));
-              std::vector<Rational> dots;
-              for (const auto& n : c.units) dots.push_back(n.dot(c.center));
-              const auto found = c.distance();
-              RC_ASSERT(found.least_dot == *std::min_element(dots.begin(), dots.end()));
-              RC_ASSERT(dots.at(found.nearest) == found.least_dot);
-              const bool is_largest = c.squared_radius == largest;
-              RC_ASSERT(found.verdict == verdict_of(is_center && is_largest));
-              RC_ASSERT(found.not_looser == verdict_of(c.squared_radius >= largest));
-              RC_ASSERT(
-                  (is_largest_distance<Rational, d()>(c.units, c.center, c.squared_radius) == verdict_of(is_largest)));
-              RC_ASSERT((min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) ==
-                         verdict_of(is_center && is_largest)));
-            });
-          });
+  t.holds("each verdict is that of its inequality, on both sides and at its edge", {.number_type = "rational", .cases = 600}, [] {
+    gen::for_some_dimension<2, 4>([](auto d) {
+      UnitsAndCenter<d()> c;
+      if (*rc::gen::inRange(0, 6) == 0) c.center.setZero(), c.squared_radius = 1;
+      const bool is_center = squared_norm(c.center) != 0;
+      const Rational largest = c.squared_radius, excess = *gen::excess();
+      c.squared_radius += *rc::gen::element(Rational(0), excess, Rational(-excess));
+      std::vector<Rational> dots;
+      for (const auto& n : c.units) dots.push_back(n.dot(c.center));
+      const auto found = c.distance();
+      RC_ASSERT(found.least_dot == *std::min_element(dots.begin(), dots.end()));
+      RC_ASSERT(dots.at(found.nearest) == found.least_dot);
+      const bool is_largest = c.squared_radius == largest;
+      RC_ASSERT(found.verdict == verdict_of(is_center && is_largest));
+      RC_ASSERT(found.not_looser == verdict_of(c.squared_radius >= largest));
+      RC_ASSERT((is_largest_distance<Rational, d()>(c.units, c.center, c.squared_radius) == verdict_of(is_largest)));
+      RC_ASSERT((min_dot_distance_hypotheses<Rational, d()>(c.units, c.center, c.squared_radius) ==
+                 verdict_of(is_center && is_largest)));
+    });
+  });
   needs_each_part(
       t, "each part of the hypotheses is looked at by itself", 0.2,
       [] {
@@ -166,10 +162,8 @@ PROPTEST(t3_min_dot_distance) {
     });
   };
   fails_without("the vectors are units", "for a vector of length 2 the two forms differ", t3_dot::not_unit);
-  fails_without("r is at most the largest distance", "for a larger radius the paper's form is smaller",
-                t3_dot::too_large);
-  fails_without("r is at least the largest distance", "for a smaller radius the paper's form is larger",
-                t3_dot::too_small);
+  fails_without("r is at most the largest distance", "for a larger radius the paper's form is smaller", t3_dot::too_large);
+  fails_without("r is at least the largest distance", "for a smaller radius the paper's form is larger", t3_dot::too_small);
   fails_without("r is that of the farthest unit", "the nearest unit's radius will not do", t3_dot::of_the_nearest);
   fails_without("c is not 0", "about 0 there is no distance", t3_dot::about_zero);
 }

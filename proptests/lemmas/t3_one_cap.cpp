@@ -32,9 +32,7 @@ Case any_case(int least = 1) {
   return {quaternions, axis, squared_cap_cosine<Rational>(quaternions, axis), coefficients};
 }
 
-OneCap<Rational> cap_of(const Case& c) {
-  return one_cap<Rational>(c.quaternions, c.axis, c.squared_cosine, c.coefficients);
-}
+OneCap<Rational> cap_of(const Case& c) { return one_cap<Rational>(c.quaternions, c.axis, c.squared_cosine, c.coefficients); }
 Verdict hypotheses_of(const Case& c) {
   return one_cap_hypotheses<Rational>(c.quaternions, c.axis, c.squared_cosine, c.coefficients);
 }
@@ -67,9 +65,8 @@ Case wild_case() {
   Case c = any_case();
   for (auto& q : c.quaternions)
     if (*rc::gen::inRange(0, 4) == 0)
-      q = *rc::gen::oneOf(
-          gen::rational_vector<4>(),
-          rc::gen::just(Quaternion<Rational>(q - c.axis * Rational(dot(q, c.axis) / squared_norm(c.axis)))));
+      q = *rc::gen::oneOf(gen::rational_vector<4>(),
+                          rc::gen::just(Quaternion<Rational>(q - c.axis * Rational(dot(q, c.axis) / squared_norm(c.axis)))));
   const std::size_t kind = gen::any_place(4);
   if (kind == 0) c.squared_cosine = *gen::unit_interval_rational();
   if (kind == 1) c.coefficients = gen::broken_weights(c.coefficients).weights;
@@ -93,8 +90,7 @@ PROPTEST(t3_one_cap) {
             const Quaternion<Rational> blend = combine<Rational, 4>(c.coefficients, c.quaternions);
             RC_PRE(squared_norm(blend) != 0);
             RC_CLASSIFY(c.quaternions.size() == 1 || c.squared_cosine == 0 || c.squared_cosine == 1, "degenerate");
-            RC_ASSERT(one_cap_rotated(blend, c.axis, c.squared_cosine, *gen::rational_vector<3>()).verdict ==
-                      Verdict::holds);
+            RC_ASSERT(one_cap_rotated(blend, c.axis, c.squared_cosine, *gen::rational_vector<3>()).verdict == Verdict::holds);
           });
   t.holds("no larger kappa will do, and lengths do not matter", {.form = "beyond", .number_type = "rational"}, [] {
     Case c = any_case();
@@ -177,9 +173,8 @@ PROPTEST(t3_one_cap) {
           c.coefficients[k] = 1;
         }
         // A cap is one of rays: of coefficients that are not negative any sum will do, but for 0.
-        const bool is_needed =
-            kind < 3 || squared_norm(blend_of(c)) == 0 ||
-            std::any_of(c.coefficients.begin(), c.coefficients.end(), [](const Rational& u) { return u < 0; });
+        const bool is_needed = kind < 3 || squared_norm(blend_of(c)) == 0 ||
+                               std::any_of(c.coefficients.begin(), c.coefficients.end(), [](const Rational& u) { return u < 0; });
         return Weakening{part, hypotheses_of(c), is_needed ? std::optional(one_cap_holds(c)) : std::nullopt};
       },
       900);
@@ -192,35 +187,34 @@ PROPTEST(t3_one_cap) {
     RC_ASSERT(hypotheses_of(c) == Verdict::holds);
     RC_ASSERT(cap_of(c).verdict == Verdict::holds);
   });
-  t.holds(
-      "the verdict is that of its three parts, whatever the inputs", {.number_type = "rational", .cases = 1000}, [] {
-        const Case c = wild_case();
-        const Quaternion<Rational> blend = blend_of(c);
-        const Rational along = blend.dot(c.axis), b2 = blend.dot(blend);
-        const bool all_ahead =
-            std::all_of(c.quaternions.begin(), c.quaternions.end(), [&](const auto& q) { return q.dot(c.axis) > 0; });
-        const bool ahead = along >= 0, inside = c.squared_cosine * c.axis.dot(c.axis) * b2 <= along * along,
-                   is_blend = !all_ahead || b2 > 0;
-        RC_CLASSIFY(!ahead && inside && is_blend, "only the side is wrong");
-        RC_CLASSIFY(ahead && !inside && is_blend, "only the angle is wrong");
-        RC_CLASSIFY(ahead && inside && !is_blend, "only the blend is 0");
-        RC_CLASSIFY(ahead && inside && b2 == 0 && !all_ahead, "the blend may be 0");
-        const auto cap = cap_of(c);
-        RC_ASSERT(cap.verdict == verdict_of(ahead && inside && is_blend));
-        const std::size_t m = c.quaternions.size();
-        RC_ASSERT(cap.gram.size() == m * m);
-        bool is_witness = true;
-        for (std::size_t k = 0; k < m; ++k) {
-          is_witness = is_witness && c.quaternions[k].dot(c.axis) >= 0;
-          for (std::size_t l = 0; l < m; ++l) {
-            const auto &p = c.quaternions[k], &q = c.quaternions[l];
-            const Rational expected = p.dot(c.axis) * q.dot(c.axis) - c.squared_cosine * c.axis.dot(c.axis) * p.dot(q);
-            RC_ASSERT(cap.gram[k * m + l] == expected);
-            is_witness = is_witness && expected >= 0;
-          }
-        }
-        RC_ASSERT(is_one_cap<Rational>(c.quaternions, c.axis, c.squared_cosine, cap.gram) == verdict_of(is_witness));
-      });
+  t.holds("the verdict is that of its three parts, whatever the inputs", {.number_type = "rational", .cases = 1000}, [] {
+    const Case c = wild_case();
+    const Quaternion<Rational> blend = blend_of(c);
+    const Rational along = blend.dot(c.axis), b2 = blend.dot(blend);
+    const bool all_ahead =
+        std::all_of(c.quaternions.begin(), c.quaternions.end(), [&](const auto& q) { return q.dot(c.axis) > 0; });
+    const bool ahead = along >= 0, inside = c.squared_cosine * c.axis.dot(c.axis) * b2 <= along * along,
+               is_blend = !all_ahead || b2 > 0;
+    RC_CLASSIFY(!ahead && inside && is_blend, "only the side is wrong");
+    RC_CLASSIFY(ahead && !inside && is_blend, "only the angle is wrong");
+    RC_CLASSIFY(ahead && inside && !is_blend, "only the blend is 0");
+    RC_CLASSIFY(ahead && inside && b2 == 0 && !all_ahead, "the blend may be 0");
+    const auto cap = cap_of(c);
+    RC_ASSERT(cap.verdict == verdict_of(ahead && inside && is_blend));
+    const std::size_t m = c.quaternions.size();
+    RC_ASSERT(cap.gram.size() == m * m);
+    bool is_witness = true;
+    for (std::size_t k = 0; k < m; ++k) {
+      is_witness = is_witness && c.quaternions[k].dot(c.axis) >= 0;
+      for (std::size_t l = 0; l < m; ++l) {
+        const auto &p = c.quaternions[k], &q = c.quaternions[l];
+        const Rational expected = p.dot(c.axis) * q.dot(c.axis) - c.squared_cosine * c.axis.dot(c.axis) * p.dot(q);
+        RC_ASSERT(cap.gram[k * m + l] == expected);
+        is_witness = is_witness && expected >= 0;
+      }
+    }
+    RC_ASSERT(is_one_cap<Rational>(c.quaternions, c.axis, c.squared_cosine, cap.gram) == verdict_of(is_witness));
+  });
   t.holds("each entry of the matrix is checked from both sides, and so is the side of the axis",
           {.number_type = "rational", .cases = 200}, [] {
             Case c = any_case(3);
@@ -239,26 +233,24 @@ PROPTEST(t3_one_cap) {
             longer.push_back(Rational(0));
             RC_ASSERT(rejected(longer));
             // Of all quaternions turned round the matrix is the same.
-            RC_PRE(std::any_of(c.quaternions.begin(), c.quaternions.end(),
-                               [&](const auto& q) { return dot(q, c.axis) > 0; }));
+            RC_PRE(std::any_of(c.quaternions.begin(), c.quaternions.end(), [&](const auto& q) { return dot(q, c.axis) > 0; }));
             for (auto& q : c.quaternions) q = -q;
             RC_ASSERT(cap_of(c).gram == good && rejected(good));
           });
-  t.holds("the rotated pair and its verdict are those of the rotation matrices",
-          {.number_type = "rational", .cases = 500}, [] {
-            const Quaternion<Rational> blend = *gen::nonzero_vector<4>(), axis = *gen::nonzero_vector<4>();
-            const Vec<Rational, 3> v = *gen::rational_vector<3>(), zero(0, 0, 0);
-            const Vec<Rational, 3> at_axis = oracle::times(oracle::affine_of(axis, zero), v),
-                                   rotated = oracle::times(oracle::affine_of(blend, zero), v);
-            const Rational along = at_axis.dot(rotated), v2 = v.dot(v), excess = *gen::excess();
-            // Just what the angle allows, a little more or less, or anything.
-            Rational kappa2 = *gen::unit_interval_rational();
-            if (v2 > 0 && *rc::gen::arbitrary<bool>())
-              kappa2 = (along / v2 + 1) / 2 + *rc::gen::element(Rational(0), excess, Rational(-excess));
-            const auto pair = one_cap_rotated(blend, axis, kappa2, v);
-            RC_ASSERT(pair.at_apex == at_axis && pair.rotated == rotated);
-            RC_ASSERT(pair.verdict == verdict_of(v2 * (2 * kappa2 - 1) <= along));
-          });
+  t.holds("the rotated pair and its verdict are those of the rotation matrices", {.number_type = "rational", .cases = 500}, [] {
+    const Quaternion<Rational> blend = *gen::nonzero_vector<4>(), axis = *gen::nonzero_vector<4>();
+    const Vec<Rational, 3> v = *gen::rational_vector<3>(), zero(0, 0, 0);
+    const Vec<Rational, 3> at_axis = oracle::times(oracle::affine_of(axis, zero), v),
+                           rotated = oracle::times(oracle::affine_of(blend, zero), v);
+    const Rational along = at_axis.dot(rotated), v2 = v.dot(v), excess = *gen::excess();
+    // Just what the angle allows, a little more or less, or anything.
+    Rational kappa2 = *gen::unit_interval_rational();
+    if (v2 > 0 && *rc::gen::arbitrary<bool>())
+      kappa2 = (along / v2 + 1) / 2 + *rc::gen::element(Rational(0), excess, Rational(-excess));
+    const auto pair = one_cap_rotated(blend, axis, kappa2, v);
+    RC_ASSERT(pair.at_apex == at_axis && pair.rotated == rotated);
+    RC_ASSERT(pair.verdict == verdict_of(v2 * (2 * kappa2 - 1) <= along));
+  });
   reaches_share(t, "cases of several quaternions with a cap between none and all", 0.4, [] {
     const Case c = any_case();
     return c.quaternions.size() > 1 && c.squared_cosine > 0 && c.squared_cosine < 1;
@@ -268,19 +260,16 @@ PROPTEST(t3_one_cap) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis},
               [&] { return hypotheses_of(c) == Verdict::fails && cap_of(c).verdict == Verdict::fails; });
   };
-  fails_without("no quaternion is behind the axis", "a quaternion behind the axis turns a blend out of the cap",
-                t3_cap::behind);
+  fails_without("no quaternion is behind the axis", "a quaternion behind the axis turns a blend out of the cap", t3_cap::behind);
   fails_without("no quaternion is behind the axis", "a quaternion behind the axis is itself a blend behind it",
                 t3_cap::only_behind);
-  fails_without("kappa bounds every quaternion", "a quaternion outside the cap is a blend outside the cap",
-                t3_cap::too_narrow);
+  fails_without("kappa bounds every quaternion", "a quaternion outside the cap is a blend outside the cap", t3_cap::too_narrow);
   fails_without("the coefficients are convex", "beyond the hull a blend leaves the cap", t3_cap::not_convex);
-  t.example("at a right angle to the axis a blend may be 0", {.form = "beyond", .hypothesis = "the blend is not 0"},
-            [] {
-              const Case& c = t3_cap::right_angles;
-              return hypotheses_of(c) == Verdict::holds && cap_of(c).verdict == Verdict::holds &&
-                     squared_norm(combine<Rational, 4>(c.coefficients, c.quaternions)) == Rational(0);
-            });
+  t.example("at a right angle to the axis a blend may be 0", {.form = "beyond", .hypothesis = "the blend is not 0"}, [] {
+    const Case& c = t3_cap::right_angles;
+    return hypotheses_of(c) == Verdict::holds && cap_of(c).verdict == Verdict::holds &&
+           squared_norm(combine<Rational, 4>(c.coefficients, c.quaternions)) == Rational(0);
+  });
 }
 
 }  // namespace

@@ -36,18 +36,18 @@ struct UnitsOnOneSide {
 };
 
 PROPTEST(t3_smallest_ball_smallest_cap) {
-  t.holds("the ball about the hull's nearest point has the certificate of the smallest ball, and its distance is ||c||",
-          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1}, [] {
-            gen::for_some_dimension<2, 4>([](auto d) {
-              const UnitsOnOneSide<d()> c;
-              RC_ASSERT((smallest_cap_hypotheses<Rational, d()>(c.units, c.coefficients) == Verdict::holds));
-              const auto cap = c.cap();
-              RC_ASSERT(cap.verdict == Verdict::holds);
-              RC_ASSERT(cap.squared_radius + cap.squared_distance == Rational(1));
-              RC_ASSERT((is_smallest_ball<Rational, d()>(c.units, c.coefficients, cap.center, cap.squared_radius) ==
-                         Verdict::holds));
-            });
-          });
+  t.holds(
+      "the ball about the hull's nearest point has the certificate of the smallest ball, and its distance is ||c||",
+      {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1}, [] {
+        gen::for_some_dimension<2, 4>([](auto d) {
+          const UnitsOnOneSide<d()> c;
+          RC_ASSERT((smallest_cap_hypotheses<Rational, d()>(c.units, c.coefficients) == Verdict::holds));
+          const auto cap = c.cap();
+          RC_ASSERT(cap.verdict == Verdict::holds);
+          RC_ASSERT(cap.squared_radius + cap.squared_distance == Rational(1));
+          RC_ASSERT((is_smallest_ball<Rational, d()>(c.units, c.coefficients, cap.center, cap.squared_radius) == Verdict::holds));
+        });
+      });
   t.holds("no ball about another center and no cap about another apex is smaller",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1}, [] {
             gen::for_some_dimension<2, 4>([](auto d) {
@@ -78,9 +78,9 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const UnitsOnOneSide<4> c;
     const Vec<Rational, 4> baseline = c.cap().center + *gen::rational_vector<4>();
-    decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n,
-                              const std::vector<S>& u) { return smallest_cap<S, 4>(n, u).verdict; },
-                  c.units, c.coefficients);
+    decide_by_all(
+        []<class S>(const std::vector<Vec<S, 4>>& n, const std::vector<S>& u) { return smallest_cap<S, 4>(n, u).verdict; },
+        c.units, c.coefficients);
     decide_by_all([]<class S>(const std::vector<Vec<S, 4>>& n, const std::vector<S>& u,
                               const Vec<S, 4>& g) { return is_not_smaller_ball<S, 4>(n, smallest_cap<S, 4>(n, u), g); },
                   c.units, c.coefficients, baseline);
@@ -174,10 +174,8 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
           u.front() = u.back() = Rational(1, 2);
         } else {
           part = "there is not one coefficient a point";
-          if (*rc::gen::arbitrary<bool>())
-            u.push_back(Rational(0));
-          else
-            units.push_back(units[0]);
+          if (*rc::gen::arbitrary<bool>()) u.push_back(Rational(0));
+          else units.push_back(units[0]);
         }
         const Verdict hypothesis = smallest_cap_hypotheses<Rational, 3>(units, u);
         if (units.size() != u.size())  // nothing that could be concluded from; the certificate must see it too
@@ -186,15 +184,14 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
         return Weakening{part, hypothesis, smallest_cap<Rational, 3>(units, u).verdict};
       },
       900);
-  t.holds("the ball and the cap that are claimed are those of the formulas", {.number_type = "rational", .cases = 200},
-          [] {
-            const UnitsOnOneSide<3> c;
-            Vec<Rational, 3> center(0, 0, 0);
-            for (std::size_t k = 0; k < c.units.size(); ++k) center += c.units[k] * c.coefficients[k];
-            const Rational c2 = center.dot(center);
-            const auto cap = c.cap();
-            RC_ASSERT(cap.center == center && cap.squared_distance == c2 && cap.squared_radius == Rational(1) - c2);
-          });
+  t.holds("the ball and the cap that are claimed are those of the formulas", {.number_type = "rational", .cases = 200}, [] {
+    const UnitsOnOneSide<3> c;
+    Vec<Rational, 3> center(0, 0, 0);
+    for (std::size_t k = 0; k < c.units.size(); ++k) center += c.units[k] * c.coefficients[k];
+    const Rational c2 = center.dot(center);
+    const auto cap = c.cap();
+    RC_ASSERT(cap.center == center && cap.squared_distance == c2 && cap.squared_radius == Rational(1) - c2);
+  });
   t.holds("a ball about another point through the only one is not certified, whatever coordinate differs",
           {.number_type = "rational", .cases = 100}, [] {
             const std::vector<Vec<Rational, 3>> one{*gen::rational_vector<3>()};
@@ -205,8 +202,8 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
               RC_ASSERT((is_smallest_ball<Rational, 3>(one, std::vector<Rational>{1}, center, r2) == Verdict::fails));
             }
           });
-  t.holds("each point has to be in the ball, and each of the support on its boundary",
-          {.number_type = "rational", .cases = 300}, [] {
+  t.holds("each point has to be in the ball, and each of the support on its boundary", {.number_type = "rational", .cases = 300},
+          [] {
             UnitsOnOneSide<3> c;
             const auto cap = c.cap();
             const std::size_t n = c.units.size() + 1, k = gen::any_place(n);
@@ -231,57 +228,51 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
               RC_ASSERT(certified_with(cap.center, Rational(1, 2)) == Verdict::fails);
             }
             const std::vector<Vec<Rational, 3>> none;
-            RC_ASSERT((is_smallest_ball<Rational, 3>(none, std::vector<Rational>{}, cap.center, cap.squared_radius) ==
-                       Verdict::fails));
+            RC_ASSERT(
+                (is_smallest_ball<Rational, 3>(none, std::vector<Rational>{}, cap.center, cap.squared_radius) == Verdict::fails));
             RC_ASSERT((is_nearest_point<Rational, 3>(none, std::vector<Rational>{}) == Verdict::fails));
           });
-  t.holds("whether a ball or a cap is not smaller is decided by the farthest unit, on both sides and at the edge",
-          {.number_type = "rational", .cases = 400}, [] {
-            const UnitsOnOneSide<3> c;
-            const Vec<Rational, 3> baseline = *rc::gen::oneOf(gen::nonzero_vector<3>(), rc::gen::just(c.cap().center),
-                                                           rc::gen::just(Vec<Rational, 3>(-c.cap().center)));
-            Rational farthest(0), least = c.units[0].dot(baseline);
-            for (const auto& n : c.units) {
-              const Vec<Rational, 3> gap = n - baseline;
-              farthest = std::max<Rational>(farthest, gap.dot(gap)), least = std::min<Rational>(least, n.dot(baseline));
-            }
-            auto claim = c.cap();
-            const Rational excess = *gen::excess(), length2 = baseline.dot(baseline);
-            claim.squared_radius = farthest + *rc::gen::element(Rational(0), excess, Rational(-excess));
-            RC_ASSERT((is_not_smaller_ball<Rational, 3>(c.units, claim, baseline) ==
-                       verdict_of(claim.squared_radius <= farthest)));
-            claim.squared_distance =
-                least * least / length2 + *rc::gen::element(Rational(0), excess, Rational(-excess));
-            const bool expected = least <= 0 || least * least <= claim.squared_distance * length2;
-            RC_ASSERT((is_not_smaller_cap<Rational, 3>(c.units, claim, baseline) == verdict_of(expected)));
-          });
-  t.example(
-      "a certified ball along the way to 0 has no right angle to it: its least dot product is not ||c||^2", {}, [] {
-        const std::vector<t3_smallest::Point> along{t3_smallest::Point(Rational(7, 5), 0),
-                                                    t3_smallest::Point(Rational(-1, 5), 0)};
-        const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)};
-        return is_smallest_ball<Rational, 2>(along, halves, t3_smallest::Point(Rational(3, 5), 0), Rational(16, 25)) ==
-                   Verdict::holds &&
-               smallest_cap<Rational, 2>(along, halves).verdict == Verdict::fails;
+  t.holds(
+      "whether a ball or a cap is not smaller is decided by the farthest unit, on both sides and at the edge",
+      {.number_type = "rational", .cases = 400}, [] {
+        const UnitsOnOneSide<3> c;
+        const Vec<Rational, 3> baseline = *rc::gen::oneOf(gen::nonzero_vector<3>(), rc::gen::just(c.cap().center),
+                                                          rc::gen::just(Vec<Rational, 3>(-c.cap().center)));
+        Rational farthest(0), least = c.units[0].dot(baseline);
+        for (const auto& n : c.units) {
+          const Vec<Rational, 3> gap = n - baseline;
+          farthest = std::max<Rational>(farthest, gap.dot(gap)), least = std::min<Rational>(least, n.dot(baseline));
+        }
+        auto claim = c.cap();
+        const Rational excess = *gen::excess(), length2 = baseline.dot(baseline);
+        claim.squared_radius = farthest + *rc::gen::element(Rational(0), excess, Rational(-excess));
+        RC_ASSERT((is_not_smaller_ball<Rational, 3>(c.units, claim, baseline) == verdict_of(claim.squared_radius <= farthest)));
+        claim.squared_distance = least * least / length2 + *rc::gen::element(Rational(0), excess, Rational(-excess));
+        const bool expected = least <= 0 || least * least <= claim.squared_distance * length2;
+        RC_ASSERT((is_not_smaller_cap<Rational, 3>(c.units, claim, baseline) == verdict_of(expected)));
       });
+  t.example("a certified ball along the way to 0 has no right angle to it: its least dot product is not ||c||^2", {}, [] {
+    const std::vector<t3_smallest::Point> along{t3_smallest::Point(Rational(7, 5), 0), t3_smallest::Point(Rational(-1, 5), 0)};
+    const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)};
+    return is_smallest_ball<Rational, 2>(along, halves, t3_smallest::Point(Rational(3, 5), 0), Rational(16, 25)) ==
+               Verdict::holds &&
+           smallest_cap<Rational, 2>(along, halves).verdict == Verdict::fails;
+  });
   t.example("a repeated unit with coefficients 2 and -1 makes no certificate", {}, [] {
     const std::vector<t3_smallest::Point> twice{t3_smallest::x, t3_smallest::x};
     return smallest_cap<Rational, 2>(twice, std::vector<Rational>{2, -1}).verdict == Verdict::fails;
   });
 
-  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence,
-                                  const t3_smallest::Case& c) {
+  const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const t3_smallest::Case& c) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
       return smallest_cap_hypotheses<Rational, 2>(c.units, c.coefficients) == Verdict::fails &&
              smallest_cap<Rational, 2>(c.units, c.coefficients).verdict == Verdict::fails;
     });
   };
-  fails_without("the points are units", "for points of different lengths the nearest point is no center",
-                t3_smallest::not_units);
+  fails_without("the points are units", "for points of different lengths the nearest point is no center", t3_smallest::not_units);
   fails_without("c is the nearest point", "about another point of the hull the ball is not the smallest",
                 t3_smallest::not_nearest);
-  fails_without("0 is not in the hull", "if 0 is in the hull the nearest point is no direction",
-                t3_smallest::zero_inside);
+  fails_without("0 is not in the hull", "if 0 is in the hull the nearest point is no direction", t3_smallest::zero_inside);
 }
 
 }  // namespace

@@ -108,15 +108,13 @@ PROPTEST(vocabulary) {
         ++cases;
       }
     }
-    return Checked(ok && name_of(Verdict::holds) == std::string("holds") &&
-                       name_of(Verdict::fails) == std::string("fails") &&
+    return Checked(ok && name_of(Verdict::holds) == std::string("holds") && name_of(Verdict::fails) == std::string("fails") &&
                        name_of(Verdict::undecided) == std::string("undecided"),
                    cases);
   });
   t.example("an uncertain comparison is undecided, a certain one is what it says", {}, [] {
     using CGAL::Uncertain;
-    return verdict_of(Uncertain<bool>(true)) == Verdict::holds &&
-           verdict_of(Uncertain<bool>(false)) == Verdict::fails &&
+    return verdict_of(Uncertain<bool>(true)) == Verdict::holds && verdict_of(Uncertain<bool>(false)) == Verdict::fails &&
            verdict_of(Uncertain<bool>(false, true)) == Verdict::undecided;
   });
   t.holds("operations on intervals of doubles are right at their ends", {.number_type = "interval", .cases = 2000},
@@ -130,25 +128,22 @@ PROPTEST(vocabulary) {
       const S none = root(S(-one));
       return less(one, above) == Verdict::holds && less_equal(above, one) == Verdict::fails &&
              less_equal(none, one) == Verdict::undecided && less_equal(one, none) == Verdict::undecided &&
-             less(none, none) == Verdict::undecided && equal(none, none) == Verdict::undecided &&
-             !certainly_less(none, one) && !certainly_less(one, none);
+             less(none, none) == Verdict::undecided && equal(none, none) == Verdict::undecided && !certainly_less(none, one) &&
+             !certainly_less(one, none);
     };
-    return some(Interval(1), Interval(2, infinity)) &&
-           some(MultiprecisionInterval(1), multiprecision_of({2, infinity}));
+    return some(Interval(1), Interval(2, infinity)) && some(MultiprecisionInterval(1), multiprecision_of({2, infinity}));
   });
   t.example("a number that is none is not certainly less than anything", {}, [] {
     const double none = std::nan("");
-    return !certainly_less(none, 1.) && !certainly_less(1., none) && certainly_less(1., 2.) &&
-           !certainly_less(2., 1.) && !certainly_less(1., 1.);
+    return !certainly_less(none, 1.) && !certainly_less(1., none) && certainly_less(1., 2.) && !certainly_less(2., 1.) &&
+           !certainly_less(1., 1.);
   });
   t.holds("of numbers the functions are those of mathematics", {.number_type = "rational", .cases = 500}, [] {
-    const Rational a = *gen::rational(),
-                   b = *rc::gen::oneOf(rc::gen::just(a), gen::rational(), rc::gen::just(Rational(-a)));
+    const Rational a = *gen::rational(), b = *rc::gen::oneOf(rc::gen::just(a), gen::rational(), rc::gen::just(Rational(-a)));
     const auto check = [&]<class S>() {
       const S x = lift<S>(a), y = lift<S>(b);
       RC_ASSERT(max_of(x, y) == (a < b ? y : x) && min_of(x, y) == (a < b ? x : y) && sq(x) == x * x);
-      RC_ASSERT(less(x, y) == verdict_of(a < b) && less_equal(x, y) == verdict_of(a <= b) &&
-                equal(x, y) == verdict_of(a == b));
+      RC_ASSERT(less(x, y) == verdict_of(a < b) && less_equal(x, y) == verdict_of(a <= b) && equal(x, y) == verdict_of(a == b));
       RC_ASSERT(prefer_less(x, y) == (a < b) && certainly_less(x, y) == (a < b));
       RC_ASSERT(choose(true, x, y) == x && choose(false, x, y) == y);
     };
@@ -176,30 +171,29 @@ PROPTEST(vocabulary) {
         for (std::size_t i = 0; i < asked.size(); ++i) ok = ok && asked[i] == static_cast<int>(i);
         ++cases;
       }
-    return Checked(ok && name_of(Rung::interval) == std::string("interval") &&
-                       name_of(Rung::exact) == std::string("exact") &&
+    return Checked(ok && name_of(Rung::interval) == std::string("interval") && name_of(Rung::exact) == std::string("exact") &&
                        name_of(Rung::multiprecision_interval) == std::string("multiprecision interval"),
                    cases);
   });
-  t.holds("what is lifted is the same number, or an enclosure of it that is tight",
-          {.number_type = "interval", .cases = 500}, [] {
-            const Rational x = *gen::rational() + *gen::nudge();
-            const auto narrow = ends_of(lift<Interval>(x)), narrower = ends_of(lift<MultiprecisionInterval>(x));
-            RC_ASSERT(Rational(narrow.low) <= x && x <= Rational(narrow.high) &&
-                      narrow.high - narrow.low <= 1e-15 * (std::abs(narrow.high) + std::abs(narrow.low)) + 1e-300);
-            const auto multiprecision = lift<MultiprecisionInterval>(x);
-            RC_ASSERT(mpfr_cmp_q(&multiprecision.backend().data()->left, x.mpq()) <= 0 &&
-                      mpfr_cmp_q(&multiprecision.backend().data()->right, x.mpq()) >= 0);
-            RC_ASSERT(narrower.low >= narrow.low && narrower.high <= narrow.high);
-            const Rational least = power_of_ten(50);
-            if (x != 0) {
-              RC_ASSERT(less(multiprecision, lift<MultiprecisionInterval>(
-                                                 Rational(x + (x < 0 ? Rational(-x) : x) * least))) == Verdict::holds);
-            }
-            RC_ASSERT(lift<Rational>(x) == x && lift<ExactRoot>(x) * lift<ExactRoot>(Rational(x.denominator())) ==
-                                                    lift<ExactRoot>(Rational(x.numerator())));
-            RC_ASSERT(std::abs(lift<double>(x) - CGAL::to_double(x)) == 0);
-          });
+  t.holds(
+      "what is lifted is the same number, or an enclosure of it that is tight", {.number_type = "interval", .cases = 500}, [] {
+        const Rational x = *gen::rational() + *gen::nudge();
+        const auto narrow = ends_of(lift<Interval>(x)), narrower = ends_of(lift<MultiprecisionInterval>(x));
+        RC_ASSERT(Rational(narrow.low) <= x && x <= Rational(narrow.high) &&
+                  narrow.high - narrow.low <= 1e-15 * (std::abs(narrow.high) + std::abs(narrow.low)) + 1e-300);
+        const auto multiprecision = lift<MultiprecisionInterval>(x);
+        RC_ASSERT(mpfr_cmp_q(&multiprecision.backend().data()->left, x.mpq()) <= 0 &&
+                  mpfr_cmp_q(&multiprecision.backend().data()->right, x.mpq()) >= 0);
+        RC_ASSERT(narrower.low >= narrow.low && narrower.high <= narrow.high);
+        const Rational least = power_of_ten(50);
+        if (x != 0) {
+          RC_ASSERT(less(multiprecision, lift<MultiprecisionInterval>(Rational(x + (x < 0 ? Rational(-x) : x) * least))) ==
+                    Verdict::holds);
+        }
+        RC_ASSERT(lift<Rational>(x) == x &&
+                  lift<ExactRoot>(x) * lift<ExactRoot>(Rational(x.denominator())) == lift<ExactRoot>(Rational(x.numerator())));
+        RC_ASSERT(std::abs(lift<double>(x) - CGAL::to_double(x)) == 0);
+      });
   t.holds("shapes are lifted number by number", {.number_type = "rational", .cases = 200}, [] {
     const auto v = *gen::rational_vector<3>(), w = *gen::rational_vector<3>();
     const Rational r = *gen::rational();
@@ -262,18 +256,15 @@ PROPTEST(vocabulary) {
         RC_ASSERT(admits(bounds, Span(w)) == Verdict::holds);
         const std::size_t kind = gen::any_place(4);
         std::string part;
-        if (kind == 0)
-          bounds.low[k] = w[k] + excess, bounds.high[k] = bounds.low[k], part = gen::place(k, n) + " is too low";
-        if (kind == 1)
-          bounds.high[k] = w[k] - excess, bounds.low[k] = bounds.high[k], part = gen::place(k, n) + " is too high";
+        if (kind == 0) bounds.low[k] = w[k] + excess, bounds.high[k] = bounds.low[k], part = gen::place(k, n) + " is too low";
+        if (kind == 1) bounds.high[k] = w[k] - excess, bounds.low[k] = bounds.high[k], part = gen::place(k, n) + " is too high";
         if (kind == 2) w[k] += excess, bounds.high[k] = w[k], part = "the sum is too much";
         if (kind == 3) w[k] -= excess, bounds.low[k] = w[k], part = "the sum is too little";
         return Weakening{part, admits(bounds, Span(w)), {}};
       },
       1000);
   t.holds("combinations are sums, coordinate by coordinate", {.number_type = "rational", .cases = 300}, [] {
-    const auto w =
-        *rc::gen::container<std::vector<Rational>>(static_cast<std::size_t>(*rc::gen::inRange(1, 5)), gen::rational());
+    const auto w = *rc::gen::container<std::vector<Rational>>(static_cast<std::size_t>(*rc::gen::inRange(1, 5)), gen::rational());
     const auto points = *rc::gen::container<std::vector<RationalVec<3>>>(w.size(), gen::rational_vector<3>());
     const RationalVec<3> combined = combine<Rational, 3>(w, points);
     for (int i = 0; i < 3; ++i) {
@@ -298,36 +289,32 @@ PROPTEST(vocabulary) {
     RC_ASSERT((norm<ExactRoot, 3>(lift<ExactRoot>(RationalVec<3>(square * 2, square * 3, square * 6))) ==
                lift<ExactRoot>(Rational(square < 0 ? -7 * square : 7 * square))));
   });
-  t.holds("a length without a root is at least the length, and at most 16 % more",
-          {.number_type = "double", .cases = 2000}, [] {
-            const auto v =
-                *rc::gen::oneOf(gen::nonzero_vector<3>(),
-                                rc::gen::map(gen::sphere_point<3>(), [](const RationalVec<3>& x) { return x; }));
-            const auto of = [&]<class S>() {
-              const Vec<S, 3> x = lift<S>(v);
-              const Rational length2 = Rational(double(x[0])) * Rational(double(x[0])) +
-                                       Rational(double(x[1])) * Rational(double(x[1])) +
-                                       Rational(double(x[2])) * Rational(double(x[2]));
-              const Rational upper(static_cast<double>(upper_norm(x)));
-              RC_ASSERT(upper * upper >= length2 && upper * upper <= length2 * Rational(135, 100));
-            };
-            of.template operator()<float>();
-            of.template operator()<double>();
-          });
+  t.holds("a length without a root is at least the length, and at most 16 % more", {.number_type = "double", .cases = 2000}, [] {
+    const auto v = *rc::gen::oneOf(gen::nonzero_vector<3>(),
+                                   rc::gen::map(gen::sphere_point<3>(), [](const RationalVec<3>& x) { return x; }));
+    const auto of = [&]<class S>() {
+      const Vec<S, 3> x = lift<S>(v);
+      const Rational length2 = Rational(double(x[0])) * Rational(double(x[0])) + Rational(double(x[1])) * Rational(double(x[1])) +
+                               Rational(double(x[2])) * Rational(double(x[2]));
+      const Rational upper(static_cast<double>(upper_norm(x)));
+      RC_ASSERT(upper * upper >= length2 && upper * upper <= length2 * Rational(135, 100));
+    };
+    of.template operator()<float>();
+    of.template operator()<double>();
+  });
 
-  t.holds("quaternions multiply by the table, and their conjugates the other way round",
-          {.number_type = "rational", .cases = 300}, [] {
-            const RationalQuaternion p = *gen::rational_vector<4>(), q = *gen::rational_vector<4>();
-            const RationalQuaternion product = multiply(p, q), expected = oracle::hamilton(p, q);
-            RC_ASSERT(product == expected);
-            RC_ASSERT(conjugate(product) == multiply(conjugate(q), conjugate(p)));
-            const Rational n = squared_norm(q);
-            RC_ASSERT(multiply(q, conjugate(q)) == RationalQuaternion(n, 0, 0, 0) &&
-                      squared_norm(product) == squared_norm(p) * n);
-            RC_ASSERT(imaginary(q) == RationalVec<3>(q[1], q[2], q[3]));
-            RC_ASSERT(multiply(identity_quaternion<Rational>(), q) == q &&
-                      multiply(q, identity_quaternion<Rational>()) == q);
-          });
+  t.holds(
+      "quaternions multiply by the table, and their conjugates the other way round", {.number_type = "rational", .cases = 300},
+      [] {
+        const RationalQuaternion p = *gen::rational_vector<4>(), q = *gen::rational_vector<4>();
+        const RationalQuaternion product = multiply(p, q), expected = oracle::hamilton(p, q);
+        RC_ASSERT(product == expected);
+        RC_ASSERT(conjugate(product) == multiply(conjugate(q), conjugate(p)));
+        const Rational n = squared_norm(q);
+        RC_ASSERT(multiply(q, conjugate(q)) == RationalQuaternion(n, 0, 0, 0) && squared_norm(product) == squared_norm(p) * n);
+        RC_ASSERT(imaginary(q) == RationalVec<3>(q[1], q[2], q[3]));
+        RC_ASSERT(multiply(identity_quaternion<Rational>(), q) == q && multiply(q, identity_quaternion<Rational>()) == q);
+      });
   t.holds("rotations are those of the textbook's matrices", {.number_type = "rational", .cases = 300}, [] {
     const RationalQuaternion q = *gen::nonzero_vector<4>(), unit = *gen::unit_quaternion();
     const auto x = *gen::rational_vector<3>();
@@ -336,19 +323,18 @@ PROPTEST(vocabulary) {
     RC_ASSERT(rotate(unit, x) == oracle::times(oracle::affine_of(unit, zero), x));
     RC_ASSERT(rotate_scaled(RationalQuaternion(0, 0, 0, 0), x) == zero);
   });
-  t.holds("rigid transforms apply, compose and invert as their matrices", {.number_type = "rational", .cases = 300},
-          [] {
-            const auto a = *gen::rigid_transform(), b = *gen::rigid_transform();
-            const auto x = *gen::rational_vector<3>();
-            const RationalVec<3> bx = oracle::times(oracle::affine_of(b.rotation, b.translation), x),
-                                 abx = oracle::times(oracle::affine_of(a.rotation, a.translation), bx);
-            RC_ASSERT(apply(b, x) == bx && apply(compose(a, b), x) == abx);
-            RC_ASSERT(compose(a, b).rotation == oracle::hamilton(a.rotation, b.rotation));  // its sign too
-            RC_ASSERT(apply(inverse(b), bx) == x && apply(b, apply(inverse(b), x)) == x);
-            RC_ASSERT(compose(inverse(b), b).rotation == identity_quaternion<Rational>());
-            const RigidTransform<Rational> none;
-            RC_ASSERT(apply(none, x) == x && none.rotation == identity_quaternion<Rational>());
-          });
+  t.holds("rigid transforms apply, compose and invert as their matrices", {.number_type = "rational", .cases = 300}, [] {
+    const auto a = *gen::rigid_transform(), b = *gen::rigid_transform();
+    const auto x = *gen::rational_vector<3>();
+    const RationalVec<3> bx = oracle::times(oracle::affine_of(b.rotation, b.translation), x),
+                         abx = oracle::times(oracle::affine_of(a.rotation, a.translation), bx);
+    RC_ASSERT(apply(b, x) == bx && apply(compose(a, b), x) == abx);
+    RC_ASSERT(compose(a, b).rotation == oracle::hamilton(a.rotation, b.rotation));  // its sign too
+    RC_ASSERT(apply(inverse(b), bx) == x && apply(b, apply(inverse(b), x)) == x);
+    RC_ASSERT(compose(inverse(b), b).rotation == identity_quaternion<Rational>());
+    const RigidTransform<Rational> none;
+    RC_ASSERT(apply(none, x) == x && none.rotation == identity_quaternion<Rational>());
+  });
 
   t.holds("balls enclose points and balls up to their edge, and a negative radius nothing",
           {.number_type = "rational", .cases = 1000}, [] {

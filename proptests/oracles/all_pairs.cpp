@@ -11,8 +11,8 @@ namespace proptests::oracle {
 using namespace refitlab;
 
 std::vector<Point3> Posed::vertices(Skinning skinning) const {
-  auto points = skin(character.mesh, character.sets,
-                     make_skinning_palette(character.mesh, character.sets, pose, skinning), skinning);
+  auto points =
+      skin(character.mesh, character.sets, make_skinning_palette(character.mesh, character.sets, pose, skinning), skinning);
   for (auto& p : points) p = apply(at, p);
   return points;
 }

@@ -21,7 +21,9 @@ Q pure(const Point& x) { return {0, x[0], x[1], x[2]}; }
 double along(const Q& a, const Q& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
 double length(const Point& x) { return std::hypot(x[0], x[1], x[2]); }
 double length(const Q& q) { return std::sqrt(along(q, q)); }
-Point image_by(const Q& a, const Q& middle, const Q& b) { return imaginary<double>(multiply<double>(multiply<double>(a, middle), conjugate<double>(b))); }
+Point image_by(const Q& a, const Q& middle, const Q& b) {
+  return imaginary<double>(multiply<double>(multiply<double>(a, middle), conjugate<double>(b)));
+}
 
 // The sum over all orders in which corners are taken of what the blend's numerator has there, and of its weight.
 struct Control {
@@ -182,7 +184,8 @@ double needed_radius_linear(const PaletteEntry<double>& palette, const std::vect
     double growth = 0;
     for (std::size_t i = 0; i < w.size(); ++i) {
       const auto& [q, t] = palette.transforms[i];
-      const Point u = imaginary<double>(q), v = reference.center, turn = cross<double>(u, v) * q[0] + cross<double>(u, cross<double>(u, v));
+      const Point u = imaginary<double>(q), v = reference.center,
+                  turn = cross<double>(u, v) * q[0] + cross<double>(u, cross<double>(u, v));
       image += w[i] * (v + 2 * turn + t);
       growth += w[i] * (along(q, q) + std::abs(1 - along(q, q)));
     }

@@ -34,8 +34,12 @@ nlohmann::json with_corner_vertices(nlohmann::json document) {
   document["vertices"] = nlohmann::json::array();
   for (const nlohmann::json& piece : document["pieces"]) {
     const std::size_t i = document["vertices"].size();
-    document["vertices"].push_back({{"id", i}, {"piece", i}, {"position", piece["reference"]["center"]},
-                                    {"weights", piece["corners"][0]}, {"corners", {0}}, {"shares", {"1"}}});
+    document["vertices"].push_back({{"id", i},
+                                    {"piece", i},
+                                    {"position", piece["reference"]["center"]},
+                                    {"weights", piece["corners"][0]},
+                                    {"corners", {0}},
+                                    {"shares", {"1"}}});
   }
   return document;
 }

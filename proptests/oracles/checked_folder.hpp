@@ -29,9 +29,7 @@ struct CheckedLine {
   std::string text;
   bool is_accepted() const { return text.starts_with("accepted: "); }
   bool is_rejected() const { return text.starts_with("rejected: "); }
-  bool is_rejected_for(const std::string& reason) const {
-    return is_rejected() && text.find(reason) != std::string::npos;
-  }
+  bool is_rejected_for(const std::string& reason) const { return is_rejected() && text.find(reason) != std::string::npos; }
 };
 
 // A folder of its own, gone afterwards.

@@ -37,14 +37,11 @@ aiMatrix4x4 local_transform(const aiNode& node, const aiAnimation& animation, do
     aiQuaternion rotation;
     node.mTransformation.Decompose(scale, rotation, position);
     if (channel.mNumScalingKeys) scale = value_at(channel.mScalingKeys, channel.mNumScalingKeys, ticks, blend_vectors);
-    if (channel.mNumRotationKeys)
-      rotation = value_at(channel.mRotationKeys, channel.mNumRotationKeys, ticks, blend_rotations);
-    if (channel.mNumPositionKeys)
-      position = value_at(channel.mPositionKeys, channel.mNumPositionKeys, ticks, blend_vectors);
+    if (channel.mNumRotationKeys) rotation = value_at(channel.mRotationKeys, channel.mNumRotationKeys, ticks, blend_rotations);
+    if (channel.mNumPositionKeys) position = value_at(channel.mPositionKeys, channel.mNumPositionKeys, ticks, blend_vectors);
     // Not the constructor from these three: it scales the rows of the rotation.
     aiMatrix4x4 move, stretch;
-    return aiMatrix4x4::Translation(position, move) * aiMatrix4x4(rotation.GetMatrix()) *
-           aiMatrix4x4::Scaling(scale, stretch);
+    return aiMatrix4x4::Translation(position, move) * aiMatrix4x4(rotation.GetMatrix()) * aiMatrix4x4::Scaling(scale, stretch);
   }
   return node.mTransformation;
 }

@@ -52,8 +52,7 @@ refitlab::Vec<Jet<S>, D> jets_of(const refitlab::Moment<S, D>& m) {
 template <class S, int D>
 refitlab::Moment<S, D> moment_of(const refitlab::Vec<Jet<S>, D>& jets) {
   refitlab::Moment<S, D> out;
-  for (int i = 0; i < D; ++i)
-    out.value[i] = jets[i].value, out.velocity[i] = jets[i].first, out.acceleration[i] = jets[i].second;
+  for (int i = 0; i < D; ++i) out.value[i] = jets[i].value, out.velocity[i] = jets[i].first, out.acceleration[i] = jets[i].second;
   return out;
 }
 
@@ -64,13 +63,5 @@ struct Eigen::NumTraits<proptests::oracle::Jet<S>> : Eigen::GenericNumTraits<pro
   using Real = proptests::oracle::Jet<S>;
   using NonInteger = Real;
   using Nested = Real;
-  enum {
-    IsInteger = 0,
-    IsSigned = 1,
-    IsComplex = 0,
-    RequireInitialization = 1,
-    ReadCost = 6,
-    AddCost = 100,
-    MulCost = 100
-  };
+  enum { IsInteger = 0, IsSigned = 1, IsComplex = 0, RequireInitialization = 1, ReadCost = 6, AddCost = 100, MulCost = 100 };
 };

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "lemmas/vocabulary/cap.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "lemmas/vocabulary/cap.hpp"
 
 namespace proptests::oracle {
 

@@ -17,14 +17,15 @@ class RefitLadder {
  public:
   // exact: the same ball in squared form, where there is one.
   RefitLadder(const gen::RefitCase& c, Refit refit, std::optional<RootBall> exact = std::nullopt)
-      : case_(c), refit_(refit), exact_(std::move(exact)) {}
+      : case_(c),
+        refit_(refit),
+        exact_(std::move(exact)) {}
 
   // The verdict is undecided only if the point is on the surface up to 60 digits and there is no squared form.
   refitlab::Decision encloses(const gen::RationalVec<3>& point) {
     using namespace refitlab;
     if (const Verdict v = on_rung(interval_, point); v != Verdict::undecided) return {v, Rung::interval};
-    if (const Verdict v = on_rung(multiprecision_, point); v != Verdict::undecided)
-      return {v, Rung::multiprecision_interval};
+    if (const Verdict v = on_rung(multiprecision_, point); v != Verdict::undecided) return {v, Rung::multiprecision_interval};
     return {exact_ ? verdict_of(oracle::encloses(*exact_, point)) : Verdict::undecided, Rung::exact};
   }
 
@@ -47,9 +48,7 @@ struct RungTally {
   static constexpr const char* none = "none, on the surface to 60 digits";
   std::map<std::string, long> counts;
 
-  void add(const refitlab::Decision& d) {
-    ++counts[d.verdict == refitlab::Verdict::undecided ? none : name_of(d.rung)];
-  }
+  void add(const refitlab::Decision& d) { ++counts[d.verdict == refitlab::Verdict::undecided ? none : name_of(d.rung)]; }
   long total() const;
   double share(const std::string& name) const;
   std::string text() const;  // "interval 91.2 %, ..."

@@ -60,8 +60,8 @@ RootBall gathered(const Balls& balls, Gather gather, const Rational& extra) {
 bool encloses(const RootBall& ball, const RationalVec<3>& point) {
   const ExactRoot distance = root(lift<ExactRoot>(squared_distance(point, ball.center)));
   for (const auto& reach : ball.reaches) {
-    const ExactRoot radius = root(lift<ExactRoot>(reach.squared_distance)) +
-                             root(lift<ExactRoot>(reach.squared_radius)) + lift<ExactRoot>(ball.extra);
+    const ExactRoot radius =
+        root(lift<ExactRoot>(reach.squared_distance)) + root(lift<ExactRoot>(reach.squared_radius)) + lift<ExactRoot>(ball.extra);
     if (distance <= radius) return true;
   }
   return false;

@@ -7,8 +7,7 @@
 
 namespace proptests {
 
-inline bool rotate_alike(const refitlab::Quaternion<refitlab::Rational>& p,
-                         const refitlab::Quaternion<refitlab::Rational>& q) {
+inline bool rotate_alike(const refitlab::Quaternion<refitlab::Rational>& p, const refitlab::Quaternion<refitlab::Rational>& q) {
   using refitlab::Rational;
   const Rational p2 = refitlab::squared_norm(p), q2 = refitlab::squared_norm(q);
   if (p2 == Rational(0) || q2 == Rational(0)) return false;

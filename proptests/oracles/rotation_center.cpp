@@ -9,8 +9,7 @@
 
 namespace proptests::oracle {
 
-RotationCenter rotation_center(std::span<const refitlab::RigidTransform<double>> transforms,
-                               const Eigen::Vector3d& prior) {
+RotationCenter rotation_center(std::span<const refitlab::RigidTransform<double>> transforms, const Eigen::Vector3d& prior) {
   const auto n = static_cast<Eigen::Index>(transforms.size());
   RotationCenter out{prior, 0, std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Identity()};
   if (n < 2) return out;

@@ -27,8 +27,10 @@ struct BallClaim {
 template <int D>
 BallClaim<D> claim_of(const auto& smallest) {
   const auto n = smallest.support_size;
-  BallClaim<D> claim{refitlab::convert<Rational>(smallest.center), Rational(smallest.squared_radius),
-                     {smallest.support.begin(), smallest.support.begin() + n}, {}};
+  BallClaim<D> claim{refitlab::convert<Rational>(smallest.center),
+                     Rational(smallest.squared_radius),
+                     {smallest.support.begin(), smallest.support.begin() + n},
+                     {}};
   for (int k = 0; k < n; ++k) claim.coefficients.emplace_back(smallest.coefficients[k]);
   return claim;
 }

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "algorithms/runtime/refit/ball_policy.hpp"
-#include "algorithms/runtime/tree/refit_node.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/lemma4_quaternion_hull.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
@@ -38,29 +38,29 @@ Quaternion<S> matrix_to_quaternion(const Quaternion<S>& q) {
 // In float and double the result may be not a number or of negative radius: that is part of what is printed.
 template <class Policy, class S>
 Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLists<S>& lists) {
-  lists.balls.clear();                                                                      // line 1
-  for (const NodePiece& set : node.pieces) {                                         // line 4
+  lists.balls.clear();                        // line 1
+  for (const NodePiece& set : node.pieces) {  // line 4
     const PaletteEntry<S> palette = node.palette[set.joint_set];
-    lists.quaternions.clear();                                                              // line 5
-    for (int k = 0; k < set.weight_vertex_count; ++k) {                                            // line 6
+    lists.quaternions.clear();                           // line 5
+    for (int k = 0; k < set.weight_vertex_count; ++k) {  // line 6
       const auto corner = node.corner(set, k);
       Quaternion<S> blend = Quaternion<S>::Constant(S(0));
-      for (std::size_t i = 0; i < corner.size(); ++i) {                                     // lines 3 and 8
+      for (std::size_t i = 0; i < corner.size(); ++i) {  // lines 3 and 8
         const Quaternion<S>& q = palette.transforms[i].rotation;
         blend = blend + (signs == Signs::of_matrices ? matrix_to_quaternion(q) : q) * corner[i];
       }
-      lists.quaternions.push_back(direction_by_root(blend));                                // lines 9 and 10
+      lists.quaternions.push_back(direction_by_root(blend));  // lines 9 and 10
     }
     const std::span<const Quaternion<S>> unit(lists.quaternions);
-    const Quaternion<S> center = Policy::template center_of_points<S, 4>(unit);             // line 11
+    const Quaternion<S> center = Policy::template center_of_points<S, 4>(unit);  // line 11
     const S squared_radius = farthest_squared_distance(center, unit);
-    const Quaternion<S> apex = direction_by_root(center);                                   // line 12
-    const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));            // line 13: alpha = 2 arccos d,
-    const S cos_alpha = rotated_cap_cosine_printed(d);                                      // so these are its cosine
-    const S sin_alpha = rotated_cap_sine_printed(d);                                        // and sine
+    const Quaternion<S> apex = direction_by_root(center);                         // line 12
+    const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));  // line 13: alpha = 2 arccos d,
+    const S cos_alpha = rotated_cap_cosine_printed(d);                            // so these are its cosine
+    const S sin_alpha = rotated_cap_sine_printed(d);                              // and sine
     const Vec<S, 3> u = node.reference.center - palette.rotation_center;
     const Ball3<S> turned = cap_ball_printed<S, 3>(rotate(apex, u), norm(u), cos_alpha, sin_alpha);
-    for (int k = 0; k < set.weight_vertex_count; ++k)                                              // lines 7, 14 and 15
+    for (int k = 0; k < set.weight_vertex_count; ++k)  // lines 7, 14 and 15
       lists.balls.push_back({blend_center(palette, node.corner(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);  // line 16

@@ -19,8 +19,8 @@ template <class Policy, Signs signs>
 
 template <class Policy, Signs signs>
 RefitVariant variant(std::string name, std::string description) {
-  return {std::move(name), std::move(description), Skinning::spherical, false, Pieces::node, printed<Policy, signs>,
-          printed<Policy, signs>};
+  return {std::move(name), std::move(description), Skinning::spherical,   false,
+          Pieces::node,    printed<Policy, signs>, printed<Policy, signs>};
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ const std::vector<RefitVariant>& compared_variants() {
         variant<SmallestBalls, Signs::of_skinning>("spherical_printed_miniball", "the same with smallest balls in R4 and R3"),
     };
     std::vector<RefitVariant> all = refit_variants();
-    const auto repaired = std::find_if(all.begin(), all.end(), [](const RefitVariant& v) { return v.name == "spherical_repaired"; });
+    const auto repaired =
+        std::find_if(all.begin(), all.end(), [](const RefitVariant& v) { return v.name == "spherical_repaired"; });
     all.insert(repaired, std::begin(printed_ones), std::end(printed_ones));
     return all;
   }();

@@ -15,8 +15,7 @@ Ball3<double> smallest_of(std::span<const int> vertices, std::span<const Point3>
 
 }  // namespace
 
-std::vector<Ball3<double>> optimal_balls(const SphereTree& tree, const NodeVertices& vertices,
-                                         std::span<const Point3> deformed) {
+std::vector<Ball3<double>> optimal_balls(const SphereTree& tree, const NodeVertices& vertices, std::span<const Point3> deformed) {
   const DefaultFloatEnvironment environment;
   std::vector<Ball3<double>> out;
   std::vector<Point3> scratch;
@@ -32,10 +31,9 @@ std::vector<Ball3<double>> refit_bottom_up(const SphereTree& tree, std::span<con
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {  // children come after their parent
     const TreeNode& node = tree.nodes[n];
     if (node.child_count == 0)
-      out[n] = smallest_of({tree.leaf_vertices.data() + node.first_vertex, static_cast<std::size_t>(node.vertex_count)},
-                           deformed, scratch);
-    else
-      out[n] = few_balls_enclosing({out.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
+      out[n] = smallest_of({tree.leaf_vertices.data() + node.first_vertex, static_cast<std::size_t>(node.vertex_count)}, deformed,
+                           scratch);
+    else out[n] = few_balls_enclosing({out.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
   }
   return out;
 }

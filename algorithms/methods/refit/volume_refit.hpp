@@ -17,8 +17,7 @@ std::span<const Ball3<S>> certified_control_balls(const RefitNode<S>& node, Cont
   if constexpr (std::is_floating_point_v<S>) {
     constexpr S u = std::numeric_limits<S>::epsilon() / 2;
     const S rounding = rounding_of_pieces<Skinning::spherical>(node);
-    for (Ball3<S>& ball : lists.cap.balls)
-      ball = rounded_up(inflate(ball, S(rounding + 16 * u * upper_norm(ball.center))));
+    for (Ball3<S>& ball : lists.cap.balls) ball = rounded_up(inflate(ball, S(rounding + 16 * u * upper_norm(ball.center))));
   }
   return lists.cap.balls;
 }

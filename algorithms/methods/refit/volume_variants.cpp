@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/methods/refit/volume_variants.hpp"
 
-#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/methods/refit/volume_refit.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -29,10 +29,8 @@ VolumeVariant variant(std::string name, const std::string& kind) {
 
 const std::vector<VolumeVariant>& volume_variants() {
   static const std::vector<VolumeVariant> variants{
-      variant<Aabb<double>>("aabb", "axis-aligned box"),
-      variant<KDop<double, 14>>("dop14", "14-DOP"),
-      variant<KDop<double, 18>>("dop18", "18-DOP"),
-      variant<KDop<double, 26>>("dop26", "26-DOP"),
+      variant<Aabb<double>>("aabb", "axis-aligned box"), variant<KDop<double, 14>>("dop14", "14-DOP"),
+      variant<KDop<double, 18>>("dop18", "18-DOP"),      variant<KDop<double, 26>>("dop26", "26-DOP"),
       variant<Obb<double>>("obb", "oriented box"),
   };
   return variants;

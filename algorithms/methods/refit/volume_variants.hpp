@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/methods/volumes/aabb.hpp"
 #include "algorithms/methods/volumes/obb.hpp"
+#include "algorithms/runtime/refit/variants.hpp"
 
 namespace refitlab {
 

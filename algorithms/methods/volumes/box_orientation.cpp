@@ -47,11 +47,9 @@ std::pair<Point, Point> long_side(std::span<const Ball3<double>> balls) {
   const Point directions[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
   std::pair<Point, Point> best{balls[0].center, balls[0].center};
   for (const Point& d : directions) {
-    const auto [low, high] = std::minmax_element(balls.begin(), balls.end(), [&](const auto& a, const auto& b) {
-      return a.center.dot(d) < b.center.dot(d);
-    });
-    if ((high->center - low->center).squaredNorm() > (best.second - best.first).squaredNorm())
-      best = {low->center, high->center};
+    const auto [low, high] = std::minmax_element(balls.begin(), balls.end(),
+                                                 [&](const auto& a, const auto& b) { return a.center.dot(d) < b.center.dot(d); });
+    if ((high->center - low->center).squaredNorm() > (best.second - best.first).squaredNorm()) best = {low->center, high->center};
   }
   return best;
 }

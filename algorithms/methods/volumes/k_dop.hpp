@@ -96,9 +96,8 @@ struct KDop {
  private:
   template <class Visit>
   static void for_each_slab(const Visit& visit) {
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (visit.template operator()<i>(), ...);
-    }(std::make_index_sequence<k / 2>());
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (visit.template operator()<i>(), ...); }
+    (std::make_index_sequence<k / 2>());
   }
 
   template <std::size_t i>

@@ -41,9 +41,7 @@ struct Obb {
   }
 
   // The one of least surface area among a few cheap orientations; the least of all takes O(n^3) [O'Rourke 1985].
-  static Obb around(std::span<const Ball3<S>> balls)
-    requires std::is_same_v<S, double>
-  {
+  static Obb around(std::span<const Ball3<S>> balls) requires std::is_same_v<S, double> {
     const auto orientations = box_orientations(balls);
     Obb best = around(balls, orientations[0]);
     for (const auto& orientation : std::span(orientations).subspan(1))

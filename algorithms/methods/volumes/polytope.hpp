@@ -17,13 +17,13 @@ class Polytope {
   // normals' squared lengths are between 1 and 3, and no two half-spaces have the same. S is ordered: a floating or an
   // exact type.
   Polytope(std::vector<HalfSpace<S, 3>> half_spaces, const S& reach)
-      : half_spaces_(std::move(half_spaces)), motion_bound_(reach) {}
+      : half_spaces_(std::move(half_spaces)),
+        motion_bound_(reach) {}
 
   // The pyramids from the origin over all faces; 0 for a flat one. Best near the origin: its place costs digits.
   S volume() const {
     S sum(0);
-    for (const auto& h : half_spaces_)
-      sum = sum - h.offset * dot(doubled_area(h), h.normal) / (S(6) * squared_norm(h.normal));
+    for (const auto& h : half_spaces_) sum = sum - h.offset * dot(doubled_area(h), h.normal) / (S(6) * squared_norm(h.normal));
     return sum;
   }
 
@@ -47,8 +47,7 @@ class Polytope {
       if (polygon.size() < 3) return Point(S(0), S(0), S(0));
     }
     Point sum(S(0), S(0), S(0));
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-      sum += cross<S>(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    for (std::size_t i = 2; i < polygon.size(); ++i) sum += cross<S>(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     return sum;
   }
 

@@ -77,8 +77,7 @@ void ImplicitBody::add_ellipsoid(const Point3& center, const Point3& radii, doub
   add({ellipsoid(center, radii), blend, false, center, radii.maxCoeff()});
 }
 
-void ImplicitBody::add_membrane(const Point3& a, const Point3& b, const Point3& c, double half_thickness,
-                                double blend) {
+void ImplicitBody::add_membrane(const Point3& a, const Point3& b, const Point3& c, double half_thickness, double blend) {
   const Point3 center = (a + b + c) / 3;
   double reach = 0;
   for (const Point3& corner : {a, b, c}) reach = std::max(reach, norm(Point3(corner - center)));
@@ -101,8 +100,7 @@ double ImplicitBody::distance(const Point3& p) const {
   for (const Part& part : parts_) {
     const double other = part.carved ? -d : d;
     // Too far away to matter; the 2 makes up for parts whose distance is approximate.
-    if (squared_distance<double, 3>(p, part.center) > sq(part.radius + 2 * (part.blend + std::max(other, 0.))))
-      continue;
+    if (squared_distance<double, 3>(p, part.center) > sq(part.radius + 2 * (part.blend + std::max(other, 0.)))) continue;
     const double joined = smooth_min(other, part.distance(p), part.blend);
     d = part.carved ? -joined : joined;
   }

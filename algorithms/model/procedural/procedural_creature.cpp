@@ -12,11 +12,10 @@ namespace refitlab {
 namespace {
 
 // Anatomy, metres: landmarks on the plane of symmetry and on the left side.
-const std::array<Point3, 5> spine = {Point3(0, 0.98, -0.40), Point3(0, 1.01, -0.20), Point3(0, 1.03, 0),
-                                     Point3(0, 1.06, 0.20), Point3(0, 1.10, 0.44)};
-const std::array<Point3, 7> neck = {Point3(0, 1.14, 0.48), Point3(0, 1.24, 0.60), Point3(0, 1.36, 0.69),
-                                    Point3(0, 1.49, 0.75), Point3(0, 1.62, 0.81), Point3(0, 1.73, 0.90),
-                                    Point3(0, 1.79, 1.02)};
+const std::array<Point3, 5> spine = {Point3(0, 0.98, -0.40), Point3(0, 1.01, -0.20), Point3(0, 1.03, 0), Point3(0, 1.06, 0.20),
+                                     Point3(0, 1.10, 0.44)};
+const std::array<Point3, 7> neck = {Point3(0, 1.14, 0.48), Point3(0, 1.24, 0.60), Point3(0, 1.36, 0.69), Point3(0, 1.49, 0.75),
+                                    Point3(0, 1.62, 0.81), Point3(0, 1.73, 0.90), Point3(0, 1.79, 1.02)};
 const std::array<Point3, 9> tail = {Point3(0, 0.98, -0.52), Point3(0, 0.93, -0.70), Point3(0, 0.86, -0.87),
                                     Point3(0, 0.78, -1.04), Point3(0, 0.71, -1.22), Point3(0, 0.66, -1.40),
                                     Point3(0, 0.64, -1.58), Point3(0, 0.66, -1.75), Point3(0, 0.71, -1.92)};
@@ -27,12 +26,10 @@ const Point3 hip(0.16, 0.90, -0.36), knee(0.25, 0.62, -0.17), hock(0.24, 0.31, -
 const Point3 scapula(0.09, 1.14, 0.28), shoulder(0.18, 0.93, 0.38), elbow(0.23, 0.62, 0.24), wrist(0.22, 0.27, 0.37),
     front_ball(0.22, 0.06, 0.41), front_tip(0.23, 0.03, 0.59);
 
-const Point3 wing_root(0.11, 1.22, 0.20), wing_elbow(0.38, 1.50, 0.00), wing_wrist(0.70, 1.74, 0.24),
-    wing_palm(0.84, 1.78, 0.21), flank(0.10, 1.06, -0.25);
-const std::array<Point3, 3> finger_middle = {Point3(1.14, 1.78, 0.10), Point3(1.04, 1.60, -0.18),
-                                             Point3(0.80, 1.50, -0.29)},
-                            finger_tip = {Point3(1.52, 1.68, -0.10), Point3(1.26, 1.38, -0.60),
-                                          Point3(0.78, 1.22, -0.78)};
+const Point3 wing_root(0.11, 1.22, 0.20), wing_elbow(0.38, 1.50, 0.00), wing_wrist(0.70, 1.74, 0.24), wing_palm(0.84, 1.78, 0.21),
+    flank(0.10, 1.06, -0.25);
+const std::array<Point3, 3> finger_middle = {Point3(1.14, 1.78, 0.10), Point3(1.04, 1.60, -0.18), Point3(0.80, 1.50, -0.29)},
+                            finger_tip = {Point3(1.52, 1.68, -0.10), Point3(1.26, 1.38, -0.60), Point3(0.78, 1.22, -0.78)};
 
 std::vector<Bone> bones_of_creature() {
   std::vector<Bone> bones = {{"pelvis", "", spine[0], spine[1], 0.12},
@@ -191,8 +188,7 @@ double edge_size(const Point3& p) {
 Clip walk_of_creature(const std::vector<Joint>& joints) {
   std::vector<Sole> soles;
   for (std::size_t j = 0; j < joints.size(); ++j)
-    for (const auto& [name, ball, tip] :
-         {std::tuple("toes", hind_ball, hind_tip), std::tuple("fingers", front_ball, front_tip)})
+    for (const auto& [name, ball, tip] : {std::tuple("toes", hind_ball, hind_tip), std::tuple("fingers", front_ball, front_tip)})
       for (Point3 sole : {ball, tip})
         if (joints[j].name.ends_with(std::string("_") + name)) {
           sole[0] = joints[j].origin[0], sole[1] = 0;
@@ -218,8 +214,7 @@ Clip walk_of_creature(const std::vector<Joint>& joints) {
     turns["spine_2"] = turn(y, -3 * wave(0.75));
     turns["chest"] = multiply(turn(y, -2 * wave(0.75)), turn(x, 1.5 * wave(0.1, 2)));
     for (int i = 1; i <= 6; ++i)
-      turns["neck_" + std::to_string(i)] =
-          multiply(turn(y, 2.5 * wave(0.9 + 0.05 * i)), turn(x, 2 * wave(0.05 * i, 2)));
+      turns["neck_" + std::to_string(i)] = multiply(turn(y, 2.5 * wave(0.9 + 0.05 * i)), turn(x, 2 * wave(0.05 * i, 2)));
     turns["head"] = turn(x, -5 * wave(0.25, 2));
     turns["jaw"] = turn(x, 5 + 5 * wave(0.2));
     for (int i = 1; i <= 8; ++i)
@@ -259,9 +254,9 @@ Clip twist_of_creature(const std::vector<Joint>& joints) {
             const DefaultFloatEnvironment environment;
             const double angle = 180 * time;
             return pose(joints, {{"neck_3", turn(neck[3] - neck[2], angle)},
-                                    {"tail_2", turn(tail[2] - tail[1], angle)},
-                                    {"left_upper_arm", turn(elbow - shoulder, angle)},
-                                    {"right_wing_arm", turn(mirrored(wing_elbow - wing_root), angle)}});
+                                 {"tail_2", turn(tail[2] - tail[1], angle)},
+                                 {"left_upper_arm", turn(elbow - shoulder, angle)},
+                                 {"right_wing_arm", turn(mirrored(wing_elbow - wing_root), angle)}});
           }};
 }
 

@@ -55,7 +55,7 @@ void add_torso(ImplicitBody& body) {
   sides.add_cone({0.050, 1.475, -0.035}, 0.050, shoulder + Point3(-0.025, 0.010, 0), 0.050, 0.05);  // collar
   sides.add_cone({0.025, 1.550, -0.040}, 0.036, {0.115, 1.480, -0.035}, 0.036, 0.05);               // neck to shoulder
   sides.add_ellipsoid({0.075, 0.930, -0.062}, {0.076, 0.082, 0.064}, 0.04);                         // buttock
-  sides.add_cone({0.045, 1.250, 0.070}, 0.035, {0.042, 1.060, 0.068}, 0.032, 0.04);  // front of the belly
+  sides.add_cone({0.045, 1.250, 0.070}, 0.035, {0.042, 1.060, 0.068}, 0.032, 0.04);                 // front of the belly
 }
 
 void add_head(ImplicitBody& body) {
@@ -80,8 +80,7 @@ void add_arms(ImplicitBody& body) {
   Sides sides{body};
   sides.add_cone(shoulder, 0.058, shoulder + 0.13 * arm_direction, 0.040, 0.05);  // shoulder muscle
   sides.add_cone(shoulder + 0.06 * arm_direction, 0.044, elbow, 0.036, 0.03);
-  sides.add_cone(shoulder + 0.11 * arm_direction + 0.012 * forward, 0.036,
-                 elbow - 0.07 * arm_direction + 0.010 * forward, 0.034,
+  sides.add_cone(shoulder + 0.11 * arm_direction + 0.012 * forward, 0.036, elbow - 0.07 * arm_direction + 0.010 * forward, 0.034,
                  0.03);  // biceps
   sides.add_cone(elbow, 0.037, elbow + 0.07 * arm_direction, 0.041, 0.03);
   sides.add_cone(elbow + 0.07 * arm_direction, 0.041, wrist, 0.025, 0.03);
@@ -186,9 +185,9 @@ Clip twist_of_man(const std::vector<Joint>& joints) {
             const double angle = 180 * time;
             const Point3 up(0, 1, 0), right_arm = mirrored(arm_direction);
             return pose(joints, {{"waist", turn(up, angle)},
-                                    {"neck", turn(up, -angle)},
-                                    {"left_upper_arm", turn(arm_direction, angle)},
-                                    {"right_upper_arm", turn(right_arm, angle)}});
+                                 {"neck", turn(up, -angle)},
+                                 {"left_upper_arm", turn(arm_direction, angle)},
+                                 {"right_upper_arm", turn(right_arm, angle)}});
           }};
 }
 
@@ -206,12 +205,7 @@ Model make_man(int triangles) {
   const SkinMesh skin = mesh_of(body, 0.007, triangles, edge_size);
   const std::vector<Bone> bones = bones_of_man();
   const std::vector<Joint> joints = joints_of(bones);
-  Model man{"man",
-            skin.vertices,
-            skin.triangles,
-            joints,
-            heat_weights(skin, bones),
-            {walk_of_man(joints), twist_of_man(joints)}};
+  Model man{"man", skin.vertices, skin.triangles, joints, heat_weights(skin, bones), {walk_of_man(joints), twist_of_man(joints)}};
   validate(man);
   return man;
 }

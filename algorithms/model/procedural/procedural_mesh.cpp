@@ -38,9 +38,7 @@ SkinMesh from_cgal(const Mesh& mesh) {  // of a mesh without removed elements
   return skin;
 }
 
-Point3 twice_area_normal(const Point3& a, const Point3& b, const Point3& c) {
-  return cross(Point3(b - a), Point3(c - a));
-}
+Point3 twice_area_normal(const Point3& a, const Point3& b, const Point3& c) { return cross(Point3(b - a), Point3(c - a)); }
 
 // Whether the triangles around v, but for those that also contain `except`, keep facing their way when v moves to p.
 bool folds_nothing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, Mesh::Vertex_index except = {}) {
@@ -134,8 +132,7 @@ void thin_out(Mesh& mesh, int triangle_count, double& length, Sizes& sizes) {
 // a grid of equilateral triangles, and folds nothing.
 void flip_if_better(Mesh& mesh, Mesh::Edge_index edge) {
   const auto h = mesh.halfedge(edge), g = mesh.opposite(h);
-  const auto a = mesh.source(h), b = mesh.target(h), left = mesh.target(mesh.next(h)),
-             right = mesh.target(mesh.next(g));
+  const auto a = mesh.source(h), b = mesh.target(h), left = mesh.target(mesh.next(h)), right = mesh.target(mesh.next(g));
   if (mesh.halfedge(left, right).is_valid()) return;
   int gain = 0;
   for (const auto& [v, change] : {std::pair(a, -1), std::pair(b, -1), std::pair(left, 1), std::pair(right, 1)}) {
@@ -187,8 +184,7 @@ void relax(Mesh& mesh, Mesh::Vertex_index v, const ImplicitBody& body, const Siz
 
 }  // namespace
 
-SkinMesh mesh_of(const ImplicitBody& body, double cell, int triangle_count,
-                 const std::function<double(const Point3&)>& size) {
+SkinMesh mesh_of(const ImplicitBody& body, double cell, int triangle_count, const std::function<double(const Point3&)>& size) {
   Mesh mesh = to_cgal(polygonise(body, cell));
   Sizes sizes = mesh.add_property_map<Mesh::Vertex_index, double>("size").first;
   for (const auto v : mesh.vertices()) sizes[v] = size(place(mesh, v));

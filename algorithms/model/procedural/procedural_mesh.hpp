@@ -17,7 +17,6 @@ SkinMesh polygonise(const ImplicitBody& body, double cell);
 // The mesh of the body's surface with exactly `triangle_count` triangles (even, fewer than polygonise() makes), as near
 // to equilateral as may be, with edges in proportion to `size` at their place. Throws ModelError if the count is not
 // reached.
-SkinMesh mesh_of(const ImplicitBody& body, double cell, int triangle_count,
-                 const std::function<double(const Point3&)>& size);
+SkinMesh mesh_of(const ImplicitBody& body, double cell, int triangle_count, const std::function<double(const Point3&)>& size);
 
 }  // namespace refitlab

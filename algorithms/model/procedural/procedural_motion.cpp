@@ -25,10 +25,8 @@ Pose pose(const std::vector<Joint>& joints, const Turns& turns, const Point3& of
     RigidTransform<double> local;
     if (const auto found = turns.find(joint.name); found != turns.end())
       local = {found->second, joint.origin - rotate(found->second, joint.origin)};
-    if (joint.parent < 0)
-      local.translation += offset;
-    else
-      local = compose(c[joint.parent], local);
+    if (joint.parent < 0) local.translation += offset;
+    else local = compose(c[joint.parent], local);
     local.rotation /= norm(local.rotation);
     c.push_back(local);
   }

@@ -72,8 +72,7 @@ class MarchingTetrahedra {
   int vertex_on(Index3 a, Index3 b) {
     if (b < a) std::swap(a, b);  // then b - a is 0 or 1 along each axis
     const std::uint64_t direction = (b[0] - a[0]) * 4 + (b[1] - a[1]) * 2 + (b[2] - a[2]);
-    const auto [known, is_new] =
-        vertex_of_.try_emplace(key(a) * 8 + direction, static_cast<int>(mesh_.vertices.size()));
+    const auto [known, is_new] = vertex_of_.try_emplace(key(a) * 8 + direction, static_cast<int>(mesh_.vertices.size()));
     if (is_new) {
       const double t = std::clamp(value(a) / (value(a) - value(b)), 0.1, 0.9);
       mesh_.vertices.push_back((1 - t) * place(a) + t * place(b));

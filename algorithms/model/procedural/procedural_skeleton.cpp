@@ -69,8 +69,7 @@ std::vector<std::vector<Influence>> heat_weights(const SkinMesh& skin, const std
       const double twice_area = norm(cross(ab, ac));
       const double conductance = std::max(0.5 * dot(ab, ac) / twice_area, 0.);  // >= 0: no weight leaves [0, 1]
       area[a] += twice_area / 6;
-      entries.insert(entries.end(),
-                     {{b, b, conductance}, {c, c, conductance}, {b, c, -conductance}, {c, b, -conductance}});
+      entries.insert(entries.end(), {{b, b, conductance}, {c, c, conductance}, {b, c, -conductance}, {c, b, -conductance}});
     }
   Eigen::MatrixXd heat = Eigen::MatrixXd::Zero(n, Eigen::Index(bones.size()));
   for (int v = 0; v < n; ++v) {

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {

@@ -17,19 +17,15 @@ struct TwoPoints {
 
 template <class S, int D>
 TwoPoints<S, D> two_points(const Vec<S, D>& a, const Vec<S, D>& b) {
-  if constexpr (D == 3)
-    return {{Row<S, 2>{a[0], b[0]}, Row<S, 2>{a[1], b[1]}, Row<S, 2>{a[2], b[2]}}};
-  else
-    return {{Row<S, 2>{a[0], b[0]}, Row<S, 2>{a[1], b[1]}, Row<S, 2>{a[2], b[2]}, Row<S, 2>{a[3], b[3]}}};
+  if constexpr (D == 3) return {{Row<S, 2>{a[0], b[0]}, Row<S, 2>{a[1], b[1]}, Row<S, 2>{a[2], b[2]}}};
+  else return {{Row<S, 2>{a[0], b[0]}, Row<S, 2>{a[1], b[1]}, Row<S, 2>{a[2], b[2]}, Row<S, 2>{a[3], b[3]}}};
 }
 
 template <int D, class S>
 TwoPoints<S, D> same_point_twice(const Quad<S>& p) {
   const auto both = [&](int i) { return Row<S, 2>{p[i], p[i]}; };
-  if constexpr (D == 3)
-    return {{both(0), both(1), both(2)}};
-  else
-    return {{both(0), both(1), both(2), both(3)}};
+  if constexpr (D == 3) return {{both(0), both(1), both(2)}};
+  else return {{both(0), both(1), both(2), both(3)}};
 }
 
 // To the last bit what squared_distance of vector.hpp computes.

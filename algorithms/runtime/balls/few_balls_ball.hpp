@@ -42,7 +42,9 @@ class FewBalls {
  public:
   // balls is not empty, and range, which is that of their radii, is defined.
   FewBalls(std::span<const Ball3<double>> balls, const RadiusRange& range)
-      : balls_(balls), range_(range), origin_(quad<double>(balls[0].center)) {}
+      : balls_(balls),
+        range_(range),
+        origin_(quad<double>(balls[0].center)) {}
 
   // The pivots end as soon as the radius is proved to be within 1 + slack of the smallest. False if a center is not
   // finite, or if the result does not hold up.
@@ -172,8 +174,7 @@ class FewBalls {
     for (const auto& b : balls_) {
       // The root is needed only of what may be farther.
       const double squared = squared_distance(b.center, c);
-      if (far <= b.radius || sq(far - b.radius) <= squared * (1 + 8 * epsilon))
-        far = max_of(far, root(squared) + b.radius);
+      if (far <= b.radius || sq(far - b.radius) <= squared * (1 + 8 * epsilon)) far = max_of(far, root(squared) + b.radius);
     }
     const double rounding = tolerance * far + 4 * epsilon * max_of(c.cwiseAbs().maxCoeff(), range_.greatest);
     return far <= proved_radius(center) * (1 + slack) + rounding;

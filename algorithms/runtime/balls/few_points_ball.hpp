@@ -44,10 +44,8 @@ class FewPoints {
     const int a = fill_table();
     if (!is_defined_) return false;
     const int b = farthest_from(origin_ + position(a)).index();
-    if (a != b)
-      support_.start(a, position(a), b, position(b), S(0.5));
-    else
-      support_.start(a, position(a));
+    if (a != b) support_.start(a, position(a), b, position(b), S(0.5));
+    else support_.start(a, position(a));
     for (; pivots_ < most_pivots; ++pivots_) {
       const Quad<S> center = support_.center();
       center_ = origin_ + center;
@@ -89,8 +87,7 @@ class FewPoints {
   // From below: no ball around the support is smaller.
   S squared_radius_of_support(const Quad<S>& center) const {
     S sum(0);
-    for (int k = 0; k < support_.size(); ++k)
-      sum += support_.coefficient(k) * squared_norm(support_.position(k) - center);
+    for (int k = 0; k < support_.size(); ++k) sum += support_.coefficient(k) * squared_norm(support_.position(k) - center);
     return sum;
   }
 

@@ -20,7 +20,8 @@ inline Ball3<double> two_balls_ball(const Ball3<double>& a, const Ball3<double>&
 }
 
 // The ball about a center that encloses all balls, as computed, if its radius is at most this.
-inline std::optional<Ball3<double>> ball_up_to(const Vec<double, 3>& center, double radius, std::span<const Ball3<double>> balls) {
+inline std::optional<Ball3<double>> ball_up_to(const Vec<double, 3>& center, double radius,
+                                               std::span<const Ball3<double>> balls) {
   if (!(radius < std::numeric_limits<double>::infinity())) return std::nullopt;
   double squared = 0, least = balls[0].radius, greatest = least;
   for (const auto& b : balls) {

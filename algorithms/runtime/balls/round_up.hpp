@@ -34,7 +34,8 @@ Ball<S, D> rounded_up(const Ball<S, D>& measured) {
 inline Ball3<float> rounded_outward(const Ball3<double>& ball) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const Vec<float, 3> center = ball.center.cast<float>();
-  const Ball3<double> about = rounded_up(Ball3<double>{ball.center, norm<double, 3>(center.cast<double>() - ball.center) + ball.radius});
+  const Ball3<double> about =
+      rounded_up(Ball3<double>{ball.center, norm<double, 3>(center.cast<double>() - ball.center) + ball.radius});
   if (!(about.radius < std::numeric_limits<float>::max())) return {Vec<float, 3>::Constant(0), infinity};
   return {center, std::nextafter(static_cast<float>(about.radius), infinity)};
 }

@@ -23,12 +23,12 @@ namespace refitlab {
 template <class S, int D>
 struct SmallestBall {
   Vec<S, D> center;
-  S squared_radius;                          // of the farthest point, so that the ball encloses all of them
-  std::array<int, D + 1> support;            // indices of the points, the first support_size of them
-  std::array<S, D + 1> coefficients;         // of the combination: non-negative, sum 1
+  S squared_radius;                   // of the farthest point, so that the ball encloses all of them
+  std::array<int, D + 1> support;     // indices of the points, the first support_size of them
+  std::array<S, D + 1> coefficients;  // of the combination: non-negative, sum 1
   int support_size = 0;
-  int steps = 0;                             // of the walk: projections on a hull
-  bool converged = false;                    // false only where rounding kept the walk from ending (never in exact numbers)
+  int steps = 0;           // of the walk: projections on a hull
+  bool converged = false;  // false only where rounding kept the walk from ending (never in exact numbers)
 };
 
 // Of points that are not finite: no center, no radius and no support.
@@ -44,10 +44,8 @@ SmallestBall<S, D> undefined_smallest_ball() {
 // What rounding may do to one sum of products, relative to the radius.
 template <class S>
 S rounding_noise() {
-  if constexpr (std::is_floating_point_v<S>)
-    return 32 * std::numeric_limits<S>::epsilon();
-  else
-    return S(0);
+  if constexpr (std::is_floating_point_v<S>) return 32 * std::numeric_limits<S>::epsilon();
+  else return S(0);
 }
 
 // All positions are relative to the first point, so that a small cloud far from the origin loses no digits.
@@ -67,12 +65,9 @@ class SmallestBallWalk {
       if (++ball_.steps % patience == 0) noise_ = noise_ * S(2);
       squared_radius_ = squared_distance(position(ball_.support[0]), center_);
       project_on_hull();
-      if (ball_.support_size <= D && sq(tolerance()) * squared_radius_ < squared_norm(walk_))
-        walk_to_hull();
-      else if (const int unneeded = negative_coefficient(ball_.steps < patience); unneeded >= 0)
-        drop(unneeded);
-      else
-        ball_.converged = true;
+      if (ball_.support_size <= D && sq(tolerance()) * squared_radius_ < squared_norm(walk_)) walk_to_hull();
+      else if (const int unneeded = negative_coefficient(ball_.steps < patience); unneeded >= 0) drop(unneeded);
+      else ball_.converged = true;
     }
     ball_.center = points_[0] + center_;
     ball_.squared_radius = farthest_squared_distance(ball_.center, points_);
@@ -134,8 +129,7 @@ class SmallestBallWalk {
     const Vec<S, D>& on_boundary = points_[ball_.support[0]];
     const Vec<S, D> center = center_, walk = walk_;
     // A point that joins must be off the support's hull by more than rounding, of the walk's direction above all.
-    const S too_flat = squared_radius_ * max_of(S(sq(tolerance()) * squared_norm(walk)),
-                                                S(sq(noise_) * squared_radius_));
+    const S too_flat = squared_radius_ * max_of(S(sq(tolerance()) * squared_norm(walk)), S(sq(noise_) * squared_radius_));
     const S touching = tolerance() * squared_radius_;
     S fraction(1);
     int stop = -1;

@@ -2,7 +2,6 @@
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 
 #include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +15,9 @@ namespace {
 
 using Balls = std::span<const Ball3<double>>;
 
-double reach(const Vec<double, 3>& center, const Ball3<double>& ball) { return norm<double, 3>(ball.center - center) + ball.radius; }
+double reach(const Vec<double, 3>& center, const Ball3<double>& ball) {
+  return norm<double, 3>(ball.center - center) + ball.radius;
+}
 
 std::size_t farthest_from(const Vec<double, 3>& center, Balls balls) {
   std::size_t farthest = 0;
@@ -25,7 +26,9 @@ std::size_t farthest_from(const Vec<double, 3>& center, Balls balls) {
   return farthest;
 }
 
-Ball3<double> ball_about(const Vec<double, 3>& center, Balls balls) { return {center, reach(center, balls[farthest_from(center, balls)])}; }
+Ball3<double> ball_about(const Vec<double, 3>& center, Balls balls) {
+  return {center, reach(center, balls[farthest_from(center, balls)])};
+}
 
 // The greatest radius, or coordinate relative to the first center.
 double size_of(Balls balls) {
@@ -89,7 +92,8 @@ Ball3<double> smallest_ball_of_balls(Balls balls) {
   if (const int scaling = scaling_of(size_of(balls)); scaling != 0) {
     std::vector<Ball3<double>> of_size_one;
     for (const auto& b : balls)
-      of_size_one.push_back({times_power_of_two(Vec<double, 3>(b.center - balls[0].center), -scaling), std::scalbn(b.radius, -scaling)});
+      of_size_one.push_back(
+          {times_power_of_two(Vec<double, 3>(b.center - balls[0].center), -scaling), std::scalbn(b.radius, -scaling)});
     const Vec<double, 3> center = smallest_ball_of_balls(of_size_one).center;
     return ball_about(balls[0].center + times_power_of_two(center, scaling), balls);
   }

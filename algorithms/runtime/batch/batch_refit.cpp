@@ -53,13 +53,13 @@ const PackedBalls& BatchRefit::linear(const SkinningPalette<double>& palette, Ta
       defect = std::max(defect, std::abs(squared_norm(t.rotation) - 1));
     }
     const auto joints = static_cast<float>(set.transforms.size());
-    numbers_.push_back(epsilon * (8 + joints) * (static_cast<float>(checked_single(1.001 * std::sqrt(size))) + packed_.largest_reference()));
+    numbers_.push_back(epsilon * (8 + joints) *
+                       (static_cast<float>(checked_single(1.001 * std::sqrt(size))) + packed_.largest_reference()));
     numbers_.push_back(float_above(2 * (defect + 0x1p-48)));  // what is below the rounding of ||q||^2 included
     for (const auto& t : set.transforms) {
       Point3 column[3];
       for (int i = 0; i < 3; ++i) column[i] = rotate<double>(t.rotation, Point3::Unit(i));
-      for (int row = 0; row < 3; ++row)
-        append<4>(numbers_, {column[0][row], column[1][row], column[2][row], t.translation[row]});
+      for (int row = 0; row < 3; ++row) append<4>(numbers_, {column[0][row], column[1][row], column[2][row], t.translation[row]});
     }
   }
   const RefitKernels& kernels = refit_kernels(target);

@@ -29,7 +29,9 @@ class BatchRefit {
  public:
   // tree and sets are of one model.
   BatchRefit(const SphereTree& tree, const JointSets& sets)
-      : packed_(tree, sets), balls_(packed_.places(), packed_.ball_lanes()), records_(packed_.empty_records()) {}
+      : packed_(tree, sets),
+        balls_(packed_.places(), packed_.ball_lanes()),
+        records_(packed_.empty_records()) {}
 
   BatchRefit(const BatchRefit&) = delete;  // the balls refer to the nodes
   BatchRefit& operator=(const BatchRefit&) = delete;

@@ -68,7 +68,8 @@ void NodeRefit::begin(const SkinningPalette<double>& palette) {
     const PaletteEntry<double> set = palette[s];
     double size = 0;
     for (const auto& image : set.center_images) size = std::max(size, squared_norm(image));
-    sets_[s] = {four(set.rotation_center), static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))),
+    sets_[s] = {four(set.rotation_center),
+                static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))),
                 static_cast<int>(joints_.size()), static_cast<int>(set.transforms.size())};
     for (std::size_t i = 0; i < set.transforms.size(); ++i)
       joints_.push_back({four(set.transforms[i].rotation), four(set.center_images[i])});
@@ -132,7 +133,8 @@ Ball3<float> NodeRefit::operator()(int node) {
   const Corner* corner = corners_.data();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     float far = 0;
-    for (int k = 0; k < pieces[i].weight_vertex_count; ++k, ++corner) far = std::max(far, squared_length(corner->center - center));
+    for (int k = 0; k < pieces[i].weight_vertex_count; ++k, ++corner)
+      far = std::max(far, squared_length(corner->center - center));
     radius = std::max(radius, std::sqrt(far) + radii_[i]);
   }
   return {{center[0], center[1], center[2]}, (radius + n.radius) * (1 + 8 * epsilon) + underflow_slack};

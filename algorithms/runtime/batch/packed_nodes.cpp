@@ -41,7 +41,8 @@ std::vector<int> corner_counts(std::span<const NodePiece> sets) {
 
 // So that the lanes of a block have about as many corners.
 constexpr auto has_fewer_corners = [](const auto& a, const auto& b) {
-  return std::pair(weight_vertex_count(a.sets), corner_counts(a.sets)) < std::pair(weight_vertex_count(b.sets), corner_counts(b.sets));
+  return std::pair(weight_vertex_count(a.sets), corner_counts(a.sets)) <
+         std::pair(weight_vertex_count(b.sets), corner_counts(b.sets));
 };
 
 }  // namespace

@@ -71,10 +71,12 @@ void PackedVertices::skin_group(int group, const SkinningPalette<double>& palett
   const std::size_t size = 3 * vertices(group).size() / lanes;
   if (out.blocks.size() < size) out.blocks.resize(size);
   Lanes<double>* to = out.blocks.data();
-  for (int r = first_run_[group]; r < first_run_[group + 1]; to += 3 * runs_[r++].block_count) skin_run(runs_[r], palette, run, to);
+  for (int r = first_run_[group]; r < first_run_[group + 1]; to += 3 * runs_[r++].block_count)
+    skin_run(runs_[r], palette, run, to);
 }
 
-void PackedVertices::skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out, Target target) const {
+void PackedVertices::skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out,
+                              Target target) const {
   const DefaultFloatEnvironment environment;
   const SkinRun run = kernel(skinning, target);
   std::vector<Lanes<double>> images;

@@ -43,8 +43,7 @@ void to_rows(const Columns& columns, double* rows) {
 }
 
 template <int N>
-void run_joints(const PalettePack* packs, int count, bool are_centers_fixed, const double* pose,
-                const PaletteNumbers& out) {
+void run_joints(const PalettePack* packs, int count, bool are_centers_fixed, const double* pose, const PaletteNumbers& out) {
   Columns posed[N], centers, images[N];  // images: C_j r_c, an unused one, then the dual part
   for (int j = 0; j < N; ++j) images[j].clear(3);
   for (int i = 3; i < 8; ++i) centers.clear(i);
@@ -88,14 +87,10 @@ void run_joints(const PalettePack* packs, int count, bool are_centers_fixed, con
 REFITLAB_KERNEL void run(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
                          const PaletteNumbers& out) {
   switch (joints) {
-    case 1:
-      return run_joints<1>(packs, count, are_centers_fixed, pose, out);
-    case 2:
-      return run_joints<2>(packs, count, are_centers_fixed, pose, out);
-    case 3:
-      return run_joints<3>(packs, count, are_centers_fixed, pose, out);
-    default:
-      return run_joints<4>(packs, count, are_centers_fixed, pose, out);
+    case 1: return run_joints<1>(packs, count, are_centers_fixed, pose, out);
+    case 2: return run_joints<2>(packs, count, are_centers_fixed, pose, out);
+    case 3: return run_joints<3>(packs, count, are_centers_fixed, pose, out);
+    default: return run_joints<4>(packs, count, are_centers_fixed, pose, out);
   }
 }
 

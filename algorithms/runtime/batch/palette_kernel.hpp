@@ -28,7 +28,7 @@ struct PaletteNumbers {
 
 // pose: by joint, as the transforms. If are_centers_fixed, the priors are the rotation centers.
 using PaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
-                         const PaletteNumbers& out);
+                            const PaletteNumbers& out);
 
 namespace baseline {
 extern const PaletteRun palette_run;

@@ -9,7 +9,9 @@
 namespace refitlab {
 
 PalettePacks::PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
-    : mesh_(mesh), sets_(sets), skinning_(skinning) {
+    : mesh_(mesh),
+      sets_(sets),
+      skinning_(skinning) {
   for (int s = 0; s < sets.count(); ++s) {
     const std::size_t joints = sets.joints(s).size();
     if (joints > most_palette_joints) part_of_.push_back(part_count()), parts_.push_back({0, s});
@@ -46,8 +48,7 @@ void PalettePacks::make(const Pose& pose, SkinningPalette<double>& palette, Targ
   for (int part = 0; part < part_count(); ++part) make_part(part, pose, out, target);
 }
 
-void PalettePacks::make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out,
-                          Target target) const {
+void PalettePacks::make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target) const {
   const DefaultFloatEnvironment environment;
   static_assert(sizeof(RigidTransform<double>) == 8 * sizeof(double));
   const auto [joint_count, at] = parts_[part];

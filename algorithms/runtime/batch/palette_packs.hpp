@@ -21,8 +21,7 @@ class PalettePacks {
   int part_count() const { return static_cast<int>(parts_.size()); }
   int part_of(int joint_set) const { return part_of_[joint_set]; }
   SkinningPalette<double>::Arrays room(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
-  void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out,
-                 Target target = best_target()) const;
+  void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target = best_target()) const;
 
  private:
   struct Part {

@@ -90,7 +90,7 @@ struct Spherical {
     }
     const Vec<S, 3> x = p - rotation_center;
     const S longer = (abs(x[0]) + abs(x[1])) + abs(x[2]);  // than x
-    if (joints == 1) {  // one corner, and a quaternion of unit length
+    if (joints == 1) {                                     // one corner, and a quaternion of unit length
       out.center[0] = center_images[0];
       out.offset = rotate(transforms[0].rotation, x);
       out.sum = center_images[0] + out.offset;

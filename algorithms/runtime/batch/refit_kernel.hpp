@@ -15,8 +15,8 @@
 #pragma once
 
 #include "algorithms/runtime/balls/round_up.hpp"
-#include "algorithms/runtime/packs/row.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
+#include "algorithms/runtime/packs/row.hpp"
 #include "algorithms/runtime/packs/targets.hpp"
 
 namespace refitlab {
@@ -50,7 +50,7 @@ struct NodeBlocks {
   const BlockSet* sets;
   const Lanes<float>* data;
   const int* targets;  // by lane, of a piece: which record is that of its first corner
-  int most_corners;  // of any block, in all of its sets
+  int most_corners;    // of any block, in all of its sets
 };
 
 // Whole nodes: out has the balls' x, y, z and radius, four Lanes a block.

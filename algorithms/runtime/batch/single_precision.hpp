@@ -14,8 +14,7 @@ inline constexpr double largest_single_length = 0x1p58;
 inline double checked_single(double length) {
   if (length <= largest_single_length) return length;
   std::ostringstream message;
-  message << "refit in single precision: a length of " << length << " is out of range, which ends at "
-          << largest_single_length;
+  message << "refit in single precision: a length of " << length << " is out of range, which ends at " << largest_single_length;
   throw std::range_error(message.str());
 }
 

@@ -23,8 +23,8 @@ TrianglePoints Body::triangle(int triangle) {
 const Point3& Body::vertex(int v) {
   const DefaultFloatEnvironment environment;
   if (!made_.is_made(v)) {
-    skinned_[v] = blend<double>(skinning_, palette_[character_.sets.of_vertex(v)], character_.sets.weights(v),
-                                character_.mesh.vertices[v]);
+    skinned_[v] =
+        blend<double>(skinning_, palette_[character_.sets.of_vertex(v)], character_.sets.weights(v), character_.mesh.vertices[v]);
     made_.mark(v);
     ++vertices_skinned_;
   }

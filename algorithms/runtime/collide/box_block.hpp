@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/runtime/balls/box.hpp"
+#include "algorithms/runtime/packs/pack.hpp"
 
 namespace refitlab {
 

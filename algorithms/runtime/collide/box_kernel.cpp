@@ -25,14 +25,10 @@ class BoxKernel {
   static void run(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
                   const float* centers, const float* rotation, FlippedBox* boxes) {
     switch (joints) {
-      case 1:
-        return run_joints<1>(packs, count, skinning, slots, centers, rotation, boxes);
-      case 2:
-        return run_joints<2>(packs, count, skinning, slots, centers, rotation, boxes);
-      case 3:
-        return run_joints<3>(packs, count, skinning, slots, centers, rotation, boxes);
-      default:
-        return run_joints<4>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 1: return run_joints<1>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 2: return run_joints<2>(packs, count, skinning, slots, centers, rotation, boxes);
+      case 3: return run_joints<3>(packs, count, skinning, slots, centers, rotation, boxes);
+      default: return run_joints<4>(packs, count, skinning, slots, centers, rotation, boxes);
     }
   }
 
@@ -50,20 +46,15 @@ class BoxKernel {
   static constexpr float slack = 2048 * 0x1p-24f;
 
   template <int N>
-  static void run_joints(const BoxPack* packs, std::size_t count, Skinning skinning, const float* slots,
-                         const float* centers, const float* rotation, FlippedBox* boxes) {
+  static void run_joints(const BoxPack* packs, std::size_t count, Skinning skinning, const float* slots, const float* centers,
+                         const float* rotation, FlippedBox* boxes) {
     for (const BoxPack* pack = packs; pack != packs + count; ++pack)
       for (int first = 0; first < box_lanes; first += width) {
         const BoxKernel lanes{*pack, first, slots, centers, rotation};
         switch (skinning) {
-          case Skinning::linear:
-            merge(lanes.template linear<N>(), *pack, first, boxes);
-            break;
-          case Skinning::dual_quaternion:
-            merge(lanes.template dual_quaternion<N>(), *pack, first, boxes);
-            break;
-          default:
-            merge(lanes.template spherical<N>(), *pack, first, boxes);
+          case Skinning::linear: merge(lanes.template linear<N>(), *pack, first, boxes); break;
+          case Skinning::dual_quaternion: merge(lanes.template dual_quaternion<N>(), *pack, first, boxes); break;
+          default: merge(lanes.template spherical<N>(), *pack, first, boxes);
         }
       }
   }
@@ -208,7 +199,11 @@ class BoxKernel {
   }
 
   BoxKernel(const BoxPack& p, int f, const float* s, const float* c, const float* r)
-      : pack(p), first(f), slots(s), centers(c), rotation(r) {}
+      : pack(p),
+        first(f),
+        slots(s),
+        centers(c),
+        rotation(r) {}
 
   const BoxPack& pack;
   const int first;
@@ -221,9 +216,7 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
 }
 
 // The bytes of the first count lanes, of at most 8.
-std::uint64_t first_lanes(std::uint64_t lanes, int count) {
-  return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes;
-}
+std::uint64_t first_lanes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
 
 REFITLAB_KERNEL int overlaps(const BoxBlock<double>* blocks, int count, const Box<double>& box, int* out) {
   int found = 0;
@@ -233,8 +226,7 @@ REFITLAB_KERNEL int overlaps(const BoxBlock<double>* blocks, int count, const Bo
   return found;
 }
 
-REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b,
-                                                int count_b) {
+REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b, int count_b) {
   std::uint64_t pairs = 0;
   for (int i = 0; i < count_a; ++i) {
     const std::uint64_t lanes = first_lanes(meeting(b, a.get(i)), count_b);
@@ -265,8 +257,7 @@ REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners
     load(
         corners_b, [](const TrianglePairCandidate& p) { return p.b; }, b);
     const PlaneSides<S> of_b(a, b), of_a(b, a);
-    const auto are_apart = of_a.are_one() || of_b.are_one(),
-               cross = !are_apart && of_a.are_certain() && of_b.are_certain();
+    const auto are_apart = of_a.are_one() || of_b.are_one(), cross = !are_apart && of_a.are_certain() && of_b.are_certain();
     bool apart[width], meet[width] = {};
     are_apart.copy_to(apart, std::experimental::element_aligned);
     if (any_of(cross)) {

@@ -26,8 +26,8 @@ struct TrianglePairCandidate {
 struct BoxKernels {
   // Merges the boxes of the packs' pieces, of so many joints each, into boxes. slots, centers: of JointFloats;
   // rotation: 3 x 3, row by row.
-  void (*bound)(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
-                const float* centers, const float* rotation, FlippedBox* boxes);
+  void (*bound)(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots, const float* centers,
+                const float* rotation, FlippedBox* boxes);
   // The positions of those of the first count boxes in blocks that are not apart from box, in increasing order; their
   // number is returned. A NaN is not apart from anything.
   int (*overlaps)(const BoxBlock<double>* blocks, int count, const Box<double>& box, int* out);
@@ -39,8 +39,7 @@ struct BoxKernels {
   // Places skinned vertices, block_count times their x, y, z; placement: a quaternion and a translation.
   void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out);
   // The boxes of groups, and of all of them, from the corners of their cluster.
-  void (*box_groups)(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock<double>* out,
-                     Box<double>& all);
+  void (*box_groups)(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock<double>* out, Box<double>& all);
   // The boxes of a group's triangles.
   void (*box_triangles)(const TriangleGroup& group, const Corner* corners, BoxBlock<double>& out);
 };

@@ -47,9 +47,7 @@ class PieceMaker {
 };
 
 // A side of a FlippedBox; what is undefined, by coordinates beyond what float holds, may be anywhere.
-void merge(float& side, double outside) {
-  side = std::min(side, std::isnan(outside) ? -infinity : -float_above(outside));
-}
+void merge(float& side, double outside) { side = std::min(side, std::isnan(outside) ? -infinity : -float_above(outside)); }
 
 // The hull of the joints' whole images: a vertex is a convex combination of them in linear blending, and within its
 // distance to the rotation center of one of the center's images in spherical blending. Quaternions with ||q||^2 = 1 + e
@@ -115,9 +113,8 @@ void JointFloats::fill(const SkinningPalette<double>& palette, Skinning skinning
   largest = static_cast<float>(most);
 }
 
-void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
-                 const SkinningPalette<double>& palette, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
-                 Target target) {
+void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints, const SkinningPalette<double>& palette,
+                 const Quaternion<double>& rotation, std::span<FlippedBox> boxes, Target target) {
   const DefaultFloatEnvironment environment;
   const bool is_in_range = joints.largest < largest_box;
   for (FlippedBox& b : boxes) b.set_all(is_in_range ? infinity : -infinity);
@@ -129,8 +126,8 @@ void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& 
   }
   const BoxKernels& kernels = box_kernels(target);
   for (int n = 0; n < most_box_joints; ++n)
-    kernels.bound(pieces.packs[n].data(), pieces.packs[n].size(), n + 1, skinning, joints.slots.data(),
-                  joints.centers.data(), matrix, boxes.data());
+    kernels.bound(pieces.packs[n].data(), pieces.packs[n].size(), n + 1, skinning, joints.slots.data(), joints.centers.data(),
+                  matrix, boxes.data());
   bound_others(pieces, skinning, palette, rotation, boxes);
 }
 

@@ -35,7 +35,7 @@ struct BoxPack {
 
 struct BoxPieces {
   std::vector<BoxPack> packs[most_box_joints];  // by number of joints - 1
-  std::vector<SimplexPiece> others;                // of more joints than a pack takes: hulls of whole images, looser
+  std::vector<SimplexPiece> others;             // of more joints than a pack takes: hulls of whole images, looser
 };
 
 BoxPieces make_box_pieces(const Character& character, std::span<const SimplexPiece> pieces);
@@ -61,8 +61,7 @@ struct JointFloats {
 // squared lengths of rotation and of the joints' quaternions are within 1e-6 of 1. Everything is rounded outwards by more
 // than float can have lost. A piece that blends rotations far apart gets a box that holds it however it turns; where not
 // even that is known (dual quaternions, lengths beyond largest_box), an infinite one.
-void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints,
-                 const SkinningPalette<double>& palette, const Quaternion<double>& rotation, std::span<FlippedBox> boxes,
-                 Target target = best_target());
+void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& joints, const SkinningPalette<double>& palette,
+                 const Quaternion<double>& rotation, std::span<FlippedBox> boxes, Target target = best_target());
 
 }  // namespace refitlab

@@ -94,7 +94,8 @@ void ClusterBody::bound_wide_node(int f) {
   nodes_bounded_ += wide_node.child_count;
 }
 
-void ClusterBody::bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes) {
+void ClusterBody::bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped,
+                                          std::span<Box<double>> boxes) {
   make_palettes(all_parts_);
   if (!are_floats_filled_) joints_.fill(palette_, skinning_), are_floats_filled_ = true;
   bound_boxes(wide_node.pieces, skinning_, joints_, palette_, placement_.rotation, flipped);
@@ -149,8 +150,7 @@ TrianglePoints ClusterBody::triangle(int triangle) {
   for (int i = 0; i < 3; ++i) {
     const int v = c.mesh.triangles[triangle][i], part = palette_packs_.part_of(c.sets.of_vertex(v));
     make_palettes({&part, 1});
-    out[i] =
-        apply(placement_, blend<double>(skinning_, palette_[c.sets.of_vertex(v)], c.sets.weights(v), c.mesh.vertices[v]));
+    out[i] = apply(placement_, blend<double>(skinning_, palette_[c.sets.of_vertex(v)], c.sets.weights(v), c.mesh.vertices[v]));
   }
   return out;
 }

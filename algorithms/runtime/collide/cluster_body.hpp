@@ -62,7 +62,7 @@ class ClusterBody {
  private:
   // What was skinned of a cluster; room for it is made when a query first gets there.
   struct Skinned {
-    std::vector<Corner> corners;      // by place
+    std::vector<Corner> corners;              // by place
     std::vector<BoxBlock<double>> groups;     // their boxes, in blocks
     std::vector<BoxBlock<double>> triangles;  // by group
     Box<double> box;
@@ -87,7 +87,7 @@ class ClusterBody {
   Box<double> motion_bound_box_;
   SkinningPalette<double> palette_;  // of what parts were made
   const SkinningPalette<double>::Arrays palette_arrays_;
-  FrameStamps palettes_made_;                          // by part of palette_packs_
+  FrameStamps palettes_made_;                       // by part of palette_packs_
   std::vector<std::vector<int>> parts_of_cluster_;  // of palette_packs_
   std::vector<int> all_parts_;
   JointFloats joints_;

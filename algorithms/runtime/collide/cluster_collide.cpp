@@ -13,7 +13,10 @@ namespace {
 class ClusterTraversal {
  public:
   ClusterTraversal(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts)
-      : first_(first), second_(second), query_(query), counts_(counts) {}
+      : first_(first),
+        second_(second),
+        query_(query),
+        counts_(counts) {}
 
   // For yes/no, all pairs of the first clusters that have any.
   std::vector<TrianglePair> run() {
@@ -30,7 +33,8 @@ class ClusterTraversal {
   class Hits {
    public:
     Hits(ClusterTraversal& traversal, const BoxBlock<double>* blocks, int count, const Box<double>& box)
-        : stack_(traversal.hits_), first_(stack_.size()) {
+        : stack_(traversal.hits_),
+          first_(stack_.size()) {
       traversal.counts_.ball_tests += count;
       stack_.resize(first_ + count);
       count_ = traversal.kernels_.overlaps(blocks, count, box, stack_.data() + first_);
@@ -69,7 +73,7 @@ class ClusterTraversal {
   }
 
   void clusters(int a, int b) {
-    const Box<double> &box_a = first_.cluster_box(a), &box_b = second_.cluster_box(b);
+    const Box<double>&box_a = first_.cluster_box(a), &box_b = second_.cluster_box(b);
     if (are_apart(box_a, box_b)) return;
     pairs_.clear();
     const Hits groups_a(*this, first_.group_boxes(a), first_.tree().clusters()[a].group_count, box_b);
@@ -85,8 +89,8 @@ class ClusterTraversal {
   // Lists the pairs of triangles whose boxes meet.
   void groups(int a, int g, int b, int h) {
     const TriangleGroup &group_a = first_.tree().group(a, g), &group_b = second_.tree().group(b, h);
-    for (std::uint64_t pairs = kernels_.overlapping_pairs(first_.triangle_boxes(a, g), group_a.count,
-                                                          second_.triangle_boxes(b, h), group_b.count);
+    for (std::uint64_t pairs =
+             kernels_.overlapping_pairs(first_.triangle_boxes(a, g), group_a.count, second_.triangle_boxes(b, h), group_b.count);
          pairs; pairs &= pairs - 1) {
       const int bit = std::countr_zero(pairs), i = bit / 8, k = bit % 8;
       pairs_.push_back({group_a.corners[i], group_b.corners[k], group_a.triangles[i], group_b.triangles[k]});
@@ -99,9 +103,9 @@ class ClusterTraversal {
     answers_.resize(pairs_.size());
     kernels_.filter_pairs(corners_a, corners_b, pairs_.data(), static_cast<int>(pairs_.size()), answers_.data());
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const bool meet = answers_[p] == Filtered::unknown ? boxed_triangles_meet(corners_of(corners_a, pairs_[p].a),
-                                                                                corners_of(corners_b, pairs_[p].b))
-                                                         : answers_[p] == Filtered::meet;
+      const bool meet = answers_[p] == Filtered::unknown
+                            ? boxed_triangles_meet(corners_of(corners_a, pairs_[p].a), corners_of(corners_b, pairs_[p].b))
+                            : answers_[p] == Filtered::meet;
       if (meet) found_.push_back({pairs_[p].first, pairs_[p].second});
     }
   }
@@ -135,8 +139,7 @@ std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& seco
 
 }  // namespace
 
-std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts,
-                                  PairMemory* memory) {
+std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts, PairMemory* memory) {
   const DefaultFloatEnvironment environment;
   if (memory && query == Query::yes_no)
     if (const auto pair = still_touching(first, second, *memory, counts)) {

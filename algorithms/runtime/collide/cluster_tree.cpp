@@ -11,17 +11,18 @@ namespace {
 
 void check(const ClusterOptions& o) {
   if (o.most_triangles < 1 || o.most_triangles > most_cluster_triangles)
-    throw std::invalid_argument("cluster options: most_triangles is " + std::to_string(o.most_triangles) +
-                                ", not in 1 to " + std::to_string(most_cluster_triangles));
+    throw std::invalid_argument("cluster options: most_triangles is " + std::to_string(o.most_triangles) + ", not in 1 to " +
+                                std::to_string(most_cluster_triangles));
   if (o.most_children < 2)
-    throw std::invalid_argument("cluster options: most_children is " + std::to_string(o.most_children) +
-                                ", less than 2");
+    throw std::invalid_argument("cluster options: most_children is " + std::to_string(o.most_children) + ", less than 2");
 }
 
 }  // namespace
 
 ClusterTree::ClusterTree(const Character& character, const ClusterOptions& options)
-    : character_(&character), options_(options), vertices_(character.mesh, character.sets, {}) {
+    : character_(&character),
+      options_(options),
+      vertices_(character.mesh, character.sets, {}) {
   const DefaultFloatEnvironment environment;
   check(options);
   add_wide_node(part_of_node(0));
@@ -50,7 +51,8 @@ std::vector<int> ClusterTree::vertices_of(const Part& part) const {
     const auto vertices = character_->vertices[part.node];
     return {vertices.begin(), vertices.end()};
   }
-  return distinct_vertices(character_->mesh, std::span(character_->tree.triangle_order).subspan(part.first_triangle, part.triangle_count));
+  return distinct_vertices(character_->mesh,
+                           std::span(character_->tree.triangle_order).subspan(part.first_triangle, part.triangle_count));
 }
 
 // The part of most triangles is opened as long as it is too large for a cluster and there is room for its children. A
@@ -59,8 +61,8 @@ int ClusterTree::add_wide_node(const Part& part) {
   const auto is_cluster = [&](const Part& p) { return p.triangle_count <= options_.most_triangles; };
   std::vector<Part> open{part};
   for (bool is_first = true;; is_first = false) {
-    const auto most = std::max_element(
-        open.begin(), open.end(), [](const Part& a, const Part& b) { return a.triangle_count < b.triangle_count; });
+    const auto most = std::max_element(open.begin(), open.end(),
+                                       [](const Part& a, const Part& b) { return a.triangle_count < b.triangle_count; });
     if (is_cluster(*most)) break;
     const std::vector<Part> below = children_of(*most);
     if (!is_first && open.size() - 1 + below.size() > static_cast<std::size_t>(options_.most_children)) break;
@@ -68,18 +70,18 @@ int ClusterTree::add_wide_node(const Part& part) {
     open.insert(open.end(), below.begin() + 1, below.end());
   }
   // In the order of their triangles, so that neighbours in the wide node are neighbours in space.
-  std::sort(open.begin(), open.end(),
-            [](const Part& a, const Part& b) { return a.first_triangle < b.first_triangle; });
+  std::sort(open.begin(), open.end(), [](const Part& a, const Part& b) { return a.first_triangle < b.first_triangle; });
 
   const int wide_node = static_cast<int>(wide_nodes_.size());
   std::vector<std::vector<int>> vertices;
   for (const Part& p : open) vertices.push_back(vertices_of(p));
   const std::vector<SimplexPiece> pieces = pieces_of_vertices(*character_, vertices);
-  wide_nodes_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()),
-                   make_box_pieces(*character_, pieces), make_motion_bound_packs(*character_, pieces)});
+  wide_nodes_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()), make_box_pieces(*character_, pieces),
+                         make_motion_bound_packs(*character_, pieces)});
   children_.resize(children_.size() + open.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const WideNodeChild child = is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1} : WideNodeChild{-1, add_wide_node(open[i])};
+    const WideNodeChild child =
+        is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1} : WideNodeChild{-1, add_wide_node(open[i])};
     children_[wide_nodes_[wide_node].first_child + i] = child;
   }
   return wide_node;

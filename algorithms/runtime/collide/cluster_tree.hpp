@@ -18,7 +18,7 @@ inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<double>::co
 
 struct ClusterOptions {
   int most_triangles = 256;  // of a cluster; from 1 to most_cluster_triangles
-  int most_children = 16;    // of a wide node, at least 2; but a node of the sphere tree that has more makes a wide node of its own
+  int most_children = 16;  // of a wide node, at least 2; but a node of the sphere tree that has more makes a wide node of its own
 };
 
 struct Cluster {
@@ -32,8 +32,8 @@ struct WideNodeChild {
 };
 
 struct WideNode {
-  int first_child, child_count;       // all children in one list
-  BoxPieces pieces;                   // what bounds the children, by position in the wide node
+  int first_child, child_count;             // all children in one list
+  BoxPieces pieces;                         // what bounds the children, by position in the wide node
   std::vector<MotionBoundPiecePack> reach;  // what bounds them from the joints alone; none if that cannot be
 };
 
@@ -43,7 +43,9 @@ class ClusterTree {
   explicit ClusterTree(const Character& character, const ClusterOptions& options = {});
 
   const Character& character() const { return *character_; }
-  const std::vector<WideNode>& wide_nodes() const { return wide_nodes_; }  // the root's first; its children are wide nodes with larger indices
+  const std::vector<WideNode>& wide_nodes() const {
+    return wide_nodes_;
+  }  // the root's first; its children are wide nodes with larger indices
   const WideNodeChild& child(int wide_node, int i) const { return children_[wide_nodes_[wide_node].first_child + i]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
   int group_count() const { return static_cast<int>(groups_.size()); }

@@ -26,7 +26,10 @@ double slack_of(const PlacedBody& first, const PlacedBody& second) {
 class Traversal {
  public:
   Traversal(const PlacedBody& first, const PlacedBody& second, Query query, QueryCounts& counts)
-      : first_(first), second_(second), query_(query), counts_(counts),
+      : first_(first),
+        second_(second),
+        query_(query),
+        counts_(counts),
         to_first_(compose(inverse(first.placement), second.placement)),
         slack_(slack_of(first, second)),
         way_(upper_norm(first.placement.translation) + upper_norm(second.placement.translation)) {}
@@ -51,7 +54,7 @@ class Traversal {
     const Ball3<double>&p = first_.body.ball(a), &q = second_.body.ball(b);
     const double radii = p.radius + q.radius, size = upper_norm(p.center) + upper_norm(q.center) + radii + way_;
     const double reach = radii + slack_ * size;  // by far more than the rounding here
-    constexpr double least = 1e-300;  // of what is less, squares lose digits by underflow
+    constexpr double least = 1e-300;             // of what is less, squares lose digits by underflow
     return squared_distance<double, 3>(p.center, apply(to_first_, q.center)) > reach * reach + least;
   }
 
@@ -85,7 +88,7 @@ class Traversal {
   const Query query_;
   QueryCounts& counts_;
   const RigidTransform<double> to_first_;  // from the second body's model space to the first's
-  const double slack_, way_;  // relative to the coordinates' size, and what the placements add to that
+  const double slack_, way_;               // relative to the coordinates' size, and what the placements add to that
   std::vector<std::pair<int, int>> pending_;
   std::vector<TrianglePair> found_;
 };

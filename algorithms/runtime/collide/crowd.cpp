@@ -66,8 +66,7 @@ Workers one_worker() {
           nullptr};
 }
 
-std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts,
-                                 const Workers& workers) {
+std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts, const Workers& workers) {
   const DefaultFloatEnvironment environment;
   std::vector<Box<double>> boxes(bodies.size());
   for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->reach(); });
@@ -83,8 +82,7 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
     const std::scoped_lock both(in_work[a], in_work[b]);
     found[i] = {a, b, collide(*bodies[a], *bodies[b], query, tests[i])};
   });
-  for (const QueryCounts& t : tests)
-    counts.queries.ball_tests += t.ball_tests, counts.queries.triangle_tests += t.triangle_tests;
+  for (const QueryCounts& t : tests) counts.queries.ball_tests += t.ball_tests, counts.queries.triangle_tests += t.triangle_tests;
   std::erase_if(found, [](const Contact& c) { return c.pairs.empty(); });
   return found;
 }

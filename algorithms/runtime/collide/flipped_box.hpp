@@ -2,9 +2,9 @@
 // FlippedBox: low and -high, each with an unused fourth, so that merging two boxes is one minimum.
 #pragma once
 
+#include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
-#include "algorithms/runtime/balls/box.hpp"
 
 namespace refitlab {
 

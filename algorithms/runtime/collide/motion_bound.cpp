@@ -101,9 +101,8 @@ void MotionBound::pack() {
     }
     for (std::size_t first = 0; first < joints.size(); first += most_motion_bound_joints) {
       if (lane == 0) packs_.emplace_back();
-      put_lane(packs_.back(), lane,
-               joints.subspan(first, std::min<std::size_t>(most_motion_bound_joints, joints.size() - first)), g.reference,
-               g.to_prior, static_cast<int>(i));
+      put_lane(packs_.back(), lane, joints.subspan(first, std::min<std::size_t>(most_motion_bound_joints, joints.size() - first)),
+               g.reference, g.to_prior, static_cast<int>(i));
       lane = (lane + 1) % motion_bound_lanes;
     }
   }
@@ -113,15 +112,15 @@ void MotionBound::pack() {
 
 // A vertex is within its distance to the rotation center of the hull of the center's images, whatever the rotations.
 void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quaternion<double>& rotation,
-                              Box<double>& box) const {
+                                    Box<double>& box) const {
   for (const int s : g.sets) {
     std::vector<RigidTransform<double>> transforms;
     for (const int j : sets_.joints(s)) transforms.push_back(pose[j]);
     const Point3 center = rotation_center<double>(transforms, center_prior(mesh_, sets_.joints(s), skinning_));
     for (const auto& t : transforms) {
       const Point3 image = apply(t, center), at = rotate(rotation, image);
-      const double reach =
-          (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost_of_motion_bound) + lost_of_motion_bound * norm(image);
+      const double reach = (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost_of_motion_bound) +
+                           lost_of_motion_bound * norm(image);
       Box<double> about{at, at};
       about.grow(reach);
       box.merge(about);
@@ -134,8 +133,8 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
   defect_.reset();
   ReachBounds bounds;
   motion_bound_kernels(target).bound(pose[0].rotation.data(), static_cast<int>(pose.size()), placement.rotation.data(),
-                              packs_.data(), static_cast<int>(packs_.size()), deviates(), numbers_.data()->lane.data(),
-                              padded_joints_, bounds, unbounded_.data());
+                                     packs_.data(), static_cast<int>(packs_.size()), deviates(), numbers_.data()->lane.data(),
+                                     padded_joints_, bounds, unbounded_.data());
   const float defect = bounds.high[3], squared_farthest = -bounds.low[3];
   const bool is_finite = squared_farthest < infinite;
   is_rigid = is_finite && defect <= surely_rigid;
@@ -147,8 +146,7 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
   };
   for (const int group : others_) add_unbounded(group);
   for (std::size_t p = 0; p < packs_.size(); ++p)
-    for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1)
-      add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
+    for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1) add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
   lost_of_joints_ = lost_of_motion_bound * most_joints_ * std::sqrt(static_cast<double>(squared_farthest));
   move(box, placement.translation);
   return box;
@@ -163,18 +161,16 @@ void MotionBound::move(Box<double>& box, const Point3& by) const {
   }
 }
 
-bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose,
-                  const RigidTransform<double>& placement, std::span<FlippedBox> scratch, std::span<Box<double>> out,
-                  Target target) {
+bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, const RigidTransform<double>& placement,
+                        std::span<FlippedBox> scratch, std::span<Box<double>> out, Target target) {
   const DefaultFloatEnvironment environment;
   for (FlippedBox& b : scratch) b.set_all(std::numeric_limits<float>::infinity());
   if (!defect_) {
     defect_ = 0;
     for (const auto& joint : pose) defect_ = std::max(*defect_, std::abs(squared_norm(joint.rotation) - 1));
   }
-  if (!bound_motion_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_,
-                                  packs.data(), static_cast<int>(packs.size()), deviates(), off_of_reach(*defect_),
-                                  scratch.data()))
+  if (!bound_motion_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_, packs.data(),
+                                   static_cast<int>(packs.size()), deviates(), off_of_reach(*defect_), scratch.data()))
     return false;
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] = scratch[i].box();

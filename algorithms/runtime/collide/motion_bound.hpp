@@ -12,8 +12,8 @@
 
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
-#include "algorithms/runtime/packs/lanes.hpp"
 #include "algorithms/runtime/mesh/joint_sets.hpp"
+#include "algorithms/runtime/packs/lanes.hpp"
 
 namespace refitlab {
 
@@ -30,8 +30,7 @@ class MotionBound {
     return box(pose, placement, is_rigid, target);
   }
   // The same; is_rigid says that check_pose has nothing against the pose. If not, only check_pose knows.
-  Box<double> box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid,
-           Target target = best_target());
+  Box<double> box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target = best_target());
 
   // Boxes in the world around the targets of packs, in the pose and placement of the last call of box, whose result
   // was finite. scratch and out are by target. False, and out is of no use, if nothing is known of one. Not for
@@ -53,8 +52,7 @@ class MotionBound {
   void pack();
   void move(Box<double>& box, const Point3& by) const;
   bool deviates() const;
-  void add_about_centers(const Group& group, const Pose& pose, const Quaternion<double>& rotation,
-                         Box<double>& box) const;
+  void add_about_centers(const Group& group, const Pose& pose, const Quaternion<double>& rotation, Box<double>& box) const;
 
   const SkinnedMesh& mesh_;
   const JointSets& sets_;

@@ -53,8 +53,7 @@ template <int slots, bool deviates, bool few, class Merge>
 }
 
 template <bool deviates, bool few>
-void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_count, std::uint32_t* unbounded,
-             Bounds& bounds) {
+void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_count, std::uint32_t* unbounded, Bounds& bounds) {
   for (int p = 0; p < pack_count; ++p) {
     unbounded[p] = 0;
     for (int first = 0; first < motion_bound_lanes; first += width) {

@@ -37,7 +37,7 @@ struct MotionBoundPack {
   alignas(64) float unsolved[motion_bound_lanes];   // what A may lack, see reach.cpp
   alignas(64) float joint_count[motion_bound_lanes];
   std::int32_t target[motion_bound_lanes];  // the group, or the box it belongs to
-  int slot_count;                    // the most joints of any lane
+  int slot_count;                           // the most joints of any lane
 };
 
 struct ReachBounds {

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <limits>
 
+#include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/collide/motion_bound_kernel.hpp"
 #include "algorithms/runtime/packs/look_up.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
-#include "algorithms/runtime/balls/box.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 
 namespace refitlab::REFITLAB_TARGET {

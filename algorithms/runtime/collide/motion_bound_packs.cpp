@@ -15,7 +15,8 @@ void put_lane(MotionBoundPack& pack, int lane, std::span<const int> joints, cons
   for (int to = lane; to < motion_bound_lanes; ++to) {
     for (int k = 0; k < most_motion_bound_joints; ++k) pack.joint[k][to] = joints[k < n ? k : 0];
     for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(ball.center[i]);
-    pack.radius[to] = static_cast<float>(ball.radius * (1 + lost_of_motion_bound) + lost_of_motion_bound * n * ball.center.norm());
+    pack.radius[to] =
+        static_cast<float>(ball.radius * (1 + lost_of_motion_bound) + lost_of_motion_bound * n * ball.center.norm());
     pack.unsolved[to] = static_cast<float>(to_prior * n / 64);
     pack.joint_count[to] = static_cast<float>(n);
     pack.target[to] = target;

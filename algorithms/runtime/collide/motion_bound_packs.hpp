@@ -2,8 +2,8 @@
 // What joints reach, in packs for the kernel of MotionBound: whole groups of joint-sets, or pieces of nodes.
 #pragma once
 
-#include "algorithms/runtime/collide/simplex_pieces.hpp"
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
+#include "algorithms/runtime/collide/simplex_pieces.hpp"
 
 namespace refitlab {
 

@@ -21,8 +21,8 @@ using Matrix = std::array<Point, 3>;
 
 // The lanes from first on: a ball's and a box's bounds cut, to merge(box), and whether all are known.
 template <int slots, bool deviates, bool few, class Merge>
-[[gnu::always_inline]] inline bool bound_lanes(const MotionBoundPiecePack& pack, int first, const Joints<few>& joints,
-                                               float off, const Merge& merge) {
+[[gnu::always_inline]] inline bool bound_lanes(const MotionBoundPiecePack& pack, int first, const Joints<few>& joints, float off,
+                                               const Merge& merge) {
   const Point f = load_point(pack.ball.center, first), middle = load_point(pack.box_center, first),
               half = load_point(pack.half, first);
   Images of_ball, of_box;
@@ -80,7 +80,7 @@ template <bool few>
 bool merge(const Joints<few>& joints, const MotionBoundPiecePack* packs, int pack_count, bool deviates, float off,
            FlippedBox* boxes) {
   return deviates ? merge_all<true>(joints, packs, pack_count, off, boxes)
-                : merge_all<false>(joints, packs, pack_count, off, boxes);
+                  : merge_all<false>(joints, packs, pack_count, off, boxes);
 }
 
 REFITLAB_KERNEL bool bound_pieces(float* numbers, int joint_count, int joint_room, const MotionBoundPiecePack* packs,

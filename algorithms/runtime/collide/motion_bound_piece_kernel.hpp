@@ -28,7 +28,7 @@ struct MotionBoundPiecePack {
 // Merges the bounds of pieces into boxes[target], turned by the placement, not moved. numbers: as MotionBoundKernels::bound
 // left them for this pose and placement; off: off_of_reach. False if nothing is known of some lane.
 using BoundMotionPieces = bool (*)(float* numbers, int joint_count, int joint_room, const MotionBoundPiecePack* packs,
-                                  int pack_count, bool deviates, float off, FlippedBox* boxes);
+                                   int pack_count, bool deviates, float off, FlippedBox* boxes);
 
 namespace baseline {
 extern const BoundMotionPieces bound_motion_pieces;

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/runtime/tree/character.hpp"
 #include "algorithms/runtime/balls/box.hpp"
+#include "algorithms/runtime/tree/character.hpp"
 
 namespace refitlab {
 

@@ -106,8 +106,7 @@ auto sign_of_gap(const PlaneSides<S>& of_a, const PlaneSides<S>& of_b, TriangleO
   const auto is_a_above = of_a.turn(a), is_b_above = of_b.turn(b);
   swap_where(!is_a_above, b[1], b[2]);  // so that each first corner is above the other's plane
   swap_where(!is_b_above, a[1], a[2]);
-  const auto first = sign_of_determinant<S>(a[0], a[1], b[0], b[1]),
-             second = sign_of_determinant<S>(a[0], a[2], b[2], b[0]);
+  const auto first = sign_of_determinant<S>(a[0], a[1], b[0], b[1]), second = sign_of_determinant<S>(a[0], a[2], b[2], b[0]);
   return decltype(first){first.is_positive || second.is_positive, first.is_negative && second.is_negative};
 }
 

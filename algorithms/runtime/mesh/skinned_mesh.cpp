@@ -19,8 +19,8 @@ void validate_influences(const SkinnedMesh& m, std::size_t vertex) {
   int last = -1;
   for (const Influence& i : m.influences[vertex]) {
     if (i.joint < 0 || i.joint >= joint_count)
-      throw ModelError(m.name, thing, "joint index " + std::to_string(i.joint) + " is out of range 0.." +
-                                          std::to_string(joint_count - 1));
+      throw ModelError(m.name, thing,
+                       "joint index " + std::to_string(i.joint) + " is out of range 0.." + std::to_string(joint_count - 1));
     if (i.joint <= last) throw ModelError(m.name, thing, "influences are not in increasing order of distinct joints");
     last = i.joint;
     if (!(i.weight > 0 && i.weight <= 1)) throw ModelError(m.name, thing, "a weight is not in (0, 1]");

@@ -17,8 +17,7 @@ constexpr int look_up_size(int count) { return (count + 31) / 32 * 32; }
 // table has look_up_size(count) floats, aligned as packs are; index: aligned likewise, each in [0, count). few says
 // that count is at most 32.
 template <bool few>
-[[gnu::always_inline]] inline Pack<float> look_up(const float* table, [[maybe_unused]] int count,
-                                                  const std::int32_t* index) {
+[[gnu::always_inline]] inline Pack<float> look_up(const float* table, [[maybe_unused]] int count, const std::int32_t* index) {
 #ifdef __AVX512F__
   const __m512i at = _mm512_load_si512(index);
   const auto among = [&](const float* part) {  // what at modulo 32 says

@@ -7,16 +7,15 @@
 #pragma once
 
 #include "algorithms/runtime/refit/ball_policy.hpp"
-#include "algorithms/runtime/tree/refit_node.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 #include "lemmas/rotation_bound.hpp"
 
 namespace refitlab {
 
 // Bounds the rotations of one joint-set's weights: lines 5 to 13.
 template <class Policy, class S>
-RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodePiece& set,
-                                           std::vector<Quaternion<S>>& unit) {
+RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodePiece& set, std::vector<Quaternion<S>>& unit) {
   unit.clear();
   for (int k = 0; k < set.weight_vertex_count; ++k) {
     const Quaternion<S> blend = blend_quaternion(node.palette[set.joint_set], node.corner(set, k));

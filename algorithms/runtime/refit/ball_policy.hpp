@@ -25,10 +25,8 @@ struct MeanBalls {
 struct SmallestBalls {
   template <class S, int D>
   static Vec<S, D> center_of_points(std::span<const Vec<S, D>> points) {
-    if constexpr (std::is_floating_point_v<S>)
-      return few_points_ball<S, D>(points).center;
-    else
-      return smallest_ball(points).center;
+    if constexpr (std::is_floating_point_v<S>) return few_points_ball<S, D>(points).center;
+    else return smallest_ball(points).center;
   }
   static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return few_balls_enclosing(balls); }
 };

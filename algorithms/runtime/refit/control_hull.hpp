@@ -35,7 +35,9 @@ class ControlHull {
  public:
   // corners: a list of lists.
   ControlHull(Blend& blend, std::vector<Corner>& corners, ControlLists<S>& lists)
-      : blend_(blend), corners_(corners), lists_(lists) {}
+      : blend_(blend),
+        corners_(corners),
+        lists_(lists) {}
 
   // The simplex whose m corners are the last of the corners, which are gone afterwards.
   void cover(std::size_t m, int halvings_left) {
@@ -115,9 +117,8 @@ class SphericalPiece {
     for (std::size_t j = 0; j < m; ++j)
       for (std::size_t k = j; k < m; ++k)
         for (std::size_t l = k; l < m; ++l) {
-          const ScaledPoint<S> point =
-              spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), corner[j].center_image,
-                                      corner[k].center_image, corner[l].center_image);
+          const ScaledPoint<S> point = spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), corner[j].center_image,
+                                                               corner[k].center_image, corner[l].center_image);
           const S scale = S(1) / point.denominator;
           lists.cap.balls.push_back({point.numerator * scale, radius_});
         }
@@ -166,8 +167,7 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
     }
     for (int k = 0; k < set.weight_vertex_count; ++k) lists.corners.push_back(blend_joints(palette, node.corner(set, k)));
     SphericalPiece<S> piece(x, reference.radius);
-    ControlHull(piece, lists.corners, lists)
-        .cover(lists.corners.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
+    ControlHull(piece, lists.corners, lists).cover(lists.corners.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
   }
   return lists.cap.balls;
 }

@@ -37,11 +37,11 @@ class DualQuaternionPiece {
 
   // point is p, radius that of the reference ball, translation at least the length of every joint's (for rounding).
   DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& translation = S(0))
-      : point_(point), radius_(radius), translation_(translation) {}
+      : point_(point),
+        radius_(radius),
+        translation_(translation) {}
 
-  MixedCorners<S> mix(const Corner& a, const Corner& b) const {
-    return mix_motions(a, b, point_);
-  }
+  MixedCorners<S> mix(const Corner& a, const Corner& b) const { return mix_motions(a, b, point_); }
   static Corner middle(const Corner& a, const Corner& b) {
     return {middle_of(a.rotation, b.rotation), middle_of(a.dual, b.dual)};
   }
@@ -49,8 +49,7 @@ class DualQuaternionPiece {
   void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
     const std::size_t m = corner.size();
     for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t l = k; l < m; ++l)
-        lists.cap.balls.push_back({lists.products[k * m + l] / lists.dots[k * m + l], radius_});
+      for (std::size_t l = k; l < m; ++l) lists.cap.balls.push_back({lists.products[k * m + l] / lists.dots[k * m + l], radius_});
   }
 
   // The ball about the mean f of the corners' images, of radius max ||2 d'_k + q'_k p - f q'_k|| ||a|| / (q'_k, a), for

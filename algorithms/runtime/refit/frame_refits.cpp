@@ -85,13 +85,10 @@ void FrameRefits::refit_all() {
 void FrameRefits::refit(int n) {
   const DefaultFloatEnvironment environment;
   const TreeNode& node = character_.tree.nodes[n];
-  if (cut_[n].empty())
-    balls_[n] = variant_.refit(character_.refit_node(n, *palette_, variant_.pieces));
-  else
-    balls_[n] = through_descendants(n);
+  if (cut_[n].empty()) balls_[n] = variant_.refit(character_.refit_node(n, *palette_, variant_.pieces));
+  else balls_[n] = through_descendants(n);
   if (options_.children_first && are_children_refitted(node)) {
-    const Ball3<double> merged =
-        ball_around({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
+    const Ball3<double> merged = ball_around({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
     if (merged.radius < balls_[n].radius) balls_[n] = merged;
   }
   made_.mark(n);

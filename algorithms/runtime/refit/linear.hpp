@@ -4,8 +4,8 @@
 #pragma once
 
 #include "algorithms/runtime/refit/control_lists.hpp"
-#include "algorithms/runtime/tree/refit_node.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 
 namespace refitlab {
 

@@ -55,7 +55,12 @@ Ball3<double> refit_in_default_environment(const RefitNode<double>& node) {
 
 template <Skinning skinning, Refit refit>
 RefitVariant sound(std::string name, std::string description, Pieces pieces) {
-  return {std::move(name), std::move(description), skinning, true, pieces, certified_refit<skinning, refit>,
+  return {std::move(name),
+          std::move(description),
+          skinning,
+          true,
+          pieces,
+          certified_refit<skinning, refit>,
           refit_in_default_environment<refit>};
 }
 
@@ -71,8 +76,7 @@ const std::vector<RefitVariant>& refit_variants() {
       sound<linear, refitlab::linear<MeanBalls>>(
           "linear_pieces_mean", "linear blending, a ball and a weight hull per joint-set, mean balls", P::joint_sets),
       sound<linear, refitlab::linear<NearSmallestBalls>>(
-          "linear_pieces_near", "linear blending, a ball and a weight hull per joint-set, near-smallest balls",
-          P::joint_sets),
+          "linear_pieces_near", "linear blending, a ball and a weight hull per joint-set, near-smallest balls", P::joint_sets),
       sound<linear, refitlab::linear<NearSmallestBalls>>(
           "linear_mixed", "linear blending, joint-sets or their vertices as control_mixed has them, near-smallest balls",
           P::mixed),
@@ -86,12 +90,11 @@ const std::vector<RefitVariant>& refit_variants() {
       sound<spherical, control<SmallestBalls>>(
           "control_sets_miniball", "control hull, a ball and a weight hull per joint-set, smallest ball", P::joint_sets),
       sound<spherical, control<NearSmallestBalls>>(
-          "control_mixed", "control hull, or the vertices one by one where that is about as cheap, near-smallest ball",
-          P::mixed),
-      sound<spherical, control<SmallestBalls>>("control_many_pieces",
-                                               "control hull, up to 512 pieces a node, smallest ball", P::many),
-      sound<dual_quaternion, refitlab::dual_quaternion<MeanBalls>>(
-          "dual_quaternion_control_mean", "control hull of dual quaternions, mean ball", P::node),
+          "control_mixed", "control hull, or the vertices one by one where that is about as cheap, near-smallest ball", P::mixed),
+      sound<spherical, control<SmallestBalls>>("control_many_pieces", "control hull, up to 512 pieces a node, smallest ball",
+                                               P::many),
+      sound<dual_quaternion, refitlab::dual_quaternion<MeanBalls>>("dual_quaternion_control_mean",
+                                                                   "control hull of dual quaternions, mean ball", P::node),
       sound<dual_quaternion, refitlab::dual_quaternion<NearSmallestBalls>>(
           "dual_quaternion_control_near",
           "control hull of dual quaternions, a ball and a weight hull per joint-set, near-smallest ball", P::joint_sets),
@@ -100,8 +103,7 @@ const std::vector<RefitVariant>& refit_variants() {
           "control hull of dual quaternions, a ball and a weight hull per joint-set, smallest ball", P::joint_sets),
       sound<dual_quaternion, refitlab::dual_quaternion<NearSmallestBalls>>(
           "dual_quaternion_mixed",
-          "control hull of dual quaternions, or the vertices one by one as control_mixed has them, near-smallest ball",
-          P::mixed),
+          "control hull of dual quaternions, or the vertices one by one as control_mixed has them, near-smallest ball", P::mixed),
   };
   return variants;
 }
@@ -125,7 +127,8 @@ const RefitVariant& variant_named(const std::string& name, const std::vector<Ref
 
 const RefitVariant& refit_variant(const std::string& name) { return variant_named(name, refit_variants()); }
 
-std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant, const SkinningPalette<double>& palette) {
+std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant,
+                                     const SkinningPalette<double>& palette) {
   std::vector<Ball3<double>> balls;
   for (std::size_t n = 0; n < character.tree.nodes.size(); ++n)
     balls.push_back(variant.refit(character.refit_node(static_cast<int>(n), palette, variant.pieces)));

@@ -37,6 +37,7 @@ const RefitVariant& refit_variant(const std::string& name);
 const RefitVariant& variant_named(const std::string& name, const std::vector<RefitVariant>& variants);
 
 // The balls of all nodes. character has the variant's pieces.
-std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant, const SkinningPalette<double>& palette);
+std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant,
+                                     const SkinningPalette<double>& palette);
 
 }  // namespace refitlab

@@ -6,7 +6,8 @@
 
 namespace refitlab {
 
-std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning) {
+std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
+                         Skinning skinning) {
   const DefaultFloatEnvironment environment;
   std::vector<Point3> out;
   out.reserve(mesh.vertices.size());

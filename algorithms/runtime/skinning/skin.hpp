@@ -7,6 +7,7 @@
 namespace refitlab {
 
 // By vertex, in model space of the animated pose. palette must come from make_skinning_palette with the same skinning.
-std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning);
+std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
+                         Skinning skinning);
 
 }  // namespace refitlab

@@ -29,8 +29,8 @@ Point3 shared_joint(const SkinnedMesh& mesh, std::span<const int> joints) {
 void check_pose(const SkinnedMesh& mesh, const Pose& pose) {
   const DefaultFloatEnvironment environment;
   if (pose.size() != mesh.joints.size())
-    throw ModelError(mesh.name, "pose", "has " + std::to_string(pose.size()) + " transforms for " +
-                                                std::to_string(mesh.joints.size()) + " joints");
+    throw ModelError(mesh.name, "pose",
+                     "has " + std::to_string(pose.size()) + " transforms for " + std::to_string(mesh.joints.size()) + " joints");
   for (std::size_t j = 0; j < pose.size(); ++j) {
     const auto refuse = [&](const char* reason) {
       throw ModelError(mesh.name, "pose, joint " + std::to_string(j) + " (" + mesh.joints[j].name + ")", reason);
@@ -48,14 +48,15 @@ Point3 center_prior(const SkinnedMesh& mesh, std::span<const int> joints, Skinni
   return skinning == Skinning::hejl ? shared_joint(mesh, joints) : mean_origin(mesh, joints);
 }
 
-SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning) {
+SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose,
+                                              Skinning skinning) {
   SkinningPalette<double> palette;
   make_skinning_palette(mesh, sets, pose, skinning, palette);
   return palette;
 }
 
 void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning,
-                        SkinningPalette<double>& palette) {
+                           SkinningPalette<double>& palette) {
   const DefaultFloatEnvironment environment;
   check_pose(mesh, pose);
   palette.clear();

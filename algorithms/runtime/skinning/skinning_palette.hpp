@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/runtime/mesh/joint_sets.hpp"
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
-#include "algorithms/runtime/mesh/joint_sets.hpp"
 
 namespace refitlab {
 
@@ -25,9 +25,9 @@ struct PaletteEntry {
   // C_{j_i}. The signs of the rotations are the skinning's: consistent within the joint-set, so that QLERP takes the short
   // way from the first joint to each other one. Bounds must use these signs (q and -q blend differently).
   std::span<const RigidTransform<S>> transforms;
-  Vec<S, 3> rotation_center;                  // r_c, reference frame
-  std::span<const Vec<S, 3>> center_images;   // C_{j_i} r_c
-  std::span<const Quaternion<S>> duals;       // d_i = t_i q_i / 2 of the dual quaternions q_i + eps d_i of the C_{j_i}
+  Vec<S, 3> rotation_center;                 // r_c, reference frame
+  std::span<const Vec<S, 3>> center_images;  // C_{j_i} r_c
+  std::span<const Quaternion<S>> duals;      // d_i = t_i q_i / 2 of the dual quaternions q_i + eps d_i of the C_{j_i}
 };
 
 // Negates quaternions so that each has a non-negative dot product with the first. Then no blend with a positive first
@@ -81,7 +81,9 @@ class SkinningPalette {
   std::size_t joint_count(std::size_t joint_set) const { return first_[joint_set + 1] - first_[joint_set]; }
   PaletteEntry<S> operator[](std::size_t joint_set) const {
     const std::size_t first = first_[joint_set], count = first_[joint_set + 1] - first;
-    return {{transforms_.data() + first, count}, rotation_centers_[joint_set], {center_images_.data() + first, count},
+    return {{transforms_.data() + first, count},
+            rotation_centers_[joint_set],
+            {center_images_.data() + first, count},
             {duals_.data() + first, count}};
   }
   const Vec<S, 3>& rotation_center(std::size_t joint_set) const { return rotation_centers_[joint_set]; }
@@ -174,10 +176,11 @@ void check_pose(const SkinnedMesh& mesh, const Pose& pose);
 Point3 center_prior(const SkinnedMesh& mesh, std::span<const int> joints, Skinning skinning);
 
 // The frame's data of every joint-set. pose is by joint, as check_pose wants it.
-SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning);
+SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose,
+                                              Skinning skinning);
 
 // The same in place of what was in palette, whose storage is used again. If it throws, palette is as it was.
 void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning,
-                        SkinningPalette<double>& palette);
+                           SkinningPalette<double>& palette);
 
 }  // namespace refitlab

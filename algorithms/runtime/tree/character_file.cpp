@@ -49,8 +49,8 @@ void transfer(auto& io, auto& x) {
     transfer_list(io, x.influences);
   } else if constexpr (std::is_same_v<T, TreeNode>) {
     transfer(io, x.reference);
-    for (auto* member : {&x.parent, &x.first_child, &x.child_count, &x.level, &x.first_triangle, &x.triangle_count, &x.first_vertex,
-                         &x.vertex_count, &x.first_piece, &x.piece_count})
+    for (auto* member : {&x.parent, &x.first_child, &x.child_count, &x.level, &x.first_triangle, &x.triangle_count,
+                         &x.first_vertex, &x.vertex_count, &x.first_piece, &x.piece_count})
       io.number(*member);
   } else if constexpr (std::is_same_v<T, NodePiece>) {
     for (auto* member : {&x.joint_set, &x.first_weight, &x.weight_vertex_count, &x.reference}) io.number(*member);
@@ -58,7 +58,8 @@ void transfer(auto& io, auto& x) {
     transfer_list(io, x.nodes), transfer_list(io, x.triangle_order), transfer_list(io, x.leaf_vertices);
     transfer_list(io, x.pieces), transfer_list(io, x.weight_vertices);
   } else if constexpr (std::is_same_v<T, PieceTable>) {
-    transfer_list(io, x.first), transfer_list(io, x.pieces), transfer_list(io, x.references), transfer_list(io, x.weight_vertices);
+    transfer_list(io, x.first), transfer_list(io, x.pieces), transfer_list(io, x.references),
+        transfer_list(io, x.weight_vertices);
   } else {
     transfer_list(io, x);  // a list of lists
   }

@@ -37,7 +37,10 @@ std::string fault_of(const NodePiece& piece, const JointSets& sets, const std::v
 class TreeCheck {
  public:
   TreeCheck(const SphereTree& tree, const SkinnedMesh& mesh, const JointSets& sets, const std::string& file)
-      : tree_(tree), mesh_(mesh), sets_(sets), file_(file) {}
+      : tree_(tree),
+        mesh_(mesh),
+        sets_(sets),
+        file_(file) {}
 
   void run() const {
     if (tree_.nodes.empty()) throw ModelError(file_, "tree", "has no nodes");
@@ -89,7 +92,8 @@ class TreeCheck {
     const auto own = std::span(tree_.leaf_vertices).subspan(leaf.first_vertex, leaf.vertex_count);
     const auto expected =
         distinct_vertices(mesh_, std::span(tree_.triangle_order).subspan(leaf.first_triangle, leaf.triangle_count));
-    require(std::equal(own.begin(), own.end(), expected.begin(), expected.end()), n, "its vertices are not those of its triangles");
+    require(std::equal(own.begin(), own.end(), expected.begin(), expected.end()), n,
+            "its vertices are not those of its triangles");
   }
 
   void check_children(int n) const {
@@ -123,12 +127,14 @@ void check_pieces(const PieceTable& table, const SphereTree& tree, const JointSe
   };
   if (table.first.empty()) return require(table.pieces.empty(), "belong to no node");
   require(table.first.size() == tree.nodes.size() + 1, "are not of as many nodes as there are");
-  require(table.first.front() == 0 && table.first.back() == table.pieces.size() && std::is_sorted(table.first.begin(), table.first.end()),
+  require(table.first.front() == 0 && table.first.back() == table.pieces.size() &&
+              std::is_sorted(table.first.begin(), table.first.end()),
           "are not in the order of the nodes");
   require(std::adjacent_find(table.first.begin(), table.first.end()) == table.first.end(), "are missing for a node");
   require(std::all_of(table.references.begin(), table.references.end(), is_ball), "have a ball that is none");
   for (const NodePiece& piece : table.pieces) {
-    require(piece.reference >= 0 && static_cast<std::size_t>(piece.reference) < table.references.size(), "name a ball out of range");
+    require(piece.reference >= 0 && static_cast<std::size_t>(piece.reference) < table.references.size(),
+            "name a ball out of range");
     if (const auto fault = fault_of(piece, sets, table.weight_vertices); !fault.empty())
       throw ModelError(file, "pieces", "one " + fault);
   }

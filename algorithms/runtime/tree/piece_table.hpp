@@ -29,7 +29,10 @@ struct PieceTable {
   std::vector<double> weight_vertices;
 
   RefitNode<double> refit_node(const SphereTree& tree, int node, const SkinningPalette<double>& palette) const {
-    return {tree.nodes[node].reference, {pieces.data() + first[node], first[node + 1] - first[node]}, weight_vertices.data(), palette,
+    return {tree.nodes[node].reference,
+            {pieces.data() + first[node], first[node + 1] - first[node]},
+            weight_vertices.data(),
+            palette,
             references};
   }
 };

@@ -13,17 +13,17 @@ namespace refitlab {
 // node has one piece a joint-set, and the polytope is the weight box cut by sum w = 1 (paper 4.1).
 struct NodePiece {
   int joint_set;
-  int first_weight;  // of the corners, rows of one weight a joint, in a shared pool
+  int first_weight;         // of the corners, rows of one weight a joint, in a shared pool
   int weight_vertex_count;  // m
-  int reference = 0;  // in RefitNode::piece_references, if it has any
+  int reference = 0;        // in RefitNode::piece_references, if it has any
 };
 
 template <class S>
 struct RefitNode {
-  Ball3<S> reference;                        // S = [p, r]: encloses the node's vertices in the reference pose
+  Ball3<S> reference;                 // S = [p, r]: encloses the node's vertices in the reference pose
   std::span<const NodePiece> pieces;  // J: the pieces that together are the node's vertices
-  const S* weight_vertices;                   // the pool
-  const SkinningPalette<S>& palette;               // of the frame
+  const S* weight_vertices;           // the pool
+  const SkinningPalette<S>& palette;  // of the frame
   // A shared pool of balls; that of a piece (NodePiece::reference) encloses its vertices alone and has its center, up to
   // rounding, in S. Empty: S for all of them.
   std::span<const Ball3<S>> piece_references = {};

@@ -16,8 +16,8 @@ std::vector<int> distinct_vertices(const SkinnedMesh& mesh, std::span<const int>
 NodeVertices::NodeVertices(const SphereTree& tree, const SkinnedMesh& mesh) {
   for (const TreeNode& n : tree.nodes) {
     first_.push_back(vertices_.size());
-    const auto own = distinct_vertices(
-        mesh, {tree.triangle_order.data() + n.first_triangle, static_cast<std::size_t>(n.triangle_count)});
+    const auto own =
+        distinct_vertices(mesh, {tree.triangle_order.data() + n.first_triangle, static_cast<std::size_t>(n.triangle_count)});
     vertices_.insert(vertices_.end(), own.begin(), own.end());
   }
   first_.push_back(vertices_.size());

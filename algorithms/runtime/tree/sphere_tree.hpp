@@ -9,18 +9,18 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/runtime/tree/refit_node.hpp"
 #include "algorithms/runtime/mesh/joint_sets.hpp"
+#include "algorithms/runtime/tree/refit_node.hpp"
 
 namespace refitlab {
 
 struct TreeNode {
-  Ball3<double> reference;                 // the smallest ball of its vertices in the reference pose
-  int parent, first_child, child_count;    // parent is -1 at the root, child_count 0 at a leaf
+  Ball3<double> reference;               // the smallest ball of its vertices in the reference pose
+  int parent, first_child, child_count;  // parent is -1 at the root, child_count 0 at a leaf
   int level;
-  int first_triangle, triangle_count;      // in SphereTree::triangle_order
-  int first_vertex, vertex_count;          // in SphereTree::leaf_vertices; 0 but at leaves
-  int first_piece, piece_count;    // in SphereTree::pieces
+  int first_triangle, triangle_count;  // in SphereTree::triangle_order
+  int first_vertex, vertex_count;      // in SphereTree::leaf_vertices; 0 but at leaves
+  int first_piece, piece_count;        // in SphereTree::pieces
 };
 
 struct SphereTree {
@@ -33,8 +33,8 @@ struct SphereTree {
   int level_count() const { return nodes.back().level; }
   RefitNode<double> refit_node(int node, const SkinningPalette<double>& palette) const {
     const TreeNode& n = nodes[node];
-    return {n.reference, {pieces.data() + n.first_piece, static_cast<std::size_t>(n.piece_count)},
-            weight_vertices.data(), palette};
+    return {
+        n.reference, {pieces.data() + n.first_piece, static_cast<std::size_t>(n.piece_count)}, weight_vertices.data(), palette};
   }
 };
 
@@ -46,9 +46,7 @@ std::vector<int> distinct_vertices(const SkinnedMesh& mesh, std::span<const int>
 class NodeVertices {
  public:
   NodeVertices(const SphereTree& tree, const SkinnedMesh& mesh);
-  std::span<const int> operator[](int node) const {
-    return {vertices_.data() + first_[node], first_[node + 1] - first_[node]};
-  }
+  std::span<const int> operator[](int node) const { return {vertices_.data() + first_[node], first_[node + 1] - first_[node]}; }
 
  private:
   std::vector<std::size_t> first_;

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/methods/refit/deformed.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/explorer/packed_model.hpp"
@@ -35,7 +35,9 @@ const AnimatedCharacter& character(const std::string& name) {
   if (const auto packed = packed_models().find(name); packed != packed_models().end() && !made.count(name))
     made.emplace(name, bake(packed->second));
   if (const auto known = made.find(name); known != made.end()) return known->second;
-  return made.emplace(name, bake(name == "man" ? make_man() : name == "creature" ? make_creature() : make_snake(24)))
+  return made.emplace(name, bake(name == "man"        ? make_man()
+                                 : name == "creature" ? make_creature()
+                                                      : make_snake(24)))
       .first->second;
 }
 
@@ -86,8 +88,7 @@ int main(int argc, char** argv) try {
   json answers = json::array();
   for (const json& question : json::parse(std::cin))
     answers.push_back(question.contains("page")
-                          ? explorer::page_scene<Rational>(question.at("page"),
-                                                           question.at("values").get<std::vector<int>>(),
+                          ? explorer::page_scene<Rational>(question.at("page"), question.at("values").get<std::vector<int>>(),
                                                            [](const Rational& x) { return CGAL::to_double(x); })
                           : character_numbers(question));
   std::cout << answers.dump(1) << '\n';

@@ -19,9 +19,9 @@ struct LivePage {
 
 template <class S>
 const std::vector<LivePage<S>>& live_pages() {
-  static const std::vector<LivePage<S>> pages{
-      {lemma1_page(), lemma1_scene<S>}, {lemma2_page(), lemma2_scene<S>}, {lemma3_page(), lemma3_scene<S>},
-      {lemma4_page(), lemma4_scene<S>}, {lemma5_page(), lemma5_scene<S>}, {whole_sphere_page(), whole_sphere_scene<S>}};
+  static const std::vector<LivePage<S>> pages{{lemma1_page(), lemma1_scene<S>}, {lemma2_page(), lemma2_scene<S>},
+                                              {lemma3_page(), lemma3_scene<S>}, {lemma4_page(), lemma4_scene<S>},
+                                              {lemma5_page(), lemma5_scene<S>}, {whole_sphere_page(), whole_sphere_scene<S>}};
   return pages;
 }
 

@@ -57,8 +57,7 @@ void lemma2_scene(const Values& k, Scene<S>& scene) {
                 normalisation_keeps_rotations_printed<S, 3>(vectors, lengths, weights));
   scene.verdict("repaired", "if a is not 0, b is the same rotation",
                 normalisation_keeps_rotations_repaired<S, 3>(vectors, lengths, weights));
-  scene.verdict("repaired", "both hulls span the same rays",
-                normalisation_keeps_rays_repaired<S, 3>(vectors, lengths, weights));
+  scene.verdict("repaired", "both hulls span the same rays", normalisation_keeps_rays_repaired<S, 3>(vectors, lengths, weights));
 }
 
 }  // namespace refitlab::explorer

@@ -44,8 +44,7 @@ void lemma3_scene(const Values& k, Scene<S>& scene) {
     scene.plane("half_space", made.half_space);
     scene.line("normal", surface.center, nearest.foot);
     scene.point("foot", "d_H", nearest.foot);
-    if (meet == Verdict::holds)
-      scene.cap("cap", cap_of_half_space(surface, made.half_space, S(S(1) / (S(2) * delta))).cap);
+    if (meet == Verdict::holds) scene.cap("cap", cap_of_half_space(surface, made.half_space, S(S(1) / (S(2) * delta))).cap);
     scene.number("d_H squared", nearest.squared_distance);
   }
   scene.point(encloses(ball, x) == Verdict::holds ? "inside" : "outside", "x", x);

@@ -53,11 +53,7 @@ void lemma4_scene(const Values& k, Scene<S>& scene) {
     scene.half_space_cap("cap", h);
   }
   for (std::size_t i = static_cast<std::size_t>(k[2]) - 1; i < units.size(); ++i) {
-    scene.point("quaternion",
-                i + 1 == static_cast<std::size_t>(k[2]) ? "1"
-                : i + 1 == units.size()                 ? "n2"
-                                                        : "n1",
-                units[i]);
+    scene.point("quaternion", i + 1 == static_cast<std::size_t>(k[2]) ? "1" : i + 1 == units.size() ? "n2" : "n1", units[i]);
     scene.line("hull", units[i], i + 1 < units.size() ? units[i + 1] : units[0]);
   }
   const Verdict in_cap = element.verdict;
@@ -70,8 +66,7 @@ void lemma4_scene(const Values& k, Scene<S>& scene) {
   scene.verdict("", "r < 1, as printed", less(ball.squared_radius, S(1)));
   scene.verdict("", "r² ≤ 1 + ‖c‖², or E holds the sphere", ball_keeps_hulls(ball));
   scene.verdict("", "b / ‖b‖ is in the cap", in_cap);
-  scene.verdict("printed", "if r < 1, every blend is in the cap",
-                hull_stays_in_cap_printed<S, 3>(ball, units, weights));
+  scene.verdict("printed", "if r < 1, every blend is in the cap", hull_stays_in_cap_printed<S, 3>(ball, units, weights));
   scene.verdict("printed", "no ball with r ≥ 1 bounds the blends", radius_below_one_is_needed_printed(ball));
   scene.verdict("repaired", "if r² ≤ 1 + ‖c‖², every blend is in the cap",
                 hull_stays_in_cap_repaired<S, 3>(ball, units, weights));

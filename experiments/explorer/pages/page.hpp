@@ -76,10 +76,8 @@ class Scene {
     json_["balls"].push_back({{"role", role}, {"center", coordinates(b.center)}, {"radius", std::sqrt(square)}});
   }
   void cap(const char* role, const Cap<S, 3>& c) {
-    json_["caps"].push_back({{"role", role},
-                             {"center", coordinates(c.center)},
-                             {"apex", coordinates(c.apex)},
-                             {"cos", as_double_(c.cos_angle)}});
+    json_["caps"].push_back(
+        {{"role", role}, {"center", coordinates(c.center)}, {"apex", coordinates(c.apex)}, {"cos", as_double_(c.cos_angle)}});
   }
   // The points of the unit sphere in a half-space, whose normal need not have a rational length; nothing, if there are
   // none.
@@ -88,10 +86,8 @@ class Scene {
     if (cosine > 1) return;
     nlohmann::json apex = coordinates(Vec<S, 3>::Constant(S(0)));
     for (int i = 0; i < 3; ++i) apex[i] = apex[i].get<double>() + as_double_(h.normal[i]) / length;
-    json_["caps"].push_back({{"role", role},
-                             {"center", coordinates(Vec<S, 3>::Constant(S(0)))},
-                             {"apex", apex},
-                             {"cos", std::max(cosine, -1.)}});
+    json_["caps"].push_back(
+        {{"role", role}, {"center", coordinates(Vec<S, 3>::Constant(S(0)))}, {"apex", apex}, {"cos", std::max(cosine, -1.)}});
   }
   // The point of the unit sphere in the direction of v; nothing for 0.
   void direction(const char* role, const std::string& label, const Vec<S, 3>& v) {
@@ -123,9 +119,7 @@ class Scene {
 
  private:
   nlohmann::json plain(const Vec<S, 3>& v) const { return {as_double_(v[0]), as_double_(v[1]), as_double_(v[2])}; }
-  nlohmann::json coordinates(const Vec<S, 3>& v) const {
-    return {as_double_(v[0]) + shift_, as_double_(v[1]), as_double_(v[2])};
-  }
+  nlohmann::json coordinates(const Vec<S, 3>& v) const { return {as_double_(v[0]) + shift_, as_double_(v[1]), as_double_(v[2])}; }
 
   std::function<double(const S&)> as_double_;
   nlohmann::json json_;

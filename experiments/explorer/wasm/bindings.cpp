@@ -50,8 +50,7 @@ const char* answer(std::string& text, Make&& make) {
 
 ExplorerSettings settings_of(const char* text) {
   const json j = json::parse(text);
-  return {j.at("model"), j.at("variant"), j.at("clip"),  j.at("time"),
-          j.at("joint"), j.at("twist"),   j.at("level"), j.at("ball")};
+  return {j.at("model"), j.at("variant"), j.at("clip"), j.at("time"), j.at("joint"), j.at("twist"), j.at("level"), j.at("ball")};
 }
 
 }  // namespace
@@ -85,8 +84,7 @@ EMSCRIPTEN_KEEPALIVE const char* catalog() {
       json page{{"id", p.id}, {"title", p.title}, {"stem", p.stem}, {"text", p.text}};
       for (const auto& s : p.sliders)
         page["sliders"].push_back({{"label", s.label}, {"low", s.low}, {"high", s.high}, {"start", s.start}});
-      for (const auto& preset : p.presets)
-        page["presets"].push_back({{"label", preset.label}, {"values", preset.values}});
+      for (const auto& preset : p.presets) page["presets"].push_back({{"label", preset.label}, {"values", preset.values}});
       out["pages"].push_back(page);
     }
     return out;
@@ -150,8 +148,7 @@ EMSCRIPTEN_KEEPALIVE const char* view(const char* settings) {
 // The scene of a page for the values of its sliders, a JSON list.
 EMSCRIPTEN_KEEPALIVE const char* scene(const char* page, const char* values) {
   static std::string text;
-  return answer(
-      text, [&] { return explorer::page_scene<Exact>(page, json::parse(values).get<std::vector<int>>(), as_double); });
+  return answer(text, [&] { return explorer::page_scene<Exact>(page, json::parse(values).get<std::vector<int>>(), as_double); });
 }
 
 }  // extern "C"
