@@ -130,7 +130,7 @@ PROPTEST(skeleton_motion) {
       skeleton.nodes.push_back({"node", -1, local});
       skeleton.joints.push_back({"joint", j, j - 1, Eigen::Matrix4d::Identity()});
     }
-    const Pose pose = pose(skeleton, Motion{}, 0).pose;
+    const Pose pose = refitlab::pose(skeleton, Motion{}, 0).pose;
     return pose[0].rotation[0] > 0 && dot(pose[1].rotation, pose[0].rotation) > 0 &&
            dot(pose[2].rotation, pose[1].rotation) > 0 && dot(pose[2].rotation, pose[0].rotation) < 0;
   });

@@ -93,8 +93,8 @@ PROPTEST(skinning_palette) {
             auto w = *gen::convex_weights(static_cast<int>(palette.transforms.size()));
             bool opposite = false;
             for (auto& c : palette.transforms) {
-              if (*rc::gen::inRange(0, 8) == 0) c.rotation = -pose.transforms[0].rotation;
-              opposite = opposite || c.rotation == -pose.transforms[0].rotation;
+              if (*rc::gen::inRange(0, 8) == 0) c.rotation = -palette.transforms[0].rotation;
+              opposite = opposite || c.rotation == -palette.transforms[0].rotation;
             }
             RC_CLASSIFY(opposite, "degenerate");
             const Quaternion<Rational> first = palette.transforms[0].rotation;

@@ -61,7 +61,7 @@ SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_cor
   if (has_relation && n > 1) {
     const Quaternion<double> half_turn = {0, 1, 0, 0}, first = palette.transforms[0].rotation;
     palette.transforms[1].rotation = pick(2) ? Quaternion<double>(-first) : multiply<double>(first, half_turn);
-    if (n > 2) palette.transforms[2].rotation = -pose.transforms[1].rotation;
+    if (n > 2) palette.transforms[2].rotation = -palette.transforms[1].rotation;
   }
   for (int k = 0; k < m; ++k) corners.push_back(some_weights(random, n));
   reference = {normal<3>(random, 1), pick(4) ? std::uniform_real_distribution<double>(0, 1)(random) : 0};
