@@ -520,7 +520,7 @@ Checked check_malformed() {
       {"a skinning of another kind", with("/skinning", "hejl"), "skinning is none"},
       {"a skinning that is no text", with("/skinning", {"linear"}), "skinning is none"},
       {"a model's digest that is none", with("/model", "0"), "certificate.model is no SHA-256"},
-      {"a pose's digest with a line feed", with("/pose", std::string(63, '0') + "\n"), "certificate.palette is no SHA-256"},
+      {"a pose's digest with a line feed", with("/pose", std::string(63, '0') + "\n"), "certificate.pose is no SHA-256"},
       {"no vertices", with("/vertices", json::array()), "certificate.vertices is no list"},
       {"a vertex of no piece", with("/vertices/0/piece", 9), "vertices[0]: piece is none of them"},
       {"a vertex of a piece counted from the end", with("/vertices/0/piece", -1), "vertices[0]: piece is none of them"},

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What makes a model, or a pose of it, one that is refused.
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+
 #include <cmath>
 #include <functional>
 
-#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
-namespace proptests::suite_model {
+namespace proptests::suite_skinned_mesh {
 namespace {
 
 using namespace refitlab;
@@ -127,7 +128,7 @@ std::string refusal_of_rotation(const Quaternion<double>& q) {
 
 }  // namespace
 
-PROPTEST(model) {
+PROPTEST(skinned_mesh) {
   t.example("a model at the edge of what is refused is accepted", {}, [] {
     std::string wrong;
     const auto list = accepted_models();
@@ -203,4 +204,4 @@ PROPTEST(model) {
   });
 }
 
-}  // namespace proptests::suite_model
+}  // namespace proptests::suite_skinned_mesh
