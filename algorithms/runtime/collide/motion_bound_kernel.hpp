@@ -36,16 +36,16 @@ struct MotionBoundPack {
   alignas(64) std::int32_t joint[most_motion_bound_joints][motion_bound_lanes];
   alignas(64) float center[3][motion_bound_lanes];  // f
   alignas(64) float radius[motion_bound_lanes];     // with an allowance for rounding
-  alignas(64) float unsolved[motion_bound_lanes];   // what A may lack, see reach.cpp
+  alignas(64) float unsolved[motion_bound_lanes];   // what A may lack, see motion_bound_packs.cpp
   alignas(64) float joint_count[motion_bound_lanes];
   std::int32_t target[motion_bound_lanes];  // the group, or the box it belongs to
   int slot_count;                           // the most joints of any lane
 };
 
 struct ReachBounds {
-  float low[4];   // of what is bounded of all groups, x, y, z, turned by the placement, not moved; then - the largest
-                  // ||t||^2 of the joints' translations, minus infinity if one is beyond 1e30 or no number
-  float high[4];  // likewise; then the largest | ||q||^2 - 1 | of their quaternions, 1 if that is greater or no number
+  float low[4];   // the low x, y, z of all bounded groups, turned by the placement but not moved; then minus the largest
+                  // ||t||^2 of the joints' translations, or minus infinity if one is beyond 1e30 or no number
+  float high[4];  // the high x, y, z; then the largest | ||q||^2 - 1 | of the quaternions, or 1 if that is greater or no number
 };
 
 struct MotionBoundKernels {
