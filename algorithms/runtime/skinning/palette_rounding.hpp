@@ -35,10 +35,11 @@
 //
 // Dual quaternions: the errors are as for spherical blending with p in place of x, and with 2 ||d_j|| <= t, so that
 // translations are at most kappa t. A vertex has the errors of a spherical one. In addition, Im(d q*) has an error of 7,
-// doubled; the sum, squared length and quotient have 1; d has n; and q has n kappa. For a control ball, near weight
-// vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl. The numerator has sqrt 2 mix_numerator, the sums 2, and the quotient 11.
-// T_kl has 7 and 7, and 3 for sums, times sqrt 2, and the quotient has 11. The weight vertices add 2 (n + 4) kappa of each.
-// Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding (dual_quaternion.hpp).
+// doubled; the sum adds 1; the squared length and the quotient add theirs; d adds n; and q adds n kappa. For a control
+// ball, near weight vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl. The numerator has sqrt 2 mix_numerator, the sums 2, and
+// the quotient 11. T_kl has 7 and 7, and 3 for sums, times sqrt 2, and the quotient has 11. The weight vertices add 2 (n +
+// 4) kappa of each. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding
+// (dual_quaternion.hpp).
 //
 // Skinning in double has the error of a vertex, with ||x|| + r in place of ||x||. The certified ball encloses these
 // vertices too. A piece that is one vertex is computed exactly as skinning computes it, to the last bit, so it counts this
