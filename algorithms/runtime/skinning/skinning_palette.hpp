@@ -89,7 +89,7 @@ class SkinningPalette {
             {duals_.data() + first, count}};
   }
   const Vec<S, 3>& rotation_center(std::size_t joint_set) const { return rotation_centers_[joint_set]; }
-  // The roundings, in float and double. For a palette whose arrays were filled by hand, call measure() first. They
+  // Scales and roundings exist in float and double. For a palette whose arrays were filled by hand, call measure() first. They
   // hold for every skinning but Hejl's.
   const PaletteScales<S>& scales(std::size_t joint_set) const { return scales_[joint_set]; }
   const PaletteRounding<S>& rounding(std::size_t joint_set, Skinning skinning) const {
