@@ -2,18 +2,18 @@
 // Lemma 1: the two definitions of a cap are the same.
 //
 // Statement. In R^d, d >= 1, let S be the surface with center c and radius r > 0.
-// (i) -> (ii): let H = {x : (x, d) >= D} with d != 0 meet S. Then S and H have in common exactly the cap of S with apex
-// a = c + s d and angle alpha, where s > 0, ||s d|| = r and cos alpha = max(-1, s (D - (c, d)) / r^2).
-// (ii) -> (i): let a be on S and cos alpha <= 1. Then H with d = a - c and D = r^2 cos alpha + (c, d) is a half-space,
-// meets S, and has exactly the cap in common with it.
+// (i) -> (ii): Let H = {x : (x, d) >= D} with d != 0 meet S. Then the intersection of S and H is exactly the cap of S with
+// apex a = c + s d and angle alpha, where s > 0, ||s d|| = r and cos alpha = max(-1, s (D - (c, d)) / r^2).
+// (ii) -> (i): Let a be on S and cos alpha <= 1. Then H with d = a - c and D = r^2 cos alpha + (c, d) is a half-space,
+// meets S, and intersects it in exactly the cap.
 //
 // Paper: section 4.3 (where alpha is in (0, pi)) and appendix, Lemma 1.
 // Notation: c_s -> surface.center, r_s^2 -> surface.squared_radius, d -> half_space.normal, D -> half_space.offset,
 // a_s -> cap.apex, cos(alpha_s) -> cap.cos_angle, "multiplied by a scalar" -> scale (s).
 //
-// Proof. For x on S, (x, d) >= D is (x - c, s d) >= s (D - (c, d)). By Cauchy's inequality the left side is in [-r^2,
-// r^2] and takes both ends. So S meets H if and only if s (D - (c, d)) <= r^2, and below -r^2 the right side may be
-// raised to it.
+// Proof. For x on S, (x, d) >= D is equivalent to (x - c, s d) >= s (D - (c, d)). By Cauchy's inequality the left side is
+// in [-r^2, r^2] and attains both ends. So S meets H if and only if s (D - (c, d)) <= r^2. If the right side is below -r^2,
+// it may be raised to -r^2.
 #pragma once
 
 #include "lemmas/vocabulary/cap.hpp"
@@ -22,7 +22,7 @@
 
 namespace refitlab {
 
-// D - (c, d): the offset of the half-space as seen from the center.
+// Returns D - (c, d), the offset of the half-space as seen from the center.
 template <class S, int D>
 S offset_from_center(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h) {
   return h.offset - dot(surface.center, h.normal);
@@ -36,14 +36,14 @@ Verdict is_half_space(const HalfSpace<S, D>& h) {
   return less(S(0), squared_norm(h.normal));
 }
 
-// The surface has a point in h: D - (c, d) <= r ||d||.
+// The surface has a point in h, that is, D - (c, d) <= r ||d||.
 template <class S, int D>
 Verdict meets(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h) {
   return less_equal(S(0), surface.squared_radius) &
          at_most_root(offset_from_center(surface, h), S(surface.squared_radius * squared_norm(h.normal)));
 }
 
-// (i): a proper half-space meets a proper surface.
+// The hypotheses of (i): a proper half-space meets a proper surface.
 template <class S, int D>
 Verdict cuts_cap(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h) {
   return less(S(0), surface.squared_radius) & is_half_space(h) & meets(surface, h);
@@ -55,7 +55,7 @@ Verdict is_cap_scale(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h,
   return less(S(0), scale) & equal(S(sq(scale) * squared_norm(h.normal)), surface.squared_radius);
 }
 
-// (ii): a proper surface and the cosine of a cap that holds its apex.
+// The hypotheses of (ii): the surface is proper, and the cosine is that of a cap that holds its apex.
 template <class S, int D>
 Verdict is_proper_cap(const Cap<S, D>& cap) {
   return less(S(0), squared_radius(cap)) & less_equal(cap.cos_angle, S(1));
@@ -70,14 +70,14 @@ struct CapOfHalfSpace {
   S scale;  // s
 };
 
-// (i) -> (ii), for a known scale and so without a root. r > 0.
+// Computes (i) -> (ii) for a known scale, and so without a root. r > 0.
 template <class S, int D>
 CapOfHalfSpace<S, D> cap_of_half_space(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h, const S& scale) {
   const S cosine = scale * offset_from_center(surface, h) / surface.squared_radius;
   return {less_equal(cosine, S(1)), {surface.center, surface.center + h.normal * scale, max_of(cosine, S(-1))}, scale};
 }
 
-// (i) -> (ii); takes the root s = r / ||d||.
+// Computes (i) -> (ii). It takes the root s = r / ||d||.
 template <class S, int D>
 CapOfHalfSpace<S, D> cap_of_half_space_by_root(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h) {
   return cap_of_half_space<S, D>(surface, h, root(S(surface.squared_radius / squared_norm(h.normal))));
@@ -89,7 +89,7 @@ struct HalfSpaceOfCap {
   HalfSpace<S, D> half_space;
 };
 
-// (ii) -> (i).
+// Computes (ii) -> (i).
 template <class S, int D>
 HalfSpaceOfCap<S, D> half_space_of_cap(const Cap<S, D>& cap) {
   const Vec<S, D> normal = cap.apex - cap.center;
@@ -98,22 +98,22 @@ HalfSpaceOfCap<S, D> half_space_of_cap(const Cap<S, D>& cap) {
   return {is_half_space(h) & meets(SquaredBall<S, D>{cap.center, r2}, h), h};
 }
 
-// The inequality of definition (ii), for a point of the surface.
+// Judges the inequality of definition (ii) for a point of the surface.
 template <class S, int D>
 Verdict within_angle(const Cap<S, D>& cap, const Vec<S, D>& x) {
   const Vec<S, D> to_x = x - cap.center, to_apex = cap.apex - cap.center;
   return less_equal(S(squared_radius(cap) * cap.cos_angle), dot(to_x, to_apex));
 }
 
-// Definitions (i) and (ii) say the same of the point x of the surface.
+// Definitions (i) and (ii) agree on the point x of the surface.
 template <class S, int D>
 Verdict definitions_agree(const HalfSpace<S, D>& h, const Cap<S, D>& cap, const Vec<S, D>& x) {
   const Verdict first = contains(h, x), second = within_angle(cap, x);
   return implies(first, second) & implies(second, first);
 }
 
-// Independent check of the witness, for all points at once: (x - c, a - c) - r^2 cos = s ((x, d) - D), or the whole
-// surface.
+// Checks the witness independently, for all points at once: (x - c, a - c) - r^2 cos = s ((x, d) - D), or the cap is the
+// whole surface.
 template <class S, int D>
 Verdict is_cap_of_half_space(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h, const CapOfHalfSpace<S, D>& witness) {
   const Cap<S, D>& cap = witness.cap;
@@ -153,13 +153,13 @@ Verdict cap_is_half_space_repaired(const Cap<S, D>& cap, const Vec<S, D>& x) {
 }
 
 // --- Erratum ---
-// "Some d in R^d" may be 0, which no scalar stretches to r_s. "Any non-zero scalar" may be negative, which turns the
-// half-space round. And a half-space that holds the whole surface is on the near side of its own plane, so that the
-// distance of plane and center is no bound: |D - (c_s, d)| <= r_s^2 fails, and no angle has the cosine that the proof
-// asks for.
+// "Some d in R^d" may be 0, and no scalar stretches 0 to r_s. "Any non-zero scalar" may be negative, and a negative scalar
+// turns the half-space into its opposite. If a half-space holds the whole surface, its plane can be arbitrarily far from
+// the center. Then |D - (c_s, d)| <= r_s^2 fails, and no angle has the cosine that the proof asks for.
 
-// Printed: for every half-space that meets the surface, and every non-zero scalar k with ||k d|| = r: k exists,
-// |k D - (c, k d)| <= r^2, and the cap with apex c + k d and cosine (k D - (c, k d)) / r^2 is the same set.
+// Printed: For every half-space that meets the surface, a non-zero scalar k with ||k d|| = r exists. For every
+// such k, |k D - (c, k d)| <= r^2, and the cap with apex c + k d and cosine (k D - (c, k d)) / r^2 is the same
+// set.
 template <class S, int D>
 Verdict half_space_is_cap_printed(const SquaredBall<S, D>& surface, const HalfSpace<S, D>& h, const S& scalar,
                                   const Vec<S, D>& x) {

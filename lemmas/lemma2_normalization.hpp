@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Lemma 2: normalising the generators keeps the directions, and so the rotations, of a convex hull.
 //
-// Statement. Let q_1 ... q_m be vectors of R^d and f_1 ... f_m > 0, and p_i = q_i / f_i. For every w in W_m there are u
-// in W_m and k > 0 with k sum u_i p_i = sum w_i q_i: the hulls of the q_i and of the p_i span the same rays from 0, and
-// the one holds 0 if and only if the other does. The same the other way round. With f_i = ||q_i|| > 0 the p_i are unit
-// vectors; in R^4 each non-zero element of either hull is then the same rotation as an element of the other. 0 is no
-// rotation.
+// Statement. Let q_1 ... q_m be vectors of R^d, let f_1 ... f_m > 0, and let p_i = q_i / f_i. For every w in W_m there are
+// u in W_m and k > 0 with k sum u_i p_i = sum w_i q_i. So the hulls of the q_i and of the p_i span the same rays from 0,
+// and one hull holds 0 if and only if the other does. The same is true in the other direction. If f_i = ||q_i|| > 0, the
+// p_i are unit vectors. In R^4, each non-zero element of either hull is then the same rotation as an element of the other.
+// 0 is no rotation.
 //
 // Paper: appendix, Lemma 2; used in section 4.3 and line 9 of Algorithm 1.
 // Notation: q_i -> vectors[i], ||q_i|| -> factors[i], n_i -> divided(vectors, factors)[i], w and t -> weights,
 // u and s -> witness.weights, K and L -> witness.scale.
 //
-// Proof. k = sum w_j f_j > 0 and u_i = w_i f_i / k: then k sum u_i p_i = sum w_i f_i q_i / f_i. Back, with 1 / f_i.
+// Proof. Let k = sum w_j f_j > 0 and u_i = w_i f_i / k. Then k sum u_i p_i = sum w_i f_i q_i / f_i. The other direction
+// uses 1 / f_i.
 #pragma once
 
 #include <span>
@@ -33,7 +34,7 @@ Verdict are_positive(const std::vector<S>& factors) {
   return v;
 }
 
-// factors[i] = ||vectors[i]||, and none is 0.
+// factors[i] = ||vectors[i]||, and no factor is 0.
 template <class S, int D>
 Verdict are_lengths(const VecList<S, D>& vectors, const std::vector<S>& factors) {
   Verdict v = are_positive(factors);
@@ -57,7 +58,7 @@ std::vector<S> inverses(const std::vector<S>& factors) {
   return out;
 }
 
-// Takes a root for each.
+// Computes the lengths. It takes a root for each.
 template <class S, int D>
 std::vector<S> lengths_by_roots(const VecList<S, D>& vectors) {
   std::vector<S> out;
@@ -73,8 +74,8 @@ struct SameRay {
   S scale;                 // k
 };
 
-// From the hull of the q_i to that of the q_i / f_i. The way back is the same with the inverse factors. sum w_i f_i !=
-// 0.
+// Goes from the hull of the q_i to that of the q_i / f_i. The other direction is the same with the inverse factors. sum w_i
+// f_i != 0.
 template <class S>
 SameRay<S> weights_on_same_ray(const std::vector<S>& weights, const std::vector<S>& factors) {
   S scale(0);
@@ -87,7 +88,7 @@ SameRay<S> weights_on_same_ray(const std::vector<S>& weights, const std::vector<
   return out;
 }
 
-// Independent check of the witness: scale sum u_i to_i = sum w_i from_i, with u in W_m and scale > 0.
+// Checks the witness independently: scale sum u_i to_i = sum w_i from_i, with u in W_m and scale > 0.
 template <class S, int D>
 Verdict is_same_ray(const VecList<S, D>& from, const std::vector<S>& weights, const VecList<S, D>& to,
                     const SameRay<S>& witness) {
@@ -98,7 +99,7 @@ Verdict is_same_ray(const VecList<S, D>& from, const std::vector<S>& weights, co
   return v;
 }
 
-// Both hulls, both ways: from w in the hull of the q_i, and from w in the hull of the p_i.
+// Judges both directions: from w in the hull of the q_i, and from w in the hull of the p_i.
 template <class S, int D>
 Verdict normalisation_keeps_rays_repaired(const VecList<S, D>& vectors, const std::vector<S>& factors,
                                           const std::vector<S>& weights) {
@@ -119,7 +120,7 @@ Verdict are_same_rotation(const Vec<S, D>& p, const Vec<S, D>& q) {
   return v;
 }
 
-// The blends with weights w and u are both 0 or both not.
+// The blends with weights w and u are both 0, or both are not 0.
 template <class S, int D>
 Verdict blends_vanish_together(const VecList<S, D>& vectors, const std::vector<S>& factors, const std::vector<S>& weights) {
   const Vec<S, D> a = combine<S, D>(weights, vectors);
@@ -130,10 +131,10 @@ Verdict blends_vanish_together(const VecList<S, D>& vectors, const std::vector<S
 }
 
 // --- Erratum: 0 may be in the hull, and is no rotation ---
-// "Choose an arbitrary a in M" may choose 0. (The proof also prints s_i = t_i q_i / (||q_i|| L), a vector, for t_i /
-// (||q_i|| L).)
+// "Choose an arbitrary a in M" may choose 0. (The proof also prints s_i = t_i q_i / (||q_i|| L), which is a vector, where
+// t_i / (||q_i|| L) is meant.)
 
-// Printed: for non-zero vectors, every element of their hull is a rotation, and one that the normalised hull has too.
+// Printed: For non-zero vectors, every element of their hull is a rotation, and the normalised hull has this rotation too.
 template <class S, int D>
 Verdict normalisation_keeps_rotations_printed(const VecList<S, D>& vectors, const std::vector<S>& lengths,
                                               const std::vector<S>& weights) {
@@ -145,7 +146,7 @@ Verdict normalisation_keeps_rotations_printed(const VecList<S, D>& vectors, cons
   return implies(hypotheses, are_same_rotation(a, b));
 }
 
-// Repaired: every element that is not 0.
+// Repaired: The printed claim holds for every element that is not 0.
 template <class S, int D>
 Verdict normalisation_keeps_rotations_repaired(const VecList<S, D>& vectors, const std::vector<S>& lengths,
                                                const std::vector<S>& weights) {

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
 // Lemma 3: where a ball cuts a sphere's surface there is a cap, and its half-space is at a known distance.
 //
-// Statement. In R^d, d >= 1, let A be the surface with center a and radius r_a >= 0, and B the ball with center b != a
-// and radius r_b. Let delta = ||b - a||, e = delta^2 + r_a^2 - r_b^2 and
-// H = {x : (x, 2 (b - a)) >= r_a^2 - r_b^2 + ||b||^2 - ||a||^2}. Then
-// (1) a point of A is in B if and only if it is in H; A meets B if and only if A meets H, that is |delta - r_a| <= r_b;
-// and if they meet, what they have in common is a cap (Lemma 1).
-// (2) a is outside H if and only if r_b^2 < r_a^2 + delta^2. While e >= 0, the distance from a to H is e / (2 delta).
-// For b = a there is no H, and B holds all of A or nothing of it.
+// Statement. In R^d, d >= 1, let A be the surface with center a and radius r_a >= 0, and let B be the ball with center b !=
+// a and radius r_b. Let delta = ||b - a||, e = delta^2 + r_a^2 - r_b^2 and H = {x : (x, 2 (b - a)) >= r_a^2 - r_b^2 +
+// ||b||^2 - ||a||^2}.
+// (1) A point of A is in B if and only if it is in H. A meets B if and only if A meets H, that is, if |delta - r_a| <= r_b.
+// If they meet, their intersection is a cap (Lemma 1).
+// (2) a is outside H if and only if r_b^2 < r_a^2 + delta^2. If e >= 0, the distance from a to H is e / (2 delta).
+// For b = a there is no H, and B holds either all of A or nothing of it.
 //
 // Paper: appendix, Lemma 3; used in section 4.3 and line 13 of Algorithm 1, with a = 0 and r_a = 1.
 // Notation: S_a -> surface, S_b -> ball, H -> half_space, distance of 0 and H (d_H) -> squared_distance of a FootPoint.
 //
-// Proof. ||x - b||^2 - r_b^2 is ||x - a||^2 - r_a^2 minus ((x, 2 (b - a)) - offset), for every x. On A the first
-// vanishes. With respect to a the offset is e. The distance from a to its foot in the plane is e over the length of the
-// normal.
+// Proof. For every x, ||x - b||^2 - r_b^2 is ||x - a||^2 - r_a^2 minus ((x, 2 (b - a)) - offset). On A the first of these
+// two terms vanishes. Relative to a, the offset is e. The distance from a to its foot in the plane is e over the length of
+// the normal.
 #pragma once
 
 #include "lemmas/lemma1_cap_definitions.hpp"
 
 namespace refitlab {
 
-// e = ||b - a||^2 + r_a^2 - r_b^2, the offset of H as seen from a: 2 ||b - a|| times the signed distance.
+// Returns e = ||b - a||^2 + r_a^2 - r_b^2, the offset of H as seen from a. It is 2 ||b - a|| times the signed distance.
 template <class S, int D>
 S intersection_offset(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball) {
   return squared_distance(surface.center, ball.center) + surface.squared_radius - ball.squared_radius;
 }
 
-// e for the unit sphere about 0, 1 + ||c||^2 - r^2 = 2 ||c|| d_H: what line 13 of Algorithm 1 divides by 2 ||c||.
+// Returns e for the unit sphere about 0, 1 + ||c||^2 - r^2 = 2 ||c|| d_H. Line 13 of Algorithm 1 divides it by 2 ||c||.
 template <class S, int D>
 S scaled_distance(const Vec<S, D>& center, const S& squared_radius) {
   return S(1) + squared_norm(center) - squared_radius;
@@ -41,7 +41,7 @@ Verdict are_eccentric(const SquaredBall<S, D>& surface, const SquaredBall<S, D>&
   return less(S(0), squared_distance(surface.center, ball.center));
 }
 
-// Some point of the surface is in the ball: the nearest is at the distance | ||b - a|| - r_a | from b.
+// Some point of the surface is in the ball. The nearest one is at the distance | ||b - a|| - r_a | from b.
 template <class S, int D>
 Verdict surface_meets_ball(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball) {
   const S across = S(4) * surface.squared_radius * squared_distance(surface.center, ball.center);
@@ -64,8 +64,8 @@ IntersectionCap<S, D> intersection_cap(const SquaredBall<S, D>& surface, const S
   return {is_half_space(h) & meets(surface, h), h};
 }
 
-// Independent check of the witness, for all x at once: both sides of the proof's identity are affine in x, so it holds
-// if it holds at the origin and at the ends of the coordinate vectors.
+// Checks the witness independently, for all x at once. Both sides of the proof's identity are affine in x, so it holds if
+// it holds at the origin and at the ends of the coordinate vectors.
 template <class S, int D>
 Verdict is_intersection_cap(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball,
                             const IntersectionCap<S, D>& witness) {
@@ -81,7 +81,7 @@ Verdict is_intersection_cap(const SquaredBall<S, D>& surface, const SquaredBall<
   return v;
 }
 
-// Membership of a point of the surface in the ball and in the half-space.
+// A point of the surface is in the ball if and only if it is in the half-space.
 template <class S, int D>
 Verdict ball_and_half_space_agree(const SquaredBall<S, D>& ball, const HalfSpace<S, D>& h, const Vec<S, D>& x) {
   const Verdict first = encloses(ball, x), second = contains(h, x);
@@ -112,7 +112,8 @@ FootPoint<S, D> nearest_point_of_intersection_cap(const SquaredBall<S, D>& surfa
   return {less_equal(S(0), e), surface.center + axis * S(e / (S(2) * square)), sq(e) / (S(4) * square)};
 }
 
-// Independent check: the foot is on the plane, and h lies beyond it as seen from the point, along the normal.
+// Checks the witness independently: the foot is on the plane, and h lies beyond it as seen from the point, along the
+// normal.
 template <class S, int D>
 Verdict is_nearest_point(const HalfSpace<S, D>& h, const Vec<S, D>& from, const FootPoint<S, D>& witness) {
   const Vec<S, D> way = witness.foot - from;
@@ -128,7 +129,7 @@ Verdict center_is_outside_half_space(const SquaredBall<S, D>& surface, const Squ
   return less(ball.squared_radius, S(surface.squared_radius + squared_distance(surface.center, ball.center)));
 }
 
-// Both halves of (2).
+// Judges both halves of (2).
 template <class S, int D>
 Verdict intersection_distance_repaired(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball) {
   const HalfSpace<S, D> h = intersection_cap(surface, ball).half_space;
@@ -141,10 +142,11 @@ Verdict intersection_distance_repaired(const SquaredBall<S, D>& surface, const S
 }
 
 // --- Erratum ---
-// The intersection may be empty, and an empty set is no cap: the ball inside or beyond the surface. For b = a the
-// normal is 0, and for b = 0 the distance divides by 0. On the other hand r_b < 1 is more than the distance needs.
+// The intersection may be empty, but an empty set is no cap. This happens if the ball is inside or beyond the surface. For
+// b = a the normal is 0, and for b = 0 the distance divides by 0. On the other hand, r_b < 1 is more than the distance
+// needs.
 
-// Printed: any surface and any ball have a cap in common.
+// Printed: Any surface and any ball meet in a cap.
 template <class S, int D>
 Verdict intersection_is_cap_printed(const SquaredBall<S, D>& surface, const SquaredBall<S, D>& ball, const Vec<S, D>& x) {
   const auto made = intersection_cap(surface, ball);
@@ -152,14 +154,15 @@ Verdict intersection_is_cap_printed(const SquaredBall<S, D>& surface, const Squa
   return implies(has_radii & on_surface(surface, x), made.verdict & ball_and_half_space_agree(ball, made.half_space, x));
 }
 
-// Printed: for a = 0 and r_a = 1, r_b < 1 makes 0 lie outside H and (1 + ||b||^2 - r_b^2) / (2 ||b||) the distance.
+// Printed: For a = 0, r_a = 1 and r_b < 1, the point 0 lies outside H, and the distance is (1 + ||b||^2 - r_b^2) / (2
+// ||b||).
 template <class S, int D>
 Verdict intersection_distance_printed(const SquaredBall<S, D>& ball) {
   const SquaredBall<S, D> unit{Vec<S, D>::Constant(S(0)), S(1)};
   const HalfSpace<S, D> h = intersection_cap(unit, ball).half_space;
   const S b2 = squared_norm(ball.center), numerator = S(1) + b2 - ball.squared_radius;
   const Verdict defined = less(S(0), b2);
-  // H is at the distance offset / ||normal|| from 0; both sides squared and multiplied out.
+  // H is at the distance offset / ||normal|| from 0. Here both sides are squared and multiplied out.
   const Verdict right = equal(S(sq(numerator) * squared_norm(h.normal)), S(sq(h.offset) * S(4) * b2));
   return implies(less_equal(S(0), ball.squared_radius) & less(ball.squared_radius, S(1)),
                  defined & right & !contains(h, unit.center));

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Lemma 4 and Corollary 1: a ball around unit vectors bounds the directions of all of their blends.
 //
-// Statement. In R^d, d >= 1, let n_1 ... n_m be unit vectors in the ball E = [c, r], C = E with the unit sphere's
-// surface, and o = 1 + ||c||^2 - r^2, so that C is cut out by {x : (x, 2c) >= o} (Lemma 3). Let b = sum w_i n_i with
-// w in W_m.
-// Lemma 4: if o >= 0, or if E holds the whole surface, b / ||b|| is in C for every b != 0. If o > 0, no b is 0, and
-// c != 0. For d >= 2 every other ball fails for some n_i and w.
-// Corollary 1: for every b != 0, b / ||b|| or its negative is in C. So each rotation of the hull is in C, for any ball
-// E that holds the n_i: the corollary needs no condition on the radius.
+// Statement. In R^d, d >= 1, let n_1 ... n_m be unit vectors in the ball E = [c, r]. Let C be the intersection of E with
+// the unit sphere's surface, and let o = 1 + ||c||^2 - r^2. Then {x : (x, 2c) >= o} cuts out C (Lemma 3). Let b = sum w_i
+// n_i with w in W_m.
+// Lemma 4: If o >= 0, or if E holds the whole surface, b / ||b|| is in C for every b != 0. If o > 0, no b is 0, and c != 0.
+// For d >= 2, every other ball fails for some n_i and w.
+// Corollary 1: For every b != 0, b / ||b|| or its negative is in C. So each rotation of the hull is in C, for any ball E
+// that holds the n_i. The corollary needs no condition on the radius.
 //
 // Paper: appendix, Lemma 4 and Corollary 1, for d = 4 and r < 1; used in section 4.3 and lines 11-13 of Algorithm 1.
 // Notation: n_i -> units[i], E -> ball, w -> weights, n' (b) -> blend, o -> scaled_distance = 2 ||c|| d_H.
 //
-// Proof. ||n_i - c||^2 <= r^2 is 2 (n_i, c) >= o, so 2 (b, c) >= o, and ||b|| <= 1 makes that 2 (b, c) >= o ||b|| while
-// o >= 0. If o > 0 this is not 0. If o <= 0, one of b and -b has 2 (+-b, c) >= 0 >= o ||b||. Conversely let -2 ||c|| <
-// o < 0: the rim of C has two points whose middle is a negative multiple of c, and -c / ||c|| is not in C. Last, c = 0
-// gives o = 1 - r^2 <= 0.
+// Proof. ||n_i - c||^2 <= r^2 is equivalent to 2 (n_i, c) >= o, so 2 (b, c) >= o. If o >= 0, ||b|| <= 1 gives 2 (b, c) >= o
+// ||b||. If o > 0, then (b, c) is not 0, so b and c are not 0. If o <= 0, one of b and -b has 2 (+-b, c) >= 0 >= o ||b||.
+// Conversely, let -2 ||c|| < o < 0. Then the rim of C has two points whose midpoint is a negative multiple of c, but -c /
+// ||c|| is not in C. Finally, c = 0 gives o = 1 - r^2 <= 0.
 #pragma once
 
 #include "lemmas/lemma2_normalization.hpp"
@@ -33,7 +33,7 @@ Verdict are_units_enclosed(const SquaredBall<S, D>& ball, const VecList<S, D>& u
   return v;
 }
 
-// r^2 <= 1 + ||c||^2, or r >= 1 + ||c||: exactly the balls that bound every hull.
+// r^2 <= 1 + ||c||^2, or r >= 1 + ||c||. These are exactly the balls that bound every hull.
 template <class S, int D>
 Verdict ball_keeps_hulls(const SquaredBall<S, D>& ball) {
   const S o = scaled_distance(ball.center, ball.squared_radius);
@@ -42,14 +42,14 @@ Verdict ball_keeps_hulls(const SquaredBall<S, D>& ball) {
 
 // --- Conclusion ---
 
-// b / ||b|| is in E, for b != 0: o ||b|| <= 2 (b, c).
+// b / ||b|| is in E, for b != 0. This is o ||b|| <= 2 (b, c).
 template <class S, int D>
 Verdict direction_is_enclosed(const SquaredBall<S, D>& ball, const Vec<S, D>& b) {
   return multiple_of_root_at_most(scaled_distance(ball.center, ball.squared_radius), squared_norm(b),
                                   S(S(2) * dot(b, ball.center)));
 }
 
-// b / ||b||; takes a root. b != 0.
+// Returns b / ||b||. It takes a root. b != 0.
 template <class S, int D>
 Vec<S, D> direction_by_root(const Vec<S, D>& b) {
   return b / norm(b);
@@ -68,8 +68,8 @@ HullElement<S, D> hull_element(const SquaredBall<S, D>& ball, const VecList<S, D
   return {direction_is_enclosed(ball, b), b, dot(b, ball.center)};
 }
 
-// Independent check of the witness, with no direction and no squares of products: (b, c) >= o / 2 and ||b|| <= 1, which
-// for o >= 0 gives (b, c) >= (o / 2) ||b||.
+// Checks the witness independently, with no direction and no squares of products. It checks (b, c) >= o / 2 and ||b|| <= 1.
+// For o >= 0 this gives (b, c) >= (o / 2) ||b||.
 template <class S, int D>
 Verdict is_hull_element(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights,
                         const HullElement<S, D>& witness) {
@@ -95,7 +95,7 @@ Verdict hull_stays_in_cap_repaired(const SquaredBall<S, D>& ball, const VecList<
 
 // --- Corollary 1 ---
 
-// The rotation of b != 0 is in C: as b / ||b|| or as -b / ||b||.
+// The rotation of b != 0 is in C, as b / ||b|| or as -b / ||b||.
 template <class S, int D>
 Verdict rotation_is_enclosed(const SquaredBall<S, D>& ball, const Vec<S, D>& b) {
   const Vec<S, D> opposite = -b;
@@ -110,7 +110,7 @@ Verdict rotations_stay_in_cap_repaired(const SquaredBall<S, D>& ball, const VecL
 }
 
 // --- Erratum: the radius need not be below 1 ---
-// r < 1 is sufficient, because it makes o > 0. It is not necessary; a mean ball of corners with r >= 1 may make a good
+// r < 1 is sufficient, because it makes o > 0. It is not necessary: a mean ball of quaternions with r >= 1 may make a good
 // cap.
 
 template <class S, int D>
@@ -118,22 +118,21 @@ Verdict hull_hypotheses_printed(const SquaredBall<S, D>& ball, const VecList<S, 
   return are_units_enclosed(ball, units) & is_convex<S>(weights) & less(ball.squared_radius, S(1));
 }
 
-// Printed Lemma 4.
+// Printed: Lemma 4.
 template <class S, int D>
 Verdict hull_stays_in_cap_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   const auto made = hull_element(ball, units, weights);
   return implies(hull_hypotheses_printed(ball, units, weights), less(S(0), squared_norm(made.blend)) & made.verdict);
 }
 
-// Printed Corollary 1.
+// Printed: Corollary 1.
 template <class S, int D>
 Verdict rotations_stay_in_cap_printed(const SquaredBall<S, D>& ball, const VecList<S, D>& units, const std::vector<S>& weights) {
   const Vec<S, D> b = combine<S, D>(weights, units);
   return implies(hull_hypotheses_printed(ball, units, weights), less(S(0), squared_norm(b)) & rotation_is_enclosed(ball, b));
 }
 
-// What the fallback of section 4.3 on the whole of S_3 takes for granted: no ball with a radius of 1 or more bounds
-// hulls.
+// The fallback of section 4.3 to the whole of S_3 assumes this: no ball with a radius of 1 or more bounds hulls.
 template <class S, int D>
 Verdict radius_below_one_is_needed_printed(const SquaredBall<S, D>& ball) {
   return implies(ball_keeps_hulls(ball), less(ball.squared_radius, S(1)));

@@ -2,17 +2,18 @@
 // Lemma 5: the smallest ball that encloses a cap.
 //
 // Statement. Let C = {x : ||x - c|| = r, (x - c, a - c) >= r^2 cos alpha}, r = ||a - c||, be a cap of R^d, d >= 2, of angle
-// alpha in [0, pi]. With k = max(cos alpha, 0), the ball with center c + k (a - c) and radius sqrt(1 - k^2) r encloses C, and
-// no other ball that small does: two points of C are opposite each other on its surface. For alpha beyond pi/2 it has the
-// whole sphere's center and radius. In R^1 it encloses C too, but is the smallest only for k = 1 or alpha = pi.
+// alpha in [0, pi]. Let k = max(cos alpha, 0). The ball with center c + k (a - c) and radius sqrt(1 - k^2) r encloses C. No
+// other ball that small encloses C, because two points of C are the ends of a diameter of this ball. For alpha beyond pi/2
+// the ball has the whole sphere's center and radius. In R^1 the ball encloses C too, but it is the smallest only for k = 1
+// or alpha = pi.
 //
 // Paper: appendix, Lemma 5, where c = 0; used in section 4.3 and line 15 of Algorithm 1.
 // Notation: a -> cap.apex, cos alpha -> cap.cos_angle, r^2 -> squared_radius(cap), v -> rim_direction,
 // v_1 and v_2 -> first and second.
 //
 // Proof. For x in C: ||x - c - k (a - c)||^2 = r^2 - 2k (x - c, a - c) + k^2 r^2 <= r^2 (1 - 2k cos + k^2) <= r^2 (1 -
-// k^2), as k >= 0 and k cos = k^2. A ball that holds both ends of a diameter is no smaller, and if it is no larger, it
-// is the same.
+// k^2), since k >= 0 and k cos = k^2. A ball that holds both ends of a diameter of another ball is no smaller. If it is no
+// larger, it is the same ball.
 #pragma once
 
 #include "lemmas/vocabulary/cap.hpp"
@@ -22,13 +23,14 @@ namespace refitlab {
 
 // --- Hypotheses ---
 
-// cos alpha <= 1: the cap holds its apex. (An angle also has cos alpha >= -1; the repaired statement does not need it.)
+// cos alpha <= 1: the cap holds its apex. (An angle also has cos alpha >= -1, but the repaired statement does not need
+// this.)
 template <class S, int D>
 Verdict cap_has_points(const Cap<S, D>& cap) {
   return less_equal(cap.cos_angle, S(1));
 }
 
-// v and the sine give a point of the rim: v is perpendicular to a - c and as long, and sine >= 0, cos^2 + sine^2 = 1.
+// v and the sine give a point of the rim: v is perpendicular to a - c and has its length, sine >= 0, and cos^2 + sine^2 = 1.
 template <class S, int D>
 Verdict is_rim(const Cap<S, D>& cap, const S& sine, const Vec<S, D>& rim_direction) {
   const Vec<S, D> axis = cap.apex - cap.center;
@@ -38,13 +40,14 @@ Verdict is_rim(const Cap<S, D>& cap, const S& sine, const Vec<S, D>& rim_directi
 
 // --- Conclusion ---
 
-// The ball's center as a share of a - c, k = max(cos alpha, 0), and its squared radius as a share of r^2, 1 - k^2.
+// The ball's center as a share of a - c, which is k = max(cos alpha, 0), and its squared radius as a share of r^2, which is
+// 1 - k^2.
 template <class S>
 struct CapBallRatios {
   S center, squared_radius;
 };
 
-// Of the versine 1 - cos alpha, which keeps its digits at small angles.
+// Computes the ratios from the versine 1 - cos alpha, which keeps its digits at small angles.
 template <class S>
 CapBallRatios<S> cap_ball_ratios(const S& versine) {
   const S v = min_of(versine, S(1));
@@ -62,13 +65,13 @@ SquaredBall<S, D> cap_ball_repaired(const Cap<S, D>& cap) {
   return {cap.center + (cap.apex - cap.center) * ratios.center, ratios.squared_radius * squared_radius(cap)};
 }
 
-// First half: it encloses the cap.
+// The first half of the conclusion: the ball encloses the cap.
 template <class S, int D>
 Verdict cap_ball_encloses_repaired(const Cap<S, D>& cap, const Vec<S, D>& x) {
   return implies(cap_has_points(cap) & contains(cap, x), encloses(cap_ball_repaired(cap), x));
 }
 
-// Second half: nothing smaller does. The witness is a diameter of the ball with both ends in the cap.
+// The second half: no smaller ball does. The witness is a diameter of the ball with both ends in the cap.
 template <class S, int D>
 struct CapBall {
   Verdict verdict;
@@ -77,7 +80,7 @@ struct CapBall {
   Vec<S, D> first, second;  // the ends of the diameter
 };
 
-// Of an angle and a point of its rim, without a root.
+// Computes the ball from the sine of the angle and a direction to the rim, without a root.
 template <class S, int D>
 CapBall<S, D> smallest_cap_ball(const Cap<S, D>& cap, const S& sine, const Vec<S, D>& rim_direction) {
   const SquaredBall<S, D> ball = cap_ball_repaired(cap);
@@ -87,7 +90,7 @@ CapBall<S, D> smallest_cap_ball(const Cap<S, D>& cap, const S& sine, const Vec<S
           ball.center + half, ball.center - half};
 }
 
-// The same of the cap alone; takes two roots. d >= 2, r > 0.
+// Computes the same from the cap alone. It takes two roots. d >= 2, r > 0.
 template <class S, int D>
 CapBall<S, D> smallest_cap_ball_by_roots(const Cap<S, D>& cap) {
   static_assert(D >= 2);
@@ -103,10 +106,11 @@ CapBall<S, D> smallest_cap_ball_by_roots(const Cap<S, D>& cap) {
   return smallest_cap_ball<S, D>(cap, root(S(S(1) - sq(cap.cos_angle))), v * stretch);
 }
 
-// Independent check of the witness. Encloses: the center is height >= 0 along the axis, and the cap's farthest point from
-// it is at most at squared distance r^2 (1 - 2 height cos + height^2). Smallest: the ends are in the cap, on the surface,
-// and opposite. (Two ends so far apart lie on the rim or across the whole sphere, which forces the height and the center.
-// Both are checked all the same, so that each half is seen by itself: a mutant without one of them is equivalent.)
+// Checks the witness independently. For "encloses", the center is height >= 0 along the axis, and the squared distance of
+// the cap's farthest point from it is at most r^2 (1 - 2 height cos + height^2). For "smallest", the ends are in the cap,
+// on the surface, and opposite. (Two ends so far apart lie on the rim or across the whole sphere, which determines the
+// height and the center. Both halves are checked all the same, so that each can be seen by itself; a mutant without one of
+// them is equivalent.)
 template <class S, int D>
 Verdict is_smallest_cap_ball(const Cap<S, D>& cap, const CapBall<S, D>& witness) {
   const Vec<S, D> axis = cap.apex - cap.center, along = witness.ball.center - cap.center;
@@ -119,7 +123,7 @@ Verdict is_smallest_cap_ball(const Cap<S, D>& cap, const CapBall<S, D>& witness)
   return v;
 }
 
-// What the witness proves of any other ball: if it holds both ends, it is larger, or the same ball.
+// The witness proves this of any other ball: if the ball holds both ends, it is larger, or it is the same ball.
 template <class S, int D>
 Verdict no_other_ball_that_small(const CapBall<S, D>& witness, const SquaredBall<S, D>& other) {
   const Verdict holds_both = encloses(other, witness.first) & encloses(other, witness.second);
@@ -130,18 +134,18 @@ Verdict no_other_ball_that_small(const CapBall<S, D>& witness, const SquaredBall
 }
 
 // --- Erratum: beyond pi/2 the printed ball misses the apex ---
-// The proof multiplies -2 (x, a) <= -2 r^2 cos alpha by cos alpha, which keeps the order only for cos alpha >= 0. At
-// alpha = pi the printed ball is the point -a, and the cap is the whole surface. In R^1 no v is perpendicular to a, and
+// The proof multiplies -2 (x, a) <= -2 r^2 cos alpha by cos alpha, which keeps the order only for cos alpha >= 0. At alpha
+// = pi the printed ball is the point -a, but the cap is the whole surface. In R^1 no v is perpendicular to a, and
 // "smallest" fails: the cap {1} of angle pi/2 has the printed ball [-1, 1].
 
-// Printed: center a cos alpha and radius ||a|| sin alpha for all angles of [0, pi]. The center of the cap is 0. Line 15 of
-// Algorithm 1 makes it of both, and of the apex's length.
+// Printed: For all angles of [0, pi], the ball has center a cos alpha and radius ||a|| sin alpha. The center of the cap is
+// 0. Line 15 of Algorithm 1 makes the ball from cos alpha, sin alpha and the apex's length.
 template <class S, int D>
 Ball<S, D> cap_ball_printed(const Vec<S, D>& apex, const S& length, const S& cos_angle, const S& sin_angle) {
   return {apex * cos_angle, sin_angle * length};
 }
 
-// The same in squares, without the root of a sine.
+// Computes the same in squares, without the root of a sine.
 template <class S, int D>
 SquaredBall<S, D> cap_ball_printed(const Cap<S, D>& cap) {
   return {cap.apex * cap.cos_angle, squared_norm(cap.apex) * (S(1) - sq(cap.cos_angle))};

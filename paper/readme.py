@@ -28,13 +28,13 @@ def variants_block(results):
     missed = content.total(results, "tightness", quantity="misses", variant=lambda v: v in content.SPHERICAL)
     gains = content.batch_gains(results)
     return f"""\
-Measured on six characters with `experiments/run --full` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. Average radius
-over that of the smallest ball of the deformed vertices, on the worst level of the worst clip: `spherical_repaired` {worst['spherical_repaired']},
-`control_mixed` {worst['control_mixed']}, `control_many_pieces` {worst['control_many_pieces']}; in a joint twisted by 170 degrees or more `control_mixed` has at most {twist} on a
-level. Cost of a sphere against `spherical_repaired` in the same run: `control_mixed` {from_to(content.cost_ratios(results, 'control_mixed'))},
-`control_many_pieces` {from_to(content.cost_ratios(results, 'control_many_pieces'))}. Where anything is near, queries refit {from_to(content.fewer_spheres(results))} times fewer spheres
-with `control_mixed`. In batches of SIMD packs (`algorithms/runtime/batch`), all spheres of a tree by Algorithm 1 repaired cost 1/{min(gains):.0f} to
-1/{max(gains):.0f} of the same one by one.
+Measured on six characters with `experiments/run --full` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. The tightness of a level is the
+average radius over that of the smallest balls of the deformed vertices. On the worst level of the worst clip it is {worst['spherical_repaired']} for `spherical_repaired`,
+{worst['control_mixed']} for `control_mixed` and {worst['control_many_pieces']} for `control_many_pieces`. Where a joint is twisted by 170 degrees or more, it is at most {twist} on
+any level for `control_mixed`. The cost of a sphere, relative to `spherical_repaired` in the same run, is {from_to(content.cost_ratios(results, 'control_mixed'))} for `control_mixed`
+and {from_to(content.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where anything is near, queries refit {from_to(content.fewer_spheres(results))} times fewer spheres
+with `control_mixed`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
+1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one.
 """
 
 
@@ -44,7 +44,7 @@ def queries_block(results):
     most = content.largest_growth(results)
     cpu = results.provenance["collision"]["cpu"]
     rows = []
-    for name, detector in [("`collide(ClusterBody, …)`", "clusters"), ("skin everything in SIMD, boxes bottom-up", "skin_all_simd"),
+    for name, detector in [("`collide(ClusterBody, …)`", "clusters"), ("skin everything in SIMD, refit boxes bottom-up", "skin_all_simd"),
                            ("the fastest of Embree, FCL and Bullet", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
         times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
         times += [content.grown_time(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
@@ -52,8 +52,9 @@ def queries_block(results):
     heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
     heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
     return f"""\
-Two walking men of 8270 triangles, all touching pairs, microseconds a frame from pose to pairs (`experiments/run --full`; commit
-{commit}, {cpu}, one thread; every pair set is checked against all pairs by brute force; Embree alone in the last three columns):
+The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
+(`experiments/run --full`; commit {commit}, {cpu}, one thread). Every set of pairs is checked against brute force. The last three
+columns compare with Embree alone.
 
 | | {' | '.join(heads)} |
 |---|{'---|' * len(heads)}

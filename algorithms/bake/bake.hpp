@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Baking: all that refits and queries need of a skinned mesh, made once, before any pose.
+// Baking makes everything that refits and queries need of a skinned mesh. It is done once, before any pose.
 #pragma once
 
 #include <initializer_list>
@@ -12,8 +12,8 @@ namespace refitlab {
 
 inline constexpr std::initializer_list<Pieces> all_pieces{Pieces::joint_sets, Pieces::mixed, Pieces::many};
 
-// mesh is valid (see SkinnedMesh). pieces: the descriptions that the refits to come ask for (RefitVariant::pieces). Takes some
-// thirty microseconds a triangle. Throws std::invalid_argument for triangles_per_leaf < 1.
+// mesh must be valid (see SkinnedMesh). pieces are the descriptions that the later refits need (RefitVariant::pieces).
+// Baking takes some thirty microseconds a triangle. Throws std::invalid_argument for triangles_per_leaf < 1.
 Character bake(SkinnedMesh mesh, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces);
 
 // A character with the clips of the model that it was made from.

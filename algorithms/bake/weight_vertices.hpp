@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corners: the vertices c_1 ... c_m of W' = {w : l_i <= w_i <= h_i, sum w_i = 1} (paper 4.1, Equation 4).
+// Weight vertices: the vertices c_1 ... c_m of the polytope W' = {w : l_i <= w_i <= h_i, sum w_i = 1} (paper 4.1, Equation
+// 4).
 //
-// W' is a box cut by a hyperplane, so at a vertex at most one coordinate lies strictly between its bounds. The search
-// fixes each coordinate at its low or high bound or leaves it free (once), and turns back where no sum of 1 is possible.
-// In arithmetic without rounding (exact numbers, or doubles that are multiples of 2^-24) every vertex comes out, once.
-// A branch that ends without a vertex holds points of W' whose free coordinate could only be at a bound, and those vertices
-// have come out before: so n coordinates and a limit of k corners take at most O(n^2 k) steps, however many corners exist.
+// W' is a box cut by a hyperplane. So at a weight vertex at most one coordinate lies strictly between its bounds. The
+// search fixes each coordinate at its low or high bound, or leaves it free (once). It turns back where a sum of 1 is
+// impossible. In arithmetic without rounding (exact numbers, or doubles that are multiples of 2^-24) it finds every weight
+// vertex exactly once. A branch that ends without a weight vertex holds points of W' whose free coordinate could only be at
+// a bound, and the search has found those weight vertices before. So n coordinates and a limit of k weight vertices take at
+// most O(n^2 k) steps, however many there are in all.
 #pragma once
 
 #include <optional>
@@ -31,7 +33,7 @@ class WeightVertexSearch {
     }
   }
 
-  // The corners as rows; nothing if there are more than the limit. Empty rows mean an empty W'.
+  // Returns the weight vertices as rows, or nothing if there are more than the limit. Empty rows mean an empty W'.
   std::optional<std::vector<std::vector<S>>> run() {
     bool is_box = true;
     for (std::size_t i = 0; i < n_; ++i) is_box = is_box && !(bounds_.high[i] < bounds_.low[i]);
@@ -41,7 +43,7 @@ class WeightVertexSearch {
   }
 
  private:
-  // Coordinates before i are set and sum to fixed, the free one (if free < i) not counted.
+  // The coordinates before i are set and sum to fixed. The free coordinate (if free < i) is not counted.
   void visit(std::size_t i, const S& fixed, std::size_t free) {
     if (rows_.size() > limit_) return;
     const S low_free = free < n_ ? bounds_.low[free] : S(0), high_free = free < n_ ? bounds_.high[free] : S(0);
@@ -59,7 +61,7 @@ class WeightVertexSearch {
   void finish(const S& fixed, std::size_t free) {
     if (free < n_) {
       w_[free] = S(1) - fixed;
-      // At a bound it is the corner that the search without a free coordinate finds.
+      // At a bound, this is the weight vertex that the search without a free coordinate finds.
       if (!(bounds_.low[free] < w_[free] && w_[free] < bounds_.high[free])) return;
     } else if (!(fixed == S(1))) {
       return;
@@ -73,14 +75,14 @@ class WeightVertexSearch {
   std::vector<std::vector<S>> rows_;
 };
 
-// All corners of W', or nothing if there are more than limit. The number grows as n C(n-1, floor((n-1)/2)): 1, 2, 6, 12,
-// 30, 60 for n = 1 ... 6.
+// Returns all weight vertices of W', or nothing if there are more than limit. Their number can grow as n C(n-1,
+// floor((n-1)/2)): 1, 2, 6, 12, 30, 60 for n = 1 ... 6.
 template <class S>
 std::optional<std::vector<std::vector<S>>> enumerate_weight_vertices(const WeightBounds<S>& bounds, std::size_t limit) {
   return WeightVertexSearch<S>(bounds, limit).run();
 }
 
-// The n corners of {w : l_i <= w_i, sum w_i = 1}: a superset of W' that is always cheap.
+// Returns the n weight vertices of {w : l_i <= w_i, sum w_i = 1}, a superset of W' that is always cheap.
 template <class S>
 std::vector<std::vector<S>> low_bound_simplex(const WeightBounds<S>& bounds) {
   S slack(1);
@@ -90,7 +92,8 @@ std::vector<std::vector<S>> low_bound_simplex(const WeightBounds<S>& bounds) {
   return rows;
 }
 
-// Beyond this many corners a node falls back on the simplex: it holds the box cuts of up to 7 joints (140) in full.
+// Beyond this many weight vertices, a node falls back on the simplex. The limit admits the box cuts of up to 7 joints (140)
+// in full.
 inline constexpr std::size_t weight_vertex_limit = 140;
 
 template <class S>

@@ -40,7 +40,7 @@ class OnDemand : public CountingDetector {
   RigidTransform<double> first_at_, second_at_;
 };
 
-// The paper's refit, the default one, by itself and from below, and the tightest.
+// The paper's refit, the default refit by itself and through BVH cuts, and the tightest refit.
 bool is_major(const Method& c) {
   return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" || c.name == "control_many_pieces";
 }

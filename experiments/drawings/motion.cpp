@@ -15,7 +15,7 @@ namespace {
 
 constexpr int steps = 60;
 
-// A curve over [0, 1], its chord, and how far from it the bound lets it deviation.
+// A curve over [0, 1], its chord, and how far from the chord the bound lets the curve deviate.
 template <class Curve>
 void draw_near_chord(Plane &p, const Curve &at, double slack) {
   std::vector<Point> curve;

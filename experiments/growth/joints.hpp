@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growth with the number of joints: what the balls of nodes with many joint-sets cost, each by itself and from below.
+// Growth with the number of joints: the cost of the balls of nodes with many joint-sets, each by itself and through a BVH cut.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct JointGrowth {
   int joints = 0;
   int joint_sets = 0;
   int many = 0;                                      // nodes of more than 16 joint-sets
-  double own = 0, through_descendants = 0;           // all their balls in a frame; from below with all that is refitted for them
+  double own = 0, through_descendants = 0;           // all their balls in a frame; through cuts with all that they refit
   double own_root = 0;                               // the root's ball by itself
-  double root_from_below = 0;                        // the same from below, as the first question to a frame
-  double root_from_known = 0;                        // and where the frame knows the root's front already
+  double root_from_below = 0;                        // the same through its cut, when the frame has no balls yet
+  double root_from_known = 0;                        // the same when the frame has the balls of the cut already
   double root_ratio = 0, root_ratio_from_below = 0;  // the root's radius / the optimal one, at half of the clip
 };
 

@@ -64,14 +64,14 @@ def code(text):
 @dataclasses.dataclass
 class Lemma:
     title: str
-    statement: list  # lines of the comment, without the proof
+    statement: list  # the lines of the comment, without the proof
     proof: list
-    sections: list   # (heading, code), in the file's order
+    sections: list   # pairs (heading, code), in the file's order
     sources: list
 
 
 def read_lemma(path):
-    lines = path.read_text().split("\n")[1:]  # without the line of the licence
+    lines = path.read_text().split("\n")[1:]  # The line of the licence is left out.
     end = lines.index("#pragma once")
     comment = [l[3:] for l in lines[:end]]
     blank = next(i for i, l in enumerate(comment) if not l.strip())
@@ -106,9 +106,9 @@ class Property:
 def read_properties(path):
     """The t.holds, t.refuted and t.example of a suite, in order."""
     text = path.read_text()
-    # Options that have a name stand for themselves.
+    # Options may be given by name; here each name is mapped to its options.
     named = dict(re.findall(r"const Options (\w+)(\{[^}]*\});", text))
-    # A lambda that runs an example of a sentence, and perhaps a hypothesis, that it is given.
+    # A helper is a lambda that runs an example; it is given a sentence, and perhaps a hypothesis.
     helpers = {}
     for m in re.finditer(r"const auto (\w+) = \[&t\]\(", text):
         end = text.index("\n  };", m.end()) + 5
@@ -137,7 +137,7 @@ def read_properties(path):
 
 
 def literals(text):
-    """The string literals, separated by commas, that a text starts with."""
+    """The string literals, separated by commas, at the start of a text."""
     out = []
     while m := re.match(r'\s*,?((?:\s*"(?:\\.|[^"\\])*")+)', text):
         out.append("".join(re.findall(r'"((?:\\.|[^"\\])*)"', m[1])).replace('\\"', '"'))
@@ -146,13 +146,13 @@ def literals(text):
 
 
 def dedented(text, start, end):
-    """A part of a text without the indentation of its first line."""
+    """The text from start to end, each line without the indentation of the first."""
     column = start - text.rfind("\n", 0, start) - 1
     return "\n".join(l[column:] if not l[:column].strip() else l for l in text[start:end].split("\n"))
 
 
 def closing(text, at):
-    """The place of the bracket that closes the one at this place; strings do not count."""
+    """The position of the bracket that closes the one at this position. Brackets in strings and comments do not count."""
     depth = 0
     for m in re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|[()]').finditer(text, at):
         depth += {"(": 1, ")": -1}.get(m[0], 0)

@@ -31,8 +31,8 @@ def triangles_section(results, page):
 
 # --- Joints ---
 
-JOINT_LINES = [("by itself", "own", "ns_of_root"), ("from below, asked first", "through_descendants", "ns_of_root"),
-               ("from a known cut", "through_descendants", "ns_of_root_from_known")]
+JOINT_LINES = [("by itself", "own", "ns_of_root"), ("by a BVH cut", "through_descendants", "ns_of_root"),
+               ("by a known cut", "through_descendants", "ns_of_root_from_known")]
 
 
 def joint_times(results, variant, quantity):

@@ -16,7 +16,7 @@ struct Method {
   bool stands_alone() const { return options.most_joint_sets == 0 && !options.children_first; }
 };
 
-// Every refit variant by itself, and after each default one (default_variant) the same from below and children first.
+// Every refit variant by itself. Each default one (default_variant) is followed by the same through BVH cuts and children first.
 const std::vector<Method>& methods();
 
 // Throws std::invalid_argument for a name that is not one of them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Body: a character in one frame, as queries see it: balls refitted and vertices skinned only where a query gets to.
+// Body: a character in one frame, as queries see it. It refits balls and skins vertices only where a query reaches them.
 #pragma once
 
 #include "algorithms/runtime/batch/palette_packs.hpp"
@@ -10,7 +10,7 @@ namespace refitlab {
 
 class Body {
  public:
-  // character and variant outlive this.
+  // character and variant must outlive this.
   Body(const Character& character, const RefitVariant& variant, const FrameOptions& options = {})
       : character_(character),
         skinning_(variant.skinning),
@@ -23,13 +23,13 @@ class Body {
   void begin(const Pose& pose);
 
   const Character& character() const { return character_; }
-  // The ball of a node, in model space of this frame.
+  // Returns the ball of a node, in model space of this frame.
   const Ball3<double>& ball(int node) { return balls_[node]; }
-  // The skinned corners of a triangle, in model space of this frame; the very doubles that skin() yields.
+  // Returns the skinned corners of a triangle, in model space of this frame. They are the very doubles that skin() yields.
   TrianglePoints triangle(int triangle);
 
   const FrameRefits& refits() const { return balls_; }
-  // How many vertices were skinned since begin.
+  // Returns how many vertices were skinned since begin.
   long vertices_skinned() const { return vertices_skinned_; }
 
  private:

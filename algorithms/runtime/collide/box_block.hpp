@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// BoxBlock: eight boxes, side by side as packs compare them with one box.
+// BoxBlock: eight boxes side by side, in the layout in which packs compare them with one box.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@ struct alignas(64) BoxBlock {
   }
 };
 
-// Of boxes in blocks.
+// put_box writes box i of the boxes in blocks, and get_box reads it.
 template <class S>
 void put_box(BoxBlock<S>* blocks, int i, const Box<S>& box) {
   blocks[i / 8].put(i % 8, box);
@@ -33,7 +33,8 @@ Box<S> get_box(const BoxBlock<S>* blocks, int i) {
   return blocks[i / 8].get(i % 8);
 }
 
-// Which boxes of a block are not apart from a box: a byte a lane, the first lowest, 1 or 0.
+// Says which boxes of a block are not apart from a box. The result has a byte for each lane, the first lowest, with the
+// value 1 or 0.
 template <class S>
 [[gnu::always_inline]] inline std::uint64_t meeting(const BoxBlock<S>& block, const Box<S>& box) {
   using P = Pack<S>;

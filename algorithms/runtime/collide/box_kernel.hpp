@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels of ClusterBody: boxes around control points, and boxes against boxes.
+// The kernels of ClusterBody. They make boxes around control points, and compare boxes with boxes.
 #pragma once
 
 #include <array>
@@ -12,35 +12,35 @@
 
 namespace refitlab {
 
-// A vertex in the world, and an unused fourth.
+// A vertex in the world, and an unused fourth number.
 struct alignas(32) Corner {
   double of[4];
 };
 
-// Two triangles of a pair of clusters.
+// A pair of triangles of two clusters.
 struct TrianglePairCandidate {
-  std::array<std::uint16_t, 3> a, b;  // the places of their corners
-  int first, second;                  // the triangles, of the models
+  std::array<std::uint16_t, 3> a, b;  // the positions of their corners in the cluster
+  int first, second;                  // the indices of the triangles in the models
 };
 
 struct BoxKernels {
-  // Merges the boxes of the packs' pieces, of so many joints each, into boxes. slots, centers: of JointFloats;
-  // rotation: 3 x 3, row by row.
+  // Merges the boxes of the packs' pieces, which have so many joints each, into boxes. slots and centers are those of
+  // JointFloats. rotation is a 3 x 3 matrix, row by row.
   void (*bound)(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots, const float* centers,
                 const float* rotation, FlippedBox* boxes);
-  // The positions of those of the first count boxes in blocks that are not apart from box, in increasing order; their
-  // number is returned. A NaN is not apart from anything.
+  // Writes the positions of the boxes that are not apart from box, among the first count boxes in blocks, in increasing
+  // order. Returns their number. A NaN is not apart from anything.
   int (*overlaps)(const BoxBlock<double>* blocks, int count, const Box<double>& box, int* out);
-  // The pairs of boxes, one of each block, that are not apart: bit 8 i + j for box i of a and j of b.
+  // Returns the pairs of boxes, one of each block, that are not apart: bit 8 i + j for box i of a and j of b.
   std::uint64_t (*overlapping_pairs)(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b, int count_b);
-  // What filter_triangles says of each pair, to answers.
+  // Writes the result of filter_triangles for each pair to answers.
   void (*filter_pairs)(const Corner* corners_a, const Corner* corners_b, const TrianglePairCandidate* pairs, int count,
                        Filtered* answers);
-  // Places skinned vertices, block_count times their x, y, z; placement: a quaternion and a translation.
+  // Places skinned vertices, block_count times their x, y, z. placement is a quaternion and a translation.
   void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out);
-  // The boxes of groups, and of all of them, from the corners of their cluster.
+  // Makes the boxes of groups, and the box of all of them, from the corners of their cluster.
   void (*box_groups)(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock<double>* out, Box<double>& all);
-  // The boxes of a group's triangles.
+  // Makes the boxes of a group's triangles.
   void (*box_triangles)(const TriangleGroup& group, const Corner* corners, BoxBlock<double>& out);
 };
 

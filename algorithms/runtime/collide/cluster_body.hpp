@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ClusterBody: a placed character in one frame, as the fast queries see it: at first only how far it can reach; then
-// wide nodes bounded and clusters skinned where a query gets to.
+// ClusterBody: a placed character in one frame, as the fast queries see it. At first only its motion bound is known. Then
+// wide nodes are bounded and clusters are skinned where a query reaches them.
 #pragma once
 
 #include "algorithms/runtime/batch/palette_packs.hpp"
@@ -14,39 +14,41 @@ namespace refitlab {
 
 class ClusterBody {
  public:
-  // tree outlives this.
+  // tree must outlive this.
   ClusterBody(const ClusterTree& tree, Skinning skinning);
   ClusterBody(const ClusterBody&) = delete;  // a copy would write into the arrays of this one
 
-  // Starts a frame, of which nothing is worked out yet. placement takes model space to the world. Throws ModelError for
-  // a pose that make_skinning_palette refuses, std::invalid_argument for a placement that is not rigid.
+  // Starts a frame, of which nothing is computed yet. placement takes model space to the world. Throws ModelError for a
+  // pose that make_skinning_palette refuses, and std::invalid_argument for a placement that is not rigid.
   void begin(const Pose& pose, const RigidTransform<double>& placement);
 
   const ClusterTree& tree() const { return tree_; }
 
-  // A box in the world around all of it, from the joints alone; see MotionBound.
+  // Returns a box in the world around the whole body, made from the joints alone; see MotionBound.
   const Box<double>& reach() const { return motion_bound_box_; }
 
-  // Boxes in the world around all vertices below: of a wide node's children, in blocks, and of one of them.
+  // These are boxes in the world around all vertices below: those of a wide node's children, in blocks, and that of one
+  // child.
   const BoxBlock<double>* wide_node_boxes(int wide_node);
   Box<double> child_box(int wide_node, int child) { return get_box(wide_node_boxes(wide_node), child); }
-  // Around all of a wide node.
+  // Returns the box around all of a wide node.
   const Box<double>& wide_node_box(int wide_node);
 
-  // Boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of all of it.
+  // These are boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of the whole cluster.
   const BoxBlock<double>* group_boxes(int cluster) { return skinned(cluster).groups.data(); }
   const Box<double>& cluster_box(int cluster) { return skinned(cluster).box; }
-  // Around the triangles of a group.
+  // Returns the boxes around the triangles of a group.
   const BoxBlock<double>& triangle_boxes(int cluster, int group);
 
-  // By place in the cluster, in the world: the very doubles that apply(placement, skin()) yields.
+  // Returns a cluster's skinned corners in the world, by position in the cluster: the very doubles that apply(placement,
+  // skin()) yields.
   const Corner* corners(int cluster) { return skinned(cluster).corners.data(); }
 
-  // A triangle of the model by itself, in the world: the same doubles, without its cluster.
+  // Returns the corners of a single triangle of the model in the world: the same doubles, but without its cluster.
   TrianglePoints triangle(int triangle);
 
-  // For one query at a time, so that it need not make room of its own: positions of boxes, pairs of triangles whose
-  // boxes meet, and what the filter says of them.
+  // Working storage for one query at a time, so that the query need not allocate its own: positions of boxes, pairs of
+  // triangles whose boxes meet, and the filter's answers.
   struct QueryScratch {
     std::vector<int> hits;
     std::vector<TrianglePairCandidate> pairs;
@@ -54,13 +56,13 @@ class ClusterBody {
   };
   QueryScratch& query_scratch() { return query_scratch_; }
 
-  // Since begin.
+  // These counts are since begin.
   long nodes_bounded() const { return nodes_bounded_; }
   long clusters_skinned() const { return clusters_skinned_; }
   long corners_skinned() const { return corners_skinned_; }
 
  private:
-  // What was skinned of a cluster; room for it is made when a query first gets there.
+  // The skinned part of a cluster. Its storage is allocated when a query first reaches the cluster.
   struct Skinned {
     std::vector<Corner> corners;              // by place
     std::vector<BoxBlock<double>> groups;     // their boxes, in blocks

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which triangles of two skinned characters touch: the fast query, over wide nodes of boxes and clusters (cluster_tree.hpp).
+// The fast query for the touching triangles of two skinned characters. It uses wide nodes of boxes, and clusters
+// (cluster_tree.hpp).
 #pragma once
 
 #include "algorithms/runtime/collide/cluster_body.hpp"
@@ -8,9 +9,9 @@
 
 namespace refitlab {
 
-// As collide() of sphere trees: the same pairs, also in no particular order. first and second are different bodies,
-// which may share a tree; they keep what was made for further queries in the frame. With a memory, which belongs to
-// these two, a yes/no query first tries the pairs of earlier frames.
+// Returns the same pairs as collide() of sphere trees, also in no particular order. first and second are different bodies,
+// which may share a tree. They keep what was made for further queries in the frame. If there is a memory, it belongs to
+// these two bodies; a yes/no query then first tries the pairs of earlier frames.
 std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts,
                                   PairMemory* memory = nullptr);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// ClusterTree: a character as the fast queries see it. Wide wide nodes of bounded nodes on top, clusters of triangles below.
+// ClusterTree: a character as the fast queries see it. It has wide nodes of bounded nodes on top, and clusters of triangles
+// below.
 //
-// Bounding a node costs more than skinning the few vertices under it once it is small, so bounds end at clusters of
-// some hundred triangles; what is inside a cluster that a query reaches is skinned and put into boxes. Above, nodes are
+// Once a node is small, bounding it costs more than skinning the few vertices under it. So bounds end at clusters of some
+// hundred triangles. If a query reaches a cluster, the cluster's content is skinned and put into boxes. Above, nodes are
 // bounded many at a time: a wide node is the set of descendants that one node is opened into, all refitted together.
 #pragma once
 
@@ -13,33 +14,33 @@
 
 namespace refitlab {
 
-// So that places fit 16 bits even if each corner is alone in its joint-set, and so in eight lanes.
+// With this limit, positions fit 16 bits even if each corner is alone in its joint-set, and so in eight lanes.
 inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<double>::count);
 
 struct ClusterOptions {
-  int most_triangles = 256;  // of a cluster; from 1 to most_cluster_triangles
+  int most_triangles = 256;  // triangles of a cluster; from 1 to most_cluster_triangles
   int most_children = 16;  // of a wide node, at least 2; but a node of the sphere tree that has more makes a wide node of its own
 };
 
 struct Cluster {
-  int weight_vertex_count;  // the places of its group of vertices()
+  int weight_vertex_count;  // the positions of its group of vertices()
   int first_group, group_count;
 };
 
-// A node in a wide node: a cluster, or opened into a wide node of its own.
+// A node in a wide node. It is a cluster, or it is opened into a wide node of its own.
 struct WideNodeChild {
   int cluster, wide_node;  // one of them is -1
 };
 
 struct WideNode {
   int first_child, child_count;             // all children in one list
-  BoxPieces pieces;                         // what bounds the children, by position in the wide node
-  std::vector<MotionBoundPiecePack> reach;  // what bounds them from the joints alone; none if that cannot be
+  BoxPieces pieces;                         // the pieces that bound the children, by position in the wide node
+  std::vector<MotionBoundPiecePack> reach;  // the motion bounds of the children; empty where they do not apply
 };
 
 class ClusterTree {
  public:
-  // character outlives this. Throws std::invalid_argument for options out of range.
+  // character must outlive this. Throws std::invalid_argument for options out of range.
   explicit ClusterTree(const Character& character, const ClusterOptions& options = {});
 
   const Character& character() const { return *character_; }
@@ -49,13 +50,13 @@ class ClusterTree {
   const WideNodeChild& child(int wide_node, int i) const { return children_[wide_nodes_[wide_node].first_child + i]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
   int group_count() const { return static_cast<int>(groups_.size()); }
-  // By position in the cluster; those behind it follow.
+  // Returns a group by its position in the cluster. The groups behind it follow in memory.
   const TriangleGroup& group(int cluster, int i) const { return groups_[clusters_[cluster].first_group + i]; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
 
  private:
-  // Triangles side by side in SphereTree::triangle_order: those of a node, or some of a leaf's, which is halved until
-  // clusters have as few as they should.
+  // A range of triangles side by side in SphereTree::triangle_order. They are those of a node, or some of a leaf's; a leaf
+  // is halved until its clusters are small enough.
   struct Part {
     int node;  // -1 for some of a leaf's
     int first_triangle, triangle_count;

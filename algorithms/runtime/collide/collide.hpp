@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which triangles of two skinned characters touch, by their sphere trees, refitted on demand (paper 5).
+// The query for the touching triangles of two skinned characters by their sphere trees, refitted on demand (paper 5).
 #pragma once
 
 #include "algorithms/runtime/collide/body.hpp"
 
 namespace refitlab {
 
-// A body and where it stands: placement takes its model space to the world, in the same units for all bodies.
+// A body and its placement. The placement takes the body's model space to the world, in the same units for all bodies.
 struct PlacedBody {
   Body& body;
   RigidTransform<double> placement = {};
@@ -26,15 +26,14 @@ struct QueryCounts {
   long ball_tests = 0, triangle_tests = 0;
 };
 
-// The pairs of triangles, one of each body, that have a point in common, in no particular order. Decided exactly for the
-// corners in the world as apply(placement, skinned corner) computes them in double: the same pairs as testing all pairs
-// finds, for every sound variant. The bodies may be one and the same, in one pose and two placements; they keep what
-// was refitted and skinned for further queries in the frame.
-// Throws std::invalid_argument for a placement that is not finite or whose rotation differs from unit length by more than
-// 1e-6.
+// Returns the pairs of triangles, one of each body, that have a point in common, in no particular order. Each pair is
+// decided exactly for the corners in the world as apply(placement, skinned corner) computes them in double. So for every
+// sound variant, the result is the same as from testing all pairs. The bodies may be one and the same, in one pose and two
+// placements. They keep what was refitted and skinned for further queries in the frame. Throws std::invalid_argument for a
+// placement that is not finite or whose rotation differs from unit length by more than 1e-6.
 std::vector<TrianglePair> collide(const PlacedBody& first, const PlacedBody& second, Query query, QueryCounts& counts);
 
-// A triangle's corners in the world.
+// Returns a triangle's corners in the world.
 TrianglePoints place(const RigidTransform<double>& placement, const TrianglePoints& triangle);
 
 }  // namespace refitlab

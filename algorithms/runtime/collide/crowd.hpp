@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of many bodies touch, and where: boxes first, then each pair whose boxes meet.
+// The query for touching pairs among many bodies. It compares boxes first, and then looks into each pair whose boxes meet.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,29 @@
 
 namespace refitlab {
 
-// Two bodies that touch, by position in the list, first < second.
+// Two bodies that touch, by position in the list. first < second.
 struct Contact {
   int first, second;
   std::vector<TrianglePair> pairs;  // never empty; one for Query::yes_no
 };
 
 struct CrowdCounts {
-  long pairs_of_boxes = 0;  // that meet
+  long pairs_of_boxes = 0;  // the pairs of bodies whose boxes meet
   QueryCounts queries;
 };
 
-// Who works on many bodies at once: for_each(self, count, task, data) calls task(data, i) once for each i < count, in any
-// order and on any threads, and returns when all calls have. task throws nothing.
+// The interface of a thread pool: for_each(self, count, task, data) calls task(data, i) once for each i < count, in any
+// order and on any threads. It returns when all calls have returned. task throws nothing.
 struct Workers {
   void (*for_each)(void* self, std::size_t count, void (*task)(void* data, std::size_t i), void* data);
   void* self = nullptr;
 };
-// The thread that calls, alone.
+// Runs all tasks on the calling thread alone.
 Workers one_worker();
 
-// The contacts among bodies that have begun the same frame, by first and second. Nothing is remembered from frame to
-// frame. A body in work keeps others from it, so more than one thread pays where bodies have few neighbours; the answer
-// is the same. What a task throws is thrown once all have ended.
+// Returns the contacts among bodies that have begun the same frame, sorted by first and second. Nothing is remembered from
+// frame to frame. Only one thread works on a body at a time, so more threads pay where bodies have few neighbours. The
+// result does not depend on the threads. If a task throws, the exception is thrown again once all tasks have ended.
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts,
                                  const Workers& workers = one_worker());
 

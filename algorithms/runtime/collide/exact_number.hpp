@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ExactNumber: integers times powers of two, of any length. Every finite double is one, and so are sums, differences and
-// products: signs of polynomials in doubles are decided without rounding, overflow or underflow.
+// ExactNumber: integers of any length times powers of two. Every finite double is such a number, and so are sums,
+// differences and products. So signs of polynomials in doubles are decided without rounding, overflow or underflow.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace refitlab {
 class ExactNumber {
  public:
   ExactNumber() = default;
-  // x is finite.
+  // x must be finite.
   explicit ExactNumber(double x);
 
-  // -1, 0 or 1.
+  // Returns -1, 0 or 1.
   int sign() const { return digits_.empty() ? 0 : is_negative_ ? -1 : 1; }
 
   ExactNumber operator-() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FlippedBox: low and -high, each with an unused fourth, so that merging two boxes is one minimum.
+// FlippedBox: a box stored as low and -high, each with an unused fourth number, so that merging two boxes is one minimum.
 #pragma once
 
 #include "algorithms/runtime/balls/box.hpp"
@@ -11,13 +11,13 @@ namespace refitlab {
 struct alignas(32) FlippedBox {
   float of[8];
 
-  void set_all(float to) {  // infinity: the empty box; -infinity: everything
+  void set_all(float to) {  // infinity makes the empty box, -infinity the box of everything
     for (float& x : of) x = to;
   }
   Box<double> box() const { return {{of[0], of[1], of[2]}, {-of[4], -of[5], -of[6]}}; }
 };
 
-// Merges boxes, a lane each, into those that target says by lane.
+// Merges boxes, one for each lane. target says by lane which box a lane is merged into.
 template <class Pack>
 [[gnu::always_inline]] inline void merge_lanes(const Box<Pack>& lanes, const int* target, FlippedBox* boxes) {
   constexpr int width = static_cast<int>(Pack::size());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // MotionBound: a box that holds all of a skinned character, from the transforms of its joints alone.
 //
-// What a query asks first: it needs no rotation centers and no blends, and its price goes by joints and joint-sets, not
-// by vertices. By b7_motion_bound a vertex v of a joint-set is within ||v - f|| + s A of the hull of the images C_k f of any
-// point f, where A^2 is the sum of ||C_k f - C_l f||^2 over pairs of its joints, and s goes by the least (q_k, q_l).
-// What holds for some joints holds for fewer of them: so joint-sets all of whose joints another one has share its f,
-// and few groups are left.
+// A query computes it first. It needs no rotation centers and no blends, and its cost depends on the numbers of joints and
+// joint-sets, not of vertices. By b7_motion_bound a vertex v of a joint-set is within ||v - f|| + s A of the hull of the
+// images C_k f of any point f. Here A^2 is the sum of ||C_k f - C_l f||^2 over pairs of its joints, and s depends on the
+// least (q_k, q_l). A bound for some joints also holds for fewer of them. So a joint-set whose joints are all in another
+// one shares its f, and few groups are left.
 #pragma once
 
 #include <optional>
@@ -19,33 +19,33 @@ namespace refitlab {
 
 class MotionBound {
  public:
-  // model and sets outlive this.
+  // model and sets must outlive this.
   MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning);
 
-  // In the world, around all that apply(placement, skin()) yields. pose and placement are rigid, as check_pose
-  // has it. Infinite where nothing is known: for dual quaternions more than half a turn apart, for numbers that are not
-  // finite or beyond 1e15, and for rotations that are not of unit length.
+  // Returns a box in the world around everything that apply(placement, skin()) yields. pose and placement must be rigid, as
+  // check_pose requires. The box is infinite where no bound is known: for dual quaternions more than half a turn apart, for
+  // numbers that are not finite or beyond 1e15, and for rotations that are not of unit length.
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, Target target = best_target()) {
     bool is_rigid;
     return box(pose, placement, is_rigid, target);
   }
-  // The same; is_rigid says that check_pose has nothing against the pose. If not, only check_pose knows.
+  // Returns the same. is_rigid says that check_pose would accept the pose; if it is false, only check_pose can tell.
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target = best_target());
 
-  // Boxes in the world around the targets of packs, in the pose and placement of the last call of box, whose result
-  // was finite. scratch and out are by target. False, and out is of no use, if nothing is known of one. Not for
-  // Skinning::hejl, whose rotation centers these packs do not have.
+  // Makes boxes in the world around the targets of packs, in the pose and placement of the last call of box, whose result
+  // must have been finite. scratch and out are by target. If no bound is known for some target, it returns false, and out
+  // must not be used. Not for Skinning::hejl, because these packs do not have its rotation centers.
   bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, const RigidTransform<double>& placement,
              std::span<FlippedBox> scratch, std::span<Box<double>> out, Target target = best_target());
 
  private:
-  // Joint-sets within one of them.
+  // A group of joint-sets within one of them.
   struct Group {
     std::vector<int> sets;    // the largest first
-    Ball3<double> reference;  // around their vertices: about f, which is the rotation center for Skinning::hejl
+    Ball3<double> reference;  // around their vertices; its center is f, which is the rotation center for Skinning::hejl
     std::vector<int> joints;
     double to_prior;  // the farthest of their priors from f, for spherical skinning
-    float radius;     // with what may be lost
+    float radius;     // with an allowance for rounding
   };
 
   std::vector<Group> make_groups() const;
@@ -63,7 +63,7 @@ class MotionBound {
   std::vector<int> others_;  // groups that have too many joints for a pack
   int most_joints_ = 1;
   bool is_bounded_ = true;
-  // Of the frame in work.
+  // The data of the current frame.
   std::vector<Lanes<float>> numbers_;
   std::vector<std::uint32_t> unbounded_;
   double lost_of_joints_ = 0;

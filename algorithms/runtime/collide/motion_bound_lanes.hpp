@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For the kernels of MotionBound: the numbers of all joints, and the bounds of a pack's lanes.
+// These classes are for the kernels of MotionBound. They hold the numbers of all joints, and the bounds of a pack's lanes.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,12 @@ constexpr int width = static_cast<int>(S::size());
 static_assert(motion_bound_lanes % width == 0);
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-// More than a dot product is off.
+// This is more than the error of a dot product.
 constexpr float positive = 1e-5f;
 
 S load(const float* lanes) { return S(lanes, std::experimental::vector_aligned); }
 
-// Number i of all joints is at numbers + i * room(). few: they are at most 32.
+// Number i of all joints is at numbers + i * room(). few says that there are at most 32 joints.
 template <bool few>
 struct Joints {
   float* numbers;
@@ -35,7 +35,7 @@ struct Joints {
   int room() const { return few ? 32 : any_room; }
   float* number(int i) const { return numbers + i * room(); }
 
-  // From eight doubles a joint. Lanes behind the last joint repeat it.
+  // Reads eight doubles a joint. Lanes behind the last joint repeat it.
   void read(const double* pose) const {
     int first = 0;
     for (; first + 8 <= count; first += 8) read_block<true>(pose, first);
@@ -91,9 +91,9 @@ class Rotations {
 #pragma GCC unroll 8
     for (int l = 1; l < k; ++l) least_ = min_of(least_, dot(of_[l], of_[k]));
   }
-  // Whether nothing is known of what blends them.
+  // Says whether no bound is known for blends of these rotations.
   auto are_far() const { return !(least_ > S(positive)); }
-  // c, or less; of no use if they are far.
+  // Returns c, or a smaller number. It must not be used if the rotations are far apart.
   S cosine() const { return least_ - S(positive); }
 
  private:
@@ -101,10 +101,10 @@ class Rotations {
   S least_{1};
 };
 
-// The most by which a blend deviates, as a share of A.
+// Returns the most by which a blend deviates, as a share of A.
 [[gnu::always_inline]] inline S deviation_share(const S& c) { return root(squared_deviation_share(c)); }
 
-// What a lane's joints make of a point: a box around its images, and A.
+// The images of a point under a lane's joints: a box around them, and A.
 class Images {
  public:
   [[gnu::always_inline]] void add(int k, const Point& image, const Box<S>& around) {

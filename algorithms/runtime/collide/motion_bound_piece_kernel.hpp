@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The kernel that bounds nodes from their joints alone: as that of MotionBound, but by target, and by a ball and a box.
+// The kernel that bounds nodes from their joints alone. It works like that of MotionBound, but by target, and with a ball
+// and a box.
 //
-// By b7_motion_bound with f = v a vertex is within s A(v) of the hull of its images: so it is in the hull of the images of a
-// box around all of them, blown up by s (A(m) + sqrt(2 n (n - 1) (1 - c^2)) ||h||), m its middle and h half its
-// diagonal. Along an axis the image of the box reaches as far as that of m and |R| h.
+// By b7_motion_bound with f = v, a vertex is within s A(v) of the hull of its images. So it is in the hull of the images of
+// a box around all vertices, inflated by s (A(m) + sqrt(2 n (n - 1) (1 - c^2)) ||h||), where m is the center of the box and
+// h half its diagonal. Along an axis, the image of the box extends by |R| h around that of m.
 //
-// Rounding, with the names of motion_bound_kernel.hpp. A rotation's matrix is off by 48 u from the quaternion and, element by
-// element, by 5 u at most: below 60 u in all, and an image by less than the 80 u found there. |R| h is off by 60 u
-// ||h||, 5 u ||h|| and 102 u ||h|| for lengths that are not 1: below lost ||h||. c is lowered by more than it may be
+// Rounding, with the names of motion_bound_kernel.hpp. The matrix of a rotation has an error of 48 u from the quaternion
+// and, element by element, of at most 5 u: together below 60 u. An image has an error of less than the 80 u found there.
+// |R| h has errors of 60 u ||h||, of 5 u ||h||, and of 102 u ||h|| for lengths that are not 1: together below lost ||h||. c
+// is lowered by more than its error, so that 1 - c^2 is not too small. The rounding of its root is within that of spin.
 // off, so that 1 - c^2 is not too small, and its root's rounding is within that of spin.
 #pragma once
 
@@ -16,7 +18,7 @@
 
 namespace refitlab {
 
-// A piece in a lane: its ball, and its box in the reference pose.
+// A piece in a lane, with its ball and its box in the reference pose.
 struct MotionBoundPiecePack {
   MotionBoundPack ball;
   alignas(64) float box_center[3][motion_bound_lanes], half[3][motion_bound_lanes];
@@ -25,8 +27,9 @@ struct MotionBoundPiecePack {
   alignas(64) float box_unsolved[motion_bound_lanes];
 };
 
-// Merges the bounds of pieces into boxes[target], turned by the placement, not moved. numbers: as MotionBoundKernels::bound
-// left them for this pose and placement; off: off_of_reach. False if nothing is known of some lane.
+// Merges the bounds of pieces into boxes[target], turned by the placement but not moved. numbers are as
+// MotionBoundKernels::bound left them for this pose and placement, and off is off_of_reach. Returns false if no bound is
+// known for some lane.
 using BoundMotionPieces = bool (*)(float* numbers, int joint_count, int joint_room, const MotionBoundPiecePack* packs,
                                    int pack_count, bool deviates, float off, FlippedBox* boxes);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PairMemory: what two bodies were to each other in earlier frames. Bodies move little from one frame to the next: of a
-// few pairs of triangles that touched some pair often touches again, and bodies whose bounds met meet again.
+// PairMemory: the state of two bodies in earlier frames. Bodies move little from one frame to the next. If a few pairs of
+// triangles touched, some of them often touch again, and bodies whose bounds met meet again.
 #pragma once
 
 #include <algorithm>
@@ -14,22 +14,22 @@ class PairMemory {
  public:
   static constexpr std::size_t most = 8;
 
-  // Pairs that touched, the latest first.
+  // The pairs that touched, the latest first.
   const std::vector<TrianglePair>& pairs() const { return pairs_; }
 
-  // One of the pairs found in a frame; it moves to the front if it is known.
+  // Adds one of the pairs found in a frame. If it is known, it moves to the front.
   void remember(const TrianglePair& pair) {
     std::erase(pairs_, pair);
     if (pairs_.size() == most) pairs_.pop_back();
     pairs_.insert(pairs_.begin(), pair);
   }
-  // Of many pairs found in a frame, as many as there is room for, spread over them.
+  // Adds as many of the pairs found in a frame as there is room for, spread over all of them.
   void remember(const std::vector<TrianglePair>& pairs) {
     const std::size_t count = std::min(most, pairs.size());
     for (std::size_t i = 0; i < count; ++i) remember(pairs[i * pairs.size() / count]);
   }
 
-  // Whether bounds of the two met when they were last compared.
+  // Whether the bounds of the two bodies met when they were last compared.
   bool are_near = false;
 
  private:

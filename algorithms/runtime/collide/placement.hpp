@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a body's placement in the world must be.
+// The check of a body's placement in the world.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace refitlab {
 
-// Throws std::invalid_argument, about what is named, for a placement that is not finite or whose rotation differs from
-// unit length by more than 1e-6.
+// Throws std::invalid_argument for a placement that is not finite or whose rotation differs from unit length by more than
+// 1e-6. The message contains the given name.
 inline void check_placement(const RigidTransform<double>& placement, const char* name) {
   if (!placement.rotation.allFinite() || !placement.translation.allFinite())
     throw std::invalid_argument(std::string(name) + " is not finite");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces of nodes: what a node holds of each joint-set, which is bounded by itself.
+// Pieces of nodes for the fast queries. A piece is the part of a node in one joint-set, and is bounded by itself.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ struct SimplexPiece {
   int target;               // the node's position in a list
 };
 
-// Of the vertices in each list, which is the target of their pieces; none is empty.
+// Returns the pieces of the vertices in each list. The list's position is the target of its pieces. No list may be empty.
 std::vector<SimplexPiece> pieces_of_vertices(const Character& character, std::span<const std::vector<int>> lists);
 std::vector<SimplexPiece> pieces_of_nodes(const Character& character, std::span<const int> nodes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TriangleGroup: some triangles of a cluster that lie side by side and are boxed together.
+// TriangleGroup: a few triangles of a cluster that lie side by side and share a box.
 #pragma once
 
 #include <array>

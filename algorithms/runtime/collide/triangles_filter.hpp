@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A quick answer to whether two triangles have a point in common, in double or in packs of doubles, or none where
+// A quick test whether two triangles have a point in common, in double or in packs of doubles. It gives no answer where
 // rounding might decide.
 //
-// By the sides of each triangle's plane that the other's corners are on and, where each triangle crosses the other's
-// plane, the order of the crossings on the line that the planes share [Guigue and Devillers 2003]: signs of
-// determinants all.
+// It computes on which sides of each triangle's plane the other's corners are. Where each triangle crosses the other's
+// plane, it computes the order of the crossings on the line that the planes share [Guigue and Devillers 2003]. All of these
+// are signs of determinants.
 //
-// With u = 2^-53 and X, Y, Z the largest computed |differences| of coordinates: a determinant of differences is a sum
-// of six products of three of them, each at most XYZ (1 + u)^3 in exact differences, with at most 3 + 2 + 3 roundings
-// (of differences, products and sums), each a factor within 1 +- u. So it is off by at most 6 XYZ ((1 + u)^11 - 1) < 67
-// u XYZ < 7.5e-15 XYZ; the bound used leaves a fourth for its own roundings, and for products that underflow: with X, Y
-// and Z below 1e100 and XYZ above 1e-186 those of two are above 1e-286, of which 2^-1075 is nothing. For others no sign
-// is certain: products may underflow, or determinants overflow where their bounds do not.
+// Rounding. Let u = 2^-53, and let X, Y, Z be the largest computed |differences| of coordinates. A determinant of
+// differences is a sum of six products of three differences. Each product is at most XYZ (1 + u)^3 in exact differences,
+// with at most 3 + 2 + 3 roundings (of differences, products and sums), and each rounding is a factor within 1 +- u. So the
+// error is at most 6 XYZ ((1 + u)^11 - 1) < 67 u XYZ < 7.5e-15 XYZ. The bound in the code leaves a fourth for its own
+// roundings, and for products that underflow. With X, Y and Z below 1e100 and XYZ above 1e-186, products of two of them are
+// above 1e-286, and 2^-1075 is nothing in comparison. For other values no sign is certain: products may underflow, or
+// determinants may overflow where their bounds do not.
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ struct Sign {
   Mask is_positive, is_negative;
 };
 
-// Largest |differences| by coordinate.
+// The largest |differences| by coordinate.
 template <class S>
 class DifferenceExtent {
  public:
@@ -48,7 +49,7 @@ class DifferenceExtent {
   S largest_[3] = {S(0), S(0), S(0)};
 };
 
-// Of (b - a, c - a, d - a).
+// Returns the sign of the determinant of (b - a, c - a, d - a).
 template <class S>
 auto sign_of_determinant(const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>& c, const Vec<S, 3>& d) {
   const Vec<S, 3> p = b - a, q = c - a, r = d - a;
@@ -57,7 +58,7 @@ auto sign_of_determinant(const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>
   return extent.sign_of(dot<S, 3>(cross<S>(p, q), r));
 }
 
-// The sides of a triangle's plane that another's corners are on.
+// The sides of a triangle's plane on which another triangle's corners are.
 template <class S>
 class PlaneSides {
  public:
@@ -79,8 +80,8 @@ class PlaneSides {
     const auto is_certain = [&](int i) { return side_[i].is_positive || side_[i].is_negative; };
     return is_certain(0) && is_certain(1) && is_certain(2);
   }
-  // Of certain sides that are not one: turns the points so that the one that is alone on its side comes first, and says
-  // whether that is the positive side.
+  // Requires certain sides that are not all the same. Turns the points so that the one that is alone on its side comes
+  // first, and returns whether that is the positive side.
   auto turn(TriangleOf<S>& points) const {
     const auto differ = [&](int i, int j) { return (distance_[i] > S(0)) != (distance_[j] > S(0)); };
     const auto is_third = !differ(0, 1), is_second = !differ(0, 2);
@@ -95,8 +96,9 @@ class PlaneSides {
   Sign<Mask> side_[3];
 };
 
-// Of two triangles that certainly cross each other's planes: each one's crossings of the shared line are an interval,
-// and neither begins where the other has ended. Positive if they are apart, negative if they meet.
+// Requires two triangles that certainly cross each other's planes. The crossings of each triangle with the shared line are
+// an interval, and the triangles meet if neither interval begins after the other has ended. The sign is positive if they
+// are apart, and negative if they meet.
 template <class S>
 auto sign_of_gap(const PlaneSides<S>& of_a, const PlaneSides<S>& of_b, TriangleOf<S> a, TriangleOf<S> b) {
   const auto swap_where = [](auto where, Vec<S, 3>& x, Vec<S, 3>& y) {
@@ -112,8 +114,8 @@ auto sign_of_gap(const PlaneSides<S>& of_a, const PlaneSides<S>& of_b, TriangleO
 
 enum class Filtered : unsigned char { apart, meet, unknown };
 
-// apart and meet are right for the doubles as they are; unknown for triangles that touch or nearly do, lie in one
-// plane, are flat, or are too small or too large for products of three of their lengths.
+// apart and meet are right for the given doubles. The answer is unknown for triangles that touch or nearly do, that lie in
+// one plane, that are flat, or that are too small or too large for products of three of their lengths.
 Filtered filter_triangles(const TrianglePoints& a, const TrianglePoints& b);
 
 }  // namespace refitlab

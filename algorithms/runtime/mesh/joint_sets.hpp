@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joint-sets: the distinct sets of joints that influence a vertex (paper 3, J(v)), and each vertex's weights in them.
+// Joint-sets: a joint-set is a distinct set of joints that influence a vertex (paper 3, J(v)). Each vertex has its weights
+// in its joint-set.
 #pragma once
 
 #include <span>
@@ -16,9 +17,9 @@ class JointSets {
   int count() const { return static_cast<int>(joints_.size()); }
   // The joints of one joint-set, in increasing order.
   std::span<const int> joints(int joint_set) const { return joints_[joint_set]; }
-  // Which joint-set a vertex belongs to.
+  // The index of the joint-set that a vertex belongs to.
   int of_vertex(int vertex) const { return of_vertex_[vertex]; }
-  // The weights of a vertex, in the order of its joint-set's joints: all positive, sum exactly 1.
+  // The weights of a vertex, in the order of its joint-set's joints. All are positive, and their sum is exactly 1.
   std::span<const double> weights(int vertex) const {
     return {weights_.data() + first_weight_[vertex], joints_[of_vertex_[vertex]].size()};
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// SkinnedMesh: a triangle mesh, the joints that move it, and how much of each joint is in each vertex (paper 3).
+// SkinnedMesh: a triangle mesh, its joints, and the weight of each joint in each vertex (paper 3).
 //
-// Frames: everything is in model space of the reference pose, right-handed, in the units of whatever it was made from.
-// A Pose gives, by joint, the rigid C_j that takes the reference pose to the animated one.
+// Frames: everything is in model space of the reference pose, right-handed, in the units of the source model. A Pose gives,
+// for each joint, the rigid transform C_j that takes the reference pose to the animated pose.
 #pragma once
 
 #include <array>
@@ -18,13 +18,14 @@ using Point3 = Vec<double, 3>;
 using Triangle = std::array<int, 3>;  // indices of vertices, counter-clockwise seen from outside
 using Pose = std::vector<RigidTransform<double>>;
 
-// Of a coordinate of a mesh or a pose: sixth powers, which determinants have, are in the range of double up to here.
+// The largest absolute coordinate of a mesh or a pose. Up to here, the sixth powers in determinants are in the range of
+// double.
 inline constexpr double largest_coordinate = 1e40;
 
 struct Joint {
   std::string name;
-  int parent;     // index of a joint that comes before this one, or -1
-  Point3 origin;  // of its local frame in the reference pose
+  int parent;     // the index of a joint that comes before this one, or -1
+  Point3 origin;  // the origin of its local frame in the reference pose
 };
 
 // weight is a multiple of 2^-24, and the weights of a vertex sum to 1 exactly (see algorithms/runtime/mesh/quantize.hpp).
@@ -41,15 +42,16 @@ struct SkinnedMesh {
   std::vector<std::vector<Influence>> influences;  // by vertex; distinct joints in increasing order, weights > 0
 };
 
-// A model that cannot be used: the message names the file (or generated model), the thing, and the reason.
+// The error for a model that cannot be used. The message names the file (or the generated model), the thing, and the
+// reason.
 class ModelError : public std::runtime_error {
  public:
   ModelError(const std::string& file, const std::string& thing, const std::string& reason)
       : std::runtime_error(file + ": " + thing + ": " + reason) {}
 };
 
-// Throws ModelError unless the mesh fits the comments above: indices in range, at least one triangle, coordinates in range,
-// weights as stated. Every source of meshes ends with it.
+// Throws ModelError unless the mesh fits the comments above: indices are in range, there is at least one triangle,
+// coordinates are in range, and weights are as stated. Every source of meshes calls it last.
 void validate(const SkinnedMesh& mesh);
 
 // The pose in which every joint stays where the reference pose has it.

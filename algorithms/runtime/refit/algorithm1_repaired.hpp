@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 1, repaired: sound for every pose and every weight bound; in intervals and exact numbers without exception,
-// in float and double up to rounding.
+// Algorithm 1, repaired. It is sound for every pose and every weight bound: without exception in intervals and exact
+// numbers, and up to rounding in float and double.
 //
-// Against the printed one: the skinning's own quaternion signs; a blend that may vanish or a cap of a half-sphere and more
-// means all rotations; beyond 90 degrees the smallest ball of a cap is the whole sphere's; the angle by its chord.
+// It differs from the printed algorithm in four ways. It uses the skinning's own quaternion signs. If a blend may vanish,
+// or a cap is a half-sphere or more, it takes all rotations. Beyond 90 degrees, the smallest ball of a cap is that of the
+// whole sphere. It computes the angle from its chord.
 #pragma once
 
 #include "algorithms/runtime/refit/ball_policy.hpp"
@@ -13,7 +14,7 @@
 
 namespace refitlab {
 
-// Bounds the rotations of one joint-set's weights: lines 5 to 13.
+// Bounds the rotations for one joint-set's weights (lines 5 to 13).
 template <class Policy, class S>
 RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodePiece& set, std::vector<Quaternion<S>>& unit) {
   unit.clear();

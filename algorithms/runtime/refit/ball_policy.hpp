@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BOUNDINGSPHERE, the subroutine of Algorithm 1 that the variants exchange: mean balls as printed, or smallest balls.
+// The policies for BOUNDINGSPHERE, the subroutine of Algorithm 1 in which the variants differ: mean balls as printed, or
+// smallest balls.
 #pragma once
 
 #include <vector>
@@ -31,7 +32,8 @@ struct SmallestBalls {
   static Ball3<double> of_balls(std::span<const Ball3<double>> balls) { return few_balls_enclosing(balls); }
 };
 
-// At most this much larger than the smallest, which is known from a few of the balls: those that come first are tried.
+// Makes a ball that is larger than the smallest by at most the share slack. A few of the balls determine the smallest; the
+// balls that come first are tried first.
 struct NearSmallestBalls {
   static constexpr double slack = 0.05;
   static Ball3<double> of_balls(std::span<const Ball3<double>> balls) {
@@ -41,7 +43,7 @@ struct NearSmallestBalls {
   }
 };
 
-// The lists of Algorithm 1, kept between calls so that a refit does not allocate.
+// The lists of Algorithm 1. They are kept between calls, so that a refit does not allocate.
 template <class S>
 struct RefitLists {
   std::vector<Ball3<S>> balls;             // L_1

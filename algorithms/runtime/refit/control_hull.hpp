@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Control balls: blend skinning as a rational Bezier simplex in the weights, whose control points hold all of it.
+// Control balls: blend skinning is a rational Bezier simplex in the weights, and the hull of its control points holds all
+// of it.
 //
-// Let q'_k and r'_k be a piece's corner quaternions and corner images of the rotation center, and x = p - r_c. The control
-// points N_jkl / W_jkl are those of b1_rational_bezier_simplex, of degree 3.
+// Let q'_k and r'_k be the quaternion and the image of the rotation center at weight vertex k of a piece, and let x = p -
+// r_c. The control points N_jkl / W_jkl are those of b1_rational_bezier_simplex, of degree 3.
 // If all W_kl are positive, the skinned p is a convex combination of the control points N_jkl / W_jkl, and the whole
-// reference ball stays within its radius of their hull. Rotations far apart make the control points deviation, so a simplex
-// with corners 120 degrees apart or more, or with a corner that is 0, is halved (de Casteljau) at its widest edge, a
-// few times; what is still so wide then falls back on the cap bound of Algorithm 1 repaired, which is no larger there.
-// So the W_kl divided by are never small against the corners. The lemmas: b1_rational_bezier_simplex to
-// b5_rotation_axis.
+// reference ball stays within its radius of their hull. If rotations are far apart, the control points stray far from the
+// surface. So a simplex is halved (de Casteljau) at its widest edge, a few times, if it has rotations 120 degrees apart or
+// more, or a q'_k that is 0. A simplex that is still so wide then falls back on the cap bound of Algorithm 1 repaired,
+// which is no larger there. So no divisor W_kl is small relative to the quaternions. The lemmas are
+// b1_rational_bezier_simplex to b5_rotation_axis.
 //
-// The halving is common to all blends of quaternions: ControlHull is a template over the blend of a piece.
+// All blends of quaternions share the halving: ControlHull is a template over the blend of a piece.
 #pragma once
 
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
@@ -23,23 +24,23 @@ namespace refitlab {
 
 inline constexpr int most_halvings = 4;  // in a row: 16 sub-simplices at most
 
-// Blend is of one piece, with Number and Corner, whose rotation is a quaternion; mix(a, b), as above for two corners;
-// middle(a, b), the corner half-way; near, so that corners are near if (q'_k, q'_l) > 0 and its square times near is
-// above ||q'_k||^2 ||q'_l||^2; and, given a simplex, emit for near corners and fall_back for others, which append balls
-// to lists.cap.balls.
+// Blend is the blend of one piece. It has the types Number and Corner; a Corner is the data at a weight vertex, and its
+// rotation is a quaternion. mix(a, b) makes the values above for two corners, and middle(a, b) the corner half-way. near is
+// a constant: corners are near if (q'_k, q'_l) > 0 and its square times near is above ||q'_k||^2 ||q'_l||^2. For a given
+// simplex, emit (for near corners) and fall_back (for others) append balls to lists.cap.balls.
 template <class Blend>
 class ControlHull {
   using S = typename Blend::Number;
   using Corner = typename Blend::Corner;
 
  public:
-  // corners: a list of lists.
+  // corners is a list of lists.
   ControlHull(Blend& blend, std::vector<Corner>& corners, ControlLists<S>& lists)
       : blend_(blend),
         corners_(corners),
         lists_(lists) {}
 
-  // The simplex whose m corners are the last of the corners, which are gone afterwards.
+  // Bounds the simplex whose m corners are the last ones in the list, and removes them from it.
   void cover(std::size_t m, int halvings_left) {
     const std::size_t first = corners_.size() - m;
     mix_all(first, m);
@@ -58,7 +59,7 @@ class ControlHull {
   std::span<const Corner> simplex(std::size_t first, std::size_t m) const { return {corners_.data() + first, m}; }
   S& dots(std::size_t m, std::size_t k, std::size_t l) { return lists_.dots[k * m + l]; }
 
-  // W and N of every pair.
+  // Computes W and N of every pair.
   void mix_all(std::size_t first, std::size_t m) {
     lists_.dots.resize(m * m);
     lists_.products.resize(m * m);
@@ -70,14 +71,14 @@ class ControlHull {
       }
   }
 
-  // As near as the blend asks for, and certainly not 0.
+  // Says whether the corners are as near as the blend requires, and certainly not 0.
   bool is_near(std::size_t m, std::size_t k, std::size_t l) {
     const S& w = dots(m, k, l);
     return is_certainly_nonzero(dots(m, k, k)) && is_certainly_nonzero(dots(m, l, l)) && certainly_less(S(0), w) &&
            certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(Blend::near) * sq(w)));
   }
 
-  // The two simplices that share the middle of the edge (k, l).
+  // Makes the two simplices that share the middle of the edge (k, l).
   void halve(std::size_t first, std::size_t m, std::size_t k, std::size_t l, int halvings_left) {
     const Corner middle = blend_.middle(corners_[first + k], corners_[first + l]);
     for (const std::size_t replaced : {k, l}) {
@@ -93,7 +94,7 @@ class ControlHull {
   ControlLists<S>& lists_;
 };
 
-// Spherical blending of a piece, of degree 3: Equation (1).
+// The spherical blend of a piece, of degree 3: Equation (1).
 template <class S>
 class SphericalPiece {
  public:
@@ -101,7 +102,7 @@ class SphericalPiece {
   using Corner = BlendedJoints<S>;
   static constexpr double near = 4;  // less than 120 degrees of rotation apart, 60 degrees between the quaternions
 
-  // x is p - r_c, radius that of the reference ball.
+  // x is p - r_c, and radius is that of the reference ball.
   SphericalPiece(const Vec<S, 3>& x, const S& radius) : x_(x), radius_(radius) {}
 
   MixedCorners<S> mix(const Corner& a, const Corner& b) const { return mix_rotations(a.rotation, b.rotation, x_); }
@@ -124,7 +125,7 @@ class SphericalPiece {
         }
   }
 
-  // The rotations' cap, and the linear part's corners.
+  // Bounds the rotations by a cap, and the linear part by its values at the weight vertices.
   void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) const {
     auto& unit = lists.cap.quaternions;
     unit.clear();
@@ -147,8 +148,8 @@ class SphericalPiece {
   const S radius_;
 };
 
-// Balls whose convex hull contains the node's vertices under spherical blending, in lists.cap.balls: what any convex
-// bounding volume can be put around.
+// Makes balls in lists.cap.balls. Their convex hull contains the node's vertices under spherical blending, so any convex
+// bounding volume can be put around them.
 template <class S>
 std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S>& lists) {
   lists.cap.balls.clear();
@@ -172,7 +173,7 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
   return lists.cap.balls;
 }
 
-// One ball around the control balls.
+// Returns one ball around the control balls.
 template <class Policy, class S>
 Ball3<S> refit_control_hull(const RefitNode<S>& node, ControlLists<S>& lists) {
   return Policy::of_balls(control_balls(node, lists));

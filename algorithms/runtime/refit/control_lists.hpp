@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ControlLists: what the control balls of a node are made in, for every kind of skinning. The balls are the result.
+// ControlLists: the working storage for the control balls of a node, for every kind of skinning. The balls are the result.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace refitlab {
 
-// Reused between calls, so that a refit does not allocate.
+// The lists are reused between calls, so that a refit does not allocate.
 template <class S>
 struct ControlLists {
   RefitLists<S> cap;                          // balls (the result) and the quaternions of the fallback
-  std::vector<BlendedJoints<S>> corners;      // of the simplices in work, one after the other: q'_k and r'_k
+  std::vector<BlendedJoints<S>> corners;      // of the simplices in progress, one after another: q'_k and r'_k
   std::vector<BlendedDuals<S>> dual_corners;  // the same for dual quaternions: q'_k and d'_k
   std::vector<S> dots;                        // W_kl, m x m
   std::vector<Vec<S, 3>> products;            // N_kl of degree 2, m x m

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Refitting for dual quaternion skinning: its control balls, of degree 2, and one ball around them.
 //
-// Let q'_k + eps d'_k be a piece's corner dual quaternions and p the center of its reference ball. With W_kl and P_kl
-// of p itself as in control_hull.hpp, and
+// Let q'_k + eps d'_k be the dual quaternion at weight vertex k of a piece, and p the center of its reference ball. Let
+// W_kl and P_kl be as in control_hull.hpp, but P_kl of p itself, and
 //   N_kl = P_kl + T_kl,   T_kl = Im(d'_k q'_l* + d'_l q'_k*),
-// the image of p under the blend with weights u is sum u_k u_l N_kl / sum u_k u_l W_kl: if all W_kl are positive, a
-// convex combination of the control points N_kl / W_kl (b1_rational_bezier_simplex, b2_control_hull_encloses). The
-// blend is rigid, so the reference ball stays within its radius of their hull. Simplices are halved as for spherical
-// blending, but from a right angle on: with degree 2 there are fewer control points, which deviation sooner
-// (b4_cap_fallback). What is still so wide after that falls back on the ball of b6_dual_quaternion_ball, larger the
-// nearer a blend is to 0. If one may be 0, no ball holds what its neighbours do: they carry a vertex as far as wanted.
+// The image of p under the blend with weights u is sum u_k u_l N_kl / sum u_k u_l W_kl. If all W_kl are positive, this is a
+// convex combination of the control points N_kl / W_kl (b1_rational_bezier_simplex, b2_control_hull_encloses). The blend is
+// rigid, so the reference ball stays within its radius of their hull. Simplices are halved as for spherical blending, but
+// already from a right angle on: degree 2 has fewer control points, which stray sooner (b4_cap_fallback). A simplex that is
+// still so wide after that falls back on the ball of b6_dual_quaternion_ball. This ball is larger the nearer a blend is to
+// 0. If a blend may be 0, no ball encloses the images under its neighbours, because these carry a vertex arbitrarily far.
 #pragma once
 
 #include <limits>
@@ -21,13 +21,13 @@
 
 namespace refitlab {
 
-// All of space, as a ball: of infinite radius about a point.
+// Returns all of space as a ball: one of infinite radius about a point.
 template <class S>
 Ball3<S> all_of_space(const Vec<S, 3>& center) {
   return {center, S(std::numeric_limits<double>::infinity())};
 }
 
-// Dual quaternion blending of a piece.
+// The dual quaternion blend of a piece.
 template <class S>
 class DualQuaternionPiece {
  public:
@@ -35,7 +35,8 @@ class DualQuaternionPiece {
   using Corner = BlendedDuals<S>;
   static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
 
-  // point is p, radius that of the reference ball, translation at least the length of every joint's (for rounding).
+  // point is p, radius is that of the reference ball, and translation is at least the length of every joint's translation
+  // (for rounding).
   DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& translation = S(0))
       : point_(point),
         radius_(radius),
@@ -52,8 +53,8 @@ class DualQuaternionPiece {
       for (std::size_t l = k; l < m; ++l) lists.cap.balls.push_back({lists.products[k * m + l] / lists.dots[k * m + l], radius_});
   }
 
-  // The ball about the mean f of the corners' images, of radius max ||2 d'_k + q'_k p - f q'_k|| ||a|| / (q'_k, a), for
-  // an axis a with all (q'_k, a) > 0. If none is found, there is no bound.
+  // Makes the ball about the mean f of the images at the weight vertices, with radius max ||2 d'_k + q'_k p - f q'_k||
+  // ||a|| / (q'_k, a), for an axis a with all (q'_k, a) > 0. If it finds no such axis, there is no bound.
   void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) {
     const Quaternion<S> axis = axis_of(corner);
     if (!is_ahead(corner, axis)) {
@@ -72,8 +73,8 @@ class DualQuaternionPiece {
 
   bool is_bounded() const { return is_bounded_; }
 
-  // The corners' mean, and while a corner is behind it a few steps towards the point of their hull that is nearest to 0
-  // [Gilbert 1966], which all corners are ahead of unless it is 0.
+  // The axis is the mean of the q'_k. While some q'_k is behind it, it takes a few steps towards the point of their hull
+  // that is nearest to 0 [Gilbert 1966]. All q'_k are ahead of that point unless it is 0.
   static Quaternion<S> axis_of(std::span<const Corner> corner) {
     Quaternion<S> axis = Quaternion<S>::Constant(S(0));
     for (const Corner& c : corner) axis = axis + c.rotation;
@@ -92,12 +93,14 @@ class DualQuaternionPiece {
 
  private:
   static constexpr int axis_steps = 6;
-  // Of an angle to the axis, and of a corner's squared length. Less may be made by rounding.
+  // The least squared cosine of an angle to the axis, and the least squared length of a q'_k. Smaller values may come from
+  // rounding.
   static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
   static constexpr double least_squared_corner = std::is_floating_point_v<S> ? 1e-4 : 0;
 
-  // What the corners are off by, and what is computed of them, is (n + 16) u of (t + ||p|| + ||f||) for n joints, divided by
-  // (q'_k, a) / ||a||, which is at least 1e-2 times 1e-4: up to 500 joints, less than 2^-24 of that size in double.
+  // The errors of the q'_k and d'_k, and of what is computed from them, are at most (n + 16) u of (t + ||p|| + ||f||) for n
+  // joints, divided by (q'_k, a) / ||a||. This divisor is at least 1e-2 times 1e-4. So up to 500 joints, the error is less
+  // than 2^-24 of that size in double.
   S rounding_of(const Vec<S, 3>& middle, const S& reach) const {
     if constexpr (!std::is_floating_point_v<S>) return S(0);
     else return S(0x1p-24) * (reach + translation_ + norm(point_) + norm(middle));
@@ -118,8 +121,8 @@ class DualQuaternionPiece {
   bool is_bounded_ = true;
 };
 
-// Balls whose convex hull contains the node's vertices under dual quaternion blending, in lists.cap.balls. If some
-// admissible blend may be 0: one ball, all of space.
+// Makes balls in lists.cap.balls, whose convex hull contains the node's vertices under dual quaternion blending. If some
+// admissible blend may be 0, the only ball is all of space.
 template <class S>
 std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node, ControlLists<S>& lists) {
   auto& balls = lists.cap.balls;
@@ -150,7 +153,7 @@ std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node
   return balls;
 }
 
-// One ball around them; a single one is its own.
+// Returns one ball around the control balls. If there is only one, it is that ball.
 template <class Policy, class S>
 Ball3<S> refit_dual_quaternion(const RefitNode<S>& node, ControlLists<S>& lists) {
   const std::span<const Ball3<S>> balls = control_balls_dual_quaternion(node, lists);

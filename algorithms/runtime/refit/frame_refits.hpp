@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// FrameRefits: the balls of one character in one frame, each refitted when it is first asked for, and once.
+// FrameRefits: the balls of one character in one frame. Each is refitted once, when it is first asked for.
 //
-// Beyond the paper's on-demand refit (5), two ways in which a node uses what the frame knows already:
-// - Nodes of many joint-sets, from below. Their own refit grows with the joint-sets and none of it is shared with other
-//   nodes. Instead such a node gets the smallest ball around the balls of its cut: descendants of few joint-sets,
-//   or bounded from below in their turn. They are refitted once a frame, for all of their ancestors, and asking for
-//   them later costs nothing. As a cut has at most so many members, a ball costs no more however many joints the
-//   character has (the paper's future work: sublinear in joints).
-// - Children first. If all children of a node are refitted, their smallest enclosing ball is a bound too: the smaller
-//   one is taken. Queries go top-down, so this is for frames whose balls are made bottom-up, all or many of them.
+// Beyond the paper's on-demand refit (5), a node can use what the frame knows already, in two ways:
+// - Nodes of many joint-sets are refitted through a BVH cut. The cost of their own refit grows with the number of
+// joint-sets, and other nodes cannot share any of it. Instead, such a node gets the smallest ball around the balls of its
+// cut. The members of a cut are descendants with few joint-sets, or descendants that have a cut themselves. They are
+// refitted once a frame for all of their ancestors, and asking for them later costs nothing. A cut has a limited number of
+// members, so the cost of a ball does not grow with the number of joints of the character (the paper's future work:
+// sublinear in joints).
+// - Children come first. If all children of a node are refitted, their smallest enclosing ball is a bound too, and the
+// smaller of the two is taken. Queries go top-down, so this helps in frames whose balls are made bottom-up, all or many of
+// them.
 #pragma once
 
 #include "algorithms/runtime/refit/frame_stamps.hpp"
@@ -17,33 +19,34 @@
 namespace refitlab {
 
 struct FrameOptions {
-  // A node with more joint-sets than this that is not a leaf is bounded from below; 0: none is.
+  // A node that is not a leaf and has more joint-sets than this is bounded through its cut. 0 means that no node is.
   int most_joint_sets = 0;
-  // Of a cut: its member of most joint-sets is replaced by its children as long as they are no more than this. A node of
-  // more children has all of them as its cut.
+  // The largest size of a cut. While the cut stays within this size, its member of most joint-sets is replaced by the
+  // member's children. A node of more children has all of them as its cut.
   int most_in_cut = 64;
   bool children_first = false;
 };
 
 class FrameRefits {
  public:
-  // character and variant outlive this. Throws std::invalid_argument for a character without the variant's pieces.
+  // character and variant must outlive this. Throws std::invalid_argument for a character without the variant's pieces.
   FrameRefits(const Character& character, const RefitVariant& variant, const FrameOptions& options = {});
 
-  // Starts a frame: all balls are forgotten. palette, made for variant.skinning, outlives the frame. Throws
+  // Starts a frame, and forgets all balls. palette must be made for variant.skinning and must outlive the frame. Throws
   // std::invalid_argument if it is not measured.
   void begin(const SkinningPalette<double>& palette);
 
-  // Encloses all vertices of the node in this frame's pose, if the variant is sound. The reference holds until begin.
+  // Returns a ball that encloses all vertices of the node in this frame's pose, if the variant is sound. The reference is
+  // valid until begin.
   const Ball3<double>& operator[](int node);
 
   // Makes all balls, children before parents.
   void refit_all();
 
   bool is_refitted(int node) const { return made_.is_made(node); }
-  // The nodes that a node is bounded from below by; empty for one that is refitted by itself.
+  // Returns the cut that a node is bounded through. It is empty for a node that is refitted by itself.
   const std::vector<int>& cut(int node) const { return cut_[node]; }
-  // How many balls were made since begin, by level - 1.
+  // Returns how many balls were made since begin, by level - 1.
   const std::vector<long>& refitted_by_level() const { return refitted_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FrameStamps: which of some things were made in the current frame; a new frame forgets all of them at once.
+// FrameStamps: a record of which objects were made in the current frame. A new frame forgets all of them at once.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Refitting for linear blend skinning [Kavan and Zara 2005a]: the balls whose centers are the corner-blended images of
-// the reference ball's center, all of its radius, and one ball around them. They are the control balls of degree 1.
+// Refitting for linear blend skinning [Kavan and Zara 2005a]. The control balls, of degree 1, are copies of the reference
+// ball. Their centers are the images of its center, blended with the weights of each weight vertex. The refit is one ball
+// around them.
 #pragma once
 
 #include "algorithms/runtime/refit/control_lists.hpp"
@@ -9,8 +10,9 @@
 
 namespace refitlab {
 
-// Balls whose convex hull contains the node's vertices under linear blending, in lists.cap.balls: a convex combination
-// of rigid images of S lies in the ball of the same radius about the same combination of the images of its center.
+// Makes balls in lists.cap.balls, whose convex hull contains the node's vertices under linear blending. The reason: a
+// convex combination of rigid images of S lies in the ball of the same radius about the same combination of the images of
+// its center.
 template <class S>
 std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, ControlLists<S>& lists) {
   lists.cap.balls.clear();
@@ -24,7 +26,7 @@ std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, Control
   return lists.cap.balls;
 }
 
-// One ball around them.
+// Returns one ball around the control balls.
 template <class Policy, class S>
 Ball3<S> refit_linear(const RefitNode<S>& node, ControlLists<S>& lists) {
   return Policy::of_balls(control_balls_linear(node, lists));

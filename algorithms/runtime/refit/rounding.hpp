@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The certified ball of a node: what a refit computed, with a slack for all rounding, as derived in
+// The certified ball of a node: the computed ball of a refit, with a slack for all rounding. The slack is derived in
 // algorithms/runtime/skinning/palette_rounding.hpp.
 #pragma once
 
@@ -8,8 +8,9 @@
 
 namespace refitlab {
 
-// How far vertices of the node may be outside the hull of the control balls of its pieces, all computed in S: vertices
-// skinned exactly, and as skin() does. Not for Skinning::hejl: its poses are bounded as spherical.
+// Returns how far vertices of the node may be outside the hull of the control balls of its pieces, all computed in S. This
+// holds for vertices skinned exactly and for those of skin(). It is not for Skinning::hejl: its poses are bounded as
+// spherical.
 template <Skinning skinning, class S>
 S rounding_of_pieces(const RefitNode<S>& node) {
   const Vec<S, 3>& p = node.reference.center;
@@ -25,7 +26,7 @@ S rounding_of_pieces(const RefitNode<S>& node) {
   return worst;
 }
 
-// ball is what a refit computed for the node; the result encloses its vertices, skinned exactly or in S.
+// ball is the ball that a refit computed for the node. The result encloses the node's vertices, skinned exactly or in S.
 template <Skinning skinning, class S>
 Ball3<S> certified(const Ball3<S>& ball, const RefitNode<S>& node) {
   return rounded_up(inflate(ball, rounding_of_pieces<skinning>(node)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blending one vertex, over any number type: linear, spherical by Equation (1), and by dual quaternions.
+// These functions blend one vertex, over any number type: linearly, spherically by Equation (1), or by dual quaternions.
 #pragma once
 
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// sum w_i C_{j_i} v, where w is by position in the joint-set.
+// Returns sum w_i C_{j_i} v, where w is by position in the joint-set.
 template <class S>
 Vec<S, 3> blend_linear(const PaletteEntry<S>& palette, std::span<const S> w, const Vec<S, 3>& v) {
   Vec<S, 3> sum = apply(palette.transforms[0], v) * w[0];
@@ -16,19 +16,19 @@ Vec<S, 3> blend_linear(const PaletteEntry<S>& palette, std::span<const S> w, con
   return sum;
 }
 
-// sum w_i q_i, not normalised.
+// Returns sum w_i q_i, which is not normalised.
 template <class S>
 Quaternion<S> blend_quaternion(const PaletteEntry<S>& palette, std::span<const S> w) {
   return blended_rotation<S>(palette.transforms, w);
 }
 
-// sum w_i C_{j_i} r_c, the linear part of Equation (1).
+// Returns sum w_i C_{j_i} r_c, the linear part of Equation (1).
 template <class S>
 Vec<S, 3> blend_center(const PaletteEntry<S>& palette, std::span<const S> w) {
   return combine<S, 3>(w, palette.center_images);
 }
 
-// Both in one pass.
+// Computes both sums in one pass.
 template <class S>
 BlendedJoints<S> blend_joints(const PaletteEntry<S>& palette, std::span<const S> w) {
   BlendedJoints<S> sum{palette.transforms[0].rotation * w[0], palette.center_images[0] * w[0]};
@@ -39,7 +39,7 @@ BlendedJoints<S> blend_joints(const PaletteEntry<S>& palette, std::span<const S>
   return sum;
 }
 
-// Equation (1). The blended quaternion must not be zero (signs made consistent and w_1 > 0 ensure it).
+// Applies Equation (1). The blended quaternion must not be zero; consistent signs and w_1 > 0 ensure this.
 template <class S>
 Vec<S, 3> blend_spherical(const PaletteEntry<S>& palette, std::span<const S> w, const Vec<S, 3>& v) {
   const BlendedJoints<S> blend = blend_joints(palette, w);
@@ -51,14 +51,14 @@ BlendedDuals<S> blend_duals(const PaletteEntry<S>& palette, std::span<const S> w
   return {blend_quaternion(palette, w), combine<S, 4>(w, palette.duals)};
 }
 
-// The blended q must not be zero.
+// Blends dual quaternions. The blended q must not be zero.
 template <class S>
 Vec<S, 3> blend_dual_quaternion(const PaletteEntry<S>& palette, std::span<const S> w, const Vec<S, 3>& v) {
   const BlendedDuals<S> blend = blend_duals(palette, w);
   return move_rigidly<S>(blend, squared_norm(blend.rotation), v);
 }
 
-// The same by the kind of skinning.
+// Blends the vertex by the given kind of skinning.
 template <class S>
 Vec<S, 3> blend(Skinning skinning, const PaletteEntry<S>& palette, std::span<const S> w, const Vec<S, 3>& v) {
   switch (skinning) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A joint-set's palette of one number type as that of another: doubles as the exact numbers they are, for example.
+// Converts a joint-set's palette from one number type to another, for example doubles to the exact numbers that they are.
 #pragma once
 
 #include "algorithms/runtime/skinning/skinning_palette.hpp"

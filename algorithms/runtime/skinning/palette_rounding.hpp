@@ -1,40 +1,49 @@
 // SPDX-License-Identifier: MIT
-// PaletteRounding: how far rounding may carry what is computed with a joint-set's blends from what is true.
+// PaletteRounding: a bound on the rounding errors of everything that is computed with a joint-set's blends.
 //
-// Truth is exact arithmetic on the numbers of the node and of the palette as they stand: quaternions that are of unit length
-// only nearly, rotation centers, their images and dual parts as they were rounded. The weights are multiples of 2^-24, so
-// corners have no error. u is half of epsilon; n joints; kappa >= 1 / ||q|| for all blends q = sum w_i q_i; T and t bound
-// the C_j r_c and the t_j (PaletteScales); x = p - r_c. Errors are vectors, in units of u, to first order; the constants are
-// some tenths larger than what they are derived from, which leaves room for the terms in u^2.
+// The true values are those of exact arithmetic on the numbers of the node and of the palette as they are given. So the
+// given quaternions are of unit length only nearly, and the given rotation centers, their images and the dual parts are
+// rounded already. The weights are multiples of 2^-24, so weight vertices have no error. Let u be half of epsilon, n the
+// number of joints, and kappa >= 1 / ||q|| for all blends q = sum w_i q_i. Let T and t bound the lengths of the C_j r_c and
+// the t_j (PaletteScales), and let x = p - r_c. Errors are vectors, in units of u, to first order. Each constant is some
+// tenths larger than the sum that it is derived from, which leaves room for the terms in u^2.
 //
-// Elementary errors stand in namespace rounding below, relative to the lengths of the operands; a blend of n is off by n, of
-// what its terms are at most; and a quaternion off by e in place of one of length 1/kappa or more turns x to a place off by at
-// most 2 kappa e ||x||.
+// The elementary errors are in namespace rounding below, relative to the lengths of the operands. A blend of n terms has an
+// error of n, relative to the largest length of its terms. If a quaternion of length 1/kappa or more has an error of e,
+// then the image of x that it turns has an error of at most 2 kappa e ||x||.
 //
-// A vertex under spherical blending: x is off by 1, the turned x by rotate_scaled, and by the squared length, its inverse and
-// the product; 2 n kappa from the blend; the center's image by n T; the sum by 1 of both.
+// A vertex under spherical blending: x has an error of 1. The turned x has the errors of rotate_scaled, of the squared
+// length, of its inverse and of the product. The blend adds 2 n kappa. The center's image adds n T, and the sum adds 1 of
+// both.
 //
-// A corner's ball. After h <= 4 halvings corners are off by n + h. The hull of control points of the corners as they are
-// holds the blends of these, so the corners' own errors count once: 2 (n + h) kappa ||x|| + (n + h) T. A control point is
-// N / D; near corners have ||q'_k|| ||q'_l|| < 2 W_kl, so the products P are at most 2 D ||x||, off by twice mix_numerator of
-// D ||x|| in their sum and by 4 for adding; the moved centers, at most D T, by twice mix_weight and 3 for products and sums;
-// adding both: 2 and 1; D by twice mix_weight and 2, its inverse and the product by one each, of at most 2 ||x|| + T.
-// With the error of x that is 93 and 32 + n + h, and 2 (n + h) kappa.
-// A cap: unit quaternions are off by n kappa + 5, the apex by 5; half of that is the chord s's error, with 3 s for its own
-// rounding, and as the image's angle is 4 arcsin s and s^2 < 1/2, the angle's is 4 sqrt 2 times as much: 41 + 2.9 n kappa;
-// the ratios and ||x|| 10; the rotation 24 and, for an apex off unit length, 20; sums 2: that is 97 + 2.9 n kappa, and n + 5.
-// One formula for both: (100 + 3 (n + 4) kappa) ||x|| + (36 + n) T.
+// A control ball: after h <= 4 halvings the quaternions and centers at the weight vertices have an error of n + h. The hull
+// of the control points of these computed values holds the blends of the computed values, so the errors count once: 2 (n +
+// h) kappa ||x|| + (n + h) T. A control point is N / D. Near weight vertices (control_hull.hpp) have ||q'_k|| ||q'_l|| < 2
+// W_kl, so the products P are at most 2 D ||x||. In their sum, the error is twice mix_numerator of D ||x||, and 4 for
+// adding. The moved centers are at most D T; their error is twice mix_weight, and 3 for products and sums. Adding both
+// costs 2 and 1. D has an error of twice mix_weight and 2. Its inverse and the product have an error of one each, of at
+// most 2 ||x|| + T. With the error of x that is 93 and 32 + n + h, and 2 (n + h) kappa.
+// A cap: unit quaternions have an error of n kappa + 5, and the apex has 5. Half of that is the error of the chord s, with
+// 3 s for its own rounding. As the image's angle is 4 arcsin s and s^2 < 1/2, the angle's error is 4 sqrt 2 times as much:
+// 41 + 2.9 n kappa. The ratios and ||x|| add 10. The rotation adds 24 and, for an apex off unit length, 20. Sums add 2.
+// Together that is 97 + 2.9 n kappa, and n + 5.
+// One formula covers both: (100 + 3 (n + 4) kappa) ||x|| + (36 + n) T.
 //
-// Linear blending of a point p: rotate (its quaternions are what they are), the sum 1, the blend n of both. But R_j is not
-// quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which stretches r by at most 2 |e| r.
+// Linear blending of a point p: the error is that of rotate (the given quaternions have no error), 1 for the sum, and n for
+// the blend of both. But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which
+// stretches r by at most 2 |e| r.
 //
-// Dual quaternions: as spherical with p for x, and with 2 ||d_j|| <= t, translations of at most kappa t. A vertex: as a
-// spherical one, and Im(d q*) off by 7, doubled, 1 for the sum, squared length and quotient, n for d, n kappa for q. A corner:
-// near ones have ||q'_k|| ||q'_l|| < sqrt 2 W_kl; the numerator sqrt 2 mix_numerator, sums 2, the quotient 11; T_kl 7 and 7, and
-// 3 for sums, times sqrt 2, the quotient 11; corners 2 (n + 4) kappa of each. Beyond a right angle the ball of
-// b6_dual_quaternion_ball rounds itself (dual_quaternion.hpp).
+// Dual quaternions: the errors are as for spherical blending with p in place of x, and with 2 ||d_j|| <= t, so that
+// translations are at most kappa t. A vertex has the errors of a spherical one. In addition, Im(d q*) has an error of 7,
+// doubled; the sum adds 1; the squared length and the quotient add theirs; d adds n; and q adds n kappa. For a control
+// ball, near weight vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl. The numerator has sqrt 2 mix_numerator, the sums 2, and
+// the quotient 11. T_kl has 7 and 7, and 3 for sums, times sqrt 2, and the quotient has 11. The weight vertices add 2 (n +
+// 4) kappa of each. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding
+// (dual_quaternion.hpp).
 //
-// Skinning in double is off as a vertex is, ||x|| + r in place of ||x||. The certified ball encloses its vertices too; pieces
+// Skinning in double has the error of a vertex, with ||x|| + r in place of ||x||. The certified ball encloses these
+// vertices too. A piece that is one vertex is computed exactly as skinning computes it, to the last bit, so it counts this
+// error once.
 // that are a vertex are skinned as it is, to the last bit, and pay once.
 #pragma once
 
@@ -49,8 +58,8 @@
 
 namespace refitlab {
 
-// Of what the operations are off by, in u and relative to the lengths of vectors and quaternions: proptests/gappa has a proof
-// of each, by component and at unit length, and proptests/algorithms/palette_rounding.cpp compares them with running errors.
+// The errors of the operations, in u and relative to the lengths of vectors and quaternions. proptests/gappa has a proof of
+// each, by component and at unit length. proptests/algorithms/palette_rounding.cpp compares them with running errors.
 namespace rounding {
 inline constexpr int squared_length = 5;  // of a quaternion
 inline constexpr int rotate = 24;         // by a quaternion taken to be of unit length
@@ -58,7 +67,7 @@ inline constexpr int rotate_scaled = 24;
 inline constexpr int mix_weight = 6, mix_numerator = 27;  // mix_rotations
 }  // namespace rounding
 
-// Of a joint-set in one pose, in float or double, each rounded up by far more than its own rounding.
+// The scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own rounding error.
 template <class S>
 struct PaletteScales {
   S joints;         // n
@@ -68,7 +77,7 @@ struct PaletteScales {
   S unit_defect;    // the greatest | ||q_j||^2 - 1 |
 };
 
-// With d the least ||q_i||^2 and c the least (q_i, q_j) of all pairs, or d if that is less,
+// Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
 //   ||sum w_i q_i||^2 >= d sum w_i^2 + c (1 - sum w_i^2) >= c + (d - c) / n.
 template <class S>
 PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, std::span<const Vec<S, 3>> center_images) {
@@ -90,17 +99,17 @@ PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, 
   return {n, root(image) * up, root(translation) * up, up / root(squared_blend), defect + rounding};
 }
 
-// Errors of this joint-set are at most per_length (||x|| + r) + per_radius r + offset.
+// The errors of this joint-set are at most per_length (||x|| + r) + per_radius r + offset.
 template <class S>
 struct RoundingRates {
   S per_length, per_radius, offset;
 };
 
-// Of one kind of skinning.
+// The rates for one kind of skinning.
 template <class S>
 struct PaletteRounding {
-  RoundingRates<S> vertex;   // as skinned, and as a piece of its own
-  RoundingRates<S> corners;  // of a piece's control balls, and of its skinned vertices
+  RoundingRates<S> vertex;   // for a skinned vertex, and for a vertex that is a piece of its own
+  RoundingRates<S> corners;  // for a piece's control balls, and for its skinned vertices
 };
 
 template <class S>
@@ -134,7 +143,7 @@ PaletteRounding<S> rounding_dual_quaternion(const PaletteScales<S>& palette) {
            vertex.offset + u * (translations + 2 * (n + 4) * kappa) * t}};
 }
 
-// By kind of skinning: linear, spherical (Hejl's too), by dual quaternions.
+// The rates by kind of skinning: linear, spherical (also for Hejl's), dual quaternion.
 template <class S>
 using PaletteRoundings = std::array<PaletteRounding<S>, 3>;
 

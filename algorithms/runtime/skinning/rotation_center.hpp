@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Rotation centers: the point whose images under a joint-set's transforms lie closest together [Kavan and Zara 2005b].
+// The rotation center of a joint-set: the point whose images under the joint-set's transforms lie closest together [Kavan
+// and Zara 2005b].
 //
-// For two joints let (w, v) be the relative rotation q_a* q_b and e = R_a^T (C_a p - C_b p) how far apart they carry the
-// prior p, seen from joint a. Then R_a^T (C_a (p + x) - C_b (p + x)) = e + (1 - R) x, and with
-// (1 - R)^T (1 - R) = 4 (||v||^2 - v v^T) and (1 - R)^T e = 2 (w v x e - v x (v x e)) the normal equations M x = g of n joints
-// are sums over their pairs, free of trigonometry and of cancellation at small angles. For two joints the solution nearest
-// to 0 is x = (v x (v x e) - w v x e) / (2 ||v||^2).
+// For two joints a and b, let (w, v) be the relative rotation q_a* q_b. Let e = R_a^T (C_a p - C_b p), the difference of
+// the two images of the prior p, seen from joint a. Then R_a^T (C_a (p + x) - C_b (p + x)) = e + (1 - R) x. Further, (1 -
+// R)^T (1 - R) = 4 (||v||^2 - v v^T) and (1 - R)^T e = 2 (w v x e - v x (v x e)). So the normal equations M x = g of n
+// joints are sums over their pairs. They need no trigonometry, and have no cancellation at small angles. For two joints the
+// solution nearest to 0 is x = (v x (v x e) - w v x e) / (2 ||v||^2).
 //
-// V = sum of the v v^T has a trace t, and M = 4 (t - V): all eigenvalues of M are at most 4 t, and only one of them can be
-// below 2 t, since two of V's are never both above t/2. So the rank of M is 0, 2 or 3, the one direction in question is
-// V's largest eigenvector, and no eigensolver is needed: where that eigenvalue of M is small, the direction is that of
-// the eighth power of M's adjugate, which this very smallness makes a product n n^T.
+// Let V be the sum of the v v^T, and t its trace. Then M = 4 (t - V). All eigenvalues of M are at most 4 t. Only one of
+// them can be below 2 t, because two eigenvalues of V are never both above t/2. So the rank of M is 0, 2 or 3, and the only
+// direction that can be undetermined is the eigenvector of V's largest eigenvalue. No eigensolver is needed: where that
+// eigenvalue of M is small, the eighth power of M's adjugate is almost a product n n^T, and n is the direction.
 #pragma once
 
 #include <span>
@@ -20,14 +21,14 @@
 namespace refitlab {
 namespace rotation_centers {
 
-// A symmetric matrix by its distinct entries: row by row, from the diagonal on.
+// A symmetric matrix, stored as its distinct entries: row by row, from the diagonal on.
 template <class S>
 struct Symmetric {
   using Point = Vec<S, 3>;
   S xx{0}, xy{0}, xz{0}, yy{0}, yz{0}, zz{0};
 
   S trace() const { return xx + yy + zz; }
-  void add_product(const Point& v, const S& factor) {  // factor v v^T
+  void add_product(const Point& v, const S& factor) {  // adds factor v v^T
     const Point f = v * factor;
     xx += f[0] * v[0], xy += f[0] * v[1], xz += f[0] * v[2], yy += f[1] * v[1], yz += f[1] * v[2], zz += f[2] * v[2];
   }
@@ -38,7 +39,7 @@ struct Symmetric {
     return {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
   }
   S determinant(const Symmetric& adjugate) const { return xx * adjugate.xx + xy * adjugate.xy + xz * adjugate.xz; }
-  // Its square, divided by the square of the trace.
+  // Returns the square of the matrix, divided by the square of its trace.
   Symmetric scaled_square() const {
     const S s = S(1) / (trace() * trace());
     return {s * (xx * xx + xy * xy + xz * xz), s * (xx * xy + xy * yy + xz * yz), s * (xx * xz + xy * yz + xz * zz),
@@ -50,7 +51,7 @@ struct Symmetric {
   }
 };
 
-// V and g / 2 of the normal equations, a pair of joints after the other.
+// Accumulates V and g / 2 of the normal equations, one pair of joints after another.
 template <class S>
 class NormalEquations {
   using Point = Vec<S, 3>;
@@ -66,18 +67,18 @@ class NormalEquations {
     half_g_ = half_g_ + (cross(v, t) - t * relative[0]);
   }
 
-  // The x nearest to 0.
+  // Returns the solution x nearest to 0.
   Point solve() const {
     const S t = v_.trace();
     Symmetric<S> m{t - v_.xx, -v_.xy, -v_.xz, t - v_.yy, -v_.yz, t - v_.zz};  // a quarter of M
     const Symmetric<S> adjugate = m.adjugate();
     const S determinant = m.determinant(adjugate);
     const Point regular = adjugate * half_g_ / (determinant * S(2));
-    // The other two eigenvalues are about t where the smallest is small.
+    // Where the smallest eigenvalue is small, the other two are about t.
     const S smallest = determinant / (t * t);
     const auto has_full_rank = smallest > max_of(S(squared_angle / 4), S(t * S(squared_ratio)));
-    // The eigenvector of the smallest is the largest's of the adjugate. Along it nothing moves: g has no part, and m a
-    // part that makes it regular.
+    // The eigenvector of the smallest eigenvalue is that of the largest one of the adjugate. Nothing moves along it. So g
+    // gets no component along it, and m gets one that makes it regular.
     const Symmetric<S> power = adjugate.scaled_square().scaled_square().scaled_square();
     const Point column = power.longest_column(), axis = column / norm<S, 3>(column);
     const Point g = half_g_ - axis * dot<S, 3>(axis, half_g_);
@@ -89,7 +90,7 @@ class NormalEquations {
   }
 
  private:
-  static constexpr double squared_angle = 1e-8, squared_ratio = 1e-6;  // squares of the tolerances
+  static constexpr double squared_angle = 1e-8, squared_ratio = 1e-6;  // the squares of the tolerances
 
   Point prior_;
   Symmetric<S> v_;
@@ -98,12 +99,13 @@ class NormalEquations {
 
 }  // namespace rotation_centers
 
-// argmin_r of the sum over all pairs a < b of ||C_a r - C_b r||^2. Where the minimum is not unique (a single joint, equal
-// transforms, parallel axes: any point of a line or plane will do), the minimiser nearest to prior. Directions in which
-// the rotations differ by less than 1e-3 of their largest difference, or by less than 1e-4 rad, count as undetermined:
-// they could only move the center far away for nothing. (Differences are square roots of sums over pairs; the largest is
-// taken to be that of the sum over all directions, 2 sqrt(t), which it reaches for parallel axes.) All points in the
-// reference frame; rotations of unit length, whatever their signs. S is a floating-point number or a pack of them.
+// Returns argmin_r of the sum over all pairs a < b of ||C_a r - C_b r||^2. The minimum is not unique for a single joint,
+// equal transforms or parallel axes, where any point of a line or plane will do. Then the function returns the minimiser
+// nearest to prior. A direction counts as undetermined if the rotations differ in it by less than 1e-3 of their largest
+// difference, or by less than 1e-4 rad. Such a direction could only move the center far away for nothing. (Differences are
+// square roots of sums over pairs. The largest is taken to be that of the sum over all directions, 2 sqrt(t), which it
+// reaches for parallel axes.) All points are in the reference frame. The rotations have unit length and any signs. S is a
+// floating-point number or a pack of them.
 template <class S>
 Vec<S, 3> rotation_center(std::span<const RigidTransform<S>> transforms, const Vec<S, 3>& prior) {
   rotation_centers::NormalEquations<S> equations(prior);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What skinning prepares once a frame, by joint-set: signed quaternions, rotation centers and their images (paper 3).
+// SkinningPalette: the data that skinning prepares once a frame for each joint-set. They are the transforms with signed
+// quaternions, the rotation centers and their images (paper 3).
 #pragma once
 
 #include <span>
@@ -19,11 +20,12 @@ enum class Skinning {
   dual_quaternion  // the rigid transform of the normalised blend of dual quaternions [Kavan et al. 2007]
 };
 
-// One joint-set in one pose, as it is read. Arrays are by position in the joint-set.
+// The palette of one joint-set in one pose, for reading. Arrays are by position in the joint-set.
 template <class S>
 struct PaletteEntry {
-  // C_{j_i}. The signs of the rotations are the skinning's: consistent within the joint-set, so that QLERP takes the short
-  // way from the first joint to each other one. Bounds must use these signs (q and -q blend differently).
+  // The transforms C_{j_i}. The signs of the rotations are the skinning's. They are consistent within the joint-set, so
+  // that QLERP takes the short way from the first joint to each other one. Bounds must use these signs, because q and -q
+  // blend differently.
   std::span<const RigidTransform<S>> transforms;
   Vec<S, 3> rotation_center;                 // r_c, reference frame
   std::span<const Vec<S, 3>> center_images;  // C_{j_i} r_c
@@ -40,14 +42,14 @@ void make_signs_consistent(std::span<RigidTransform<S>> transforms) {
   }
 }
 
-// d of the dual quaternion q + eps d of a transform, whose sign it shares.
+// Returns d of the dual quaternion q + eps d of a transform. It has the sign of the transform's q.
 template <class S>
 Quaternion<S> dual_part(const RigidTransform<S>& c) {
   const Vec<S, 3>& t = c.translation;
   return multiply<S>({S(0), t[0], t[1], t[2]}, c.rotation) / S(2);
 }
 
-// A joint-set by itself, with its storage.
+// The palette of one joint-set, with its own storage.
 template <class S>
 struct OwnedPaletteEntry {
   std::vector<RigidTransform<S>> transforms;
@@ -73,7 +75,7 @@ void place_duals(OwnedPaletteEntry<S>& palette) {
   for (const auto& t : palette.transforms) palette.duals.push_back(dual_part(t));
 }
 
-// All joint-sets in one pose, in flat arrays: a refit reads a few of them for each node.
+// The palettes of all joint-sets in one pose, in flat arrays. A refit reads a few of them for each node.
 template <class S>
 class SkinningPalette {
  public:
@@ -87,19 +89,20 @@ class SkinningPalette {
             {duals_.data() + first, count}};
   }
   const Vec<S, 3>& rotation_center(std::size_t joint_set) const { return rotation_centers_[joint_set]; }
-  // In float and double; of a palette whose arrays were filled by hand, after measure(). For any skinning but Hejl's.
+  // Scales and roundings exist in float and double. For a palette whose arrays were filled by hand, call measure() first. They
+  // hold for every skinning but Hejl's.
   const PaletteScales<S>& scales(std::size_t joint_set) const { return scales_[joint_set]; }
   const PaletteRounding<S>& rounding(std::size_t joint_set, Skinning skinning) const {
     return roundings_[joint_set][skinning == Skinning::linear ? 0 : skinning == Skinning::spherical ? 1 : 2];
   }
 
-  // Keeps the storage.
+  // Removes all joint-sets and keeps the storage.
   void clear() {
     first_.resize(1);
     transforms_.clear(), rotation_centers_.clear(), center_images_.clear(), duals_.clear(), scales_.clear(), roundings_.clear();
   }
 
-  // Appends a joint-set of so many joints, whose transforms the caller sets; then complete() must follow.
+  // Appends a joint-set of joint_count joints, whose transforms the caller sets. Then the caller must call complete().
   std::span<RigidTransform<S>> append(std::size_t joint_count) {
     transforms_.resize(first_.back() + joint_count);
     return {transforms_.data() + first_.back(), joint_count};
@@ -115,14 +118,14 @@ class SkinningPalette {
     measure_last();
   }
 
-  // The arrays themselves, joint-set after joint-set, for what fills many of them at a time.
+  // The arrays themselves, joint-set after joint-set, for code that fills many of them at a time.
   struct Arrays {
-    Vec<S, 3>* rotation_centers;  // by joint-set, all others by joint
+    Vec<S, 3>* rotation_centers;  // by joint-set; all other arrays are by joint
     RigidTransform<S>* transforms;
     Vec<S, 3>* center_images;
     Quaternion<S>* duals;
   };
-  // With room for joint-sets that begin at these places of the arrays by joint; the last one is their size.
+  // Makes room for joint-sets that begin at these positions of the arrays by joint. The last position is the arrays' size.
   Arrays resize(std::span<const std::size_t> first) {
     first_.assign(first.begin(), first.end());
     rotation_centers_.resize(first.size() - 1);
@@ -131,7 +134,7 @@ class SkinningPalette {
     return {rotation_centers_.data(), transforms_.data(), center_images_.data(), duals_.data()};
   }
 
-  // What refits ask for beyond the arrays; complete and push_back do it by themselves.
+  // Refits need these measures beyond the arrays. complete and push_back make them by themselves.
   bool is_measured() const { return roundings_.size() == size(); }
   void measure() {
     scales_.clear(), roundings_.clear();
@@ -158,7 +161,7 @@ class SkinningPalette {
   }
   void measure_last() { measure((*this)[size() - 1]); }
 
-  std::vector<std::size_t> first_ = {0};  // by joint-set, and one past the last; of the arrays by joint
+  std::vector<std::size_t> first_ = {0};  // by joint-set, and one past the last: positions in the arrays by joint
   std::vector<Vec<S, 3>> rotation_centers_;
   std::vector<RigidTransform<S>> transforms_;
   std::vector<Vec<S, 3>> center_images_;
@@ -167,19 +170,20 @@ class SkinningPalette {
   std::vector<PaletteRoundings<S>> roundings_;
 };
 
-// Throws ModelError if pose has the wrong length, a number that is not finite, a translation beyond largest_coordinate, or a rotation whose squared length differs
-// from 1 by more than 1e-6.
+// Throws ModelError if pose has the wrong length, a number that is not finite, a translation beyond largest_coordinate, or
+// a rotation whose squared length differs from 1 by more than 1e-6.
 void check_pose(const SkinnedMesh& mesh, const Pose& pose);
 
-// What the rotation center of a joint-set is nearest to where it is not determined: the mean of its joints' origins. For
-// Skinning::hejl, the rotation center itself: the origin of the joint that two neighbouring bones share.
+// Returns the prior of a joint-set's rotation center, which the center is nearest to where it is not determined. It is the
+// mean of the joints' origins. For Skinning::hejl it is the rotation center itself: the origin of the joint that two
+// neighbouring bones share.
 Point3 center_prior(const SkinnedMesh& mesh, std::span<const int> joints, Skinning skinning);
 
-// The frame's data of every joint-set. pose is by joint, as check_pose wants it.
+// Returns the palette of every joint-set for one frame. pose is by joint, as check_pose requires.
 SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose,
                                               Skinning skinning);
 
-// The same in place of what was in palette, whose storage is used again. If it throws, palette is as it was.
+// Does the same, but overwrites palette and uses its storage again. If it throws, palette is unchanged.
 void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning,
                            SkinningPalette<double>& palette);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Character: a skinned mesh with all that was made from it before any pose, as algorithms/bake makes it.
+// Character: a skinned mesh with everything that algorithms/bake makes from it before any pose.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct Character {
 
   bool has(Pieces kind) const { return kind == Pieces::node || !pieces[static_cast<std::size_t>(kind)].first.empty(); }
 
-  // What a variant looks at to refit a node. palette is of make_skinning_palette for this mesh. Throws std::invalid_argument for
-  // pieces that the character was made without.
+  // Returns what a variant uses to refit a node. palette must come from make_skinning_palette for this mesh. Throws
+  // std::invalid_argument if the character was made without these pieces.
   RefitNode<double> refit_node(int node, const SkinningPalette<double>& palette, Pieces kind) const;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// PieceTable: tighter descriptions of what a node holds than the paper's one ball and one weight box a joint-set.
+// PieceTable: descriptions of a node's vertices that are tighter than the paper's one ball and one weight box for each
+// joint-set.
 //
-// A piece is some of the node's vertices of one joint-set, with a reference ball of these vertices alone and a polytope that
-// holds their weight vectors. Built once, like the tree (algorithms/bake/build_pieces.hpp).
+// A piece consists of some of the node's vertices of one joint-set. It has a reference ball around these vertices alone and
+// a polytope that holds their weight vectors. The table is built once, like the tree (algorithms/bake/build_pieces.hpp).
 #pragma once
 
 #include <vector>
@@ -11,11 +12,11 @@
 
 namespace refitlab {
 
-// How finely a node is described: which pieces its RefitNode has.
+// How finely a node is described, that is, which pieces its RefitNode has.
 enum class Pieces {
   node,        // the node's ball and weight boxes, as in the paper (SphereTree::refit_node)
   joint_sets,  // a ball and a weight hull for each joint-set
-  mixed,       // the same, or the vertices one by one where that is about as cheap: few vertices, many control points
+  mixed,       // the same, or single vertices where that is about as cheap: few vertices, many control points
   many         // up to 512 pieces a node
 };
 inline constexpr int piece_kinds = 4;
@@ -24,7 +25,7 @@ inline constexpr int many_pieces = 512;
 struct PieceTable {
   std::vector<std::size_t> first;  // by node, and one past the last; empty if the character was made without this table
   std::vector<NodePiece> pieces;
-  // Of the pieces of one vertex there is one for each vertex, whatever the nodes it is in: they come first.
+  // A vertex that is a piece has one such piece, which all of its nodes share. These pieces come first.
   std::vector<Ball3<double>> references;
   std::vector<double> weight_vertices;
 

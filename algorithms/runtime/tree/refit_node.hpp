@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// RefitNode: all that refitting one node may look at. The vertices are not among it.
+// RefitNode: all data that refitting one node may use. The vertices are not among them.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace refitlab {
 
-// A piece of a node: vertices of one joint-set, and the corners of a polytope that holds all their weights. In the paper a
-// node has one piece a joint-set, and the polytope is the weight box cut by sum w = 1 (paper 4.1).
+// A piece of a node: some vertices of one joint-set, and the weight vertices of a polytope that holds all their weights. In
+// the paper, a node has one piece for each joint-set, and the polytope is the weight box cut by sum w = 1 (paper 4.1).
 struct NodePiece {
   int joint_set;
-  int first_weight;         // of the corners, rows of one weight a joint, in a shared pool
+  int first_weight;         // of the weight vertices: rows of one weight a joint, in a shared pool
   int weight_vertex_count;  // m
-  int reference = 0;        // in RefitNode::piece_references, if it has any
+  int reference = 0;        // the index in RefitNode::piece_references, if there are any
 };
 
 template <class S>
@@ -24,16 +24,16 @@ struct RefitNode {
   std::span<const NodePiece> pieces;  // J: the pieces that together are the node's vertices
   const S* weight_vertices;           // the pool
   const SkinningPalette<S>& palette;  // of the frame
-  // A shared pool of balls; that of a piece (NodePiece::reference) encloses its vertices alone and has its center, up to
-  // rounding, in S. Empty: S for all of them.
+  // A shared pool of balls. The ball of a piece (NodePiece::reference) encloses the piece's vertices alone, and has its
+  // center in S, up to rounding. If the pool is empty, all pieces use S.
   std::span<const Ball3<S>> piece_references = {};
 
-  // c_k of one of its pieces, by position in the joint-set.
+  // Returns the weight vertex c_k of one of the node's pieces, by position in the joint-set.
   std::span<const S> corner(const NodePiece& set, int k) const {
     const std::size_t n = palette.joint_count(set.joint_set);
     return {weight_vertices + set.first_weight + k * n, n};
   }
-  // Whether the piece is one vertex: a ball of radius 0 that moves rigidly.
+  // Says whether the piece is one vertex: a ball of radius 0 that moves rigidly.
   bool is_vertex(const NodePiece& set) const {
     return !piece_references.empty() && set.weight_vertex_count == 1 && piece_references[set.reference].radius == S(0);
   }

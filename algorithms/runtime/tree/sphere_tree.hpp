@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// SphereTree: the bounding spheres of a skinned mesh, as algorithms/bake/build_tree makes them in the
-// reference pose (paper 3 and 4.1).
+// SphereTree: the bounding spheres of a skinned mesh in the reference pose, as algorithms/bake/build_tree makes them (paper
+// 3 and 4.1).
 //
-// Flat arrays, nodes level by level from the root (level 1, as in the paper's Table 1), the children of a node side by
-// side. Every triangle lies whole in one leaf, and the children of a node hold the same triangles as the node.
+// The arrays are flat. Nodes are level by level from the root (level 1, as in the paper's Table 1), with the children of a
+// node side by side. Every triangle lies whole in one leaf, and the children of a node together hold the same triangles as
+// the node.
 #pragma once
 
 #include <span>
@@ -19,7 +20,7 @@ struct TreeNode {
   int parent, first_child, child_count;  // parent is -1 at the root, child_count 0 at a leaf
   int level;
   int first_triangle, triangle_count;  // in SphereTree::triangle_order
-  int first_vertex, vertex_count;      // in SphereTree::leaf_vertices; 0 but at leaves
+  int first_vertex, vertex_count;      // in SphereTree::leaf_vertices; 0 except at leaves
   int first_piece, piece_count;        // in SphereTree::pieces
 };
 
@@ -38,10 +39,10 @@ struct SphereTree {
   }
 };
 
-// The distinct vertices of some triangles, in increasing order.
+// Returns the distinct vertices of some triangles, in increasing order.
 std::vector<int> distinct_vertices(const SkinnedMesh& mesh, std::span<const int> triangles);
 
-// The distinct vertices of each node's triangles, in increasing order. Refitting never looks at them; whoever checks or
+// The distinct vertices of each node's triangles, in increasing order. Refitting never uses them; code that checks or
 // measures a refit does.
 class NodeVertices {
  public:
