@@ -207,7 +207,7 @@ PROPTEST(cluster_collide) {
     for (const int most : {7, 256, most_cluster_triangles}) {
       const ClusterTree tree(c, {.most_triangles = most});
       for (const Cluster& cluster : tree.clusters())
-        ok = ok && cluster.weight_vertex_count <= 1 << 16 && 8 * (cluster.group_count - 1) < most;
+        ok = ok && cluster.padded_vertex_count <= 1 << 16 && 8 * (cluster.group_count - 1) < most;
       std::vector<int> triangles;
       for (int t = 0; t < 30000; t += 997) triangles.push_back(t);
       triangles.push_back(21866), triangles.push_back(29999);
@@ -223,8 +223,8 @@ PROPTEST(cluster_collide) {
     const int count = most_cluster_triangles;
     const auto c = bake(row_of_triangles(count, 130, [&](int v) { return pairs[v]; }), {.triangles_per_leaf = count});
     const ClusterTree tree(c, {.most_triangles = most_cluster_triangles});
-    const bool is_one = tree.clusters().size() == 1 && tree.clusters()[0].weight_vertex_count == 8 * 3 * count &&
-                        tree.clusters()[0].weight_vertex_count <= 1 << 16;
+    const bool is_one = tree.clusters().size() == 1 && tree.clusters()[0].padded_vertex_count == 8 * 3 * count &&
+                        tree.clusters()[0].padded_vertex_count <= 1 << 16;
     const long lost = lost_of_row(tree, {0, 1, count / 2, count - 2, count - 1});
     return Checked(is_one && lost == 0, 5, std::to_string(lost) + " lost");
   });
@@ -301,7 +301,7 @@ PROPTEST(cluster_collide) {
     ClusterBody body(tree, Skinning::spherical);
     long nodes = 0, corners = 0;
     for (const WideNode& wide_node : tree.wide_nodes()) nodes += wide_node.child_count;
-    for (const Cluster& cluster : tree.clusters()) corners += cluster.weight_vertex_count;
+    for (const Cluster& cluster : tree.clusters()) corners += cluster.padded_vertex_count;
     const auto clusters = static_cast<long>(tree.clusters().size()), wide_nodes = static_cast<long>(tree.wide_nodes().size());
     bool ok = nodes > wide_nodes && corners > clusters;
     for (int frame = 0; frame < 2; ++frame) {

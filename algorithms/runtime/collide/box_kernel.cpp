@@ -235,13 +235,13 @@ REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int c
   return pairs;
 }
 
-REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners_b, const TrianglePairCandidate* pairs, int count,
-                                  Filtered* answers) {
+REFITLAB_KERNEL void filter_pairs(const PaddedVertex* corners_a, const PaddedVertex* corners_b,
+                                  const TrianglePairCandidate* pairs, int count, Filtered* answers) {
   using S = refitlab::Pack<double>;
   constexpr int width = static_cast<int>(S::size());
   for (int first = 0; first < count; first += width) {
     const int lanes = count - first < width ? count - first : width;
-    const auto load = [&](const Corner* corners, auto places, TriangleOf<S>& out) {
+    const auto load = [&](const PaddedVertex* corners, auto places, TriangleOf<S>& out) {
       alignas(64) double numbers[9][width];
       for (int lane = 0; lane < width; ++lane) {  // those behind the last repeat it
         const TrianglePairCandidate& pair = pairs[first + (lane < lanes ? lane : lanes - 1)];
@@ -270,7 +270,7 @@ REFITLAB_KERNEL void filter_pairs(const Corner* corners_a, const Corner* corners
   }
 }
 
-REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out) {
+REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const double* placement, PaddedVertex* out) {
   using S = refitlab::Pack<double>;
   constexpr int width = static_cast<int>(S::size());
   RigidTransform<S> at;
@@ -284,14 +284,14 @@ REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const 
     }
 }
 
-RowBox<double> box_at(const Corner& corner) {
+RowBox<double> box_at(const PaddedVertex& corner) {
   RowBox<double> out;
   read_row(corner.of, out.low);
   out.high = out.low;
   return out;
 }
 
-REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock<double>* out,
+REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const PaddedVertex* corners, BoxBlock<double>* out,
                                 Box<double>& all) {
   RowBox<double> whole = box_at(corners[groups[0].corners[0][0]]);
   for (int g = 0; g < count; ++g) {
@@ -304,7 +304,7 @@ REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const Co
   all = box_of<double>(whole);
 }
 
-REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const Corner* corners, BoxBlock<double>& out) {
+REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const PaddedVertex* corners, BoxBlock<double>& out) {
   for (int t = 0; t < group.count; ++t) {
     RowBox<double> box = box_at(corners[group.corners[t][0]]);
     box.merge(box_at(corners[group.corners[t][1]]));

@@ -13,7 +13,7 @@
 namespace refitlab {
 
 // A vertex in the world, and an unused fourth number.
-struct alignas(32) Corner {
+struct alignas(32) PaddedVertex {
   double of[4];
 };
 
@@ -34,14 +34,15 @@ struct BoxKernels {
   // Returns the pairs of boxes, one of each block, that are not apart: bit 8 i + j for box i of a and j of b.
   std::uint64_t (*overlapping_pairs)(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b, int count_b);
   // Writes the result of filter_triangles for each pair to answers.
-  void (*filter_pairs)(const Corner* corners_a, const Corner* corners_b, const TrianglePairCandidate* pairs, int count,
-                       Filtered* answers);
+  void (*filter_pairs)(const PaddedVertex* corners_a, const PaddedVertex* corners_b, const TrianglePairCandidate* pairs,
+                       int count, Filtered* answers);
   // Places skinned vertices, block_count times their x, y, z. placement is a quaternion and a translation.
-  void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, Corner* out);
+  void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, PaddedVertex* out);
   // Makes the boxes of groups, and the box of all of them, from the corners of their cluster.
-  void (*box_groups)(const TriangleGroup* groups, int count, const Corner* corners, BoxBlock<double>* out, Box<double>& all);
+  void (*box_groups)(const TriangleGroup* groups, int count, const PaddedVertex* corners, BoxBlock<double>* out,
+                     Box<double>& all);
   // Makes the boxes of a group's triangles.
-  void (*box_triangles)(const TriangleGroup& group, const Corner* corners, BoxBlock<double>& out);
+  void (*box_triangles)(const TriangleGroup& group, const PaddedVertex* corners, BoxBlock<double>& out);
 };
 
 namespace baseline {

@@ -115,7 +115,7 @@ void ClusterBody::skin_cluster(int n) {
   const Cluster& cluster = tree_.clusters()[n];
   Skinned& out = skinned_[n];
   if (out.corners.empty()) {
-    out.corners.resize(cluster.weight_vertex_count);
+    out.corners.resize(cluster.padded_vertex_count);
     out.groups.resize(blocks_of(cluster.group_count));
     out.triangles.resize(cluster.group_count);
   }
@@ -124,11 +124,11 @@ void ClusterBody::skin_cluster(int n) {
   const double placement[] = {placement_.rotation[0],   placement_.rotation[1],    placement_.rotation[2],
                               placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
                               placement_.translation[2]};
-  kernels_.place(unplaced_.blocks.data(), cluster.weight_vertex_count / Lanes<double>::count, placement, out.corners.data());
+  kernels_.place(unplaced_.blocks.data(), cluster.padded_vertex_count / Lanes<double>::count, placement, out.corners.data());
   kernels_.box_groups(&tree_.group(n, 0), cluster.group_count, out.corners.data(), out.groups.data(), out.box);
   clusters_made_.mark(n);
   ++clusters_skinned_;
-  corners_skinned_ += cluster.weight_vertex_count;
+  corners_skinned_ += cluster.padded_vertex_count;
 }
 
 const BoxBlock<double>& ClusterBody::triangle_boxes(int cluster, int g) {

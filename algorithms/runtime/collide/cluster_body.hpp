@@ -42,7 +42,7 @@ class ClusterBody {
 
   // Returns a cluster's skinned corners in the world, by position in the cluster: the very doubles that apply(placement,
   // skin()) yields.
-  const Corner* corners(int cluster) { return skinned(cluster).corners.data(); }
+  const PaddedVertex* corners(int cluster) { return skinned(cluster).corners.data(); }
 
   // Returns the corners of a single triangle of the model in the world: the same doubles, but without its cluster.
   TrianglePoints triangle(int triangle);
@@ -64,7 +64,7 @@ class ClusterBody {
  private:
   // The skinned part of a cluster. Its storage is allocated when a query first reaches the cluster.
   struct Skinned {
-    std::vector<Corner> corners;              // by place
+    std::vector<PaddedVertex> corners;        // by place
     std::vector<BoxBlock<double>> groups;     // their boxes, in blocks
     std::vector<BoxBlock<double>> triangles;  // by group
     Box<double> box;

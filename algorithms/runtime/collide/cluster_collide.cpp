@@ -99,7 +99,7 @@ class ClusterTraversal {
 
   void triangles(int a, int b) {
     counts_.triangle_tests += static_cast<long>(pairs_.size());
-    const Corner *corners_a = first_.corners(a), *corners_b = second_.corners(b);
+    const PaddedVertex *corners_a = first_.corners(a), *corners_b = second_.corners(b);
     answers_.resize(pairs_.size());
     kernels_.filter_pairs(corners_a, corners_b, pairs_.data(), static_cast<int>(pairs_.size()), answers_.data());
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
@@ -110,7 +110,7 @@ class ClusterTraversal {
     }
   }
 
-  static TrianglePoints corners_of(const Corner* corners, const std::array<std::uint16_t, 3>& places) {
+  static TrianglePoints corners_of(const PaddedVertex* corners, const std::array<std::uint16_t, 3>& places) {
     const auto point = [&](int i) {
       return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]);
     };

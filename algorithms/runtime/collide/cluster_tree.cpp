@@ -103,7 +103,7 @@ void ClusterTree::pack_clusters() {
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     Cluster& cluster = clusters_[c];
     const auto places = vertices_.vertices(static_cast<int>(c));
-    cluster.weight_vertex_count = static_cast<int>(places.size());
+    cluster.padded_vertex_count = static_cast<int>(places.size());
     for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
 
     const Part& part = cluster_parts_[c];

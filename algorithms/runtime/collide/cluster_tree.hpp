@@ -23,7 +23,7 @@ struct ClusterOptions {
 };
 
 struct Cluster {
-  int weight_vertex_count;  // the positions of its group of vertices()
+  int padded_vertex_count;  // the positions of its group of vertices()
   int first_group, group_count;
 };
 
