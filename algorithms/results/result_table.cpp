@@ -34,7 +34,7 @@ class Records {
 
   std::string bare() {
     const std::size_t end = std::min(text_.find_first_of(",\"\r\n", at_), text_.size());
-    const std::string field(text_.substr(at_, end - at_));
+    std::string field(text_.substr(at_, end - at_));
     at_ = end;
     if (peek() == '"') fail("a quote inside a field that does not start with one");
     return field;

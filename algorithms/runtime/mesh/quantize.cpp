@@ -10,7 +10,7 @@
 
 namespace refitlab {
 
-std::vector<std::pair<int, double>> quantize_weights(std::vector<std::pair<int, double>> weights) {
+std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair<int, double>>& weights) {
   const DefaultFloatEnvironment environment;
   double largest = 0;
   for (const auto& [joint, weight] : weights) largest = std::max(largest, weight);
