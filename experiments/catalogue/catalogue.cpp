@@ -62,7 +62,7 @@ void write_variants(const std::string& path) {
     const Method& c = method(column);
     const RefitVariant& v = *c.variant;
     file.add({c.name, "refit", name_of(v.skinning), yes_no(v.sound),
-              yes_no(c.stands_alone() && &v == &default_variant(v.skinning)), c.description});
+              yes_no(c.stands_alone() && v.name == default_variant(v.skinning).name), c.description});
   }
   file.write(path);
 }

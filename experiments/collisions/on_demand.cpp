@@ -42,7 +42,8 @@ class OnDemand : public CountingDetector {
 
 // The paper's refit, the default refit by itself and through BVH cuts, and the tightest refit.
 bool is_major(const Method& c) {
-  return c.variant == &default_variant(Skinning::spherical) || c.name == "spherical_repaired" || c.name == "control_many_pieces";
+  return c.variant->name == default_variant(Skinning::spherical).name || c.name == "spherical_repaired" ||
+         c.name == "control_many_pieces";
 }
 
 DetectorKind kind_of(const Method& c) {

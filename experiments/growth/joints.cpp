@@ -55,14 +55,14 @@ JointGrowth measure(int joints, const SpeedSettings& speed) {
                   time("own"),
                   time("through_descendants"),
                   time("own_root"),
-                  time("from_below_root"),
+                  time("through_descendants_root"),
                   time("known"),
                   0,
                   0};
   const auto deformed = skin(snake.mesh, snake.sets, palette, variant.skinning);
   const double optimal = as_ball(smallest_ball<double, 3>(deformed)).radius;
   out.root_ratio = own[0].radius / optimal;
-  out.root_ratio_from_below = through_descendants[0].radius / optimal;
+  out.root_ratio_through_descendants = through_descendants[0].radius / optimal;
   return out;
 }
 
@@ -78,8 +78,8 @@ std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings) {
         "  %4d joint-sets, %3d nodes of many: %7.1f us in all, %7.1f from below; the root %7.1f us, %7.1f from below, %5.1f if "
         "the frame "
         "knows its cut; %.3f and %.3f times optimal\n",
-        r.joint_sets, r.many, r.own / 1000, r.through_descendants / 1000, r.own_root / 1000, r.root_from_below / 1000,
-        r.root_from_known / 1000, r.root_ratio, r.root_ratio_from_below);
+        r.joint_sets, r.many, r.own / 1000, r.through_descendants / 1000, r.own_root / 1000, r.root_through_descendants / 1000,
+        r.root_from_known / 1000, r.root_ratio, r.root_ratio_through_descendants);
   }
   return rows;
 }
@@ -99,9 +99,9 @@ void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string&
       add("through_descendants", "ns_of_root_from_known", r.root_from_known, "ns");
     }
     add("own", "ns_of_root", r.own_root, "ns");
-    add("through_descendants", "ns_of_root", r.root_from_below, "ns");
+    add("through_descendants", "ns_of_root", r.root_through_descendants, "ns");
     add("own", "root_ratio_to_optimal", r.root_ratio, "1");
-    add("through_descendants", "root_ratio_to_optimal", r.root_ratio_from_below, "1");
+    add("through_descendants", "root_ratio_to_optimal", r.root_ratio_through_descendants, "1");
   }
   file.write(path);
 }

@@ -13,12 +13,12 @@ namespace refitlab {
 struct JointGrowth {
   int joints = 0;
   int joint_sets = 0;
-  int many = 0;                                      // nodes of more than 16 joint-sets
-  double own = 0, through_descendants = 0;           // all their balls in a frame; through cuts with all that they refit
-  double own_root = 0;                               // the root's ball by itself
-  double root_from_below = 0;                        // the same through its cut, when the frame has no balls yet
-  double root_from_known = 0;                        // the same when the frame has the balls of the cut already
-  double root_ratio = 0, root_ratio_from_below = 0;  // the root's radius / the optimal one, at half of the clip
+  int many = 0;                                               // nodes of more than 16 joint-sets
+  double own = 0, through_descendants = 0;                    // all their balls in a frame; through cuts with all that they refit
+  double own_root = 0;                                        // the root's ball by itself
+  double root_through_descendants = 0;                        // the same through its cut, when the frame has no balls yet
+  double root_from_known = 0;                                 // the same when the frame has the balls of the cut already
+  double root_ratio = 0, root_ratio_through_descendants = 0;  // the root's radius / the optimal one, at half of the clip
 };
 
 // For 10 to 1000 joints.
