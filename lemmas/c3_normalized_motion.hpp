@@ -126,18 +126,24 @@ struct InverseMoment {
   Moment<S, 4> moment;
 };
 
+// Whether ||q||^2 times the quotient is the dividend, with their first two derivatives: free of quotients.
+template <class S, int D>
+Verdict is_divided(const Moment<S, 4>& q, const Moment<S, D>& quotient, const Moment<S, D>& dividend) {
+  const S length = squared_norm(q.value), faster = S(2) * dot(q.value, q.velocity),
+          bend = S(2) * (squared_norm(q.velocity) + dot(q.value, q.acceleration));
+  Verdict v = Verdict::holds;
+  for (int i = 0; i < D; ++i)
+    v &= equal(S(length * quotient.value[i]), dividend.value[i]) &
+         equal(S(length * quotient.velocity[i] + faster * quotient.value[i]), dividend.velocity[i]) &
+         equal(S(length * quotient.acceleration[i] + S(2) * faster * quotient.velocity[i] + bend * quotient.value[i]),
+               dividend.acceleration[i]);
+  return v;
+}
+
 // Independent check: ||p||^2 g = p, with its derivatives.
 template <class S>
 Verdict is_inverse_moment(const Moment<S, 4>& blend, const Motion<S>& motion, const S& least, const Moment<S, 4>& witness) {
-  const S length = squared_norm(blend.value), faster = S(2) * dot(blend.value, blend.velocity),
-          bend = S(2) * (squared_norm(blend.velocity) + dot(blend.value, blend.acceleration));
-  Verdict v = moves_within(witness, inverse_motion(motion, least));
-  for (int i = 0; i < 4; ++i)
-    v &= equal(S(length * witness.value[i]), blend.value[i]) &
-         equal(S(length * witness.velocity[i] + faster * witness.value[i]), blend.velocity[i]) &
-         equal(S(length * witness.acceleration[i] + S(2) * faster * witness.velocity[i] + bend * witness.value[i]),
-               blend.acceleration[i]);
-  return v;
+  return moves_within(witness, inverse_motion(motion, least)) & is_divided<S, 4>(blend, witness, blend);
 }
 
 template <class S>

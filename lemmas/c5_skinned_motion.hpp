@@ -142,25 +142,12 @@ SkinnedMoment<S> dual_moves(const SkinMoment<S>& skin, std::span<const Motion<S>
   return {moves_within(vertex, dual_motion(images, rotations, least)), vertex};
 }
 
-// Independent check, free of quotients: ||q||^2 times the vertex, with its derivatives, is what it should be.
-template <class S>
-Verdict is_divided(const Moment<S, 4>& q, const Moment<S, 3>& quotient, const Moment<S, 3>& dividend) {
-  const S length = squared_norm(q.value), faster = S(2) * dot(q.value, q.velocity),
-          bend = S(2) * (squared_norm(q.velocity) + dot(q.value, q.acceleration));
-  Verdict v = Verdict::holds;
-  for (int i = 0; i < 3; ++i)
-    v &= equal(S(length * quotient.value[i]), dividend.value[i]) &
-         equal(S(length * quotient.velocity[i] + faster * quotient.value[i]), dividend.velocity[i]) &
-         equal(S(length * quotient.acceleration[i] + S(2) * faster * quotient.velocity[i] + bend * quotient.value[i]),
-               dividend.acceleration[i]);
-  return v;
-}
-
+// Independent check, free of quotients (is_divided): ||q||^2 times the vertex, with its derivatives, is what it should be.
 template <class S>
 Verdict is_dual_moment(const SkinMoment<S>& skin, std::span<const Motion<S>> images, std::span<const Motion<S>> rotations,
                        const S& least, const Moment<S, 3>& vertex) {
   const Moment<S, 4> q = blended<S, 4>(skin.weights, skin.rotations);
-  return is_divided(q, vertex, imaginary_of_product(reach_moment(skin), q)) &
+  return is_divided<S, 3>(q, vertex, imaginary_of_product(reach_moment(skin), q)) &
          moves_within(vertex, dual_motion(images, rotations, least));
 }
 
@@ -172,7 +159,7 @@ Verdict is_spherical_moment(const SkinMoment<S>& skin, const Vec<S, 3>& arm, std
   const Vec<S, 3> still = Vec<S, 3>::Constant(S(0));
   const Moment<S, 3> turned{vertex.value - placed.value, vertex.velocity - placed.velocity,
                             vertex.acceleration - placed.acceleration};
-  return is_divided(q, turned, turned_moment<S>(q, {arm, still, still})) & less_equal(squared_norm(arm), sq(distance)) &
+  return is_divided<S, 3>(q, turned, turned_moment<S>(q, {arm, still, still})) & less_equal(squared_norm(arm), sq(distance)) &
          moves_within(vertex, spherical_motion(images, rotations, distance, least));
 }
 

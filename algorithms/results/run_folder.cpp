@@ -4,9 +4,9 @@
 #include <cctype>
 #include <filesystem>
 
-#include "algorithms/results/fingerprint.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/tree/fingerprint.hpp"
 
 namespace refitlab {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/resume/resume.hpp"
 
-#include "algorithms/results/fingerprint.hpp"
+#include "algorithms/runtime/tree/fingerprint.hpp"
 
 namespace refitlab {
 namespace {

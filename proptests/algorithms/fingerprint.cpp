@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fingerprints: those that are published for FNV-1a, and of parts in order.
-#include "algorithms/results/fingerprint.hpp"
+#include "algorithms/runtime/tree/fingerprint.hpp"
 
 #include "proptests/harness.hpp"
 

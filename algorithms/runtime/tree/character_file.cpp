@@ -8,6 +8,7 @@
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/tree/check_character.hpp"
+#include "algorithms/runtime/tree/fingerprint.hpp"
 
 namespace refitlab {
 namespace {
@@ -16,9 +17,9 @@ constexpr std::string_view magic = "refitlab";
 constexpr std::uint32_t version = 1;
 
 std::uint64_t checksum_of(std::string_view bytes) {
-  std::uint64_t sum = 0xcbf29ce484222325;
-  for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return sum;
+  Fingerprint of_bytes;
+  of_bytes.add_bytes(bytes);
+  return of_bytes.value();
 }
 
 // The fields of all that is in a file, once for writing and once for reading: `io` has a function for each kind of number.

@@ -23,6 +23,7 @@ class Fingerprint {
   template <class Number>
   requires std::is_arithmetic_v<Number>
   void add(Number number) { add_bytes({reinterpret_cast<const char*>(&number), sizeof number}); }
+  std::uint64_t value() const { return hash_; }
   // 16 hexadecimal digits.
   std::string text() const {
     std::string out;
