@@ -46,6 +46,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
       counts_(counts),
       room_(room) {
   const DefaultFloatEnvironment environment;
+  room.open.clear();  // a query that ends early leaves what it need not know
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
     const double offset = second.origin()[i] - first.origin()[i];

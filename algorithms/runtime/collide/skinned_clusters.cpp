@@ -111,6 +111,11 @@ void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
   else out.box = Box<float>::everything();
 }
 
+const SkinningPalette<double>& SkinnedClusters::whole_palette() {
+  for (int set = 0; set < tree_.character().sets.count(); ++set) make_palette(set);
+  return palette_;
+}
+
 void SkinnedClusters::make_palette(int joint_set) {
   const int part = palette_packs_.part_of(joint_set);
   if (palettes_made_.is_made(part)) return;

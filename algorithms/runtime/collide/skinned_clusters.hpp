@@ -52,6 +52,11 @@ class SkinnedClusters {
   // The corners of a single triangle of the model in the world: the same doubles.
   TrianglePoints triangle(int triangle);
 
+  // Of each coordinate in the world, in double.
+  double lost() const { return float_placement_.lost; }
+  // The palette of all joint-sets in double.
+  const SkinningPalette<double>& whole_palette();
+
   // These counts are since begin.
   long clusters_skinned() const { return clusters_skinned_; }
   long corners_skinned() const { return corners_skinned_; }  // in float or in double
