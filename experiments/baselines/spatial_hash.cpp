@@ -82,8 +82,7 @@ class SpatialHash : public SkinningDetector {
   template <class Visit>
   void for_each_cell(const Box<double>& box, const Visit& visit) const {
     std::int64_t low[3], high[3];
-    for (int i = 0; i < 3; ++i)
-      low[i] = cell_of(box.low[i]), high[i] = cell_of(box.high[i]);
+    for (int i = 0; i < 3; ++i) low[i] = cell_of(box.low[i]), high[i] = cell_of(box.high[i]);
     for (std::int64_t x = low[0]; x <= high[0]; ++x)
       for (std::int64_t y = low[1]; y <= high[1]; ++y)
         for (std::int64_t z = low[2]; z <= high[2]; ++z) {

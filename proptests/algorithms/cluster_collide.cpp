@@ -58,8 +58,7 @@ int triangles_below(const ClusterTree& tree, const WideNodeChild& child) {
   if (child.wide_node >= 0)
     for (int i = 0; i < tree.wide_nodes()[child.wide_node].child_count; ++i)
       count += triangles_below(tree, tree.child(child.wide_node, i));
-  else
-    count = tree.clusters()[child.cluster].triangle_count;
+  else count = tree.clusters()[child.cluster].triangle_count;
   return count;
 }
 
@@ -198,7 +197,8 @@ PROPTEST(cluster_collide) {
         RC_ASSERT(!expected.empty());
         RC_ASSERT(sorted(collide(body, other, Query::full, counts)) == expected);
         RC_ASSERT(collide(other, body, Query::yes_no, counts).size() == 1u);
-        for (const Point3& p : points) RC_ASSERT(holds(body.reach(), p) && holds(oracle::in_world(body, body.wide_node_box(0)), p));
+        for (const Point3& p : points)
+          RC_ASSERT(holds(body.reach(), p) && holds(oracle::in_world(body, body.wide_node_box(0)), p));
         RC_ASSERT(holds(other.reach(), tip) && holds(oracle::in_world(other, other.wide_node_box(0)), tip));
       });
   t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {}, [] {
@@ -385,6 +385,27 @@ PROPTEST(cluster_collide) {
                      std::to_string(counts.ball_tests) + " boxes are compared at " + std::to_string(distance));
     }
     return Checked(false, 0, "the reaches never meet");
+  });
+  t.example("bodies that reached most of each other's clusters are skinned whole in the next frame, with the same pairs", {}, [] {
+    const auto man = bake(make_man());
+    const ClusterTree tree(man);
+    const Clip& walk = man.clips[0];
+    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+    const RigidTransform<double> in_place{identity_quaternion<double>(), {0.02, 0, 0}},
+        away{identity_quaternion<double>(), {0.5, 0, 0}};
+    PairMemory memory;
+    bool ok = true;
+    const auto at = [&](double time, const RigidTransform<double>& place) {
+      const Pose first = walk.sample(time * walk.duration), second = walk.sample((time + 0.5) * walk.duration);
+      a.begin(first, {}), b.begin(second, place);
+      QueryCounts counts;
+      ok = ok && sorted(collide(a, b, Query::full, counts, &memory)) ==
+                     oracle::all_pairs({man, first, {}}, {man, second, place}, Skinning::spherical);
+      return a.is_all_skinned() && b.is_all_skinned();
+    };
+    ok = ok && !at(0.2, in_place) && memory.are_entangled && at(0.21, in_place) && at(0.22, away) && !memory.are_entangled &&
+         !at(0.23, away);
+    return Checked(ok, 4);
   });
   t.example("triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
     SkinnedMesh m;

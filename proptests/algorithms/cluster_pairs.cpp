@@ -36,9 +36,12 @@ PROPTEST(cluster_pairs) {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
             const Character a = bake(gen::make_mesh(plan_a)), b = bake(gen::make_mesh(plan_b));
-            const auto most = [] { return ClusterOptions{.most_triangles = *rc::gen::element(1, 10, 100, most_cluster_triangles)}; };
+            const auto most = [] {
+              return ClusterOptions{.most_triangles = *rc::gen::element(1, 10, 100, most_cluster_triangles)};
+            };
             const ClusterTree tree_a(a, most()), tree_b(b, most());
-            const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+            const Skinning skinning =
+                *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
             SkinnedClusters first(tree_a, skinning), second(tree_b, skinning);
             ClusterPairRoom room;
             std::mt19937 random(plan_b.seed);
@@ -102,7 +105,9 @@ PROPTEST(cluster_pairs) {
               truth.push_back(oracle::triangles_meet(a, b));
               first[k] = second[k] = k;
             }
-            const auto arrays = [](Candidates& c) { return CandidateArrays{nullptr, nullptr, {}, c.corners.data()->lane.data()}; };
+            const auto arrays = [](Candidates& c) {
+              return CandidateArrays{nullptr, nullptr, {}, c.corners.data()->lane.data()};
+            };
             // Rounding to float is off by another 2^-24 of the size.
             const auto of_floats = static_cast<float>(slack + unit * 1.5 * 0x1p-24);
             for (const Target target : available_targets()) {
@@ -117,101 +122,101 @@ PROPTEST(cluster_pairs) {
               if (unit == 1 && slack < 1e-6) RC_ASSERT(unknowns < count);
             }
           });
-  t.holds("on every target candidates are those that are not apart for certain",
-          {.number_type = "float", .cases = 300}, [] {
-            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            std::uniform_real_distribution<float> u(-1, 1);
-            const int places = 16 * *rc::gen::inRange(1, 5), count = *rc::gen::inRange(1, 70);
-            std::vector<Lanes<float>> blocks(3 * places / 16);
-            float* const xyz = blocks.data()->lane.data();
-            for (int i = 0; i < 3 * places; ++i)
-              xyz[i] = random() % 50 ? u(random) : random() % 2 ? 0.5f : std::numeric_limits<float>::quiet_NaN();
-            std::vector<std::uint16_t> corner[3];
-            for (auto& list : corner)
-              for (int t = 0; t < count; ++t) list.push_back(static_cast<std::uint16_t>(random() % places));
-            const ClusterTriangles triangles{count, {corner[0].data(), corner[1].data(), corner[2].data()}};
-            Box<float> box;
-            for (int i = 0; i < 3; ++i) {
-              const float a = u(random), b = random() % 4 ? u(random) : 0.5f;
-              box.low[i] = std::min(a, b), box.high[i] = std::max(a, b);
-            }
-            const auto at = [&](int t, int c, int i) { return xyz[i * places + corner[c][t]]; };
-            std::vector<int> expected;
-            for (int t = 0; t < count; ++t) {
-              bool apart = false;
-              for (int i = 0; i < 3; ++i) {
-                apart = apart || (at(t, 0, i) < box.low[i] && at(t, 1, i) < box.low[i] && at(t, 2, i) < box.low[i]);
-                apart = apart || (at(t, 0, i) > box.high[i] && at(t, 1, i) > box.high[i] && at(t, 2, i) > box.high[i]);
-              }
-              if (!apart) expected.push_back(t);
-            }
-            const float offset[] = {0.25f, -0.5f, 1};
-            for (const Target target : available_targets()) {
-              const ClusterPairKernels& kernels = cluster_pair_kernels(target);
-              Candidates room;
-              room.reserve(count, places);
-              CandidateArrays out{room.triangle.data(), room.outcodes.data(), {}, room.corners.data()->lane.data()};
-              for (int i = 0; i < 6; ++i) out.box[i] = room.box[i].data()->lane.data();
-              const int found = kernels.cull(triangles, xyz, places, box, out);
-              RC_ASSERT(std::vector<int>(out.triangle, out.triangle + found) == expected);
-              if (found == 0) continue;
-              Box<float> all;
-              kernels.place(triangles, xyz, places, offset, found, out, all);
-              const auto side = [&](int k, int i) {
-                const float a = at(expected[k], 0, i) + offset[i], b = at(expected[k], 1, i) + offset[i], c = at(expected[k], 2, i) + offset[i];
-                return std::pair(std::min({a, b, c}), std::max({a, b, c}));
-              };
-              bool has_nan = false;
-              for (int k = 0; k < found; ++k)
-                for (int i = 0; i < 9; ++i) {
-                  const float x = at(expected[k], i / 3, i % 3) + offset[i % 3];
-                  has_nan = has_nan || std::isnan(x);
-                  RC_ASSERT(out.corners[16 * k + i] == x || std::isnan(x));
-                }
-              if (has_nan) continue;
-              Box<float> around = Box<float>::empty();
-              for (int k = 0; k < found; ++k)
-                for (int i = 0; i < 3; ++i) {
-                  RC_ASSERT(out.box[i][k] == side(k, i).first && out.box[3 + i][k] == side(k, i).second);
-                  around.low[i] = std::min(around.low[i], side(k, i).first), around.high[i] = std::max(around.high[i], side(k, i).second);
-                }
-              RC_ASSERT(all.low == around.low && all.high == around.high);
-              Box<float> part = box;
-              for (int i = 0; i < 3; ++i) part.low[i] += offset[i] + 0.1f, part.high[i] += offset[i] - 0.1f;
-              std::vector<int> kept;
-              for (int k = 0; k < found; ++k) {
-                bool apart = false;
-                for (int i = 0; i < 3; ++i) apart = apart || side(k, i).first > part.high[i] || side(k, i).second < part.low[i];
-                if (!apart) kept.push_back(k);
-              }
-              const int left = kernels.keep(found, part, out);
-              RC_ASSERT(left == static_cast<int>(kept.size()));
-              for (int k = 0; k < left; ++k) {
-                RC_ASSERT(out.triangle[k] == expected[kept[k]]);
-                for (int i = 0; i < 9; ++i) RC_ASSERT(out.corners[16 * k + i] == at(expected[kept[k]], i / 3, i % 3) + offset[i % 3]);
-                for (int i = 0; i < 3; ++i)
-                  RC_ASSERT(out.box[i][k] == side(kept[k], i).first && out.box[3 + i][k] == side(kept[k], i).second);
-              }
-              // All with all of themselves, in one part or from the second block on.
-              const float margin = 0.05f;
-              std::vector<std::int32_t> first(left * left + 16), second(left * left + 16);
-              for (const int begin : {0, 16}) {
-                if (begin >= left && begin > 0) continue;
-                const int pairs = kernels.meeting(out, left, out, begin, left, margin, first.data(), second.data());
-                std::vector<std::pair<int, int>> got, want;
-                for (int p = 0; p < pairs; ++p) got.emplace_back(first[p], second[p]);
-                for (int k = 0; k < left; ++k)
-                  for (int l = begin; l < left; ++l) {
-                    bool apart = false;
-                    for (int i = 0; i < 3; ++i)
-                      apart = apart || out.box[3 + i][k] < out.box[i][l] - margin || out.box[3 + i][l] + margin < out.box[i][k];
-                    if (!apart) want.emplace_back(k, l);
-                  }
-                std::sort(got.begin(), got.end());
-                RC_ASSERT(got == want);
-              }
-            }
-          });
+  t.holds("on every target candidates are those that are not apart for certain", {.number_type = "float", .cases = 300}, [] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    std::uniform_real_distribution<float> u(-1, 1);
+    const int places = 16 * *rc::gen::inRange(1, 5), count = *rc::gen::inRange(1, 70);
+    std::vector<Lanes<float>> blocks(3 * places / 16);
+    float* const xyz = blocks.data()->lane.data();
+    for (int i = 0; i < 3 * places; ++i)
+      xyz[i] = random() % 50 ? u(random) : random() % 2 ? 0.5f : std::numeric_limits<float>::quiet_NaN();
+    std::vector<std::uint16_t> corner[3];
+    for (auto& list : corner)
+      for (int t = 0; t < count; ++t) list.push_back(static_cast<std::uint16_t>(random() % places));
+    const ClusterTriangles triangles{count, {corner[0].data(), corner[1].data(), corner[2].data()}};
+    Box<float> box;
+    for (int i = 0; i < 3; ++i) {
+      const float a = u(random), b = random() % 4 ? u(random) : 0.5f;
+      box.low[i] = std::min(a, b), box.high[i] = std::max(a, b);
+    }
+    const auto at = [&](int t, int c, int i) { return xyz[i * places + corner[c][t]]; };
+    std::vector<int> expected;
+    for (int t = 0; t < count; ++t) {
+      bool apart = false;
+      for (int i = 0; i < 3; ++i) {
+        apart = apart || (at(t, 0, i) < box.low[i] && at(t, 1, i) < box.low[i] && at(t, 2, i) < box.low[i]);
+        apart = apart || (at(t, 0, i) > box.high[i] && at(t, 1, i) > box.high[i] && at(t, 2, i) > box.high[i]);
+      }
+      if (!apart) expected.push_back(t);
+    }
+    const float offset[] = {0.25f, -0.5f, 1};
+    for (const Target target : available_targets()) {
+      const ClusterPairKernels& kernels = cluster_pair_kernels(target);
+      Candidates room;
+      room.reserve(count, places);
+      CandidateArrays out{room.triangle.data(), room.outcodes.data(), {}, room.corners.data()->lane.data()};
+      for (int i = 0; i < 6; ++i) out.box[i] = room.box[i].data()->lane.data();
+      const int found = kernels.cull(triangles, xyz, places, box, out);
+      RC_ASSERT(std::vector<int>(out.triangle, out.triangle + found) == expected);
+      if (found == 0) continue;
+      Box<float> all;
+      kernels.place(triangles, xyz, places, offset, found, out, all);
+      const auto side = [&](int k, int i) {
+        const float a = at(expected[k], 0, i) + offset[i], b = at(expected[k], 1, i) + offset[i],
+                    c = at(expected[k], 2, i) + offset[i];
+        return std::pair(std::min({a, b, c}), std::max({a, b, c}));
+      };
+      bool has_nan = false;
+      for (int k = 0; k < found; ++k)
+        for (int i = 0; i < 9; ++i) {
+          const float x = at(expected[k], i / 3, i % 3) + offset[i % 3];
+          has_nan = has_nan || std::isnan(x);
+          RC_ASSERT(out.corners[16 * k + i] == x || std::isnan(x));
+        }
+      if (has_nan) continue;
+      Box<float> around = Box<float>::empty();
+      for (int k = 0; k < found; ++k)
+        for (int i = 0; i < 3; ++i) {
+          RC_ASSERT(out.box[i][k] == side(k, i).first && out.box[3 + i][k] == side(k, i).second);
+          around.low[i] = std::min(around.low[i], side(k, i).first), around.high[i] = std::max(around.high[i], side(k, i).second);
+        }
+      RC_ASSERT(all.low == around.low && all.high == around.high);
+      Box<float> part = box;
+      for (int i = 0; i < 3; ++i) part.low[i] += offset[i] + 0.1f, part.high[i] += offset[i] - 0.1f;
+      std::vector<int> kept;
+      for (int k = 0; k < found; ++k) {
+        bool apart = false;
+        for (int i = 0; i < 3; ++i) apart = apart || side(k, i).first > part.high[i] || side(k, i).second < part.low[i];
+        if (!apart) kept.push_back(k);
+      }
+      const int left = kernels.keep(found, part, out);
+      RC_ASSERT(left == static_cast<int>(kept.size()));
+      for (int k = 0; k < left; ++k) {
+        RC_ASSERT(out.triangle[k] == expected[kept[k]]);
+        for (int i = 0; i < 9; ++i) RC_ASSERT(out.corners[16 * k + i] == at(expected[kept[k]], i / 3, i % 3) + offset[i % 3]);
+        for (int i = 0; i < 3; ++i)
+          RC_ASSERT(out.box[i][k] == side(kept[k], i).first && out.box[3 + i][k] == side(kept[k], i).second);
+      }
+      // All with all of themselves, in one part or from the second block on.
+      const float margin = 0.05f;
+      std::vector<std::int32_t> first(left * left + 16), second(left * left + 16);
+      for (const int begin : {0, 16}) {
+        if (begin >= left && begin > 0) continue;
+        const int pairs = kernels.meeting(out, left, out, begin, left, margin, first.data(), second.data());
+        std::vector<std::pair<int, int>> got, want;
+        for (int p = 0; p < pairs; ++p) got.emplace_back(first[p], second[p]);
+        for (int k = 0; k < left; ++k)
+          for (int l = begin; l < left; ++l) {
+            bool apart = false;
+            for (int i = 0; i < 3; ++i)
+              apart = apart || out.box[3 + i][k] < out.box[i][l] - margin || out.box[3 + i][l] + margin < out.box[i][k];
+            if (!apart) want.emplace_back(k, l);
+          }
+        std::sort(got.begin(), got.end());
+        RC_ASSERT(got == want);
+      }
+    }
+  });
 }
 
 }  // namespace proptests::suite_cluster_pairs

@@ -216,7 +216,8 @@ std::vector<Entry> query_entries() {
            ClusterBody a(tree, skinning), b(tree, skinning);
            a.begin(w.pose, {}), b.begin(w.pose, w.near);
            out.add(a.reach());
-           for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f) out.add(box_of<double>(a.wide_node_box(static_cast<int>(f))));
+           for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f)
+             out.add(box_of<double>(a.wide_node_box(static_cast<int>(f))));
            for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
              const int cluster = static_cast<int>(c);
              out.add(box_of<double>(a.clusters().cluster(cluster).box));

@@ -92,22 +92,23 @@ SkinnedMesh about_one_joint() {
 }  // namespace
 
 PROPTEST(skinned_clusters) {
-  t.holds("floats are within their slack of the doubles, which are those of skinning: of one joint to many, turned any way",
-          {.number_type = "rational", .cases = 400, .tags_at_least = {{"in float", 0.3}}}, [] {
-            const auto plan = *gen::mesh_plan();
-            const Character c = bake(gen::make_mesh(plan));
-            std::mt19937 random(plan.seed);
-            const double spread = *rc::gen::element(0.0, 1e-6, 1e-5, 1e-4, 1e-3, 0.1, 0.5, 3.0);
-            const Pose pose = gen::with_lengths(gen::random_pose(c.mesh, random, spread), gen::random_unit_length(random), random);
-            const auto at = drawn_placement(random, *rc::gen::element(0.0, 1.0, 1e3, 1e9));
-            const Point3 origin = *rc::gen::arbitrary<bool>() ? at.translation : Point3::Zero();
-            const auto skinning = *rc::gen::element(Skinning::spherical, Skinning::hejl, Skinning::linear, Skinning::dual_quaternion);
-            const Compared all = compare_placed(c, pose, at, origin, skinning, *rc::gen::element(1, 7, 256));
-            RC_TAG(all.undefined > 0                                                        ? "undefined"
-                   : skinning == Skinning::spherical || skinning == Skinning::hejl ? "in float"
-                                                                                            : "in double");
-            assert_right(all);
-          });
+  t.holds(
+      "floats are within their slack of the doubles, which are those of skinning: of one joint to many, turned any way",
+      {.number_type = "rational", .cases = 400, .tags_at_least = {{"in float", 0.3}}}, [] {
+        const auto plan = *gen::mesh_plan();
+        const Character c = bake(gen::make_mesh(plan));
+        std::mt19937 random(plan.seed);
+        const double spread = *rc::gen::element(0.0, 1e-6, 1e-5, 1e-4, 1e-3, 0.1, 0.5, 3.0);
+        const Pose pose = gen::with_lengths(gen::random_pose(c.mesh, random, spread), gen::random_unit_length(random), random);
+        const auto at = drawn_placement(random, *rc::gen::element(0.0, 1.0, 1e3, 1e9));
+        const Point3 origin = *rc::gen::arbitrary<bool>() ? at.translation : Point3::Zero();
+        const auto skinning = *rc::gen::element(Skinning::spherical, Skinning::hejl, Skinning::linear, Skinning::dual_quaternion);
+        const Compared all = compare_placed(c, pose, at, origin, skinning, *rc::gen::element(1, 7, 256));
+        RC_TAG(all.undefined > 0                                               ? "undefined"
+               : skinning == Skinning::spherical || skinning == Skinning::hejl ? "in float"
+                                                                               : "in double");
+        assert_right(all);
+      });
   t.holds("so they are at the ends of what is accepted: up to 90 joints, of any size, quaternions off unit length",
           {.number_type = "rational", .cases = 600, .tags_at_least = {{"undefined", 0.05}, {"within", 0.3}}}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
@@ -121,25 +122,25 @@ PROPTEST(skinned_clusters) {
             RC_TAG(all.undefined > 0 ? "undefined" : "within");
             assert_right(all);
           });
-  t.holds("so they are where a bound is attained, at every scale and place",
-          {.number_type = "rational", .cases = 600}, [] {
-            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const double unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-36, 1e-40, 1e-44, 1e-160, 1e-300, 1e11, 1e12, 1e18, 1e35),
-                         far = *rc::gen::element(0.0, 0.0, 1.0, 1e6, 1e30);
-            const gen::Attained scene = gen::attained(random, {.unit = unit, .far = far, .joints = *rc::gen::element(1, 2, 3, 4, 0)});
-            const Character c = bake(scene.mesh);
-            RC_LOG() << scene.what;
-            assert_right(compare_placed(c, scene.pose, scene.placement,
-                                        random() % 2 ? scene.placement.translation : Point3(0, 0, 0), Skinning::spherical));
-          });
-  t.holds("so they are where blends nearly vanish, which doubles skin where the hypothesis of a long blend fails",
-          {.number_type = "rational", .cases = 300, .tags_at_least = {{"within a right angle", 0.1}, {"beyond a right angle", 0.1}}},
-          [] {
-            const auto soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
-            RC_TAG(gen::label_of(soup));
-            const Character c = bake(soup.mesh);
-            assert_right(compare_placed(c, soup.pose, {}, Point3::Zero(), Skinning::spherical));
-          });
+  t.holds("so they are where a bound is attained, at every scale and place", {.number_type = "rational", .cases = 600}, [] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    const double unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-36, 1e-40, 1e-44, 1e-160, 1e-300, 1e11, 1e12, 1e18, 1e35),
+                 far = *rc::gen::element(0.0, 0.0, 1.0, 1e6, 1e30);
+    const gen::Attained scene = gen::attained(random, {.unit = unit, .far = far, .joints = *rc::gen::element(1, 2, 3, 4, 0)});
+    const Character c = bake(scene.mesh);
+    RC_LOG() << scene.what;
+    assert_right(compare_placed(c, scene.pose, scene.placement, random() % 2 ? scene.placement.translation : Point3(0, 0, 0),
+                                Skinning::spherical));
+  });
+  t.holds(
+      "so they are where blends nearly vanish, which doubles skin where the hypothesis of a long blend fails",
+      {.number_type = "rational", .cases = 300, .tags_at_least = {{"within a right angle", 0.1}, {"beyond a right angle", 0.1}}},
+      [] {
+        const auto soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
+        RC_TAG(gen::label_of(soup));
+        const Character c = bake(soup.mesh);
+        assert_right(compare_placed(c, soup.pose, {}, Point3::Zero(), Skinning::spherical));
+      });
   t.example("a placement off unit length stretches what it turns, and the slack has that", {}, [] {
     const Character c = bake(about_one_joint());
     double largest = 0;

@@ -20,6 +20,11 @@ std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& seco
   return {};
 }
 
+// Two thirds: about there skinning all clusters costs as much as bounding them and skinning those.
+bool have_reached_most(ClusterBody& body) {
+  return 3 * body.clusters().clusters_reached() > 2 * static_cast<long>(body.tree().clusters().size());
+}
+
 }  // namespace
 
 std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts, PairMemory* memory) {
@@ -33,12 +38,14 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     ++counts.ball_tests;
     if (are_apart(first.reach(), second.reach())) return {};
   }
+  if (memory && memory->are_entangled && query == Query::full) first.skin_all(), second.skin_all();
   auto& scratch = first.query_scratch();
   ClusterPairs of_clusters(first.clusters(), second.clusters(), counts, scratch.pairs);
   auto pairs = ClusterTraversal(first, second, of_clusters, query, counts, scratch.hits).run();
   if (memory) {
     memory->are_near = !are_apart(first.wide_node_box(0), of_clusters.moved(second.wide_node_box(0)));
     memory->remember(pairs);
+    if (query == Query::full) memory->are_entangled = have_reached_most(first) && have_reached_most(second);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return pairs;

@@ -15,7 +15,7 @@ struct FloatCluster {
   // Of each coordinate: what it is off by against the doubles of apply(placement, skin()), less the origin, and four roundings
   // more. It is infinite where floats say nothing; then so is the box.
   float slack;
-  Box<float> box;                   // around the doubles, less the origin
+  Box<float> box;                    // around the doubles, less the origin
   std::vector<Lanes<float>> blocks;  // x of all positions, then y, then z
 
   const float* xyz() const { return blocks.data()->lane.data(); }
@@ -57,11 +57,19 @@ class SkinnedClusters {
   // The palette of all joint-sets in double.
   const SkinningPalette<double>& whole_palette();
 
+  // Marks a cluster as one that a query looked into; how many were, since begin.
+  void reach(int cluster) {
+    clusters_reached_ += !reached_.is_made(cluster);
+    reached_.mark(cluster);
+  }
+  long clusters_reached() const { return clusters_reached_; }
+
   // These counts are since begin.
   long clusters_skinned() const { return clusters_skinned_; }
   long corners_skinned() const { return corners_skinned_; }  // in float or in double
 
  private:
+  void make_float_palette(int part);
   bool can_skin_in_float(int cluster);
   void skin_cluster(int cluster);
   void skin_in_float(int cluster, FloatCluster& out);
@@ -80,10 +88,10 @@ class SkinnedClusters {
   std::vector<FloatPaletteEntry> float_palette_;     // of what parts were made, by joint-set
   SkinningPalette<double> palette_;                  // likewise
   const SkinningPalette<double>::Arrays palette_arrays_;
-  FrameStamps clusters_made_, blocks_made_;
+  FrameStamps clusters_made_, blocks_made_, reached_;
   std::vector<FloatCluster> clusters_;  // their storage is allocated when a query first reaches them
   std::vector<PaddedVertex> corners_;   // by position, cluster after cluster, when the first is asked for
-  long clusters_skinned_ = 0, corners_skinned_ = 0;
+  long clusters_skinned_ = 0, corners_skinned_ = 0, clusters_reached_ = 0;
 };
 
 }  // namespace refitlab
