@@ -34,7 +34,7 @@ constexpr double same_frame_tolerance = 1e-3;  // of a mesh alone, any placement
 class Binder {
  public:
   Binder(const NodeTree& tree, const std::string& file) : tree_(tree), file_(file) {
-    globals_ = global_transforms(tree.nodes(), Motion{}, 0);
+    globals_ = global_transforms(tree.nodes(), Animation{}, 0);
   }
 
   BoundMesh bind_skinned(const aiMesh& mesh) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+#include "algorithms/model/skeleton_motion.hpp"
 
 namespace refitlab {
 
@@ -14,6 +14,7 @@ struct Clip {
   std::string name;
   double duration;                     // seconds
   std::function<Pose(double)> sample;  // at a time in [0, duration]; throws ModelError for a pose that is not rigid
+  Animation animation = {};            // of the model's skeleton; without tracks where there is no skeleton
 };
 
 struct Model : SkinnedMesh {
@@ -21,6 +22,8 @@ struct Model : SkinnedMesh {
   // How far the skin matrices M of a file, its scale s taken out, are from rotations: the largest Frobenius norm of
   // M^T M / s^2 - I over the joints and the times that were checked on loading. 0 where clips are made of rotations.
   double rigidity_defect = 0;
+  // What the clips' animations move: of models from files. Its joints are the mesh's.
+  BoundSkeleton skeleton = {};
 };
 
 }  // namespace refitlab

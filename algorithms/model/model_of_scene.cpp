@@ -124,10 +124,10 @@ Model model_of_scene(const aiScene& scene, const std::string& file) {
   const DefaultFloatEnvironment environment;
   const NodeTree tree(scene, file);
   BoundScene bound = bind_meshes(scene, tree, file);
-  const std::vector<Motion> motions = convert_motions(scene, tree, file);
+  const std::vector<Animation> motions = convert_animations(scene, tree, file);
 
   auto skeleton = std::make_shared<BoundSkeleton>(BoundSkeleton{file, tree.nodes(), std::move(bound.joints)});
-  const Motion first = motions.empty() ? Motion{} : motions.front();
+  const Animation first = motions.empty() ? Animation{} : motions.front();
   factor_out(common_factor(*skeleton, first, 0), *skeleton, bound.meshes);
 
   Model model;
@@ -136,12 +136,13 @@ Model model_of_scene(const aiScene& scene, const std::string& file) {
   model.rigidity_defect = pose(*skeleton, first, 0).rigidity_defect;
   Skin skin(model);
   for (const BoundMesh& mesh : bound.meshes) skin.add(mesh);
-  for (const Motion& motion : motions) {
+  for (const Animation& motion : motions) {
     for (const double time : key_times(motion, max_checked_times))
       model.rigidity_defect = std::max(model.rigidity_defect, pose(*skeleton, motion, time).rigidity_defect);
     model.clips.push_back(
-        {motion.name, motion.duration, [skeleton, motion](double time) { return pose(*skeleton, motion, time).pose; }});
+        {motion.name, motion.duration, [skeleton, motion](double time) { return pose(*skeleton, motion, time).pose; }, motion});
   }
+  model.skeleton = *skeleton;
   validate(model);
   return model;
 }

@@ -47,9 +47,10 @@ NodeTrack convert_track(const aiNodeAnim& channel, int node, const aiNode& sourc
   source.mTransformation.Decompose(scale, rotation, position);
   return {
       node,
-      convert_keys<Eigen::Vector3d>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, position, file, thing),
-      convert_keys<Eigen::Quaterniond>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_second, rotation, file, thing),
-      convert_keys<Eigen::Vector3d>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale, file, thing)};
+      {convert_keys<Eigen::Vector3d>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, position, file, thing)},
+      {convert_keys<Eigen::Quaterniond>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_second, rotation, file,
+                                        thing)},
+      {convert_keys<Eigen::Vector3d>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale, file, thing)}};
 }
 
 }  // namespace
@@ -75,12 +76,12 @@ int NodeTree::find(const std::string& name) const {
   return found;
 }
 
-std::vector<Motion> convert_motions(const aiScene& scene, const NodeTree& tree, const std::string& file) {
-  std::vector<Motion> motions;
+std::vector<Animation> convert_animations(const aiScene& scene, const NodeTree& tree, const std::string& file) {
+  std::vector<Animation> animations;
   for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
     const aiAnimation& animation = *scene.mAnimations[a];
     const double rate = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : usual_ticks_per_second;
-    Motion motion{animation.mName.C_Str(), animation.mDuration / rate, {}};
+    Animation motion{animation.mName.C_Str(), animation.mDuration / rate, {}};
     if (motion.name.empty()) motion.name = "clip " + std::to_string(a);
     if (!(motion.duration >= 0 && std::isfinite(motion.duration)))
       throw ModelError(file, "clip '" + motion.name + "'", "its duration is not a time");
@@ -93,9 +94,9 @@ std::vector<Motion> convert_motions(const aiScene& scene, const NodeTree& tree, 
       if (!seen.insert(node).second) throw ModelError(file, thing, "two channels move it");
       motion.tracks.push_back(convert_track(channel, node, tree.source(node), rate, file, thing));
     }
-    motions.push_back(std::move(motion));
+    animations.push_back(std::move(motion));
   }
-  return motions;
+  return animations;
 }
 
 }  // namespace refitlab

@@ -34,6 +34,6 @@ Eigen::Quaterniond to_eigen(const aiQuaternion& q);
 
 // All clips. Channels of nodes that the file does not have are left out, and so are morph targets.
 // Throws ModelError for a key that is not finite, out of order, or a zero rotation.
-std::vector<Motion> convert_motions(const aiScene& scene, const NodeTree& tree, const std::string& file);
+std::vector<Animation> convert_animations(const aiScene& scene, const NodeTree& tree, const std::string& file);
 
 }  // namespace refitlab

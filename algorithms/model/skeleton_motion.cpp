@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/c2_channel_motion.hpp"
 
 namespace refitlab {
 namespace {
@@ -16,23 +17,45 @@ Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond
   return a.slerp(t, b).normalized();
 }
 
-template <class Value>
-Value value_at(const std::vector<Key<Value>>& keys, double time) {
-  const auto after = std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; });
-  if (after == keys.begin()) return keys.front().value;
-  if (after == keys.end()) return keys.back().value;
-  const auto before = after - 1;
-  return between(before->value, after->value, (time - before->time) / (after->time - before->time));
+// Of the channel's spline from a key to the next.
+template <int D, class Value, class Coefficients>
+Vec<double, D> on_spline(const Channel<Value>& channel, std::size_t key, double share, const Coefficients& of) {
+  const Key<Value>&a = channel.keys[key], &b = channel.keys[key + 1];
+  return spline_curve<double, D>(of(a.value), of(channel.tangents[key].out), of(channel.tangents[key + 1].into), of(b.value),
+                                 b.time - a.time)
+      .at(share);
+}
+Eigen::Vector3d on_spline(const Channel<Eigen::Vector3d>& channel, std::size_t key, double share) {
+  return on_spline<3>(channel, key, share, [](const Eigen::Vector3d& v) { return v; });
+}
+Eigen::Quaterniond on_spline(const Channel<Eigen::Quaterniond>& channel, std::size_t key, double share) {
+  const auto coefficients = [](const Eigen::Quaterniond& q) -> Eigen::Vector4d { return q.coeffs(); };
+  return Eigen::Quaterniond(on_spline<4>(channel, key, share, coefficients)).normalized();
 }
 
-Eigen::Matrix4d local_transform(const NodeTrack& track, double time) {
+template <class Value>
+Value value_at(const Channel<Value>& channel, double time, Side side) {
+  const auto& keys = channel.keys;
+  const auto after = side == Side::after
+                         ? std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; })
+                         : std::lower_bound(keys.begin(), keys.end(), time, [](const auto& k, double t) { return k.time < t; });
+  if (after == keys.begin()) return keys.front().value;
+  if (after == keys.end() || channel.interpolation == Interpolation::step) return (after - 1)->value;
+  const auto before = after - 1;
+  const double share = (time - before->time) / (after->time - before->time);
+  if (channel.interpolation == Interpolation::cubic) return on_spline(channel, std::size_t(before - keys.begin()), share);
+  return between(before->value, after->value, share);
+}
+
+Eigen::Matrix4d local_transform(const NodeTrack& track, double time, Side side) {
   Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-  local.topLeftCorner<3, 3>() = value_at(track.rotations, time).toRotationMatrix() * value_at(track.scales, time).asDiagonal();
-  local.topRightCorner<3, 1>() = value_at(track.positions, time);
+  local.topLeftCorner<3, 3>() =
+      value_at(track.rotations, time, side).toRotationMatrix() * value_at(track.scales, time, side).asDiagonal();
+  local.topRightCorner<3, 1>() = value_at(track.positions, time, side);
   return local;
 }
 
-std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& motion, double time) {
   const auto globals = global_transforms(skeleton.nodes, motion, time);
   std::vector<Eigen::Matrix4d> out;
   for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
@@ -59,22 +82,23 @@ std::string reason_against(const Eigen::Matrix3d& m) {
 }
 
 template <class Value>
-void collect_times(const std::vector<Key<Value>>& keys, std::vector<double>& times) {
-  for (const auto& key : keys) times.push_back(key.time);
+void collect_times(const Channel<Value>& channel, std::vector<double>& times) {
+  for (const auto& key : channel.keys) times.push_back(key.time);
 }
 
 }  // namespace
 
-std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Motion& motion, double time) {
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& motion, double time,
+                                               Side side) {
   std::vector<Eigen::Matrix4d> globals;
   for (const SceneNode& node : nodes) globals.push_back(node.local);
-  for (const NodeTrack& track : motion.tracks) globals[track.node] = local_transform(track, time);
+  for (const NodeTrack& track : motion.tracks) globals[track.node] = local_transform(track, time, side);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].parent >= 0) globals[i] = globals[nodes[i].parent] * globals[i];
   return globals;
 }
 
-Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& motion, double time) {
   std::vector<double> scales;  // negative for a mirror
   for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time)) {
     const double determinant = m.topLeftCorner<3, 3>().determinant();
@@ -87,7 +111,7 @@ Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motio
   return Eigen::Vector4d(*middle < 0 ? -scale : scale, scale, scale, 1).asDiagonal();
 }
 
-PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time) {
   const DefaultFloatEnvironment environment;
   PosedSkeleton out{{}, 0};
   const auto matrices = skin_matrices(skeleton, motion, time);
@@ -111,7 +135,7 @@ PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double t
   return out;
 }
 
-std::vector<double> key_times(const Motion& motion, std::size_t limit) {
+std::vector<double> key_times(const Animation& motion, std::size_t limit) {
   std::vector<double> times = {0, motion.duration};
   for (const NodeTrack& track : motion.tracks) {
     collect_times(track.positions, times);
