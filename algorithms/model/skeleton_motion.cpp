@@ -55,13 +55,6 @@ Eigen::Matrix4d local_transform(const NodeTrack& track, double time, Side side) 
   return local;
 }
 
-std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& motion, double time) {
-  const auto globals = global_transforms(skeleton.nodes, motion, time);
-  std::vector<Eigen::Matrix4d> out;
-  for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
-  return out;
-}
-
 // The orthogonal factor of the polar decomposition, for a matrix within rigidity_tolerance of a rotation: each step of
 // Newton's iteration squares the defect, so that four leave rounding only.
 Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d m) {
@@ -98,6 +91,13 @@ std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nod
   return globals;
 }
 
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time, Side side) {
+  const auto globals = global_transforms(skeleton.nodes, animation, time, side);
+  std::vector<Eigen::Matrix4d> out;
+  for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
+  return out;
+}
+
 Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& motion, double time) {
   std::vector<double> scales;  // negative for a mirror
   for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time)) {
@@ -111,10 +111,10 @@ Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& mo
   return Eigen::Vector4d(*middle < 0 ? -scale : scale, scale, scale, 1).asDiagonal();
 }
 
-PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time) {
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
   const DefaultFloatEnvironment environment;
   PosedSkeleton out{{}, 0};
-  const auto matrices = skin_matrices(skeleton, motion, time);
+  const auto matrices = skin_matrices(skeleton, motion, time, side);
   for (std::size_t j = 0; j < matrices.size(); ++j) {
     const BoundJoint& joint = skeleton.joints[j];
     const Eigen::Matrix3d m = matrices[j].topLeftCorner<3, 3>();
