@@ -12,7 +12,7 @@
 
 namespace refitlab {
 
-Model load_model_guarded(const std::string& path, unsigned seconds) {
+Model load_model_guarded(const std::string& path, const LoadOptions&, unsigned seconds) {
   const DefaultFloatEnvironment environment;
   const pid_t copy = fork();
   if (copy < 0) throw std::system_error(errno, std::generic_category(), "fork");

@@ -32,7 +32,7 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::string& path) {
 
 }  // namespace
 
-Model load_model(const std::string& path) {
+Model load_model(const std::string& path, const LoadOptions&) {
   const DefaultFloatEnvironment environment;
   Assimp::Importer importer;
   return model_of_scene(read_scene(importer, path), path);
