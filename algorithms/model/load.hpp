@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigged models from files: glTF 2.0, FBX, X, Collada, and whatever else assimp 5.2 reads with bones.
+// Rigged models from files: glTF 2.0, and FBX, X, Collada and whatever else assimp 5.2 reads with bones.
 #pragma once
 
 #include <string>
