@@ -86,7 +86,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const std::string bytes = read_whole(call.in);
   std::vector<GlbChunk> chunks = read_glb(bytes, call.in);
   const bool is_linear = call.bounds.skinning == Skinning::linear;
-  const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid});
+  const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
   const auto start = std::chrono::steady_clock::now();
   ModelBounds bounds;

@@ -15,6 +15,7 @@ struct PosedJoints {
   std::vector<Eigen::Matrix4d> matrices;  // the skin matrices; on columns, from the reference pose
   Pose pose;                              // the rigid transforms nearest to them; empty where they are not asked for
   double defect = 0;                      // how far the matrices' linear parts are from the rotations of the pose, at most
+  std::vector<Eigen::VectorXd> weights;   // by target, for each of the morphed meshes of the model
 };
 
 class AnimatedJoints {
@@ -30,6 +31,8 @@ class AnimatedJoints {
   // By node, over a part; against the parent and against the scene.
   const std::vector<ChainMotion<double>>& links(int part) const { return links_[part]; }
   const std::vector<ChainMotion<double>>& chains(int part) const { return chains_[part]; }
+  // By target, for each of the model's morphed meshes, over a part.
+  const std::vector<std::vector<Motion<double>>>& weights(int part) const { return weights_[part]; }
 
   // Side::after where both sides of a time are the same.
   Side side_of(double time, Side side) const;
@@ -44,6 +47,8 @@ class AnimatedJoints {
   bool needs_pose_;
   std::vector<double> times_, jumps_;  // in increasing order
   std::vector<std::vector<ChainMotion<double>>> links_, chains_;
+  std::vector<const WeightTrack*> weight_tracks_;  // by morphed mesh; nullptr where weights stay
+  std::vector<std::vector<std::vector<Motion<double>>>> weights_;
   mutable std::mutex guard_;
   mutable std::map<std::pair<double, Side>, PosedJoints> posed_;
 };
