@@ -95,10 +95,10 @@ Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& mo
   return Eigen::Vector4d(*middle < 0 ? -scale : scale, scale, scale, 1).asDiagonal();
 }
 
-PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time) {
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
   const DefaultFloatEnvironment environment;
   PosedSkeleton out{{}, 0};
-  const auto matrices = skin_matrices(skeleton, motion, time);
+  const auto matrices = skin_matrices(skeleton, motion, time, side);
   for (std::size_t j = 0; j < matrices.size(); ++j) {
     const BoundJoint& joint = skeleton.joints[j];
     const Eigen::Matrix3d m = matrices[j].topLeftCorner<3, 3>();

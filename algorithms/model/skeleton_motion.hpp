@@ -92,11 +92,11 @@ struct PosedSkeleton {
 };
 
 // By node.
-std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& motion, double time,
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& animation, double time,
                                                Side side = Side::after);
 
 // M_j by joint, affine.
-std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& motion, double time,
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time,
                                            Side side = Side::after);
 
 // How far skin matrices are from rotations: the largest Frobenius norm of M^T M - I over the joints. Infinite where one
@@ -105,13 +105,13 @@ double rigidity_defect(const std::vector<Eigen::Matrix4d>& skin_matrices);
 
 // K of the skin matrices at a time, by the determinant of the joint in the middle. The identity where it differs from
 // that by rounding only.
-Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& motion, double time);
+Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& animation, double time);
 
 // C_j by joint: the rotation nearest to M_j, its quaternion in the half-space of its parent's (of a root, real part >=
 // 0). Throws ModelError that names clip, joint and time where M_j is not rigid, within rigidity_tolerance.
-PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time);
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& animation, double time, Side side = Side::after);
 
 // 0, the duration and the times of keys between, in order; evenly thinned to at most `limit`.
-std::vector<double> key_times(const Animation& motion, std::size_t limit);
+std::vector<double> key_times(const Animation& animation, std::size_t limit);
 
 }  // namespace refitlab
