@@ -53,22 +53,14 @@ class Ranges {
  private:
   void include(const Animation& animation) {
     const AnimatedJoints joints(model_, animation, false);
-    // Of no duration there is only what rests; link_motions of a moment takes what is there.
-    for (int part = 0; part < std::max(joints.part_count(), 1); ++part) {
-      const bool is_moment = joints.part_count() == 0;
-      const auto links =
-          is_moment ? link_motions(model_.skeleton.nodes, animation, joints.times()[0], joints.times()[0]) : joints.links(part);
+    for (int part = 0; part < joints.part_count(); ++part) {
+      const auto& links = joints.links(part);
       for (std::size_t n = 0; n < links.size(); ++n)
         links_[n] = {std::max(links_[n].length, links[n].offset.size), std::max(links_[n].stretch, links[n].linear.size)};
-      if (!is_moment)
-        for (std::size_t m = 0; m < weights_.size(); ++m)
-          for (std::size_t t = 0; t < weights_[m].size(); ++t)
-            weights_[m][t] = std::max(weights_[m][t], joints.weights(part)[m][t].size);
+      for (std::size_t m = 0; m < weights_.size(); ++m)
+        for (std::size_t t = 0; t < weights_[m].size(); ++t)
+          weights_[m][t] = std::max(weights_[m][t], joints.weights(part)[m][t].size);
     }
-    for (std::size_t m = 0; m < weights_.size(); ++m)
-      for (std::size_t t = 0; t < weights_[m].size(); ++t)
-        weights_[m][t] = std::max(weights_[m][t],
-                                  std::abs(joints.at(joints.times()[0], Side::after).weights[m][static_cast<Eigen::Index>(t)]));
   }
 
   const Model& model_;

@@ -51,15 +51,19 @@ class MovingVertices {
     int index;
     std::vector<int> vertices;      // positions in vertices_
     std::vector<double> distances;  // by joint: of the vertices from the joint's origin, in its frame, at most
+    std::vector<double> reaches;    // by joint: the same by what these are summed up from, for rounding
     std::vector<Morph> morphs;
     int base;  // the deepest node that is above all joints' nodes, or one of them; -1 is the scene
   };
 
   // A vertex before it is skinned, with the weights of a moment.
   Point3 displaced(int i, const PosedJoints& posed) const;
-  // Of the set's vertices in the frame of its k-th joint, before that moves (a3_morph_displacement).
-  Motion<double> below(const Set& set, std::size_t k, int part) const;
+  // Of the set's vertices in the frame of its k-th joint, before that moves, by how far they are without displacements
+  // (a3_morph_displacement).
+  Motion<double> below(const Set& set, std::size_t k, int part, const std::vector<double>& distances) const;
   Motion<double> linear_motion(const Set& set, int part) const;
+  // Of the rotations and images of the set's joints that are computed, relative to what they are summed up from.
+  double relative_rounding(const Set& set, int part) const;
   // The chords of linear blends and of dual quaternions; infinite where the latter may vanish.
   double linear_chord(const Set& set, int part, double start, double end) const;
   double dual_chord(const Set& set, int part, double start, double end) const;
