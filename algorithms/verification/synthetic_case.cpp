@@ -110,9 +110,9 @@ std::string make_degenerate(PortableRandom& random, SyntheticSet& set) {
       set.bounds.high.assign(c.size(), Rational(1, 2));
       set.bounds.low[0] = Rational(1, 2);
       set.bounds.high[0] = 1;
-      return "zero blend at a corner";
+      return "zero blend at a weight vertex";
     case 4: set.reference.radius = 0; return "r = 0";
-    case 5: set.bounds.high = set.bounds.low = vertex_weights(random, c.size()); return "one corner";
+    case 5: set.bounds.high = set.bounds.low = vertex_weights(random, c.size()); return "one weight vertex";
     case 6: set.palette.rotation_center = set.reference.center; return "rotation center at p";
     default: c.assign(c.size(), {}); return "at rest";
   }
@@ -172,7 +172,7 @@ SyntheticCase make_synthetic_case(std::uint64_t seed, std::uint64_t number) {
         other.translation = apply(c[0], center) - rotate(other.rotation, center);
       }
     place_rotation_center<Rational>(set.palette, RationalPoint(set.palette.rotation_center));
-    set.corners = *enumerate_weight_vertices(set.bounds, std::numeric_limits<std::size_t>::max());
+    set.weight_vertices = *enumerate_weight_vertices(set.bounds, std::numeric_limits<std::size_t>::max());
     query.reference.radius = std::max(query.reference.radius, Rational(away + set.reference.radius));
     query.sets.push_back(std::move(set));
   }
@@ -181,9 +181,9 @@ SyntheticCase make_synthetic_case(std::uint64_t seed, std::uint64_t number) {
 
 std::vector<RationalWeights> sampled_weights(const SyntheticSet& set) {
   const DefaultFloatEnvironment environment;
-  constexpr int most_corners = 10, pairs = 8, mixtures = 8;
-  PortableRandom random(set.corners.size(), set.palette.transforms.size());
-  const std::size_t m = set.corners.size(), n = set.palette.transforms.size();
+  constexpr int most_weight_vertices = 10, pairs = 8, mixtures = 8;
+  PortableRandom random(set.weight_vertices.size(), set.palette.transforms.size());
+  const std::size_t m = set.weight_vertices.size(), n = set.palette.transforms.size();
   std::vector<RationalWeights> out;
   const auto add = [&](const std::vector<int>& shares) {
     int sum = 0;
@@ -191,10 +191,10 @@ std::vector<RationalWeights> sampled_weights(const SyntheticSet& set) {
     RationalWeights w(n, Rational(0));
     for (std::size_t k = 0; k < m; ++k)
       if (shares[k] > 0)
-        for (std::size_t i = 0; i < n; ++i) w[i] += set.corners[k][i] * Rational(shares[k], sum);
+        for (std::size_t i = 0; i < n; ++i) w[i] += set.weight_vertices[k][i] * Rational(shares[k], sum);
     if (squared_norm(blend_quaternion<Rational>(set.palette, w)) != 0) out.push_back(std::move(w));
   };
-  const std::size_t step = 1 + (m - 1) / most_corners;
+  const std::size_t step = 1 + (m - 1) / most_weight_vertices;
   for (std::size_t k = 0; k < m; k += step) {
     std::vector<int> shares(m, 0);
     shares[k] = 1;

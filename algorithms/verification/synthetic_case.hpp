@@ -20,10 +20,10 @@ namespace refitlab {
 using RationalWeights = std::vector<Rational>;
 
 struct SyntheticSet {
-  Ball3<Rational> reference;             // S_z: the joint-set's vertices, in the reference pose
-  OwnedPaletteEntry<Rational> palette;   // rotations of exactly unit length, with the skinning's signs
-  WeightBounds<Rational> bounds;         // multiples of 2^-24
-  std::vector<RationalWeights> corners;  // of W': all of them
+  Ball3<Rational> reference;                     // S_z: the joint-set's vertices, in the reference pose
+  OwnedPaletteEntry<Rational> palette;           // rotations of exactly unit length, with the skinning's signs
+  WeightBounds<Rational> bounds;                 // multiples of 2^-24
+  std::vector<RationalWeights> weight_vertices;  // of W': all of them
 };
 
 struct SyntheticCase {
@@ -36,8 +36,8 @@ struct SyntheticCase {
 // independent of each other, so that they can be made in any order.
 SyntheticCase make_synthetic_case(std::uint64_t seed, std::uint64_t number);
 
-// Weights of a joint-set at which a query is looked at: corners, points between two and mixtures of all of them.
-// Without those whose quaternions blend to 0, which have no rotation. The same for the same corners and rotations.
+// Weights of a joint-set at which a query is looked at: weight vertices, points between two and mixtures of all of them.
+// Without those whose quaternions blend to 0, which have no rotation. The same for the same weight vertices and rotations.
 std::vector<RationalWeights> sampled_weights(const SyntheticSet& set);
 
 // Queries 0 to count - 1 of a seed as a file of cases (format: proptests/cases/README.md): each with a vertex of its

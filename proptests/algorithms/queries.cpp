@@ -41,9 +41,9 @@ std::string complaint(const SyntheticCase& query) {
       for (const Rational& x : {set.bounds.low[i], set.bounds.high[i]})
         if ((x * Rational(1 << 24)).denominator() != 1) return "a bound that is no multiple of 2^-24; ";
     }
-    if (corners_are_admissible(set.bounds, set.corners) != Verdict::holds ||
-        corners_are_complete(set.bounds, set.corners) != Verdict::holds || set.corners.empty())
-      return "the corners; ";
+    if (weight_vertices_are_admissible(set.bounds, set.weight_vertices) != Verdict::holds ||
+        weight_vertices_are_complete(set.bounds, set.weight_vertices) != Verdict::holds || set.weight_vertices.empty())
+      return "the weight vertices; ";
     const auto weights = sampled_weights(set);
     if (weights.empty()) return "no weights; ";
     for (const auto& w : weights)
