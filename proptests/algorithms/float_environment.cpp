@@ -215,7 +215,7 @@ std::vector<Entry> query_entries() {
            const ClusterTree tree(w.character, {.most_triangles = 32, .most_children = 4});
            ClusterBody a(tree, skinning), b(tree, skinning);
            a.begin(w.pose, {}), b.begin(w.pose, w.near);
-           out.add(a.reach());
+           out.add(a.motion_bound());
            for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f) out.add(a.wide_node_box(static_cast<int>(f)));
            for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
              const int cluster = static_cast<int>(c);
