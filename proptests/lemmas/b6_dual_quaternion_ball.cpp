@@ -163,7 +163,7 @@ PROPTEST(b6_dual_quaternion_ball) {
         RC_PRE(squared_norm(combine<Rational, 4>(Span(u), blend.rotations)) > 0);
         return Weakening{part, hypothesis, dual_quaternion_ball_encloses(blend, c.axis, c.center, Span(u)).verdict};
       },
-      900);
+      3000);
   t.holds("the ball's radius is the greatest of the weight vertices', and its verdict is whether the image is inside",
           {.number_type = "rational", .cases = 500}, [] {
             const AheadCase c(1);
