@@ -358,7 +358,10 @@ PROPTEST(float_environment) {
       volatile double quotient, negative, sum, product;  // so that nothing is computed later, in another mode
       {
         const oracle::ScopedFloatMode scoped(mode);
-        quotient = one / ten, negative = minus / third, sum = tiny + 1.0, product = tiny * two;
+        quotient = one / ten;
+        negative = minus / third;
+        sum = tiny + 1.0;
+        product = tiny * two;
       }
       const bool differs = quotient != 1.0 / 10 || negative != -1.0 / 3 || sum != 1.0 || product != 0x1p-1049;
       ok = ok && (differs || mode.name == "exceptions trap"), ++tried;
