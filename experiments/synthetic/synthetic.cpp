@@ -9,10 +9,10 @@
 #include <limits>
 #include <map>
 
+#include "algorithms/bake/parallel.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/verification/score.hpp"
-#include "experiments/threads/parallel.hpp"
 
 namespace refitlab {
 namespace {
