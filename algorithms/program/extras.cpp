@@ -19,8 +19,8 @@ constexpr int extras_version = 1;
 // Numbers are floats, written with all the digits of a double: a reader of either kind reads just these.
 Json json_of(const BoundedPart& part) {
   Json box = Json::array(), ball = Json::array();
-  for (const auto* corner : {&part.box.low, &part.box.high})
-    for (const float x : *corner) box.push_back(static_cast<double>(x));
+  for (const auto* weight_vertex : {&part.box.low, &part.box.high})
+    for (const float x : *weight_vertex) box.push_back(static_cast<double>(x));
   for (const float x : part.ball.center) ball.push_back(static_cast<double>(x));
   ball.push_back(static_cast<double>(part.ball.radius));
   return {{"box", box}, {"ball", ball}};
