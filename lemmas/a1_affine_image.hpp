@@ -164,4 +164,5 @@ Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: a2_two_phase_skinning, a3_morph_displacement; experiments/drawings/motion.cpp.
+// Used by: a2_two_phase_skinning, a3_morph_displacement; algorithms/bake/over_time/node_motions.cpp,
+// experiments/drawings/motion.cpp.

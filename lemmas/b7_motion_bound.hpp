@@ -15,6 +15,8 @@
 // - spherical blending about a least-squares center, sum_{k<l} (R_k - R_l)^T (C_k r - C_l r) = 0, at any f: it is R - L
 //   of the rotations alone at r - f, whose A is less: sum ||R_k (r - f) - R_l (r - f)||^2 = A(f)^2 - sum ||C_k r - C_l
 //   r||^2.
+// For given weights u, whatever the signs of the quaternions, with (q_k, q_l) >= c_kl and 0 < D <= ||q||^2,
+//   ||B - L||^2 <= A(f)^2 / D^2 sum_{k<l} u_k^2 u_l^2 (1 - d_kl) (1 + d_kl + 2 D), d_kl = max(c_kl, -D).
 // Of a part of the joints A is no greater and c no less, so a bound for many joints holds for fewer of them.
 // With f = v the first length is 0: v' is within s A(v) of the hull of the C_k v, and all v at once of that of the
 // images of any set that holds them, such as a box. Their A is known from one of them: A(v) <= A(f) +
@@ -28,6 +30,8 @@
 //   D (B - L) = sum_{k<l} u_k u_l ((g_k - g_l) X_kl + X_kl x m_kl).
 // The two vectors of a pair are perpendicular and ||m_kl||^2 = 1 - c_kl^2: with p = u_k u_l, Cauchy and Schwarz give
 //   ||B - L||^2 <= A^2 / D^2 sum p^2 ((g_k - g_l)^2 + 1 - c_kl^2).
+// - For given weights, (g_k - g_l)^2 <= 2 (1 - c_kl) D; what that leaves of the bracket, over D^2, falls with D, and is greatest
+//   at c_kl = -D.
 // All sums run over pairs; let P = sum p, a = 1 - c and x = sum u_k^2 = 1 - 2 P.
 // - First bound: (g_k - g_l)^2 <= 2 (1 - c_kl) D, so the bracket is at most (1 - c_kl) (1 + c_kl + 2 D), which falls
 //   with c_kl. sum p^2 = (x^2 - sum u_k^4) / 2 <= x^2 (1 - x) / 2, since sum u_k u_k^3 >= x^3 (Jensen), and D >= x + c (1
@@ -82,6 +86,19 @@ S squared_spread_of_sums(const S& count, const S& squares, const Vec<S, 3>& sum)
 template <class S>
 S squared_deviation_share(const S& cosine) {
   return (S(1) - cosine) * choose(S(5) * cosine >= S(3), S(S(13) / S(64) - S(5) / S(64) * cosine), S(S(9) / S(16)));
+}
+
+// The same of given weights, by c_kl for k < l in order, and D.
+template <class S>
+S squared_deviation_share(std::span<const S> u, std::span<const S> cosines, const S& squared_blend) {
+  S sum(0);
+  std::size_t pair = 0;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    for (std::size_t l = k + 1; l < u.size(); ++l) {
+      const S cosine = max_of(cosines[pair++], S(-squared_blend));
+      sum = sum + sq(S(u[k] * u[l])) * (S(1) - cosine) * (S(1) + cosine + S(2) * squared_blend);
+    }
+  return sum / sq(squared_blend);
 }
 
 // The blend that carries a point by dual quaternions.
@@ -232,5 +249,6 @@ Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Ve
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: c8_any_pose; algorithms/runtime/collide/motion_bound_lanes.hpp, experiments/drawings/control_hulls.cpp,
+// Used by: c8_any_pose; algorithms/bake/over_time/moving_vertices.cpp,
+// algorithms/runtime/collide/motion_bound_lanes.hpp, experiments/drawings/control_hulls.cpp,
 // experiments/drawings/motion.cpp.

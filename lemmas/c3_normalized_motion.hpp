@@ -6,6 +6,7 @@
 // (ii) g = p / ||p||^2 has ||g|| <= 1 / m, ||g'|| <= L / m^2 and ||g''|| <= A / m^2 + 2 L^2 / m^3.
 // Both are sharp at a moment with ||p|| = m, but for (i) where A > 0. For m:
 // (iii) if p = sum w_k q_k with w of W_n, unit quaternions and all (q_k, q_l) >= c, then ||p||^2 >= c + (1 - c) / n;
+//   For given w and all (q_k, q_l) >= c_kl, ||p||^2 >= sum w_k^2 + 2 sum_{k<l} w_k w_l c_kl;
 // (iv) if p is a convex combination of p_k, and a any vector but 0, then ||p|| >= min_k (p_k, a) / ||a||.
 // Where none of them is positive p may vanish, and there is no bound: near 0 a blend turns as fast as it wants to.
 //
@@ -45,6 +46,18 @@ Motion<S> inverse_motion(const Motion<S>& blend, const S& least) {
 template <class S>
 S least_squared_blend(const S& cosine, const S& count) {
   return cosine + (S(1) - cosine) / count;
+}
+
+// The same of given weights, by c_kl for k < l in order.
+template <class S>
+S least_squared_blend(std::span<const S> w, std::span<const S> cosines) {
+  S sum(0);
+  std::size_t pair = 0;
+  for (std::size_t k = 0; k < w.size(); ++k) {
+    sum = sum + sq(w[k]);
+    for (std::size_t l = k + 1; l < w.size(); ++l) sum = sum + S(2) * w[k] * w[l] * cosines[pair++];
+  }
+  return sum;
 }
 
 // (iv), m ||a||.
@@ -179,4 +192,4 @@ Verdict moves_like_its_blend(const Moment<S, 4>& blend, const Motion<S>& motion)
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: c5_skinned_motion, c7_crossfade; programs only through these.
+// Used by: c5_skinned_motion, c7_crossfade; algorithms/bake/over_time/node_motions.cpp.

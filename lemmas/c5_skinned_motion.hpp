@@ -167,4 +167,4 @@ Verdict is_spherical_moment(const SkinMoment<S>& skin, const Vec<S, 3>& arm, std
 
 // Sources: none; for the blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"], for fixed centers
 // [Le, Hodgins 2016, "Real-time skeletal skinning with optimized centers of rotation"].
-// Used by: experiments/drawings/motion.cpp.
+// Used by: algorithms/bake/over_time/moving_vertices.cpp, experiments/drawings/motion.cpp.

@@ -4,39 +4,21 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
+#include "algorithms/model/channel_value.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
 
-Eigen::Vector3d between(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) { return a + t * (b - a); }
-Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double t) {
-  return a.slerp(t, b).normalized();
-}
-
-template <class Value>
-Value value_at(const std::vector<Key<Value>>& keys, double time) {
-  const auto after = std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; });
-  if (after == keys.begin()) return keys.front().value;
-  if (after == keys.end()) return keys.back().value;
-  const auto before = after - 1;
-  return between(before->value, after->value, (time - before->time) / (after->time - before->time));
-}
-
-Eigen::Matrix4d local_transform(const NodeTrack& track, double time) {
+Eigen::Matrix4d local_transform(const NodeTrack& track, double time, Side side) {
   Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-  local.topLeftCorner<3, 3>() = value_at(track.rotations, time).toRotationMatrix() * value_at(track.scales, time).asDiagonal();
-  local.topRightCorner<3, 1>() = value_at(track.positions, time);
+  local.topLeftCorner<3, 3>() =
+      value_at(track.rotations, time, side).toRotationMatrix() * value_at(track.scales, time, side).asDiagonal();
+  local.topRightCorner<3, 1>() = value_at(track.positions, time, side);
   return local;
-}
-
-std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Motion& motion, double time) {
-  const auto globals = global_transforms(skeleton.nodes, motion, time);
-  std::vector<Eigen::Matrix4d> out;
-  for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
-  return out;
 }
 
 // The orthogonal factor of the polar decomposition, for a matrix within rigidity_tolerance of a rotation: each step of
@@ -45,6 +27,13 @@ Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d m) {
   for (int step = 0; step < 4; ++step) m = 0.5 * (m + m.inverse().transpose()).eval();
   return m;
 }
+
+double defect_of(const Eigen::Matrix4d& matrix) {
+  const Eigen::Matrix3d m = matrix.topLeftCorner<3, 3>();
+  return (m.transpose() * m - Eigen::Matrix3d::Identity()).norm();
+}
+
+bool is_proper(const Eigen::Matrix4d& matrix) { return matrix.allFinite() && matrix.topLeftCorner<3, 3>().determinant() > 0; }
 
 // Why m, which is not within rigidity_tolerance of a rotation, is refused.
 std::string reason_against(const Eigen::Matrix3d& m) {
@@ -59,22 +48,46 @@ std::string reason_against(const Eigen::Matrix3d& m) {
 }
 
 template <class Value>
-void collect_times(const std::vector<Key<Value>>& keys, std::vector<double>& times) {
-  for (const auto& key : keys) times.push_back(key.time);
+void collect_times(const Channel<Value>& channel, std::vector<double>& times) {
+  for (const auto& key : channel.keys) times.push_back(key.time);
 }
 
 }  // namespace
 
-std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Motion& motion, double time) {
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& motion, double time,
+                                               Side side) {
   std::vector<Eigen::Matrix4d> globals;
   for (const SceneNode& node : nodes) globals.push_back(node.local);
-  for (const NodeTrack& track : motion.tracks) globals[track.node] = local_transform(track, time);
+  for (const NodeTrack& track : motion.tracks) globals[track.node] = local_transform(track, time, side);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].parent >= 0) globals[i] = globals[nodes[i].parent] * globals[i];
   return globals;
 }
 
-Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
+  const DefaultFloatEnvironment environment;
+  const auto globals = global_transforms(skeleton.nodes, motion, time, side);
+  std::vector<Eigen::Matrix4d> out;
+  for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
+  return out;
+}
+
+Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side) {
+  const DefaultFloatEnvironment environment;
+  return value_at(track.weights, time, side);
+}
+
+double rigidity_defect(const std::vector<Eigen::Matrix4d>& skin_matrices) {
+  const DefaultFloatEnvironment environment;
+  double out = 0;
+  for (const Eigen::Matrix4d& matrix : skin_matrices) {
+    if (!is_proper(matrix)) return std::numeric_limits<double>::infinity();
+    out = std::max(out, defect_of(matrix));
+  }
+  return out;
+}
+
+Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& motion, double time) {
   std::vector<double> scales;  // negative for a mirror
   for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time)) {
     const double determinant = m.topLeftCorner<3, 3>().determinant();
@@ -87,15 +100,15 @@ Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motio
   return Eigen::Vector4d(*middle < 0 ? -scale : scale, scale, scale, 1).asDiagonal();
 }
 
-PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double time) {
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
   const DefaultFloatEnvironment environment;
   PosedSkeleton out{{}, 0};
-  const auto matrices = skin_matrices(skeleton, motion, time);
+  const auto matrices = skin_matrices(skeleton, motion, time, side);
   for (std::size_t j = 0; j < matrices.size(); ++j) {
     const BoundJoint& joint = skeleton.joints[j];
     const Eigen::Matrix3d m = matrices[j].topLeftCorner<3, 3>();
-    const double defect = (m.transpose() * m - Eigen::Matrix3d::Identity()).norm();
-    if (!(defect <= rigidity_tolerance && m.determinant() > 0 && matrices[j].allFinite())) {
+    const double defect = defect_of(matrices[j]);
+    if (!(defect <= rigidity_tolerance && is_proper(matrices[j]))) {
       std::ostringstream thing;
       if (!motion.name.empty()) thing << "clip '" << motion.name << "', ";
       thing << "joint '" << joint.name << "', time " << time << " s";
@@ -111,13 +124,14 @@ PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double t
   return out;
 }
 
-std::vector<double> key_times(const Motion& motion, std::size_t limit) {
+std::vector<double> key_times(const Animation& motion, std::size_t limit) {
   std::vector<double> times = {0, motion.duration};
   for (const NodeTrack& track : motion.tracks) {
     collect_times(track.positions, times);
     collect_times(track.rotations, times);
     collect_times(track.scales, times);
   }
+  for (const WeightTrack& track : motion.weight_tracks) collect_times(track.weights, times);
   std::erase_if(times, [&](double t) { return t < 0 || t > motion.duration; });
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 namespace refitlab {
 
@@ -22,6 +22,7 @@ struct SceneNode {
   std::string name;
   int parent;             // index of a node that comes before this one, or -1
   Eigen::Matrix4d local;  // to the parent's frame, where no clip moves it
+  int source = -1;        // its index in the file
 };
 
 struct BoundJoint {
@@ -31,25 +32,52 @@ struct BoundJoint {
   Eigen::Matrix4d offset;  // from the frame of the reference pose to that of the node
 };
 
+// What happens between two keys (glTF 2.0, appendix C). step: the value of the earlier one. linear: positions and scales go
+// linearly, rotations along the shorter great arc. cubic: a cubic spline by the keys' tangents; rotations are normalised.
+enum class Interpolation { step, linear, cubic };
+
 template <class Value>
 struct Key {
   double time;
   Value value;
 };
 
-// Where one node goes: at least one key of each kind, by non-decreasing time. Between keys positions and scales go
-// linearly, rotations along the shorter great arc; before the first and after the last they stay.
-struct NodeTrack {
-  int node;
-  std::vector<Key<Eigen::Vector3d>> positions;
-  std::vector<Key<Eigen::Quaterniond>> rotations;  // unit
-  std::vector<Key<Eigen::Vector3d>> scales;
+// Tangents of a cubic spline at a key, per second: that of the curve before it, and that of the curve behind it.
+template <class Value>
+struct Tangents {
+  Value into, out;
 };
 
-struct Motion {
+// At least one key, by non-decreasing time. Before the first key and after the last the channel stays.
+template <class Value>
+struct Channel {
+  std::vector<Key<Value>> keys;
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<Tangents<Value>> tangents;  // by key, of a cubic spline
+};
+
+// Where one node goes. Rotations are unit quaternions, those of cubic splines too.
+struct NodeTrack {
+  int node;
+  Channel<Eigen::Vector3d> positions;
+  Channel<Eigen::Quaterniond> rotations;
+  Channel<Eigen::Vector3d> scales;
+};
+
+// The weights of the morph targets of the mesh that a node shows, all of them at a time.
+struct WeightTrack {
+  int node;
+  Channel<Eigen::VectorXd> weights;
+};
+
+// Where two keys share a time, or a step ends, a channel jumps: a time has two sides then.
+enum class Side { before, after };
+
+struct Animation {
   std::string name;
   double duration = 0;
-  std::vector<NodeTrack> tracks;  // of distinct nodes; a node without one stays as it is
+  std::vector<NodeTrack> tracks;                // of distinct nodes; a node without one stays as it is
+  std::vector<WeightTrack> weight_tracks = {};  // of distinct nodes; a mesh without one keeps its weights
 };
 
 struct BoundSkeleton {
@@ -64,17 +92,29 @@ struct PosedSkeleton {
 };
 
 // By node.
-std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Motion& motion, double time);
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& animation, double time,
+                                               Side side = Side::after);
+
+// M_j by joint, affine.
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time,
+                                           Side side = Side::after);
+
+// By target.
+Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side = Side::after);
+
+// How far skin matrices are from rotations: the largest Frobenius norm of M^T M - I over the joints. Infinite where one
+// mirrors or is not finite.
+double rigidity_defect(const std::vector<Eigen::Matrix4d>& skin_matrices);
 
 // K of the skin matrices at a time, by the determinant of the joint in the middle. The identity where it differs from
 // that by rounding only.
-Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Motion& motion, double time);
+Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& animation, double time);
 
 // C_j by joint: the rotation nearest to M_j, its quaternion in the half-space of its parent's (of a root, real part >=
 // 0). Throws ModelError that names clip, joint and time where M_j is not rigid, within rigidity_tolerance.
-PosedSkeleton pose(const BoundSkeleton& skeleton, const Motion& motion, double time);
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& animation, double time, Side side = Side::after);
 
 // 0, the duration and the times of keys between, in order; evenly thinned to at most `limit`.
-std::vector<double> key_times(const Motion& motion, std::size_t limit);
+std::vector<double> key_times(const Animation& animation, std::size_t limit);
 
 }  // namespace refitlab

@@ -16,7 +16,7 @@ double real() { return *rc::gen::inRange(-1000, 1001) / 1000.0; }
 // Posed by a matrix as its only skin matrix.
 PosedSkeleton palette_by(const Eigen::Matrix4d& matrix) {
   const BoundSkeleton skeleton{"test", {{"node", -1, matrix}}, {{"joint", 0, -1, Eigen::Matrix4d::Identity()}}};
-  return pose(skeleton, Motion{}, 0);
+  return pose(skeleton, Animation{}, 0);
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ PROPTEST(skeleton_motion) {
             RC_ASSERT((turn.toRotationMatrix() - matrix.topLeftCorner<3, 3>()).norm() <= posed.rigidity_defect + 1e-14);
           });
   t.example("key times begin at 0, end at the duration, hold every key between, and are thinned evenly", {}, [] {
-    Motion motion{"clip", 10, {{0, {}, {}, {}}}};
-    for (int k = -1; k <= 11; ++k) motion.tracks[0].scales.push_back({k + 0.5, Eigen::Vector3d::Ones()});
+    Animation motion{"clip", 10, {{0, {}, {}, {}}}};
+    for (int k = -1; k <= 11; ++k) motion.tracks[0].scales.keys.push_back({k + 0.5, Eigen::Vector3d::Ones()});
     const std::vector<double> all = key_times(motion, 12), some = key_times(motion, 4);
     return Checked(all == std::vector<double>{0, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 10} &&
                        some == std::vector<double>{0, 2.5, 6.5, 10},
@@ -66,7 +66,7 @@ PROPTEST(skeleton_motion) {
       };
       const auto refused = [&] {
         try {
-          pose(skeleton, Motion{}, 0);
+          pose(skeleton, Animation{}, 0);
         } catch (const ModelError&) {
           return true;
         }
@@ -75,7 +75,7 @@ PROPTEST(skeleton_motion) {
       // The defect of a stretch by 1 + b is sqrt(3) (2 b + b^2).
       const double end = std::sqrt(1 + rigidity_tolerance / std::sqrt(3)) - 1;
       stretch(1e-4);
-      good = good && std::abs(pose(skeleton, Motion{}, 0).rigidity_defect - std::sqrt(3) * (2e-4 + 1e-8)) < 1e-14;
+      good = good && std::abs(pose(skeleton, Animation{}, 0).rigidity_defect - std::sqrt(3) * (2e-4 + 1e-8)) < 1e-14;
       stretch(end * (1 - 1e-9));
       good = good && !refused();
       stretch(end * (1 + 1e-9));
@@ -92,7 +92,7 @@ PROPTEST(skeleton_motion) {
         skeleton.nodes.push_back({"node", -1, local});
         skeleton.joints.push_back({"joint", static_cast<int>(j), -1, Eigen::Matrix4d::Identity()});
       }
-      return Eigen::Vector3d(common_factor(skeleton, Motion{}, 0).diagonal().head<3>());
+      return Eigen::Vector3d(common_factor(skeleton, Animation{}, 0).diagonal().head<3>());
     };
     const auto is = [](const Eigen::Vector3d& found, double x, double scale) {
       return (found - Eigen::Vector3d(x, scale, scale)).norm() < 1e-12;
@@ -103,10 +103,12 @@ PROPTEST(skeleton_motion) {
   });
   t.example("at a time that two keys share the later one holds, and before it the way leads to the earlier one", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
-    const Motion motion{
-        "clip",
-        4,
-        {{0, {{0, zeros}, {2, 2 * ones}, {2, 8 * ones}, {4, 4 * ones}}, {{0, Eigen::Quaterniond::Identity()}}, {{0, ones}}}}};
+    const Animation motion{"clip",
+                           4,
+                           {{0,
+                             {{{0, zeros}, {2, 2 * ones}, {2, 8 * ones}, {4, 4 * ones}}},
+                             {{{0, Eigen::Quaterniond::Identity()}}},
+                             {{{0, ones}}}}}};
     const std::vector<SceneNode> nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
     bool good = true;
     for (const auto& [time, x] : {std::pair{1.0, 1.0}, {2.0, 8.0}, {3.0, 6.0}, {4.0, 4.0}})
@@ -116,8 +118,10 @@ PROPTEST(skeleton_motion) {
   t.example("key times are those of positions, rotations and scales of all tracks; a limit of all of them thins nothing", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
     const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
-    const Motion motion{
-        "clip", 9, {{0, {{1, ones}}, {{2, still}}, {{3, ones}}}, {1, {{4, ones}}, {{5, still}, {9.5, still}}, {{6, ones}}}}};
+    const Animation motion{
+        "clip",
+        9,
+        {{0, {{{1, ones}}}, {{{2, still}}}, {{{3, ones}}}}, {1, {{{4, ones}}}, {{{5, still}, {9.5, still}}}, {{{6, ones}}}}}};
     const std::vector<double> all{0, 1, 2, 3, 4, 5, 6, 9};
     return key_times(motion, 8) == all && key_times(motion, 9) == all && key_times(motion, 7).size() == 7u &&
            key_times(motion, 2) == std::vector<double>{0, 9};
@@ -130,18 +134,55 @@ PROPTEST(skeleton_motion) {
       skeleton.nodes.push_back({"node", -1, local});
       skeleton.joints.push_back({"joint", j, j - 1, Eigen::Matrix4d::Identity()});
     }
-    const Pose pose = refitlab::pose(skeleton, Motion{}, 0).pose;
+    const Pose pose = refitlab::pose(skeleton, Animation{}, 0).pose;
     return pose[0].rotation[0] > 0 && dot(pose[1].rotation, pose[0].rotation) > 0 &&
            dot(pose[2].rotation, pose[1].rotation) > 0 && dot(pose[2].rotation, pose[0].rotation) < 0;
   });
   t.example("before its first key and after its last a node stays", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
-    const Motion motion{"clip", 4, {{0, {{1, zeros}, {3, 2 * ones}}, {{0, Eigen::Quaterniond::Identity()}}, {{0, ones}}}}};
+    const Animation motion{
+        "clip", 4, {{0, {{{1, zeros}, {3, 2 * ones}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, ones}}}}}};
     const std::vector<SceneNode> nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
     bool good = true;
     for (const auto& [time, x] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.5, 0.5}, {2.5, 1.5}, {3.0, 2.0}, {4.0, 2.0}})
       good = good && global_transforms(nodes, motion, time)[0](1, 3) == x;
     return Checked(good, 6);
+  });
+  t.example("a step stays until the next key, of whose time both sides are known, and so is a jump between two keys of one time",
+            {}, [] {
+              const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
+              const Channel<Eigen::Vector3d> one{{{0, ones}}},
+                  steps{{{0, 0 * ones}, {2, 2 * ones}, {3, 5 * ones}}, Interpolation::step},
+                  jump{{{0, 0 * ones}, {2, 2 * ones}, {2, 8 * ones}, {4, 4 * ones}}};
+              const std::vector<SceneNode> nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
+              const auto at = [&](const Channel<Eigen::Vector3d>& positions, double time, Side side) {
+                return global_transforms(nodes, {"clip", 4, {{0, positions, {{{0, Eigen::Quaterniond::Identity()}}}, one}}}, time,
+                                         side)[0](1, 3);
+              };
+              bool good = at(jump, 2, Side::before) == 2 && at(jump, 2, Side::after) == 8;
+              for (const auto& [time, before, after] :
+                   {std::tuple{0.0, 0.0, 0.0}, {1.9, 0.0, 0.0}, {2.0, 0.0, 2.0}, {3.0, 2.0, 5.0}, {4.0, 5.0, 5.0}})
+                good = good && at(steps, time, Side::before) == before && at(steps, time, Side::after) == after;
+              return Checked(good, 12);
+            });
+  t.example("a cubic spline has glTF's Hermite polynomials, and a rotation is normalised behind it", {}, [] {
+    const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
+    const Channel<Eigen::Vector3d> one{{{0, ones}}};
+    const Eigen::Quaterniond a(1, 0, 0, 0), b(0, 1, 0, 0), slow(0.1, 0.2, 0.3, 0.4);
+    const Channel<Eigen::Vector3d> positions{
+        {{1, 2 * ones}, {3, 5 * ones}}, Interpolation::cubic, {{9 * ones, 3 * ones}, {7 * ones, 9 * ones}}};
+    const Channel<Eigen::Quaterniond> rotations{{{1, a}, {3, b}}, Interpolation::cubic, {{a, slow}, {slow, b}}};
+    const Animation motion{"clip", 4, {{0, positions, rotations, one}}};
+    bool good = true;
+    for (const double s : {0.0, 0.25, 0.7, 1.0}) {
+      const double h00 = 2 * s * s * s - 3 * s * s + 1, h10 = s * s * s - 2 * s * s + s, h01 = 3 * s * s - 2 * s * s * s,
+                   h11 = s * s * s - s * s;
+      const Eigen::Matrix4d m = global_transforms({{"node", -1, Eigen::Matrix4d::Identity()}}, motion, 1 + 2 * s)[0];
+      const Eigen::Quaterniond q(h00 * a.coeffs() + 2 * h10 * slow.coeffs() + h01 * b.coeffs() + 2 * h11 * slow.coeffs());
+      good = good && std::abs(m(0, 3) - (2 * h00 + 6 * h10 + 5 * h01 + 14 * h11)) < 1e-14 &&
+             (m.topLeftCorner<3, 3>() - q.normalized().toRotationMatrix()).norm() < 1e-14;
+    }
+    return Checked(good, 8);
   });
 }
 

@@ -109,7 +109,7 @@ PROPTEST(b7_motion_bound) {
     for (const auto& y : images) sum += y - from, squares += squared_distance(y, from);
     RC_ASSERT(squared_spread_of_sums(Rational(static_cast<int>(images.size())), squares, sum) == squared_spread(images));
   });
-  t.holds("dual quaternions deviation from the linear blend by no more than the bound, and turn what is not at the point",
+  t.holds("dual quaternions deviate from the linear blend by no more than the bound, and turn what is not at the point",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const ReachCase c(4);
             RC_ASSERT(reach_hypotheses(c.transforms, c.cosine, c.u()) == Verdict::holds);
@@ -150,6 +150,36 @@ PROPTEST(b7_motion_bound) {
             const RationalVec<3> point = *gen::rational_vector<3>();
             RC_ASSERT(deviates_by_pairs(any, point, Span(weights)) == Verdict::holds);
           });
+  t.holds(
+      "for given weights, dual and spherical blends stay within the share of those weights, whatever the signs",
+      {.number_type = "rational", .cases = 400, .degenerate_at_least = 0.05}, [] {
+        const ReachCase c(4);
+        Transforms transforms = c.transforms;
+        for (auto& t : transforms)
+          if (*rc::gen::inRange(0, 3) == 0) t.rotation = -t.rotation;
+        const auto blend = dual_blend(transforms, c.point);
+        const Rational length = squared_norm(combine<Rational, 4>(c.u(), blend.rotations));
+        RC_PRE(length > Rational(1, 1000));
+        std::vector<Rational> cosines;
+        const bool is_sharp = *rc::gen::arbitrary<bool>();
+        for (std::size_t k = 0; k < transforms.size(); ++k)
+          for (std::size_t l = k + 1; l < transforms.size(); ++l)
+            cosines.push_back(dot(transforms[k].rotation, transforms[l].rotation) -
+                              (is_sharp ? Rational(0) : *gen::unit_interval_rational()));
+        const Rational least = is_sharp ? length : length * Rational(1, 2);
+        const auto at = blend.at(c.u());
+        const auto images = images_of(transforms, c.point);
+        const RationalVec<3> deviation = at.numerator / at.denominator - combine<Rational, 3>(c.u(), images);
+        RC_CLASSIFY(transforms.size() == 1, "degenerate");
+        RC_ASSERT(squared_norm(deviation) <= squared_deviation_share<Rational>(c.u(), cosines, least) * squared_spread(images));
+      });
+  t.example("two halves that are half a turn apart deviate by half of A^2, or 9/16 of it where no cosine is known", {}, [] {
+    const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, cosines{Rational(0)};
+    const std::vector<Rational> low{Rational(-1)};
+    return squared_deviation_share<Rational>(halves, cosines, Rational(1, 2)) == Rational(1, 2) &&
+           squared_deviation_share<Rational>(halves, low, Rational(1, 2)) == Rational(9, 16) &&
+           squared_deviation_share<Rational>(std::vector<Rational>{Rational(1)}, {}, Rational(1)) == Rational(0);
+  });
   t.holds("rotations spread a vector by no more than its length and c allow",
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
             const ReachCase c(5);
@@ -282,7 +312,7 @@ PROPTEST(b7_motion_bound) {
     auto longer = good, shorter = good;
     longer.turned *= Rational(1) + amount, shorter.turned /= Rational(1) + amount;
     if (c.vertex != c.point) RC_ASSERT(rejected(longer, c.cosine) && rejected(shorter, c.cosine));
-    // Of a cosine of 1 nothing may deviation.
+    // Of a cosine of 1 nothing may deviate.
     if (squared_norm(good.deviated) > 0) RC_ASSERT(rejected(good, Rational(1)));
     RC_ASSERT(good.verdict == Verdict::holds);
     auto none = dual_reach(c.transforms, Rational(1), c.point, c.u(), c.vertex);
@@ -361,7 +391,7 @@ PROPTEST(b7_motion_bound) {
                    b7::halves);
   deviates_without("the weights are convex", "beyond the joints a point deviates too far", b7::short_way, b7::short_cosine,
                    b7::beyond_the_first);
-  t.example("two joints at halves deviation by just the second bound", {.form = "beyond"}, [] {
+  t.example("two joints at halves deviate by just the second bound", {.form = "beyond"}, [] {
     const auto found = dual_reach(b7::short_way, b7::short_cosine, b7::y_axis, Span(b7::halves), b7::y_axis);
     const b7::Q spread = squared_spread(images_of(b7::short_way, b7::y_axis));
     return found.verdict == Verdict::holds && spread > 0 &&

@@ -100,6 +100,20 @@ PROPTEST(c3_normalized_motion) {
         const Rational greatest = inverse_motion(motion, least).acceleration;
         RC_ASSERT(squared_norm(inverse_moves(all, motion, least).moment.acceleration) == greatest * greatest);
       });
+  t.holds("of given weights a blend is as long as its cosines say, and at least as long as smaller ones say",
+          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+            const auto units = *gen::unit_quaternions(1, 5);
+            const auto w = *gen::convex_weights(static_cast<int>(units.size()));
+            std::vector<Rational> cosines, lower;
+            for (std::size_t k = 0; k < units.size(); ++k)
+              for (std::size_t l = k + 1; l < units.size(); ++l) {
+                cosines.push_back(dot(units[k], units[l]));
+                lower.push_back(cosines.back() - *gen::unit_interval_rational());
+              }
+            const Rational length = squared_norm(combine<Rational, 4>(w, units));
+            RC_ASSERT(least_squared_blend<Rational>(w, cosines) == length);
+            RC_ASSERT(least_squared_blend<Rational>(w, lower) <= length);
+          });
   t.holds("a blend of close quaternions is long, of few more than of many",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.05, .degenerate_at_most = 0.7},
           [] {

@@ -35,7 +35,7 @@ class BoxKernel {
   // What float may lose, as a share of the sizes that a box is made from. With u = 2^-24 and all inputs within u:
   // a component of a blended quaternion is off by at most 8 u (three roundings a product, five in the sum), so W_kl by
   // 40 u, and a component of P_kl by 90 u |x|; one of a blended center image by 8 u |r|, r the largest of its joints'.
-  // Where corners are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8,
+  // Where weight vertices are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8,
   // |P_kl| <= 2 |x| W_kl, and a control point is off by at most (3 * 90 + 20) u |x| * 8/3 + (3 * 51 + 20) u |r| * 8/3
   // for its numerator and 120 u * 8/3 (2 |x| + |r|) for its denominator: below 1450 u |x| + 800 u |r|. Turning it adds
   // 8 u of its size, and x itself is off by 3 u (|x| + |p|). For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) >
@@ -98,9 +98,9 @@ class BoxKernel {
   }
   static Pack size(const Point& p) { return abs(p[0]) + abs(p[1]) + abs(p[2]); }
 
-  // sum low_i x_i + rest x_k for each corner k, in place.
+  // sum low_i x_i + rest x_k for each weight vertex k, in place.
   template <int N, class Value>
-  void blend_corners(Value (&x)[N]) const {
+  void blend_at_weight_vertices(Value (&x)[N]) const {
     Value low = x[0] * load(pack.low[0]);
     for (int i = 1; i < N; ++i) low = low + x[i] * load(pack.low[i]);
     const Pack rest = load(pack.rest);
@@ -117,9 +117,9 @@ class BoxKernel {
       q[i] = joint.quaternion(0), r[i] = joint.point(4);
       sizes = max(sizes, size(r[i]));
     }
-    blend_corners<N>(q), blend_corners<N>(r);
+    blend_at_weight_vertices<N>(q), blend_at_weight_vertices<N>(r);
     const Point p0 = reference_center(), x = p0 - gather(centers, pack.set).point(0);
-    MixedCorners<Pack> mixed[N][N];
+    MixedPair<Pack> mixed[N][N];
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_rotations(q[k], q[l], x);
     const Mask near = are_near<N>(mixed, 4);
@@ -151,7 +151,7 @@ class BoxKernel {
       r[i] = rotate(joint.quaternion(0), p) + at;
       sizes = max(sizes, size(p) + size(at));
     }
-    blend_corners<N>(r);
+    blend_at_weight_vertices<N>(r);
     Box<Pack> box = Box<Pack>::empty();
     for (int k = 0; k < N; ++k) box.merge(turned(r[k]));
     const Pack radius = load(pack.radius);
@@ -169,8 +169,8 @@ class BoxKernel {
       q[i] = joint.quaternion(0), d[i] = joint.quaternion(4);
       sizes = max(sizes, size(point) + (abs(d[i][0]) + abs(d[i][1]) + abs(d[i][2]) + abs(d[i][3])) * 2);
     }
-    blend_corners<N>(q), blend_corners<N>(d);
-    MixedCorners<Pack> mixed[N][N];
+    blend_at_weight_vertices<N>(q), blend_at_weight_vertices<N>(d);
+    MixedPair<Pack> mixed[N][N];
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_motions<Pack>({q[k], d[k]}, {q[l], d[l]}, point);
     const Mask near = are_near<N>(mixed, 2);
@@ -182,9 +182,9 @@ class BoxKernel {
     return choose(near, box, Box<Pack>::everything());
   }
 
-  // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is short.
+  // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no weight vertex is short.
   template <int N>
-  static Mask are_near(const MixedCorners<Pack> (&mixed)[N][N], float near) {
+  static Mask are_near(const MixedPair<Pack> (&mixed)[N][N], float near) {
     Mask all(true);
     for (int k = 0; k < N; ++k) {
       const Pack& own = mixed[k][k].weight;

@@ -47,12 +47,12 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   const SkinnedMesh& mesh = tree_.character().mesh;
   bool is_rigid = pose.size() == mesh.joints.size();
   are_joints_placed_ = false;  // if this throws, motion_bound_ is no longer the frame's
-  const Box<double> reach = is_rigid ? motion_bound_.box(pose, placement, is_rigid) : Box<double>::empty();
+  const Box<double> bound = is_rigid ? motion_bound_.box(pose, placement, is_rigid) : Box<double>::empty();
   if (!is_rigid) check_pose(mesh, pose);
   pose_ = pose;
   placement_ = placement;
-  motion_bound_box_ = reach;
-  are_joints_placed_ = std::isfinite(reach.low[0]);
+  motion_bound_box_ = bound;
+  are_joints_placed_ = std::isfinite(bound.low[0]);
   are_floats_filled_ = is_all_skinned_ = false;
   wide_nodes_made_.begin();
   clusters_.begin(pose_, placement_, placement_.translation);
@@ -74,8 +74,8 @@ void ClusterBody::bound_wide_node(int f) {
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
   // Seen from the placement's translation, which is the clusters' origin.
-  if (wide_node.reach.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
-      !motion_bound_.boxes(wide_node.reach, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))
+  if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
+      !motion_bound_.boxes(wide_node.motion_bounds, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))
     bound_by_control_points(wide_node, flipped, boxes);
   for (int i = 0; i < wide_node.child_count; ++i) {
     const Box<float> box = float_box(boxes[i], clusters_.lost());

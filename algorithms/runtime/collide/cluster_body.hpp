@@ -21,7 +21,7 @@ class ClusterBody {
   const ClusterTree& tree() const { return tree_; }
 
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound.
-  const Box<double>& reach() const { return motion_bound_box_; }
+  const Box<double>& motion_bound() const { return motion_bound_box_; }
 
   // These are boxes around all vertices below: those of a wide node's children, in blocks, and that around all of them. They
   // are seen from clusters().origin(), as ClusterTraversal takes them.

@@ -36,7 +36,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     }
   if (!memory || !memory->are_near) {  // near bodies are told apart by their wide nodes, if at all
     ++counts.ball_tests;
-    if (are_apart(first.reach(), second.reach())) return {};
+    if (are_apart(first.motion_bound(), second.motion_bound())) return {};
   }
   if (memory && memory->are_entangled && query == Query::full) first.skin_all(), second.skin_all();
   auto& scratch = first.query_scratch();

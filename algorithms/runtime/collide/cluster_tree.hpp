@@ -34,9 +34,9 @@ struct WideNodeChild {
 };
 
 struct WideNode {
-  int first_child, child_count;             // all children in one list
-  BoxPieces pieces;                         // the pieces that bound the children, by position in the wide node
-  std::vector<MotionBoundPiecePack> reach;  // the motion bounds of the children; empty where they do not apply
+  int first_child, child_count;                     // all children in one list
+  BoxPieces pieces;                                 // the pieces that bound the children, by position in the wide node
+  std::vector<MotionBoundPiecePack> motion_bounds;  // the motion bounds of the children; empty where they do not apply
 };
 
 class ClusterTree {
