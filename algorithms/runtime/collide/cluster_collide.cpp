@@ -35,10 +35,11 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
       memory->remember(*pair);
       return {*pair};
     }
-  if (!memory || !memory->are_near) {  // near bodies are told apart by their wide nodes, if at all
+  // Near bodies are told apart by their wide nodes, if at all; but before they are skinned whole, they are compared.
+  if (!memory || !memory->are_near || memory->are_entangled) {
     ++counts.ball_tests;
     if (are_apart(first.motion_bound(), second.motion_bound())) {
-      if (memory) memory->are_entangled = false;
+      if (memory) memory->are_near = memory->are_entangled = false;
       return {};
     }
   }

@@ -36,12 +36,15 @@ template <class Pack>
   } else {
     for (int i = 0; i < 8 * width; ++i) rows[i] = sides[i % 8][i / 8];
   }
+  // Neighbours often have one target, whose box stays in a register then.
+  Row<float, 8> own, merged;
+  read_row(boxes[target[0]].of, merged);
   for (int lane = 0; lane < width; ++lane) {
-    float* const of = boxes[target[lane]].of;
-    Row<float, 8> own, merged;
-    read_row(rows + 8 * lane, own), read_row(of, merged);
+    read_row(rows + 8 * lane, own);
     merged = own < merged ? own : merged;
-    write_row(merged, of);
+    if (lane + 1 < width && target[lane + 1] == target[lane]) continue;
+    write_row(merged, boxes[target[lane]].of);
+    if (lane + 1 < width) read_row(boxes[target[lane + 1]].of, merged);
   }
 }
 
