@@ -21,6 +21,7 @@ class SkinnedBody {
   SkinnedClusters& clusters() { return clusters_; }
   const BoxBlock<float>* wide_node_boxes(int n) const { return &boxes_[first_block_[n]]; }
   const Box<float>& wide_node_box(int n) const { return own_[n]; }
+  void tighten(int) {}  // they are the clusters' own
 
   void refit() {
     for (int n = static_cast<int>(own_.size()); n-- > 0;) {  // children come after their parents

@@ -34,6 +34,12 @@ class ClusterBody {
     return wide_node_boxes_[wide_node];
   }
 
+  // Puts the box of a skinned cluster in the place of its bound.
+  void tighten(int cluster) {
+    const Cluster& c = tree_.clusters()[cluster];
+    put_box(&wide_node_blocks_[first_block_of_wide_node_[c.wide_node]], c.child, clusters_.cluster(cluster).box);
+  }
+
   // Skins everything. Boxes that are not made yet are those of skinned vertices then.
   void skin_all();
   bool is_all_skinned() const { return is_all_skinned_; }

@@ -8,7 +8,7 @@ namespace refitlab {
 
 // A Body has a tree(), and boxes in float around the vertices below, seen from the origin of its SkinnedClusters and with four
 // roundings of their coordinates to spare: wide_node_boxes(n), which are those of a wide node's children, in blocks, and
-// wide_node_box(n), which is that around all of them.
+// wide_node_box(n), which is that around all of them. tighten(cluster) may put the box of a skinned cluster among these.
 template <class Body>
 class ClusterTraversal {
  public:
@@ -56,23 +56,34 @@ class ClusterTraversal {
   };
 
   static Box<float> child_box(Body& body, int wide_node, int i) { return get_box(body.wide_node_boxes(wide_node), i); }
+  // The box of a child as it is now, which was that box before.
+  static Box<float> newest(Body& body, const WideNodeChild& child, const Box<float>& box) {
+    if (child.cluster < 0) return box;
+    const Cluster& cluster = body.tree().clusters()[child.cluster];
+    return child_box(body, cluster.wide_node, cluster.child);
+  }
   bool is_done() const { return query_ == Query::yes_no && !pairs_.found().empty(); }
 
   // One node of the first body against those in a wide node of the second, and the other way round.
   void below_second(const WideNodeChild& a, const Box<float>& box, int wide_node) {
     const Hits hits(*this, second_, wide_node, pairs_.moved_back(box));
     for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
-      nodes(a, box, second_.tree().child(wide_node, hits[i]), child_box(second_, wide_node, hits[i]));
+      nodes(a, newest(first_, a, box), second_.tree().child(wide_node, hits[i]), child_box(second_, wide_node, hits[i]));
   }
   void below_first(int wide_node, const WideNodeChild& b, const Box<float>& box) {
     const Hits hits(*this, first_, wide_node, pairs_.moved(box));
     for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
-      nodes(first_.tree().child(wide_node, hits[i]), child_box(first_, wide_node, hits[i]), b, box);
+      nodes(first_.tree().child(wide_node, hits[i]), child_box(first_, wide_node, hits[i]), b, newest(second_, b, box));
   }
 
-  // Two nodes whose boxes meet: the larger one is opened. Each box is seen from its own body's origin.
+  // Two nodes whose boxes met when they were listed: the larger one is opened. Each box is seen from its own body's origin.
   void nodes(const WideNodeChild& a, const Box<float>& box_a, const WideNodeChild& b, const Box<float>& box_b) {
-    if (a.wide_node < 0 && b.wide_node < 0) return pairs_.add(a.cluster, b.cluster);
+    if (are_apart(box_a, pairs_.moved(box_b))) return;  // by now
+    if (a.wide_node < 0 && b.wide_node < 0) {
+      pairs_.add(a.cluster, b.cluster);
+      first_.tighten(a.cluster), second_.tighten(b.cluster);
+      return;
+    }
     if (b.wide_node < 0 || (a.wide_node >= 0 && box_a.extent() >= box_b.extent())) below_first(a.wide_node, b, box_b);
     else below_second(a, box_a, b.wide_node);
   }

@@ -84,13 +84,14 @@ int ClusterTree::add_wide_node(const Part& part) {
     const WideNodeChild child =
         is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1} : WideNodeChild{-1, add_wide_node(open[i])};
     children_[wide_nodes_[wide_node].first_child + i] = child;
+    if (child.cluster >= 0) clusters_[child.cluster].wide_node = wide_node, clusters_[child.cluster].child = static_cast<int>(i);
   }
   return wide_node;
 }
 
 int ClusterTree::add_cluster(const Part& part) {
   const int first_triangle = clusters_.empty() ? 0 : clusters_.back().first_triangle + clusters_.back().triangle_count;
-  clusters_.push_back({0, 0, first_triangle, part.triangle_count});
+  clusters_.push_back({0, 0, first_triangle, part.triangle_count, 0, 0});
   cluster_parts_.push_back(part);
   return static_cast<int>(clusters_.size()) - 1;
 }

@@ -26,6 +26,7 @@ struct Cluster {
   int padded_vertex_count;  // the positions of its group of vertices()
   int first_vertex;         // how many positions the clusters before it have
   int first_triangle, triangle_count;
+  int wide_node, child;  // the wide node that it is a child of, and which one
 };
 
 // A node in a wide node. It is a cluster, or it is opened into a wide node of its own.
