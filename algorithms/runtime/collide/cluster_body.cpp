@@ -53,7 +53,7 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   placement_ = placement;
   motion_bound_box_ = bound;
   are_joints_placed_ = std::isfinite(bound.low[0]);
-  are_floats_filled_ = is_all_skinned_ = false;
+  are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = false;
   wide_nodes_made_.begin();
   clusters_.begin(pose_, placement_, placement_.translation);
   nodes_bounded_ = 0;
@@ -70,7 +70,7 @@ void ClusterBody::bound_wide_node(int f) {
   BoxBlock<float>* blocks = &wide_node_blocks_[first_block_of_wide_node_[f]];
   Box<float>& whole = wide_node_boxes_[f] = Box<float>::empty();
   wide_nodes_made_.mark(f);
-  if (is_all_skinned_) return box_skinned(wide_node, blocks, whole);
+  if (is_all_skinned_ || (is_rather_skinned_ && f > 0 && has_only_clusters(f))) return box_skinned(wide_node, blocks, whole);
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
   // Seen from the placement's translation, which is the clusters' origin.
@@ -91,6 +91,12 @@ void ClusterBody::bound_by_control_points(const WideNode& wide_node, std::span<F
   if (!are_floats_filled_) joints_.fill(palette, skinning_), are_floats_filled_ = true;
   bound_boxes(wide_node.pieces, skinning_, joints_, palette, placement_.rotation, flipped);
   for (int i = 0; i < wide_node.child_count; ++i) boxes[i] = flipped[i].box();
+}
+
+bool ClusterBody::has_only_clusters(int wide_node) const {
+  for (int i = 0; i < tree_.wide_nodes()[wide_node].child_count; ++i)
+    if (tree_.child(wide_node, i).cluster < 0) return false;
+  return true;
 }
 
 // The boxes of wide nodes below come first.

@@ -40,6 +40,13 @@ class ClusterBody {
     put_box(&wide_node_blocks_[first_block_of_wide_node_[c.wide_node]], c.child, clusters_.cluster(cluster).box);
   }
 
+  // Whether clusters are skinned in float, but for joint-sets that this is not known to be right for.
+  bool is_skinned_in_float() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::hejl; }
+
+  // From now on, clusters are skinned rather than bounded where all children of a wide node are clusters, but not below the
+  // root. In float this takes about as long, and boxes are tighter; but more is skinned where little touches.
+  void skin_rather() { is_rather_skinned_ = true; }
+
   // Skins everything. Boxes that are not made yet are those of skinned vertices then.
   void skin_all();
   bool is_all_skinned() const { return is_all_skinned_; }
@@ -65,6 +72,7 @@ class ClusterBody {
 
  private:
   void bound_wide_node(int wide_node);
+  bool has_only_clusters(int wide_node) const;
   void bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
   void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
 
@@ -76,7 +84,7 @@ class ClusterBody {
   RigidTransform<double> placement_;
   Box<double> motion_bound_box_;
   JointFloats joints_;
-  bool are_joints_placed_ = false, are_floats_filled_ = false, is_all_skinned_ = false;
+  bool are_joints_placed_ = false, are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false;
   FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;
   std::vector<BoxBlock<float>> wide_node_blocks_;

@@ -39,17 +39,20 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   if (!memory || !memory->are_near || memory->are_entangled) {
     ++counts.ball_tests;
     if (are_apart(first.motion_bound(), second.motion_bound())) {
-      if (memory) memory->are_near = memory->are_entangled = false;
+      if (memory) memory->are_near = memory->are_touching = memory->are_entangled = false;
       return {};
     }
   }
-  if (memory && memory->are_entangled && query == Query::full) first.skin_all(), second.skin_all();
+  const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
+  if (memory && memory->are_entangled && are_in_float && query == Query::full) first.skin_all(), second.skin_all();
+  if (memory && memory->are_touching && are_in_float) first.skin_rather(), second.skin_rather();
   auto& scratch = first.query_scratch();
   ClusterPairs of_clusters(first.clusters(), second.clusters(), counts, scratch.pairs);
   auto pairs = ClusterTraversal(first, second, of_clusters, query, counts, scratch.hits).run();
   if (memory) {
     memory->are_near = !are_apart(first.wide_node_box(0), of_clusters.moved(second.wide_node_box(0)));
     memory->remember(pairs);
+    memory->are_touching = !pairs.empty();
     if (query == Query::full) memory->are_entangled = are_entangled(first, second);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
