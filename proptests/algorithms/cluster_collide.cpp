@@ -272,32 +272,33 @@ PROPTEST(cluster_collide) {
             }
             RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
           });
-  t.example("what is counted: of single triangles every box once, none where motion bounds are apart, and sums over queries", {}, [] {
-    SkinnedMesh m = gen::needle(0, 1, 1, 1);
-    const auto c = bake(m);
-    const ClusterTree tree(c);
-    ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-    const Pose still = reference_pose(c.mesh);
-    const auto counts_at = [&](double x, Query query, PairMemory* memory) {
-      first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
-      QueryCounts counts{100, 1000};  // of queries before
-      collide(first, second, query, counts, memory);
-      return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
-    };
-    PairMemory memory;
-    // Motion bounds, the first's wide node against the second's whole, the second's; the same of bodies that are skinned whole,
-    // because all clusters were reached, or without motion bounds if only a memory says that they were near; and then no box at
-    // all, but the pair.
-    const std::pair<long, long> touching{3, 1}, apart{1, 0}, near{2, 1}, remembered{0, 1};
-    bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
-    ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
-    ok = ok && counts_at(0.5, Query::full, &memory) == touching && first.nodes_bounded() == 0;
-    memory.are_entangled = false;
-    ok = ok && counts_at(0.5, Query::full, &memory) == near && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
-         first.corners_skinned() == 16 && second.corners_skinned() == 16;
-    ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
-    return Checked(ok, 6);
-  });
+  t.example(
+      "what is counted: of single triangles every box once, none where motion bounds are apart, and sums over queries", {}, [] {
+        SkinnedMesh m = gen::needle(0, 1, 1, 1);
+        const auto c = bake(m);
+        const ClusterTree tree(c);
+        ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+        const Pose still = reference_pose(c.mesh);
+        const auto counts_at = [&](double x, Query query, PairMemory* memory) {
+          first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
+          QueryCounts counts{100, 1000};  // of queries before
+          collide(first, second, query, counts, memory);
+          return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
+        };
+        PairMemory memory;
+        // Motion bounds, the first's wide node against the second's whole, the second's; the same of bodies that are skinned whole,
+        // because all clusters were reached, or without motion bounds if only a memory says that they were near; and then no box at
+        // all, but the pair.
+        const std::pair<long, long> touching{3, 1}, apart{1, 0}, near{2, 1}, remembered{0, 1};
+        bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
+        ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
+        ok = ok && counts_at(0.5, Query::full, &memory) == touching && first.nodes_bounded() == 0;
+        memory.are_entangled = false;
+        ok = ok && counts_at(0.5, Query::full, &memory) == near && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
+             first.corners_skinned() == 16 && second.corners_skinned() == 16;
+        ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
+        return Checked(ok, 6);
+      });
   t.example("a body counts the nodes that it bounds, and the clusters and corners that it skins, each once a frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
@@ -452,7 +453,7 @@ PROPTEST(cluster_collide) {
     const auto& kept = memory.pairs();
     for (const TrianglePair& pair : kept) ok = ok && std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
     const std::size_t remembered = kept.size();
-    memory.are_entangled = false;  // in which motion bounds would be compared
+    memory.are_entangled = false;                // in which motion bounds would be compared
     for (const bool was_near : {true, false}) {  // motion bounds are compared again once the bounds have been found apart
       a.begin(walk.sample(0.2 * walk.duration), {});
       b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {5, 0, 0}});

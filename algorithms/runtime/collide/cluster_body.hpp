@@ -34,8 +34,10 @@ class ClusterBody {
     return wide_node_boxes_[wide_node];
   }
 
-  // Puts the box of a skinned cluster in the place of its bound.
+  // Puts the box of a skinned cluster in the place of its bound, after skin_rather(). (Else what a body works out would depend
+  // on the order in which others ask.)
   void tighten(int cluster) {
+    if (!is_rather_skinned_) return;
     const Cluster& c = tree_.clusters()[cluster];
     put_box(&wide_node_blocks_[first_block_of_wide_node_[c.wide_node]], c.child, clusters_.cluster(cluster).box);
   }
