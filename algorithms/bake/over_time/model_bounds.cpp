@@ -48,8 +48,8 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
   const auto triangle_limit = static_cast<std::size_t>(most_triangles);
   std::vector<meshopt_Meshlet> found(meshopt_buildMeshletsBound(indices.size(), most_meshlet_vertices, triangle_limit));
   std::vector<unsigned> vertices(found.size() * most_meshlet_vertices);
-  std::vector<unsigned char> corners(found.size() * triangle_limit * 3);
-  found.resize(meshopt_buildMeshlets(found.data(), vertices.data(), corners.data(), indices.data(), indices.size(),
+  std::vector<unsigned char> weight_vertices(found.size() * triangle_limit * 3);
+  found.resize(meshopt_buildMeshlets(found.data(), vertices.data(), weight_vertices.data(), indices.data(), indices.size(),
                                      positions.data(), model.vertices.size(), 3 * sizeof(float), most_meshlet_vertices,
                                      triangle_limit, 0));
   std::vector<std::vector<int>> out;
@@ -58,7 +58,7 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
     for (unsigned t = 0; t < meshlet.triangle_count; ++t) {
       Triangle key;
       for (int k = 0; k < 3; ++k)
-        key[k] = static_cast<int>(vertices[meshlet.vertex_offset + corners[meshlet.triangle_offset + 3 * t + k]]);
+        key[k] = static_cast<int>(vertices[meshlet.vertex_offset + weight_vertices[meshlet.triangle_offset + 3 * t + k]]);
       std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
       auto& left = triangle_of.at(key);
       list.push_back(left.back());
@@ -156,7 +156,7 @@ std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   const DefaultFloatEnvironment environment;
   const JointSets sets(model);
-  ModelBounds out{options.skinning, parts_of(model, options.cluster_triangles), {}, {}, 0};
+  ModelBounds out{options.skinning, parts_of(model, options.cluster_triangles)};
   const Animation none;
   std::deque<AnimatedJoints> clips;  // the last one rests
   const bool needs_pose = options.skinning != Skinning::linear;
@@ -196,6 +196,12 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c])});
   out.rest = std::move(bounded.back());
   out.moments = moments;
+  if (options.any_pose)
+    for (const ModelPart& part : out.parts)
+      if (part.kind != PartKind::cluster) {
+        out.any_pose.push_back(bound_any_pose(model, sets, part.vertices, options.skinning));
+        out.any_pose.back().radius *= 1 + options.renderer_rounding;
+      }
   return out;
 }
 
