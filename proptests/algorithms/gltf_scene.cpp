@@ -7,7 +7,6 @@
 #include <fstream>
 #include <functional>
 
-#include "algorithms/model/channel_value.hpp"
 #include "algorithms/model/model_of_scene.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
@@ -263,9 +262,11 @@ std::vector<Change> refused_changes() {
 std::vector<Eigen::Vector3d> posed_vertices(const Model& model, const Clip& clip, double time) {
   std::vector<Eigen::Vector3d> places(model.vertices.begin(), model.vertices.end());
   for (const MorphedMesh& mesh : model.morphs) {
-    const std::vector<double> weights = morph_weights(mesh.node, mesh.weights, clip.animation, time);
+    Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(mesh.weights.data(), Eigen::Index(mesh.weights.size()));
+    for (const WeightTrack& track : clip.animation.weight_tracks)
+      if (track.node == mesh.node) weights = weights_at(track, time);
     for (std::size_t t = 0; t < mesh.targets.size(); ++t)
-      for (const auto& [vertex, by] : mesh.targets[t].displacements) places[vertex] += weights[t] * by;
+      for (const auto& [vertex, by] : mesh.targets[t].displacements) places[vertex] += weights[Eigen::Index(t)] * by;
   }
   const auto matrices = skin_matrices(model.skeleton, clip.animation, time);
   for (std::size_t v = 0; v < places.size(); ++v) {
