@@ -155,6 +155,20 @@ PROPTEST(model_of_scene) {
     return Checked(
         joints_of_two_bones(1e-7) == one && joints_of_two_bones(1e-5) == one + 1 && joints_of_two_bones(1e-3) == one + 1, 4);
   });
+  t.example("a skinned mesh that two nodes show is there once, and comes from both of them", {}, [] {
+    const auto s = scene();
+    for (aiNode* of : {s->mRootNode, s->mRootNode->mChildren[0]}) {
+      const unsigned first = of->mMeshes[0];
+      delete[] of->mMeshes;
+      of->mNumMeshes = 2;
+      of->mMeshes = new unsigned[2]{first, 1 - first};
+    }
+    const Model model = model_of_scene(convert_scene(*s, "memory"));
+    std::string sources;
+    for (const SourcePrimitive& source : model.sources)
+      sources += std::to_string(source.node) + std::to_string(source.mesh) + std::to_string(source.triangles[0]) + " ";
+    return Checked(sources == "000 011 112 100 " && model.triangles.size() == 3, 4, sources);
+  });
   t.example("accepted at the edge: keys that coincide, a quaternion of any length but nearly 0, a clip without a duration", {},
             [] {
               const std::function<void(aiScene&)> changes[] = {
