@@ -3,7 +3,9 @@
 #include "algorithms/model/write_gltf.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "algorithms/model/glb_chunks.hpp"
 #include "algorithms/model/gltf_scene.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/load.hpp"
@@ -100,7 +102,20 @@ PROPTEST(write_gltf) {
     }
     return Checked(wrong.empty(), 3, wrong);
   });
-  t.example("a model of a file loads back too, with splines, steps, a scale, and two joints of one node", {}, [] {
+  t.example("more than four influences of a vertex are all written", {}, [] {
+    Model model = keyed(make_snake(8), 5);
+    model.influences[0] = {{0, 0.25}, {1, 0.25}, {2, 0.125}, {3, 0.125}, {4, 0.125}, {5, 0.0625}, {6, 0.0625}};
+    const std::string different = difference(model, model_of_scene(gltf_scene(gltf_bytes(model), "again.glb")));
+    return Checked(different.empty(), 1, different);
+  });
+  t.example("a node is one joint only, as glTF has it: another joint of it gets a node of its own", {}, [] {
+    Model model = keyed(make_snake(2), 2);
+    model.skeleton.joints.push_back(model.skeleton.joints[1]);
+    const auto description = nlohmann::json::parse(take_apart(gltf_bytes(model), "again.glb").description);
+    return Checked(description["skins"][0]["joints"] == std::vector<int>{0, 1, 2} &&
+                   description["nodes"][1]["children"] == std::vector<int>{2});
+  });
+  t.example("a model of a file loads back too, with splines, steps and a scale", {}, [] {
     const Model model = model_of_scene(gltf_scene(gen::RichGltf(false, false).file.text_file(), "rich"));
     const std::string different = difference(model, model_of_scene(gltf_scene(gltf_bytes(model), "again.glb")));
     return Checked(different.empty(), 1, different);
