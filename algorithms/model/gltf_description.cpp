@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "algorithms/model/glb_chunks.hpp"
 #include "algorithms/model/model.hpp"
 
 namespace refitlab {
@@ -20,46 +20,6 @@ constexpr std::int64_t greatest_index = std::numeric_limits<std::int32_t>::max()
 // Required extensions that say how a surface looks, and the one of geometry that is read.
 constexpr const char* readable_extensions[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_",
                                                "KHR_lights_",    "EXT_lights_",  "KHR_xmp",      "KHR_mesh_quantization"};
-
-struct Chunks {
-  std::string description, binary;
-};
-
-std::string word_bytes(std::size_t value) {
-  const auto word = static_cast<std::uint32_t>(value);
-  std::string out(4, '\0');
-  std::memcpy(out.data(), &word, 4);
-  return out;
-}
-
-Chunks take_apart(const std::string& bytes, const std::string& file) {
-  if (!bytes.starts_with("glTF")) return {bytes, {}};
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    if (at + 4 > bytes.size()) throw ModelError(file, "file", "ends early");
-    std::memcpy(&value, bytes.data() + at, 4);
-    return std::size_t{value};
-  };
-  if (word(4) != 2) throw ModelError(file, "file", "glTF of version " + std::to_string(word(4)) + ", not 2");
-  if (word(8) > bytes.size()) throw ModelError(file, "file", "ends early");
-  const auto chunk = [&](std::size_t at) {
-    if (at + 8 + word(at) > bytes.size()) throw ModelError(file, "file", "ends early");
-    return bytes.substr(at + 8, word(at));
-  };
-  Chunks out{chunk(12), {}};
-  const std::size_t next = 20 + out.description.size();
-  if (next + 8 <= bytes.size()) out.binary = chunk(next);
-  return out;
-}
-
-std::string put_together(Chunks chunks) {
-  const auto pad = [](std::string& chunk, char with) { chunk.resize((chunk.size() + 3) / 4 * 4, with); };
-  pad(chunks.description, ' ');
-  pad(chunks.binary, '\0');
-  std::string out = word_bytes(chunks.description.size()) + "JSON" + chunks.description;
-  if (!chunks.binary.empty()) out += word_bytes(chunks.binary.size()) + std::string("BIN\0", 4) + chunks.binary;
-  return "glTF" + word_bytes(2) + word_bytes(out.size() + 12) + out;
-}
 
 // What the members of an object may be.
 enum class Kind { index, text, flag, numbers, indices, attributes };
@@ -294,7 +254,7 @@ class Description {
 }  // namespace
 
 std::string gltf_geometry(const std::string& bytes, const std::string& path) {
-  Chunks chunks = take_apart(bytes, path);
+  GlbChunks chunks = take_apart(bytes, path);
   if (bytes.size() > static_cast<std::size_t>(greatest_index)) throw ModelError(path, "file", "is larger than 2 GB");
   json whole;
   try {

@@ -72,6 +72,11 @@ std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const 
   return out;
 }
 
+Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side) {
+  const DefaultFloatEnvironment environment;
+  return value_at(track.weights, time, side);
+}
+
 double rigidity_defect(const std::vector<Eigen::Matrix4d>& skin_matrices) {
   const DefaultFloatEnvironment environment;
   double out = 0;

@@ -99,6 +99,9 @@ std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nod
 std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time,
                                            Side side = Side::after);
 
+// By target.
+Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side = Side::after);
+
 // How far skin matrices are from rotations: the largest Frobenius norm of M^T M - I over the joints. Infinite where one
 // mirrors or is not finite.
 double rigidity_defect(const std::vector<Eigen::Matrix4d>& skin_matrices);

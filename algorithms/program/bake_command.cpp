@@ -27,8 +27,9 @@ struct BakeCall {
 
 po::options_description options() {
   po::options_description description("options");
-  description.add_options()("help", "this text")("skinning", po::value<std::string>()->default_value("linear"),
-                                                 "linear, as glTF says; dual-quaternion; or spherical")(
+  description.add_options()("help", "this text")("for", po::value<std::string>()->default_value("clip"),
+                                                 "clip: the file's animations; any: whatever code does with the joints, too")(
+      "skinning", po::value<std::string>()->default_value("linear"), "linear, as glTF says; dual-quaternion; or spherical")(
       "clusters", po::value<int>()->default_value(128),
       "most triangles of a cluster, a multiple of 4 up to 512; 0 bakes no clusters")(
       "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
@@ -40,6 +41,9 @@ BakeCall parse(const po::variables_map& map) {
   BakeCall call{map["IN.glb"].as<std::string>(), map["OUT.glb"].as<std::string>(), "", {}};
   if (map.count("json")) call.json = map["json"].as<std::string>();
   call.bounds.skinning = skinning_of(map["skinning"].as<std::string>());
+  const std::string purpose = map["for"].as<std::string>();
+  if (purpose != "clip" && purpose != "any") throw UsageError("--for " + purpose + ": there are clip and any");
+  call.bounds.any_pose = purpose == "any";
   call.bounds.cluster_triangles = map["clusters"].as<int>();
   const int c = call.bounds.cluster_triangles;
   if (c != 0 && (c < 4 || c > 512 || c % 4 != 0)) throw UsageError("--clusters takes a multiple of 4 from 4 to 512, or 0");
@@ -86,7 +90,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const std::string bytes = read_whole(call.in);
   std::vector<GlbChunk> chunks = read_glb(bytes, call.in);
   const bool is_linear = call.bounds.skinning == Skinning::linear;
-  const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid});
+  const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
   const auto start = std::chrono::steady_clock::now();
   ModelBounds bounds;

@@ -143,7 +143,8 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   if (map["samples"].as<int>() < 1) throw UsageError("--samples takes a number above 0");
   const std::string file = map["FILE.glb"].as<std::string>();
   const BakedFile baked = read_baked(file);
-  const Model model = load_model(file, {.joints = baked.skinning == Skinning::linear ? Joints::affine : Joints::rigid});
+  const Model model =
+      load_model(file, {.joints = baked.skinning == Skinning::linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
   if (baked.clusters.clips.size() != model.clips.size() + 1)
     throw ModelError(file, "clips", "there are not as many as were baked");
   const JointSets sets(model);

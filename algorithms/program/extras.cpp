@@ -7,6 +7,7 @@
 
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/json_splice.hpp"
+#include "algorithms/runtime/packs/float_above.hpp"
 
 namespace refitlab {
 namespace {
@@ -65,13 +66,22 @@ std::string with_extras(const std::string& json, const Model& model, const Model
     }
   };
   const std::vector<BoundedPart> all = bounds_of_all(bounds);
+  const auto json_of_part = [&](std::size_t p) {
+    Json json = json_of(all[p]);
+    if (!bounds.any_pose.empty()) {
+      const AnyPoseBound& any = bounds.any_pose[p];
+      json["any_pose"] = {{"node", model.skeleton.nodes[any.node].source},
+                          {"radius", static_cast<double>(float_above(any.radius))}};
+    }
+    return json;
+  };
   // A primitive that several nodes show has one place in the file: what holds for all of them.
   std::map<std::pair<int, int>, std::vector<BoundedPart>> primitives;
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     const ModelPart& part = bounds.parts[p];
     const auto index = static_cast<std::size_t>(part.index);
-    if (part.kind == PartKind::skin) add({"skins", index}, "skin " + std::to_string(index), json_of(all[p]));
-    if (part.kind == PartKind::mesh) add({"meshes", index}, "mesh " + std::to_string(index), json_of(all[p]));
+    if (part.kind == PartKind::skin) add({"skins", index}, "skin " + std::to_string(index), json_of_part(p));
+    if (part.kind == PartKind::mesh) add({"meshes", index}, "mesh " + std::to_string(index), json_of_part(p));
     if (part.kind == PartKind::primitive && part.index >= 0) {
       const SourcePrimitive& source = model.sources[index];
       primitives[{source.mesh, source.primitive}].push_back(all[p]);

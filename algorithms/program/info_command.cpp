@@ -33,7 +33,7 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
     return exit_done;
   }
   const std::string file = map["FILE"].as<std::string>();
-  const Model model = load_model_guarded(file, {.joints = Joints::affine});
+  const Model model = load_model_guarded(file, {.joints = Joints::affine, .morphs = Morphs::moving});
   const JointSets sets(model);
   std::size_t most = 0;
   for (const auto& influences : model.influences) most = std::max(most, influences.size());

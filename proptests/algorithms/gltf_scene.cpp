@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is refused of glTF files, by changes of the description of one that is read.
+// glTF files: where the vertices of one with all features go, by its own formulas, and what is refused, by changes of the
+// description of one that is read.
 #include "algorithms/model/gltf_scene.hpp"
 
 #include <cmath>
 #include <functional>
 
+#include "algorithms/model/channel_value.hpp"
 #include "algorithms/model/model_of_scene.hpp"
+#include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
 #include "proptests/harness.hpp"
 
@@ -254,9 +257,107 @@ std::vector<Change> refused_changes() {
   };
 }
 
+// The vertices of the model at a time, each moved by its morph targets and then by the matrices of its joints.
+std::vector<Eigen::Vector3d> posed_vertices(const Model& model, const Clip& clip, double time) {
+  std::vector<Eigen::Vector3d> places(model.vertices.begin(), model.vertices.end());
+  for (const MorphedMesh& mesh : model.morphs) {
+    const std::vector<double> weights = morph_weights(mesh.node, mesh.weights, clip.animation, time);
+    for (std::size_t t = 0; t < mesh.targets.size(); ++t)
+      for (const auto& [vertex, by] : mesh.targets[t].displacements) places[vertex] += weights[t] * by;
+  }
+  const auto matrices = skin_matrices(model.skeleton, clip.animation, time);
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Influence& i : model.influences[v]) sum += i.weight * (matrices[i.joint] * places[v].homogeneous()).head<3>();
+    places[v] = sum;
+  }
+  return places;
+}
+
+const SourcePrimitive* source_of(const Model& model, const gen::RichPrimitive& p) {
+  for (const SourcePrimitive& source : model.sources)
+    if (source.node == p.node && source.mesh == p.mesh && source.primitive == p.primitive && source.skin == p.skin)
+      return &source;
+  return nullptr;
+}
+
+// What is wrong about the model of a rich file; empty if it has each primitive where it has to be at all times.
+std::string complaint(const gen::RichGltf& rich, const Model& model) {
+  if (model.sources.size() != rich.primitives().size()) return "there are " + std::to_string(model.sources.size()) + " sources; ";
+  std::string out;
+  for (const gen::RichPrimitive& p : rich.primitives()) {
+    const std::string label = "node " + std::to_string(p.node) + ", primitive " + std::to_string(p.primitive);
+    const SourcePrimitive* source = source_of(model, p);
+    if (!source || source->vertices.size() != p.positions.size() || source->triangles.size() != p.triangles.size())
+      return label + " has no source that fits; ";
+    for (std::size_t t = 0; t < p.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (model.triangles[source->triangles[t]][k] != source->vertices[p.triangles[t][k]])
+          out += label + ": a corner differs; ";
+    for (const double time : {0.0, 0.25, 0.5, 0.9, 1.0, 1.4, 1.5, 2.0}) {
+      const auto expected = rich.posed(p, time), places = posed_vertices(model, model.clips[0], time);
+      double worst = 0;
+      for (std::size_t v = 0; v < expected.size(); ++v)
+        worst = std::max(worst, (places[source->vertices[v]] - expected[v]).norm());
+      if (!(worst < 2e-6)) out += label + " at " + std::to_string(time) + " s is off by " + std::to_string(worst) + "; ";
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 PROPTEST(gltf_scene) {
+  t.example(
+      "a file of all features has each vertex where its formulas have it: rigid or not, with weights of targets that move or not",
+      {}, [] {
+        std::string wrong;
+        for (const bool uneven : {false, true})
+          for (const bool moving : {false, true}) {
+            const gen::RichGltf rich(uneven, moving);
+            const LoadOptions options{uneven ? Joints::affine : Joints::rigid, moving ? Morphs::moving : Morphs::constant};
+            for (const std::string& bytes : {rich.file.text_file(), rich.file.binary_file()})
+              wrong += complaint(rich, model_of_scene(gltf_scene(bytes, "rich"), options));
+          }
+        return Checked(wrong.empty(), 8, wrong);
+      });
+  t.example("a skin that scales unevenly is refused, or has its clip's sample refused where it is not rigid", {}, [] {
+    const gen::RichGltf rich(true, false);
+    const Scene scene = gltf_scene(rich.file.text_file(), "rich");
+    const auto refused = [](const auto& action) -> std::string {
+      try {
+        action();
+      } catch (const ModelError& e) {
+        return e.what();
+      }
+      return "";
+    };
+    const std::string at_once = refused([&] { model_of_scene(scene); });
+    const Model model = model_of_scene(scene, {Joints::affine});
+    const std::string later = refused([&] { model.clips[0].sample(1); });
+    const std::string expected = "rich: clip 'move', joint 'tip', time ";
+    return Checked(at_once.starts_with(expected) && later.starts_with("rich: clip 'move', joint '") &&
+                       refused([&] {
+                         model_of_scene(gltf_scene(gen::RichGltf(false, false).file.text_file(), "rich")).clips[0].sample(1);
+                       }).empty() &&
+                       model.rigidity_defect > 1,
+                   4, at_once + "; " + later + "; " + std::to_string(model.rigidity_defect));
+  });
+  t.example("where all joints are rigid an affine model is the rigid one, to the bit", {}, [] {
+    const Scene scene = gltf_scene(gen::RichGltf(false, false).file.text_file(), "rich");
+    const Model rigid = model_of_scene(scene), affine = model_of_scene(scene, {Joints::affine});
+    return Checked(rigid.vertices == affine.vertices && rigid.rigidity_defect == affine.rigidity_defect);
+  });
+  t.example("a mesh that two nodes show with the same skin is there once, and twice where its weights move with one of them", {},
+            [] {
+              const auto count = [](bool moving) {
+                return model_of_scene(gltf_scene(gen::RichGltf(false, moving).file.text_file(), "rich"),
+                                      {Joints::rigid, Morphs::moving})
+                    .triangles.size();
+              };
+              return Checked(count(false) == 18 && count(true) == 32, 2,
+                             std::to_string(count(false)) + ", " + std::to_string(count(true)));
+            });
   const json tube = json::parse(gen::built(gen::bending_tube(3)).text_file());
   t.example("a description with one thing wrong is refused with the file, the thing and the reason", {}, [&] {
     std::string wrong = refusal(tube.dump());

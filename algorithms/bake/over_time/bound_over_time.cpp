@@ -112,7 +112,6 @@ class Search {
 
   void run() {
     const std::vector<double>& times = joints_.times();
-    if (joints_.part_count() == 0) add_moment(times.front());
     // What the parts' ends show is known before any part is looked into.
     std::vector<Interval> parts;
     for (int part = 0; part < joints_.part_count(); ++part)
@@ -140,7 +139,7 @@ class Search {
 
   Interval interval(int part, double start, double end, int halvings, double error, const IntervalSlack& slack) {
     Interval out{part, start, end, halvings, error, slack.chord, values_at(start, Side::after, slack)};
-    raise(out.at_ends, values_at(end, Side::before, slack));
+    raise(out.at_ends, values_at(end, side_of_end(start, end), slack));
     return out;
   }
 
@@ -156,14 +155,6 @@ class Search {
     if (is_shared) raise(seen_, values), known_.emplace(std::pair{time, side}, values);
     else raise(seen_, functions_.greatest(points_, {}));
     return values;
-  }
-
-  // An animation without any duration: its only pose, whose error is that of no part.
-  void add_moment(double time) {
-    const Values values = values_at(time, Side::after, {});
-    double size = 0;
-    for (const Point3& p : points_) size = std::max(size, norm<double, 3>(p));
-    for (std::size_t i = 0; i < values.size(); ++i) bound_[i] = values[i] + functions_.scales()[i] * size * 0x1p-32;
   }
 
   void look_into(const Interval& whole) {
@@ -249,8 +240,10 @@ Box<float> rounded_outward(const Box<double>& box) {
 }
 
 Ball3<float> rounded_outward(const Ball3<double>& ball) {
-  const Vec<float, 3> center = ball.center.cast<float>();
-  const double moved = norm<double, 3>(center.cast<double>() - ball.center);
+  constexpr double largest = std::numeric_limits<float>::max();
+  const Vec<float, 3> center = ball.center.cwiseMax(-largest).cwiseMin(largest).cast<float>();
+  const Point3 way = center.cast<double>() - ball.center;
+  const double moved = std::hypot(way[0], way[1], way[2]);  // not 0 if its square would be
   return {center, float_above((ball.radius + moved) * (1 + 0x1p-50))};
 }
 

@@ -156,7 +156,7 @@ std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   const DefaultFloatEnvironment environment;
   const JointSets sets(model);
-  ModelBounds out{options.skinning, parts_of(model, options.cluster_triangles), {}, {}, 0};
+  ModelBounds out{options.skinning, parts_of(model, options.cluster_triangles)};
   const Animation none;
   std::deque<AnimatedJoints> clips;  // the last one rests
   const bool needs_pose = options.skinning != Skinning::linear;
@@ -196,6 +196,12 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c])});
   out.rest = std::move(bounded.back());
   out.moments = moments;
+  if (options.any_pose)
+    for (const ModelPart& part : out.parts)
+      if (part.kind != PartKind::cluster) {
+        out.any_pose.push_back(bound_any_pose(model, sets, part.vertices, options.skinning));
+        out.any_pose.back().radius *= 1 + options.renderer_rounding;
+      }
   return out;
 }
 

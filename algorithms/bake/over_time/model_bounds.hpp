@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "algorithms/bake/over_time/any_pose.hpp"
 #include "algorithms/bake/over_time/bound_over_time.hpp"
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
 
@@ -32,16 +33,18 @@ struct BoundedClip {
 
 struct ModelBounds {
   Skinning skinning;
-  std::vector<ModelPart> parts;    // the whole first, clusters last
-  std::vector<BoundedClip> clips;  // those of the model, in order
-  std::vector<BoundedPart> rest;   // by part: the joints where the file's nodes leave them without a clip
-  long moments = 0;                // at which some part's vertices were skinned
+  std::vector<ModelPart> parts;        // the whole first, clusters last
+  std::vector<BoundedClip> clips;      // those of the model, in order
+  std::vector<AnyPoseBound> any_pose;  // by part, clusters left out; empty unless asked for
+  std::vector<BoundedPart> rest;       // by part: the joints where the file's nodes leave them without a clip
+  long moments = 0;                    // at which some part's vertices were skinned
 };
 
 struct ModelBoundsOptions {
   Skinning skinning = Skinning::linear;
   double tolerance = 0.01;      // as in OverTimeOptions
   int cluster_triangles = 128;  // of a cluster at most, a multiple of 4 from 4 to 512; 0 for no clusters
+  bool any_pose = false;        // bound what poses of code could do, too
   // Beyond what is computed: a renderer skins in float and is off by as much, as a share of the farthest vertex's distance
   // from the scene's origin.
   double renderer_rounding = 0x1p-20;

@@ -2,11 +2,14 @@
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
+#include "lemmas/a3_morph_displacement.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "lemmas/c5_skinned_motion.hpp"
 #include "lemmas/c6_interval_hull.hpp"
@@ -20,11 +23,26 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 // matrix (12), and a product of two matrices (3 times 4, for the absolute values of one of them). Twice that.
 constexpr double error_per_link = 80;
 
-// Of the dot product of two quaternions of poses, each within a few units in the last place.
-constexpr double rounding_of_cosines = 1e-13;
+// Of a point that a matrix carries, relative to what its summands add up to.
+constexpr double rounding_of_image = 32 * std::numeric_limits<double>::epsilon() / 2;
 
 // Blends of dual quaternions that may be shorter are not followed: rounding would grow by as much.
 constexpr double squared_shortest_blend = 1e-2;
+
+// Of the rigid transforms' defect, relative to the size of what joints carry. A blend of dual quaternions, 1/10 long at least, of
+// images that are off by d is off by 10 d; what is bounded has images that are off by the defect of the vertex, and by that of the
+// base twice, at the time and on the chord: 60. The pose's rotations are off by the defect's square.
+constexpr double error_per_defect = 64;
+
+// How many times more a spherically skinned vertex is off than its joints' images, at most: its center may be as far away as the
+// least angle at which rotation_center.hpp looks for one lets it.
+constexpr double growth_about_center = 1e4;
+
+// c1_chord_bound's, also where squares of times are too small, or accelerations too great, for double.
+double chord_within(const Motion<double>& motion, double duration) {
+  const double chord = chord_slack(motion, duration), simple = first_order_slack(motion.speed, duration);
+  return chord >= 0 ? chord : simple >= 0 ? simple : unknown;
+}
 
 int depth_of(const std::vector<SceneNode>& nodes, int node) {
   int depth = 0;
@@ -62,26 +80,69 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
       vertices_(std::move(vertices)) {
   if (skinning == Skinning::hejl) throw std::invalid_argument("MovingVertices: there are no bounds over time of Hejl's centers");
   const BoundSkeleton& skeleton = joints.model().skeleton;
+  const std::vector<MorphedMesh>& morphs = joints.model().morphs;
+  if (!morphs.empty()) displacements_.resize(vertices_.size());
+  for (std::size_t m = 0; m < morphs.size(); ++m)
+    for (std::size_t t = 0; t < morphs[m].targets.size(); ++t)
+      for (std::size_t i = 0; i < vertices_.size(); ++i) {
+        const auto& list = morphs[m].targets[t].displacements;
+        const auto found =
+            std::lower_bound(list.begin(), list.end(), vertices_[i], [](const auto& d, int v) { return d.first < v; });
+        if (found != list.end() && found->first == vertices_[i])
+          displacements_[i].push_back({static_cast<int>(m), static_cast<int>(t), found->second});
+      }
   std::map<int, Set> by_index;
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const int index = sets.of_vertex(vertices_[i]);
-    Set& set = by_index.try_emplace(index, Set{index, {}, {}, -2}).first->second;
+    Set& set = by_index.try_emplace(index, Set{index, {}, {}, {}, {}, -2}).first->second;
     set.vertices.push_back(static_cast<int>(i));
     const auto set_joints = sets.joints(index);
-    set.distances.resize(set_joints.size(), 0);
+    set.distances.resize(set_joints.size(), 0), set.reaches.resize(set_joints.size(), 0);
     for (std::size_t k = 0; k < set_joints.size(); ++k) {
       const BoundJoint& joint = skeleton.joints[set_joints[k]];
-      const Point3 below = image(joint.offset, joints.model().vertices[vertices_[i]]);
-      set.distances[k] = std::max(set.distances[k], norm<double, 3>(below));
+      const Point3& v = joints.model().vertices[vertices_[i]];
+      const double reach = stretch_of(joint.offset).most * norm<double, 3>(v) + joint.offset.topRightCorner<3, 1>().norm();
+      set.reaches[k] = std::max(set.reaches[k], reach);
+      set.distances[k] = std::max(set.distances[k], norm<double, 3>(image(joint.offset, v)) + rounding_of_image * reach);
       set.base = set.base == -2 ? joint.node : common_node(skeleton.nodes, set.base, joint.node);
+    }
+    if (displacements_.empty()) continue;
+    for (const Displacement& d : displacements_[i]) {
+      auto morph = std::find_if(set.morphs.begin(), set.morphs.end(),
+                                [&](const Morph& known) { return known.mesh == d.mesh && known.target == d.target; });
+      if (morph == set.morphs.end())
+        morph = set.morphs.insert(morph, {d.mesh, d.target, std::vector<double>(set_joints.size(), 0)});
+      for (std::size_t k = 0; k < set_joints.size(); ++k) {
+        const Eigen::Matrix4d& offset = skeleton.joints[set_joints[k]].offset;
+        const double reach = stretch_of(offset).most * norm<double, 3>(d.by);
+        morph->lengths[k] =
+            std::max(morph->lengths[k], norm<double, 3>(offset.topLeftCorner<3, 3>() * d.by) + rounding_of_image * reach);
+      }
     }
   }
   for (auto& [index, set] : by_index) sets_.push_back(std::move(set));
 }
 
+Point3 MovingVertices::displaced(int i, const PosedJoints& posed) const {
+  Point3 v = joints_.model().vertices[vertices_[i]];
+  if (!displacements_.empty())
+    for (const Displacement& d : displacements_[i]) v += posed.weights[d.mesh][d.target] * d.by;
+  return v;
+}
+
+Motion<double> MovingVertices::below(const Set& set, std::size_t k, int part,
+                                     const std::vector<double>& lengths_of_reference) const {
+  std::vector<double> lengths;
+  std::vector<Motion<double>> weights;
+  for (const Morph& morph : set.morphs) {
+    lengths.push_back(morph.lengths[k]);
+    weights.push_back(joints_.weights(part)[morph.mesh][morph.target]);
+  }
+  return displaced_motion<double>(lengths_of_reference[k], lengths, weights);
+}
+
 void MovingVertices::place(double time, Side side, Followed followed, std::vector<Point3>& points) const {
   const PosedJoints& posed = joints_.at(time, side);
-  const std::vector<Point3>& reference = joints_.model().vertices;
   const bool is_linear = skinning_ == Skinning::linear || followed == Followed::linear_blend;
   points.resize(vertices_.size());
   OwnedPaletteEntry<double> palette;
@@ -95,7 +156,7 @@ void MovingVertices::place(double time, Side side, Followed followed, std::vecto
                               rotation_center<double>(palette.transforms, center_prior(joints_.model(), joints, skinning_)));
     }
     for (const int i : set.vertices) {
-      const Point3& v = reference[vertices_[i]];
+      const Point3 v = displaced(i, posed);
       const auto weights = joint_sets_.weights(vertices_[i]);
       if (is_linear) {
         Point3 sum = image(posed.matrices[joints[0]], v) * weights[0];
@@ -130,13 +191,13 @@ Motion<double> MovingVertices::linear_motion(const Set& set, int part) const {
   std::vector<Motion<double>> images;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int node = joints_.model().skeleton.joints[joints[k]].node;
-    images.push_back(carried_motion(joints_.chains(part)[node], at_rest(set.distances[k])));
+    images.push_back(carried_motion(joints_.chains(part)[node], below(set, k, part, set.distances)));
   }
   return widest<double>(images);
 }
 
 double MovingVertices::linear_chord(const Set& set, int part, double start, double end) const {
-  return chord_slack(linear_motion(set, part), end - start);
+  return chord_within(linear_motion(set, part), end - start);
 }
 
 double MovingVertices::dual_chord(const Set& set, int part, double start, double end) const {
@@ -148,12 +209,12 @@ double MovingVertices::dual_chord(const Set& set, int part, double start, double
   std::vector<Motion<double>> images, turns;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto chain = chain_below(skeleton.nodes, joints_.links(part), set.base, skeleton.joints[joints[k]].node);
-    images.push_back(carried_motion(chain, at_rest(set.distances[k])));
+    images.push_back(carried_motion(chain, below(set, k, part, set.distances)));
     turns.push_back(chain.rotation);
   }
   Motion<double> motion = dual_motion<double>(images, turns, std::sqrt(squared_least));
   if (set.base >= 0) motion = carried_motion(joints_.chains(part)[set.base], motion);
-  return chord_slack(motion, end - start);
+  return chord_within(motion, end - start);
 }
 
 MovingVertices::Rotations MovingVertices::rotations(const Set& set, int part, double start, double end) const {
@@ -166,7 +227,8 @@ MovingVertices::Rotations MovingVertices::rotations(const Set& set, int part, do
                      (end - start));
   // By the start alone: at the end skinning may have other signs.
   const auto cosine = [&](std::size_t k, std::size_t l) { return dot(at_start[k].rotation, at_start[l].rotation); };
-  const auto change = [&](std::size_t k, std::size_t l) { return turned[k] + turned[l] + rounding_of_cosines; };
+  const double off = 2 * (relative_rounding(set, part) + joints_.defect(part));
+  const auto change = [&](std::size_t k, std::size_t l) { return turned[k] + turned[l] + off; };
   std::vector<bool> keeps_sign;
   for (std::size_t k = 0; k < joints.size(); ++k) keeps_sign.push_back(k == 0 || cosine(0, k) > change(0, k));
   Rotations out{std::find(keeps_sign.begin(), keeps_sign.end(), false) == keeps_sign.end(), {}};
@@ -197,34 +259,49 @@ bool MovingVertices::deviate(const Set& set, int part, double start, double end,
   }
   const auto joints = joint_sets_.joints(set.index);
   // Between the ends two images come apart by twice the slack of one.
-  const double apart = 2 * chord * std::sqrt(static_cast<double>(joints.size() * (joints.size() - 1)) / 2);
+  const double pairs = static_cast<double>(joints.size() * (joints.size() - 1)) / 2, apart = 2 * chord * std::sqrt(pairs);
+  // The least-squares center is not moved from the prior in directions in which rotations differ little: by their tolerance.
+  const double tolerance = skinning_ != Skinning::spherical ? 0 : joints.size() == 2 ? 1e-4 : 1e-4 + 2e-3 * std::sqrt(pairs);
+  const Point3 prior = center_prior(joints_.model(), joints, skinning_);
   for (const int i : set.vertices) {
-    const Point3& v = joints_.model().vertices[vertices_[i]];
     const double share = squared_deviation_share<double>(joint_sets_.weights(vertices_[i]), known.cosines, squared_least);
-    for (const auto& [time, side] : {std::pair{start, Side::after}, {end, Side::before}}) {
+    for (const auto& [time, side] : {std::pair{start, Side::after}, {end, side_of_end(start, end)}}) {
+      const PosedJoints& posed = joints_.at(time, side);
+      const Point3 v = displaced(i, posed);
+      const double off_center = 2 * tolerance * norm<double, 3>(v - prior);
       std::vector<Point3> images;
-      for (const int j : joints) images.push_back(image(joints_.at(time, side).matrices[j], v));
-      beyond[i] = std::max(beyond[i], std::sqrt(share) * (std::sqrt(squared_spread<double>(images)) + apart));
+      for (const int j : joints) images.push_back(image(posed.matrices[j], v));
+      beyond[i] = std::max(beyond[i], std::sqrt(share) * (std::sqrt(squared_spread<double>(images)) + apart + off_center));
     }
   }
   return true;
 }
 
+double MovingVertices::relative_rounding(const Set& set, int part) const {
+  const BoundSkeleton& skeleton = joints_.model().skeleton;
+  double links = 4;
+  for (const int j : joint_sets_.joints(set.index))
+    links = std::max(links, 4.0 + depth_of(skeleton.nodes, skeleton.joints[j].node));
+  return error_per_link * links * std::numeric_limits<double>::epsilon() / 2 * joints_.rounding(part);
+}
+
 double MovingVertices::placing_error(int part) const {
-  const std::vector<SceneNode>& nodes = joints_.model().skeleton.nodes;
   double error = 0;
   for (const Set& set : sets_) {
-    double links = 4;
-    for (const int j : joint_sets_.joints(set.index))
-      links = std::max(links, 4.0 + depth_of(nodes, joints_.model().skeleton.joints[j].node));
-    error = std::max(error, error_per_link * links * std::numeric_limits<double>::epsilon() / 2 * linear_motion(set, part).size);
+    const auto joints = joint_sets_.joints(set.index);
+    double size = 0;  // of all that is summed up, even if most of it cancels
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      const int node = joints_.model().skeleton.joints[joints[k]].node;
+      size = std::max(size, carried_motion(joints_.chains(part)[node], below(set, k, part, set.reaches)).size);
+    }
+    double relative = relative_rounding(set, part);
+    if (skinning_ != Skinning::linear) {
+      relative *= skinning_ == Skinning::spherical ? growth_about_center : 1 / squared_shortest_blend;
+      relative += error_per_defect * joints_.defect(part) * (1 + joints_.defect(part));
+    }
+    error = std::max(error, relative * size);
   }
-  if (skinning_ == Skinning::linear) return error;
-  const std::vector<double>& times = joints_.times();
-  const double defect = std::max(joints_.at(times[part], Side::after).defect, joints_.at(times[part + 1], Side::before).defect);
-  double farthest = 0;
-  for (const int v : vertices_) farthest = std::max(farthest, norm<double, 3>(joints_.model().vertices[v]));
-  return (error + 2 * defect * farthest) / squared_shortest_blend;
+  return error;
 }
 
 }  // namespace refitlab

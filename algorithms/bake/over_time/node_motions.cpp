@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/bake/over_time/node_motions.hpp"
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
@@ -18,7 +21,7 @@ constexpr int most_divisions = 30;
 Vec<double, 3> coefficients(const Eigen::Vector3d& v) { return v; }
 Quaternion<double> coefficients(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-// The key before this time, which is not a key's, or -1 if the channel stays there: before its first key and after its last.
+// The last key that is not after this time, or -1 if the channel stays there: before its first key and from its last one on.
 template <class Value>
 int key_before(const Channel<Value>& channel, double time) {
   const auto after =
@@ -59,9 +62,9 @@ double least_length(const CubicCurve<double, 4>& curve) {
 
 template <class Norm>
 Motion<double> vector_motion(const Channel<Eigen::Vector3d>& channel, double start, double end, const Norm& norm) {
-  const int key = key_before(channel, (start + end) / 2);
+  const int key = key_before(channel, start);
   if (key < 0) {
-    const bool is_late = (start + end) / 2 >= channel.keys.front().time;
+    const bool is_late = start >= channel.keys.front().time;
     return at_rest(norm(coefficients(is_late ? channel.keys.back().value : channel.keys.front().value)));
   }
   const auto &a = channel.keys[key], &b = channel.keys[key + 1];
@@ -74,7 +77,7 @@ Motion<double> vector_motion(const Channel<Eigen::Vector3d>& channel, double sta
 }
 
 Motion<double> rotation_motion(const Channel<Eigen::Quaterniond>& channel, double start, double end) {
-  const int key = key_before(channel, (start + end) / 2);
+  const int key = key_before(channel, start);
   if (key < 0 || channel.interpolation == Interpolation::step) return at_rest(1.0);
   const auto &a = channel.keys[key], &b = channel.keys[key + 1];
   if (channel.interpolation == Interpolation::linear) {
@@ -85,18 +88,34 @@ Motion<double> rotation_motion(const Channel<Eigen::Quaterniond>& channel, doubl
   return normalized_motion(cubic_motion(curve, by_length), least_length(curve));
 }
 
-// Divides the time between two keys until the spline is certainly longer than shortest_usual_blend, or, where it is short, than
-// half of its ends.
-void divide(const Channel<Eigen::Quaterniond>& channel, int key, double start, double end, int divisions,
-            const std::function<void()>& fail, std::vector<double>& times) {
-  const auto curve = curve_between(channel, key, start, end);
+// The spline of rotations, if the channel is one and moves from start on; start and end are between two of its keys.
+std::optional<CubicCurve<double, 4>> rotation_spline(const NodeTrack& track, double start, double end) {
+  if (track.rotations.interpolation != Interpolation::cubic) return std::nullopt;
+  const int key = key_before(track.rotations, start);
+  if (key < 0) return std::nullopt;
+  return curve_between(track.rotations, key, start, end);
+}
+
+// Whether the spline is certainly longer than shortest_usual_blend, or, where it is short, than half of its ends.
+bool is_long(const CubicCurve<double, 4>& curve) {
   const double ends = std::min(norm<double, 4>(curve.points[0]), norm<double, 4>(curve.points[3]));
-  if (least_length(curve) >= shortest_usual_blend * std::min(1.0, ends) && ends > 0) return;
-  const double middle = (start + end) / 2;
-  if (divisions == most_divisions || !(start < middle && middle < end)) fail();
-  divide(channel, key, start, middle, divisions + 1, fail, times);
-  times.push_back(middle);
-  divide(channel, key, middle, end, divisions + 1, fail, times);
+  return least_length(curve) >= shortest_usual_blend * std::min(1.0, ends) && ends > 0;
+}
+
+// Divides the time until all splines are long. They are divided together: a part of a long one need not be long, as seen from its
+// own ends, where other channels' keys cut it.
+void divide(const Animation& animation, double start, double end, int divisions,
+            const std::function<void(const NodeTrack&)>& fail, std::vector<double>& times) {
+  for (const NodeTrack& track : animation.tracks) {
+    const auto curve = rotation_spline(track, start, end);
+    if (!curve || is_long(*curve)) continue;
+    const double middle = start + (end - start) / 2;
+    if (divisions == most_divisions || !(start < middle && middle < end)) fail(track);
+    divide(animation, start, middle, divisions + 1, fail, times);
+    times.push_back(middle);
+    divide(animation, middle, end, divisions + 1, fail, times);
+    return;
+  }
 }
 
 template <class Value>
@@ -116,40 +135,96 @@ ChainMotion<double> at_rest(const Eigen::Matrix4d& local) {
 
 }  // namespace
 
+Stretch stretch_of(const Eigen::Matrix4d& matrix) {
+  const Eigen::Vector3d factors = Eigen::Matrix3d(matrix.topLeftCorner<3, 3>()).jacobiSvd().singularValues();
+  return {factors[2], factors[0]};
+}
+
 std::vector<double> smooth_times(const std::string& file, const std::vector<SceneNode>& nodes, const Animation& animation) {
   std::vector<double> times = key_times(animation, std::numeric_limits<std::size_t>::max());
-  for (const NodeTrack& track : animation.tracks) {
-    if (track.rotations.interpolation != Interpolation::cubic) continue;
-    const auto fail = [&] {
-      throw ModelError(file, "clip '" + animation.name + "', joint '" + nodes[track.node].name + "'",
-                       "its cubic spline of rotations passes through zero, where it turns without a bound");
-    };
-    const auto& keys = track.rotations.keys;
-    for (std::size_t k = 0; k + 1 < keys.size(); ++k)
-      if (keys[k].time < keys[k + 1].time)
-        divide(track.rotations, static_cast<int>(k), keys[k].time, keys[k + 1].time, 0, fail, times);
-  }
-  std::erase_if(times, [&](double t) { return t < 0 || t > animation.duration; });
+  const auto fail = [&](const NodeTrack& track) {
+    throw ModelError(file, "clip '" + animation.name + "', joint '" + nodes[track.node].name + "'",
+                     "its cubic spline of rotations passes through zero, where it turns without a bound");
+  };
+  const std::size_t count = times.size();
+  for (std::size_t i = 0; i + 1 < count; ++i) divide(animation, times[i], times[i + 1], 0, fail, times);
+  divide(animation, animation.duration, animation.duration, 0, fail, times);
   std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 
 bool jumps_at(const Animation& animation, double time) {
-  return std::any_of(animation.tracks.begin(), animation.tracks.end(), [&](const NodeTrack& track) {
-    return jumps(track.positions, time) || jumps(track.rotations, time) || jumps(track.scales, time);
-  });
+  return std::any_of(animation.tracks.begin(), animation.tracks.end(),
+                     [&](const NodeTrack& track) {
+                       return jumps(track.positions, time) || jumps(track.rotations, time) || jumps(track.scales, time);
+                     }) ||
+         std::any_of(animation.weight_tracks.begin(), animation.weight_tracks.end(),
+                     [&](const WeightTrack& track) { return jumps(track.weights, time); });
 }
 
 std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& nodes, const Animation& animation, double start,
                                               double end) {
   std::vector<ChainMotion<double>> links;
   for (const SceneNode& node : nodes) links.push_back(at_rest(node.local));
-  for (const NodeTrack& track : animation.tracks)
-    links[track.node] =
-        chain_of<double>({vector_motion(track.positions, start, end, by_length), rotation_motion(track.rotations, start, end),
-                          vector_motion(track.scales, start, end, by_greatest_factor)});
+  for (const NodeTrack& track : animation.tracks) {
+    ChainMotion<double>& link = links[track.node];
+    link = chain_of<double>({vector_motion(track.positions, start, end, by_length), rotation_motion(track.rotations, start, end),
+                             vector_motion(track.scales, start, end, by_greatest_factor)});
+    if (!(start < end))
+      link = {refitlab::at_rest(link.linear.size), refitlab::at_rest(link.offset.size), refitlab::at_rest(link.rotation.size)};
+  }
   return links;
+}
+
+std::vector<Motion<double>> weight_motions(const WeightTrack& track, double start, double end) {
+  std::vector<Motion<double>> out;
+  for (Eigen::Index i = 0; i < track.weights.keys.front().value.size(); ++i) {
+    // A weight as the first coordinate of a position.
+    Channel<Eigen::Vector3d> one{{}, track.weights.interpolation, {}};
+    for (const auto& key : track.weights.keys) one.keys.push_back({key.time, key.value[i] * Point3::UnitX()});
+    for (const auto& t : track.weights.tangents)
+      one.tangents.push_back({t.into[i] * Point3::UnitX(), t.out[i] * Point3::UnitX()});
+    out.push_back(vector_motion(one, start, end, by_length));
+  }
+  return out;
+}
+
+std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animation& animation, double start, double end) {
+  std::vector<Stretch> out;
+  for (const SceneNode& node : nodes) out.push_back(stretch_of(node.local));
+  for (const NodeTrack& track : animation.tracks) {
+    std::vector<Eigen::Vector3d> hull;  // of the scales
+    const auto& keys = track.scales.keys;
+    if (const int key = key_before(track.scales, start); key < 0) {
+      hull = {start >= keys.front().time ? keys.back().value : keys.front().value};
+    } else if (track.scales.interpolation == Interpolation::cubic) {
+      for (const auto& point : curve_between(track.scales, key, start, end).points) hull.push_back(point);
+    } else {
+      hull = {keys[key].value};
+      if (track.scales.interpolation == Interpolation::linear) hull.push_back(keys[key + 1].value);
+    }
+    Stretch stretch{std::numeric_limits<double>::infinity(), 0};
+    for (const Eigen::Vector3d& scale : hull)
+      for (int i = 0; i < 3; ++i) {
+        const bool keeps_sign = scale[i] * hull[0][i] > 0;
+        stretch.least = std::min(stretch.least, keeps_sign ? std::abs(scale[i]) : 0);
+        stretch.most = std::max(stretch.most, std::abs(scale[i]));
+      }
+    out[track.node] = stretch;
+  }
+  return out;
+}
+
+double growth_of_rounding(const Animation& animation, double start, double end) {
+  double growth = 1;
+  for (const NodeTrack& track : animation.tracks)
+    if (const auto part = rotation_spline(track, start, end)) {
+      const int key = key_before(track.rotations, start);
+      const auto& keys = track.rotations.keys;
+      const auto whole = curve_between(track.rotations, key, keys[key].time, keys[key + 1].time);
+      growth = std::max(growth, cubic_motion(whole, by_length).size / least_length(*part));
+    }
+  return growth;
 }
 
 std::vector<ChainMotion<double>> chain_motions(const std::vector<SceneNode>& nodes,

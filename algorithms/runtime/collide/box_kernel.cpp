@@ -215,21 +215,14 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
   BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
 }
 
-// The bytes of the first count lanes, of at most 8.
-std::uint64_t first_lanes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
-
 REFITLAB_KERNEL int overlaps(const BoxBlock<double>* blocks, int count, const Box<double>& box, int* out) {
-  int found = 0;
-  for (int first = 0; first < count; first += 8)
-    for (std::uint64_t lanes = first_lanes(meeting(blocks[first / 8], box), count - first); lanes; lanes &= lanes - 1)
-      out[found++] = first + std::countr_zero(lanes) / 8;
-  return found;
+  return find_meeting(blocks, count, box, out);
 }
 
 REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b, int count_b) {
   std::uint64_t pairs = 0;
   for (int i = 0; i < count_a; ++i) {
-    const std::uint64_t lanes = first_lanes(meeting(b, a.get(i)), count_b);
+    const std::uint64_t lanes = first_bytes(meeting(b, a.get(i)), count_b);
     pairs |= (lanes * 0x0102040810204080 >> 56) << 8 * i;  // gathers the bytes' lowest bits
   }
   return pairs;
@@ -256,15 +249,10 @@ REFITLAB_KERNEL void filter_pairs(const PaddedVertex* corners_a, const PaddedVer
         corners_a, [](const TrianglePairCandidate& p) { return p.a; }, a);
     load(
         corners_b, [](const TrianglePairCandidate& p) { return p.b; }, b);
-    const PlaneSides<S> of_b(a, b), of_a(b, a);
-    const auto are_apart = of_a.are_one() || of_b.are_one(), cross = !are_apart && of_a.are_certain() && of_b.are_certain();
-    bool apart[width], meet[width] = {};
-    are_apart.copy_to(apart, std::experimental::element_aligned);
-    if (any_of(cross)) {
-      const auto gap = sign_of_gap(of_a, of_b, a, b);
-      (are_apart || (cross && gap.is_positive)).copy_to(apart, std::experimental::element_aligned);
-      (cross && gap.is_negative).copy_to(meet, std::experimental::element_aligned);
-    }
+    const auto filtered = filter_lanes<S>(a, b);
+    bool apart[width], meet[width];
+    filtered.are_apart.copy_to(apart, std::experimental::element_aligned);
+    filtered.meet.copy_to(meet, std::experimental::element_aligned);
     for (int lane = 0; lane < lanes; ++lane)
       answers[first + lane] = apart[lane] ? Filtered::apart : meet[lane] ? Filtered::meet : Filtered::unknown;
   }

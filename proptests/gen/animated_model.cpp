@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proptests/gen/animated_model.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "algorithms/runtime/mesh/quantize.hpp"
+
+namespace proptests::gen {
+
+using namespace refitlab;
+
+namespace {
+
+class ModelMaker {
+ public:
+  explicit ModelMaker(const AnimatedPlan& plan) : plan_(plan), random_(plan.seed) {}
+
+  Model make() {
+    model_.name = model_.skeleton.file = "generated";
+    Animation animation{"clip", plan_.duration, {}};
+    for (int n = 0; n < plan_.nodes; ++n) add_node(n, animation);
+    for (int j = 0; j < plan_.joints; ++j) add_joint(j);
+    for (int v = 0; v < plan_.vertices; ++v) add_vertex();
+    model_.triangles.push_back({0, plan_.vertices / 2, plan_.vertices - 1});
+    validate(model_);
+    model_.clips.push_back({"clip", plan_.duration, {}, animation});
+    return model_;
+  }
+
+ private:
+  int pick(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  bool chance(double p) { return std::uniform_real_distribution<double>(0, 1)(random_) < p; }
+  double real() { return chance(0.2) ? pick(-4, 4) / 4.0 : std::uniform_real_distribution<double>(-1, 1)(random_); }
+  Eigen::Vector3d vector() { return {real(), real(), real()}; }
+  double magnitude(double least, double most) {
+    return std::exp(std::uniform_real_distribution<double>(std::log(least), std::log(most))(random_));
+  }
+  Eigen::Quaterniond turn() {
+    Eigen::Vector4d v(real(), real(), real(), real());
+    while (v.norm() < 0.1) v = Eigen::Vector4d(real(), real(), real(), real() + 1);
+    return Eigen::Quaterniond(Eigen::Vector4d(v.normalized()));
+  }
+  Eigen::Vector3d position() {
+    return chance(0.15) ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(plan_.unit * vector());
+  }
+  Eigen::Vector3d scale() {
+    if (plan_.rigid) return Eigen::Vector3d::Ones() + plan_.noise * vector();
+    if (plan_.smooth || chance(0.3)) return Eigen::Vector3d::Ones() + 0.3 * vector();
+    if (chance(0.1)) return Eigen::Vector3d::Zero();
+    if (chance(0.2)) return magnitude(1e-3, 1e3) * vector();
+    return 2 * vector();
+  }
+  Eigen::Matrix4d rigid() {
+    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+    m.topLeftCorner<3, 3>() = chance(0.2) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : turn().toRotationMatrix();
+    m.topRightCorner<3, 1>() = position();
+    return m;
+  }
+  Eigen::Matrix4d affine() {
+    Eigen::Matrix4d m = rigid();
+    if (plan_.rigid || chance(0.4)) return m;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) m(i, j) = 2 * real();
+    if (chance(0.1)) m.col(pick(0, 2)).setZero();
+    return m;
+  }
+
+  // In order; some of them together, at the ends, before 0 and beyond the duration.
+  std::vector<double> times() {
+    const double scale = plan_.duration > 0 ? plan_.duration : 1;
+    std::vector<double> out;
+    const int count = plan_.smooth ? pick(2, 4) : pick(1, 5);
+    for (int k = 0; k < count; ++k) {
+      double share = std::uniform_real_distribution<double>(-0.5, 1.5)(random_);
+      if (plan_.smooth) share = (k + 0.5 * real()) / std::max(1, count - 1);
+      else if (chance(0.5)) share = pick(-2, 10) / 8.0;
+      out.push_back(scale * share);
+    }
+    if (!plan_.smooth)
+      for (int k = 1; k < count; ++k)
+        if (chance(0.15)) out[k] = out[k - 1];
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  Interpolation interpolation(bool of_rotations) {
+    if (plan_.smooth) return chance(0.5) && (!of_rotations || plan_.cubic) ? Interpolation::cubic : Interpolation::linear;
+    const int kind = pick(0, 3);
+    if (kind == 0) return Interpolation::step;
+    return kind == 1 && (!of_rotations || plan_.cubic) ? Interpolation::cubic : Interpolation::linear;
+  }
+
+  template <class Make>
+  Channel<Eigen::Vector3d> vectors(const Make& make, double size) {
+    Channel<Eigen::Vector3d> out;
+    out.interpolation = interpolation(false);
+    for (const double t : times()) {
+      const bool again = !out.keys.empty() && chance(0.2);
+      out.keys.push_back({t, again ? out.keys.back().value : make()});
+      if (plan_.smooth && out.keys.size() > 1 && !again) {
+        const Eigen::Vector3d before = out.keys[out.keys.size() - 2].value;
+        out.keys.back().value = before + 0.3 * (out.keys.back().value - before);
+      }
+    }
+    for (std::size_t k = 0; out.interpolation == Interpolation::cubic && k < out.keys.size(); ++k)
+      out.tangents.push_back({tangent(size), tangent(size)});
+    return out;
+  }
+  Eigen::Vector3d tangent(double size) { return rate() * size * vector(); }
+  double rate() {
+    const double most = plan_.smooth ? 1 : chance(0.2) ? 0 : chance(0.2) ? 100 : 4;
+    return most / (plan_.duration > 0 ? plan_.duration : 1);
+  }
+
+  // A key after q: anywhere, the same, the opposite one or nearly so, half a turn away or nearly so, or a little further.
+  Eigen::Quaterniond next_turn(const Eigen::Quaterniond& q) {
+    const Eigen::Vector4d c = q.coeffs(), across = Eigen::Vector4d(c[3], -c[2], c[1], -c[0]);
+    if (plan_.smooth) return Eigen::Quaterniond(Eigen::Vector4d((c + 0.4 * turn().coeffs()).normalized()));
+    switch (pick(0, 8)) {
+      case 0: return q;
+      case 1: return Eigen::Quaterniond(Eigen::Vector4d(-c));
+      case 2: return Eigen::Quaterniond(Eigen::Vector4d((-c + magnitude(1e-15, 1e-3) * turn().coeffs()).normalized()));
+      case 3: return Eigen::Quaterniond(Eigen::Vector4d((c + magnitude(1e-15, 1e-3) * turn().coeffs()).normalized()));
+      case 4: return Eigen::Quaterniond(across);
+      case 5: return Eigen::Quaterniond(Eigen::Vector4d((across + magnitude(1e-12, 1e-2) * real() * c).normalized()));
+      default: return turn();
+    }
+  }
+  Channel<Eigen::Quaterniond> turns() {
+    Channel<Eigen::Quaterniond> out;
+    out.interpolation = interpolation(true);
+    for (const double t : times()) out.keys.push_back({t, out.keys.empty() ? turn() : next_turn(out.keys.back().value)});
+    if (out.interpolation != Interpolation::cubic) return out;
+    for (std::size_t k = 1; k < out.keys.size(); ++k) {
+      Eigen::Quaterniond& q = out.keys[k].value;
+      const Eigen::Vector4d before = out.keys[k - 1].value.coeffs();
+      // The spline goes through quaternions themselves: mostly the shorter way, since the longer one may lead through zero.
+      if (plan_.near_zero && chance(0.5)) q.coeffs() = (-before + magnitude(1e-7, 0.3) * turn().coeffs()).normalized();
+      else if (before.dot(q.coeffs()) < (chance(0.9) ? 0.1 : -0.9)) q.coeffs() = (before + 0.5 * turn().coeffs()).normalized();
+    }
+    for (std::size_t k = 0; k < out.keys.size(); ++k) {
+      const double size = (plan_.near_zero ? 0 : plan_.smooth ? 0.5 : chance(0.1) ? 30 : 1) * rate();
+      const auto any = [&] {
+        return Eigen::Quaterniond(Eigen::Vector4d(size * Eigen::Vector4d(real(), real(), real(), real())));
+      };
+      out.tangents.push_back({any(), any()});
+    }
+    return out;
+  }
+
+  void add_node(int n, Animation& animation) {
+    const int parent = n == 0 || (!plan_.smooth && chance(0.1)) ? -1 : chance(0.5) ? n - 1 : pick(0, n - 1);
+    model_.skeleton.nodes.push_back({"node " + std::to_string(n), parent, affine()});
+    if (n == 0 && plan_.root_scale != 1) {
+      model_.skeleton.nodes.back().local.topLeftCorner<3, 3>() *= plan_.root_scale;
+      if (plan_.far == 0) return;
+    }
+    if (plan_.far > 0 && n < 2) {  // there, and back
+      auto& local = model_.skeleton.nodes.back().local;
+      if (n == 0) local = Eigen::Vector4d(plan_.root_scale, plan_.root_scale, plan_.root_scale, 1).asDiagonal();
+      local(0, 3) += n == 0 ? plan_.far * plan_.unit : -plan_.far * plan_.unit / plan_.root_scale;
+      if (n == 0) return;
+    }
+    if (chance(0.25)) return;
+    const Eigen::Vector3d back =
+        plan_.far > 0 && n == 1 ? Eigen::Vector3d(-plan_.far * plan_.unit / plan_.root_scale, 0, 0) : Eigen::Vector3d(0, 0, 0);
+    animation.tracks.push_back({n, vectors([&] { return Eigen::Vector3d(back + position()); }, plan_.unit), turns(),
+                                vectors([&] { return scale(); }, plan_.rigid ? plan_.noise : 1)});
+    if (plan_.rigid && plan_.noise == 0) animation.tracks.back().scales = {{{0, Eigen::Vector3d::Ones()}}};
+    std::shuffle(animation.tracks.begin(), animation.tracks.end(), random_);
+  }
+
+  void add_joint(int j) {
+    Eigen::Matrix4d offset = affine();
+    const int node = pick(0, plan_.nodes - 1);
+    int root = node;
+    while (model_.skeleton.nodes[root].parent >= 0) root = model_.skeleton.nodes[root].parent;
+    if (root == 0) offset.topRows<3>() /= plan_.root_scale;
+    if (plan_.far > 0) offset.topRightCorner<3, 1>() -= offset.topLeftCorner<3, 3>() * away();
+    model_.skeleton.joints.push_back({"joint " + std::to_string(j), node, pick(-1, j - 1), offset});
+    const Eigen::Matrix3d m = offset.topLeftCorner<3, 3>();
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    if (std::abs(m.determinant()) > 1e-3) origin = -m.inverse() * offset.topRightCorner<3, 1>();
+    model_.joints.push_back({"joint " + std::to_string(j), model_.skeleton.joints.back().parent, origin});
+  }
+
+  // Where the reference pose is.
+  Eigen::Vector3d away() const { return plan_.far * plan_.unit * Eigen::Vector3d(0.6, 0, 0.8); }
+
+  void add_vertex() {
+    const int near = pick(0, plan_.joints - 1);
+    model_.vertices.push_back(chance(0.15) ? model_.joints[near].origin
+                                           : Point3(plan_.far > 0 ? Point3(away() + position()) : position()));
+    std::vector<int> all;
+    for (int j = 0; j < plan_.joints; ++j) all.push_back(j);
+    std::shuffle(all.begin(), all.end(), random_);
+    all.resize(std::min<std::size_t>(all.size(), pick(1, 4)));
+    std::vector<std::pair<int, double>> weights;
+    const bool equal = chance(0.3);
+    for (const int j : all) weights.emplace_back(j, equal ? 1 : chance(0.15) ? magnitude(1e-7, 1e-2) : 0.05 + std::abs(real()));
+    model_.influences.emplace_back();
+    for (const auto& [joint, weight] : quantize_weights(weights)) model_.influences.back().push_back({joint, weight});
+  }
+
+  const AnimatedPlan& plan_;
+  std::mt19937 random_;
+  Model model_;
+};
+
+}  // namespace
+
+Model animated_model(const AnimatedPlan& plan) { return ModelMaker(plan).make(); }
+
+AnimatedPlan draw_animated_plan(bool rigid) {
+  const auto full = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
+  AnimatedPlan plan;
+  plan.rigid = rigid;
+  plan.nodes = full(1, 8), plan.joints = full(1, 7), plan.vertices = full(1, 6);
+  plan.unit = *rc::gen::element(1.0, 1.0, 1e-6, 1e6);
+  plan.duration = *rc::gen::element(1.0, 1.0, 2.5, 1e-6, 1e6, 0.0);
+  plan.cubic = full(0, 2) == 1;
+  plan.near_zero = plan.cubic && full(0, 4) == 0;
+  plan.noise = rigid ? *rc::gen::element(0.0, 0.0, 1e-9, 1e-4, 2e-4) : 0;
+  plan.root_scale = *rc::gen::element(1.0, 1.0, 1.0, 0.01, 100.0, -1.0, -3.0);
+  plan.far = *rc::gen::element(0.0, 0.0, 0.0, 1e6);
+  plan.seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<unsigned>());
+  return plan;
+}
+
+AnimatedPlan draw_smooth_plan(bool rigid) {
+  AnimatedPlan plan = draw_animated_plan(rigid);
+  plan.smooth = true, plan.near_zero = false, plan.far = 0, plan.noise = 0;
+  plan.nodes = std::min(plan.nodes, 4);
+  if (plan.duration == 0) plan.duration = 1;
+  return plan;
+}
+
+bool is_degenerate(const AnimatedPlan& plan) {
+  return plan.duration == 0 || plan.far > 0 || plan.near_zero || plan.nodes == 1 || plan.joints == 1;
+}
+
+void showValue(const AnimatedPlan& plan, std::ostream& out) {
+  out << (plan.rigid ? "rigid" : "affine") << ", " << plan.nodes << " nodes, " << plan.joints << " joints, " << plan.vertices
+      << " vertices, unit " << plan.unit << ", duration " << plan.duration << (plan.smooth ? ", smooth" : "")
+      << (plan.cubic ? ", cubic" : "") << (plan.near_zero ? ", near zero" : "") << ", noise " << plan.noise << ", root scale "
+      << plan.root_scale << ", far " << plan.far << ", seed " << plan.seed;
+}
+
+}  // namespace proptests::gen

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Models with a skeleton of keys, with everything that channels, trees of nodes, offsets and weights may be.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "algorithms/model/model.hpp"
+
+namespace proptests::gen {
+
+// What a model has; its numbers follow from the seed.
+struct AnimatedPlan {
+  bool rigid = false;      // skin matrices are rotations and translations, but for noise; else anything affine
+  int nodes = 1;           // 1 to 7, in any tree or trees
+  int joints = 1;          // 1 to 6, several on a node perhaps
+  int vertices = 1;        // 1 to 5
+  double unit = 1;         // 1e-6 to 1e6
+  double duration = 1;     // 0 to 1e6
+  bool smooth = false;     // turns are small, nothing jumps, tangents are moderate
+  bool cubic = false;      // splines of rotations, too
+  double noise = 0;        // of the scales of a rigid model
+  double root_scale = 1;   // of the first node, which offsets undo; negative for a mirror
+  double far = 0;          // how far things are moved there and back, in units
+  bool near_zero = false;  // some spline of rotations passes near zero
+  unsigned seed = 0;
+};
+
+AnimatedPlan draw_animated_plan(bool rigid);          // within a property
+AnimatedPlan draw_smooth_plan(bool rigid);            // within a property
+refitlab::Model animated_model(const AnimatedPlan&);  // its only clip has the animation
+
+// Whether something about it is a special case.
+bool is_degenerate(const AnimatedPlan& plan);
+
+void showValue(const AnimatedPlan& plan, std::ostream& out);
+
+}  // namespace proptests::gen
