@@ -242,11 +242,11 @@ bool is_degenerate(const AnimatedPlan& plan) {
   return plan.duration == 0 || plan.far > 0 || plan.near_zero || plan.nodes == 1 || plan.joints == 1;
 }
 
-void showValue(const AnimatedPlan& plan, std::ostream& out) {
-  out << (plan.rigid ? "rigid" : "affine") << ", " << plan.nodes << " nodes, " << plan.joints << " joints, " << plan.vertices
-      << " vertices, unit " << plan.unit << ", duration " << plan.duration << (plan.smooth ? ", smooth" : "")
-      << (plan.cubic ? ", cubic" : "") << (plan.near_zero ? ", near zero" : "") << ", noise " << plan.noise << ", root scale "
-      << plan.root_scale << ", far " << plan.far << ", seed " << plan.seed;
+std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan) {
+  return out << (plan.rigid ? "rigid" : "affine") << ", " << plan.nodes << " nodes, " << plan.joints << " joints, "
+             << plan.vertices << " vertices, unit " << plan.unit << ", duration " << plan.duration
+             << (plan.smooth ? ", smooth" : "") << (plan.cubic ? ", cubic" : "") << (plan.near_zero ? ", near zero" : "")
+             << ", noise " << plan.noise << ", root scale " << plan.root_scale << ", far " << plan.far << ", seed " << plan.seed;
 }
 
 }  // namespace proptests::gen

@@ -32,6 +32,6 @@ refitlab::Model animated_model(const AnimatedPlan&);  // its only clip has the a
 // Whether something about it is a special case.
 bool is_degenerate(const AnimatedPlan& plan);
 
-void showValue(const AnimatedPlan& plan, std::ostream& out);
+std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan);
 
 }  // namespace proptests::gen
