@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/b7_motion_bound.hpp"
@@ -77,6 +78,7 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
       joint_sets_(sets),
       skinning_(skinning),
       vertices_(std::move(vertices)) {
+  const DefaultFloatEnvironment environment;
   if (skinning == Skinning::hejl) throw std::invalid_argument("MovingVertices: there are no bounds over time of Hejl's centers");
   const BoundSkeleton& skeleton = joints.model().skeleton;
   std::map<int, Set> by_index;
@@ -99,6 +101,7 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
 }
 
 void MovingVertices::place(double time, Side side, Followed followed, std::vector<Point3>& points) const {
+  const DefaultFloatEnvironment environment;
   const PosedJoints& posed = joints_.at(time, side);
   const std::vector<Point3>& reference = joints_.model().vertices;
   const bool is_linear = skinning_ == Skinning::linear || followed == Followed::linear_blend;
@@ -128,6 +131,7 @@ void MovingVertices::place(double time, Side side, Followed followed, std::vecto
 }
 
 IntervalSlack MovingVertices::slack(int part, double start, double end, bool must) const {
+  const DefaultFloatEnvironment environment;
   const auto blends = [&](const Set& set) { return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1; };
   IntervalSlack out;
   if (skinning_ != Skinning::spherical) {
@@ -243,6 +247,7 @@ double MovingVertices::relative_rounding(const Set& set, int part) const {
 }
 
 double MovingVertices::placing_error(int part) const {
+  const DefaultFloatEnvironment environment;
   double error = 0;
   for (const Set& set : sets_) {
     const auto joints = joint_sets_.joints(set.index);

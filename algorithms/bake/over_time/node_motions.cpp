@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "algorithms/runtime/packs/float_environment.hpp"
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
 
@@ -136,11 +137,13 @@ ChainMotion<double> at_rest(const Eigen::Matrix4d& local) {
 }  // namespace
 
 Stretch stretch_of(const Eigen::Matrix4d& matrix) {
+  const DefaultFloatEnvironment environment;
   const Eigen::Vector3d factors = Eigen::Matrix3d(matrix.topLeftCorner<3, 3>()).jacobiSvd().singularValues();
   return {factors[2], factors[0]};
 }
 
 std::vector<double> smooth_times(const std::string& file, const std::vector<SceneNode>& nodes, const Animation& animation) {
+  const DefaultFloatEnvironment environment;
   std::vector<double> times = key_times(animation, std::numeric_limits<std::size_t>::max());
   const auto fail = [&](const NodeTrack& track) {
     throw ModelError(file, "clip '" + animation.name + "', joint '" + nodes[track.node].name + "'",
@@ -161,6 +164,7 @@ bool jumps_at(const Animation& animation, double time) {
 
 std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& nodes, const Animation& animation, double start,
                                               double end) {
+  const DefaultFloatEnvironment environment;
   std::vector<ChainMotion<double>> links;
   for (const SceneNode& node : nodes) links.push_back(at_rest(node.local));
   for (const NodeTrack& track : animation.tracks) {
@@ -174,6 +178,7 @@ std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& node
 }
 
 std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animation& animation, double start, double end) {
+  const DefaultFloatEnvironment environment;
   std::vector<Stretch> out;
   for (const SceneNode& node : nodes) out.push_back(stretch_of(node.local));
   for (const NodeTrack& track : animation.tracks) {
@@ -200,6 +205,7 @@ std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animat
 }
 
 double growth_of_rounding(const Animation& animation, double start, double end) {
+  const DefaultFloatEnvironment environment;
   double growth = 1;
   for (const NodeTrack& track : animation.tracks)
     if (const auto part = rotation_spline(track, start, end)) {
