@@ -6,7 +6,8 @@ function(refitlab_kernels library)
   file(GLOB_RECURSE kernels CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/runtime/*_kernel.cpp)
   set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS -O3)
   # Products and sums may be fused where nothing but the size of what rounding loses is counted on: fused ones lose less.
-  foreach(kernel batch/refit_kernel collide/motion_bound_kernel collide/motion_bound_piece_kernel)
+  foreach(kernel batch/refit_kernel batch/float_skin_kernel collide/cluster_pair_kernel collide/motion_bound_kernel
+                 collide/motion_bound_piece_kernel)
     set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/runtime/${kernel}.cpp PROPERTIES
                                 COMPILE_OPTIONS "-O3;-ffp-contract=fast")
   endforeach()

@@ -112,9 +112,9 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
   if (options.wants("speed"))
     write_ball_speed(resumed_or(run, "ball speed", options.speed, "", [&] { return run_ball_speed(options.speed); }),
                      result("ball_speed.csv"));
-  if (options.wants("queries"))
-    write_queries(resumed_or(run, "queries", options.queries, "", [&] { return run_queries(options.queries); }), options.queries,
-                  result("queries.csv"));
+  if (options.wants("synthetic"))
+    write_synthetic(resumed_or(run, "synthetic", options.synthetic, "", [&] { return run_synthetic(options.synthetic); }),
+                    options.synthetic, result("synthetic.csv"));
 }
 
 // On one's own models what has nothing to do with a model runs only if it is asked for.
@@ -126,7 +126,7 @@ std::size_t unit_count(const Options& options, std::size_t models) {
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
                       count("rounding", models) + count("collisions", with_collisions);
-  if (runs_without_model(options)) units += count("growth", 3) + count("speed", 1) + count("queries", 1);
+  if (runs_without_model(options)) units += count("growth", 3) + count("speed", 1) + count("synthetic", 1);
   return units;
 }
 

@@ -8,7 +8,7 @@
 namespace refitlab {
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "queries"};
+const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "synthetic"};
 
 // Whether everything runs at all: collisions of one character only, too few repetitions for times to mean much.
 void measure_quickly(Options& o) {
@@ -20,7 +20,7 @@ void measure_quickly(Options& o) {
   o.rounding = {.poses = 1, .vertices_per_node = 1, .speed = speed};
   o.collisions = {.frames = 2, .speed = once, .first_model_only = true};
   o.triangles = {.frames = 2, .speed = once};
-  o.queries.count = 1000;
+  o.synthetic.count = 1000;
 }
 
 // What the paper and README say.
@@ -33,7 +33,7 @@ void measure_fully(Options& o) {
   o.rounding = {.poses = 20, .vertices_per_node = 8, .speed = {.seconds_per_run = 0.05, .repetitions = 7}};
   o.collisions = {.frames = 50, .speed = {.seconds_per_run = 0.05, .repetitions = 5}, .all_detectors = true};
   o.triangles = {.frames = 20, .up_to_a_million = true, .speed = {.seconds_per_run = 0.1, .repetitions = 5}};
-  o.queries.count = 50000;
+  o.synthetic.count = 50000;
 }
 
 }  // namespace

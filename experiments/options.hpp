@@ -11,7 +11,7 @@
 #include "experiments/growth/triangles.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/timing.hpp"
-#include "experiments/synthetic/queries.hpp"
+#include "experiments/synthetic/synthetic.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
 
@@ -28,7 +28,7 @@ struct Options {
   RoundingSettings rounding{.poses = 1, .vertices_per_node = 2, .speed = speed};
   CollisionSettings collisions{.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 3}};
   TriangleGrowthSettings triangles{.frames = 2, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
-  QuerySettings queries{.count = 2000};
+  SyntheticSettings synthetic{.count = 2000};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }

@@ -156,4 +156,4 @@ Verdict stays_in_reference(const MorphedVertex<S>& vertex, const Ball3<S>& refer
 
 // Sources: none; for what displaces vertices [James, Pai 2004, "BD-tree: output-sensitive collision detection for reduced
 // deformable models"].
-// Used by: experiments/drawings/motion.cpp.
+// Used by: algorithms/bake/over_time/moving_vertices.cpp, experiments/drawings/motion.cpp.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: blend skinning is a rational Bezier simplex in the weights.
 //
-// Statement. Let the corners k = 1 ... m of a simplex of weights carry what is linear in the weights, and let u have
-// the sum 1. A sum over I = (j <= k <= l) takes each multi-index once, with the Bernstein polynomial B_I(u): the
+// Statement. Let the weight vertices k = 1 ... m, which span a simplex, carry what is linear in the weights, and let u
+// have the sum 1. A sum over I = (j <= k <= l) takes each multi-index once, with the Bernstein polynomial B_I(u): the
 // product of u_j, u_k, u_l times the number of orderings of I. The deformed point is v'(u) = sum_I B_I(u) N_I / sum_I
 // B_I(u) W_I, with
 // - degree 1, linear blending, p_k the images of the point: W_k = 1, N_k = p_k;
@@ -37,7 +37,7 @@ struct ScaledPoint {
   S denominator;
 };
 
-// N_I / W_I for the corners of a sorted multi-index I.
+// N_I / W_I for the weight vertices of a sorted multi-index I.
 template <class S>
 struct ControlPoint {
   std::vector<std::size_t> index;
@@ -45,16 +45,16 @@ struct ControlPoint {
   S weight;
 };
 
-// W_kl, and P_kl or, of degree 2, N_kl of two corners.
+// W_kl, and P_kl or, of degree 2, N_kl of two weight vertices.
 template <class S>
-struct MixedCorners {
+struct MixedPair {
   S weight;
   Vec<S, 3> numerator;
 };
 
 // W_kl and P_kl. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
 template <class S>
-MixedCorners<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
+MixedPair<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
   const Vec<S, 3> va = imaginary(a), vb = imaginary(b);
   const S real = a[0] * b[0], imag = dot(va, vb);
   const Vec<S, 3> turn = cross<S>(vb * a[0] + va * b[0], x);
@@ -70,14 +70,14 @@ Vec<S, 3> scaled_translation(const Quaternion<S>& dual, const Quaternion<S>& rot
 
 // W_kl and N_kl = P_kl + T_kl: the control point of degree 2.
 template <class S>
-MixedCorners<S> mix_motions(const BlendedDuals<S>& a, const BlendedDuals<S>& b, const Vec<S, 3>& point) {
-  const MixedCorners<S> turned = mix_rotations(a.rotation, b.rotation, point);
+MixedPair<S> mix_motions(const BlendedDuals<S>& a, const BlendedDuals<S>& b, const Vec<S, 3>& point) {
+  const MixedPair<S> turned = mix_rotations(a.rotation, b.rotation, point);
   return {turned.weight, turned.numerator + scaled_translation(a.dual, b.rotation) + scaled_translation(b.dual, a.rotation)};
 }
 
-// 3 N_jkl and 3 W_jkl: the control point of degree 3, of the mixed pairs of its corners and their center images.
+// 3 N_jkl and 3 W_jkl: the control point of degree 3, of the mixed pairs of its weight vertices and their center images.
 template <class S>
-ScaledPoint<S> spherical_control_point(const MixedCorners<S>& jk, const MixedCorners<S>& kl, const MixedCorners<S>& jl,
+ScaledPoint<S> spherical_control_point(const MixedPair<S>& jk, const MixedPair<S>& kl, const MixedPair<S>& jl,
                                        const Vec<S, 3>& center_j, const Vec<S, 3>& center_k, const Vec<S, 3>& center_l) {
   const Vec<S, 3> turned = jk.numerator + kl.numerator + jl.numerator;
   const Vec<S, 3> moved = center_j * kl.weight + center_k * jl.weight + center_l * jk.weight;
@@ -142,7 +142,7 @@ struct SphericalBlend {
 
 // --- Multi-indices and Bernstein polynomials ---
 
-// Calls visit(index) for each sorted list of `degree` corners out of m, extending the given one.
+// Calls visit(index) for each sorted list of `degree` weight vertices out of m, extending the given one.
 template <class Visit>
 void for_each_index(std::size_t m, int degree, Visit&& visit, std::vector<std::size_t> index = {}) {
   if (static_cast<int>(index.size()) == degree) return visit(index);

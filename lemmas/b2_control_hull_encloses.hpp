@@ -44,7 +44,7 @@ Verdict control_hull_hypotheses(const std::vector<ControlPoint<S>>& points, std:
   return control_weights_are_positive(points) & is_convex(u);
 }
 
-// The sufficient condition: all corners are less than a right angle apart on S_3 (and none is 0).
+// The sufficient condition: all weight vertices are less than a right angle apart on S_3 (and none is 0).
 template <class S>
 Verdict pairs_are_positive(const std::vector<Quaternion<S>>& rotations) {
   Verdict v = Verdict::holds;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: halving a simplex of weights at an edge tightens its control points as far as wanted.
 //
-// Statement. Let a spherical blend have the corners (q'_i, r'_i), and let the halves at the edge (k, l) have its middle
-// ((q'_k + q'_l) / 2, (r'_k + r'_l) / 2) in place of l and in place of k.
+// Statement. Let a spherical blend have the weight vertices (q'_i, r'_i), and let the halves at the edge (k, l) have
+// its middle ((q'_k + q'_l) / 2, (r'_k + r'_l) / 2) in place of l and in place of k.
 // 1. Cover: every blend with u in W_m is one of a half with u' in W_m, and the other way round. So the control points
 //    of both halves together hold what those of the whole hold, if their weights are positive
 //    (b2_control_hull_encloses); and if the weights of the whole are positive, the control points of a half are in the
 //    hull of the whole's.
 // 2. Rate: let ||q'_i - q'_k|| <= s, ||r'_i - r'_k|| <= t, ||q'_i|| <= b, ||x|| <= a. The control point of I =
-//    (j, k, l) is near the surface's point at the mean u of the three corners:
+//    (j, k, l) is near the surface's point at the mean u of the three weight vertices:
 //      W_I ||N_I / W_I - v'(u)|| <= a s^2 / 3 + b s t / 3 + s^2 t / 5,
 //    and W_I >= ||q(u)||^2 - s^2 / 6. Half the sizes s and t leave at most a quarter of the distance bound.
 //    Halving the longest edge of all makes it half as long and leaves the new edges at most sqrt(3)/2 of it.
@@ -17,12 +17,12 @@
 //    short enough; and for quaternions of equal length, both parts of an edge are after one halving, unless the blend
 //    in its middle is 0.
 //
-// Notation: as in b1; u' -> coefficients, s, t, b, a -> sizes, the mean of three corners -> middle_weights.
+// Notation: as in b1; u' -> coefficients, s, t, b, a -> sizes, the mean of three weight vertices -> middle_weights.
 //
 // Proof. 1. u_k c_k + u_l c_l = (u_k - u_l) c_k + 2 u_l (c_k + c_l) / 2 for u_l <= u_k; control points are multilinear
-// in the corners. 2. With q'_i = q + e_i, r'_i = r + f_i about the means: W_I = ||q||^2 - sum ||e_i||^2 / 6, and W_I
-// (N_I / W_I - v'(u)) = R_q x sum ||e_i||^2 / 6 - sum Im(e_i x e_i*) / 6 + sum f_j ((e_k, e_l) - (q, e_j)) / 3. Cauchy
-// and Schwarz, with sum ||e_i||^2 <= s^2 and sum ||f_i||^2 <= t^2, leave the factors 1/3, 1/3 and 1 / (3 sqrt 3) <=
+// in the weight vertices. 2. With q'_i = q + e_i, r'_i = r + f_i about the means: W_I = ||q||^2 - sum ||e_i||^2 / 6,
+// and W_I (N_I / W_I - v'(u)) = R_q x sum ||e_i||^2 / 6 - sum Im(e_i x e_i*) / 6 + sum f_j ((e_k, e_l) - (q, e_j)) / 3.
+// Cauchy and Schwarz, with sum ||e_i||^2 <= s^2 and sum ||f_i||^2 <= t^2, leave the factors 1/3, 1/3 and 1 / (3 sqrt 3) <=
 // 1/5. 3. Expand.
 #pragma once
 
@@ -44,9 +44,9 @@ Vec<S, D> middle_of(const Vec<S, D>& a, const Vec<S, D>& b) {
   return (a + b) / S(2);
 }
 
-// The edge of a simplex of m corners to cut: the pair with the smallest normalised dot product W_kl, compared without roots
-// or quotients; dot_of(k, l) is W_kl. A corner that may be 0 makes any pair of it the widest. (1, 0) of equally wide ones
-// and (0, 0) of a single corner.
+// The edge of a simplex of m weight vertices to cut: the pair with the smallest normalised dot product W_kl, compared
+// without roots or quotients; dot_of(k, l) is W_kl. A weight vertex that may be 0 makes any pair of it the widest.
+// (1, 0) of equally wide ones and (0, 0) of a single weight vertex.
 template <class S, class Dots>
 std::pair<std::size_t, std::size_t> widest_edge(std::size_t m, const Dots& dot_of) {
   std::pair<std::size_t, std::size_t> widest{m > 1 ? 1 : 0, 0};
@@ -133,7 +133,7 @@ HalfPoint<S> half_in_whole(const SphericalBlend<S>& blend, const Half& half, std
 }
 
 // The control point of a half as a convex combination of the whole's. The positions of its multi-index that hold the
-// new corner are shared out to both ends of the edge; the coefficients belong to control_points(blend).
+// new weight vertex are shared out to both ends of the edge; the coefficients belong to control_points(blend).
 template <class S>
 HullCombination<S> half_control_point_in_hull(const SphericalBlend<S>& blend, const Half& half,
                                               const std::vector<std::size_t>& index) {
@@ -189,7 +189,7 @@ S distance_bound(const SimplexSizes<S>& sizes) {
   return sizes.arm * sq(s) / S(3) + sizes.rotation_length * s * t / S(3) + sq(s) * t / S(5);
 }
 
-// The mean of the corners of I.
+// The mean of the weight vertices of I.
 template <class S>
 std::vector<S> middle_weights(const std::vector<std::size_t>& index, std::size_t m) {
   std::vector<S> u(m, S(0));

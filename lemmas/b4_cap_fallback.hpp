@@ -5,8 +5,8 @@
 // With h = max(2 kappa^2 - 1, 0), every vertex v' = R_b x + sum u_k r'_k + y with u in W_m, b = sum u_k q'_k not 0 and
 // ||y|| <= r is in the hull of the balls [r'_k + h R_c x, sqrt(1 - h^2) ||x|| + r], whatever the signs of the W_kl =
 // (q'_k, q'_l). If all W_kl >= 0 and no q'_k is 0, the cap about c = sum q'_k is there too: all (q'_k, c) > 0. So the
-// control hull asks for more than the cap; but neither bound is inside the other (for two corners apart by a rotation
-// of more than a right angle, a control point of degree 2 is outside the cap's ball; on a twist the cap is larger,
+// control hull asks for more than the cap; but neither bound is inside the other (for two weight vertices apart by a
+// rotation of more than a right angle, a control point of degree 2 is outside the cap's ball; on a twist the cap is larger,
 // b5_rotation_axis).
 //
 // Replaces: lines 12 to 15 of Algorithm 1, and "take all of S_3" for r_E >= 1 (section 4.3).
@@ -94,7 +94,7 @@ FallbackSteps<S> cap_fallback_encloses(const CapFallback<S>& cap, const Vec<S, 3
   return out;
 }
 
-// Where no W_kl is negative, the cap about the sum of the corners is there: they are strictly ahead of it.
+// Where no W_kl is negative, the cap about the sum of the weight vertices is there: they are strictly ahead of it.
 template <class S>
 Verdict positive_pairs_are_ahead(const std::vector<Quaternion<S>>& rotations) {
   Verdict hypothesis = Verdict::holds, ahead = Verdict::holds;

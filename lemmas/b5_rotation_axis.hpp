@@ -86,7 +86,7 @@ TwistedPoint<S> twist_keeps_axis(const Vec<S, 3>& axis, const CapFallback<S>& ca
 template <class S>
 Verdict control_points_keep_axis(const Vec<S, 3>& axis, const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& x) {
   const AxisParts<S> parts = split_at_axis(axis, x);
-  const MixedCorners<S> mixed = mix_rotations(p, q, x), of_across = mix_rotations(p, q, parts.across);
+  const MixedPair<S> mixed = mix_rotations(p, q, x), of_across = mix_rotations(p, q, parts.across);
   const Vec<S, 3> rest = mixed.numerator - parts.along * mixed.weight, &expected = of_across.numerator;
   Verdict kept = equal(dot(rest, axis), S(0));
   for (int i = 0; i < 3; ++i) kept &= equal(rest[i], expected[i]);

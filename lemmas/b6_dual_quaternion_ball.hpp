@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: a ball around what dual quaternions make of a point, as long as their blends keep away from 0.
 //
-// Statement. Let q_k + eps d_k, k = 1 ... m, be the corners of a dual quaternion blend (b1_rational_bezier_simplex), of
-// any length, p its point and f any other, and a an axis of R^4 with all (q_k, a) > 0. With
-//   E_k = 2 d_k + q_k p - f q_k   (p and f as pure quaternions),
+// Statement. Let q_k + eps d_k, k = 1 ... m, be the weight vertices of a dual quaternion blend
+// (b1_rational_bezier_simplex), of any length, p its point and f any other, and a an axis of R^4 with all (q_k, a) > 0.
+//   With E_k = 2 d_k + q_k p - f q_k   (p and f as pure quaternions),
 // no blend with u in W_m is 0, and all v'(u) are in the ball about f of radius ||a|| max_k ||E_k|| / (q_k, a). Of a
-// corner that is not 0 and whose image is v'_k,
+// weight vertex that is not 0 and whose image is v'_k,
 //   ||E_k||^2 = ||q_k||^2 ||v'_k - f||^2 + 4 (d_k, q_k)^2 / ||q_k||^2:
 // of unit dual quaternions it is the distance of the image from f, which the ball exceeds by 1 / cosine of the angle
 // from the axis. An axis is there if and only if 0 is not in the hull of the q_k; if it is, there may be no ball: near
@@ -31,9 +31,9 @@ Quaternion<S> pure_quaternion(const Vec<S, 3>& x) {
 
 // E_k.
 template <class S>
-Quaternion<S> reach_of(const BlendedDuals<S>& corner, const Vec<S, 3>& point, const Vec<S, 3>& center) {
-  return corner.dual * S(2) + multiply(corner.rotation, pure_quaternion(point)) -
-         multiply(pure_quaternion(center), corner.rotation);
+Quaternion<S> reach_of(const BlendedDuals<S>& weight_vertex, const Vec<S, 3>& point, const Vec<S, 3>& center) {
+  return weight_vertex.dual * S(2) + multiply(weight_vertex.rotation, pure_quaternion(point)) -
+         multiply(pure_quaternion(center), weight_vertex.rotation);
 }
 
 template <class S>
@@ -43,8 +43,9 @@ Quaternion<S> reach_at(const DualQuaternionBlend<S>& blend, std::size_t k, const
 
 // ||E_k||^2 / (q_k, a)^2: what the squared radius is the greatest of, but for ||a||^2.
 template <class S>
-S squared_reach(const BlendedDuals<S>& corner, const Vec<S, 3>& point, const Quaternion<S>& axis, const Vec<S, 3>& center) {
-  return squared_norm(reach_of(corner, point, center)) / sq(dot(corner.rotation, axis));
+S squared_reach(const BlendedDuals<S>& weight_vertex, const Vec<S, 3>& point, const Quaternion<S>& axis,
+                const Vec<S, 3>& center) {
+  return squared_norm(reach_of(weight_vertex, point, center)) / sq(dot(weight_vertex.rotation, axis));
 }
 
 // The ball of the statement.
@@ -104,14 +105,14 @@ ReachedImage<S> dual_quaternion_ball_encloses(const DualQuaternionBlend<S>& blen
   return out;
 }
 
-// ||E_k||^2 of a corner that is not 0.
+// ||E_k||^2 of a weight vertex that is not 0.
 template <class S>
 Verdict reach_is_distance(const DualQuaternionBlend<S>& blend, std::size_t k, const Vec<S, 3>& center) {
   const Quaternion<S>& q = blend.rotations[k];
-  const ControlPoint<S> corner = blend.control_point({k, k});
-  const S distance = squared_distance<S, 3>(corner.numerator / corner.weight, center);
+  const ControlPoint<S> weight_vertex = blend.control_point({k, k});
+  const S distance = squared_distance<S, 3>(weight_vertex.numerator / weight_vertex.weight, center);
   return equal(squared_norm(reach_at(blend, k, center)),
-               S(corner.weight * distance + S(4) * sq(dot(blend.duals[k], q)) / corner.weight));
+               S(weight_vertex.weight * distance + S(4) * sq(dot(blend.duals[k], q)) / weight_vertex.weight));
 }
 
 }  // namespace refitlab

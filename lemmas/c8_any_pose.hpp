@@ -130,4 +130,4 @@ Verdict stays_in_guess(const Vec<S, 3>& reference, const Vec<S, 3>& posed, const
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: experiments/drawings/motion.cpp.
+// Used by: algorithms/bake/over_time/any_pose.cpp, experiments/drawings/motion.cpp.

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Section 4.1, corners span W' (Equation 4).
+// Section 4.1, weight vertices span W' (Equation 4).
 //
 // Statement. Weight bounds <l_i, h_i> cut W' = {w : l_i <= w_i <= h_i, sum w_i = 1} out of the plane of affine weights.
 // Let the list c_1 ... c_m hold points of W' only, and each point of W' that has at most one coordinate off its bounds.
 // Then every w of W' is a convex combination of the list, and every convex combination of the list is in W'. W' is
-// empty unless l_i <= h_i and sum l <= 1 <= sum h. It has at most n C(n-1, floor((n-1)/2)) corners.
+// empty unless l_i <= h_i and sum l <= 1 <= sum h. It has at most n C(n-1, floor((n-1)/2)) weight vertices.
 //
-// Paper: section 4.1, from [Matousek 2002] without a construction; the number of corners is not bounded there.
-// Notation: n -> bounds.low.size(), l_i, h_i -> bounds.low[i], bounds.high[i], c_k -> corners[k], u -> coefficients.
+// Paper: section 4.1, from [Matousek 2002] without a construction; the number of weight vertices is not bounded there.
+// Notation: n -> bounds.low.size(), l_i, h_i -> bounds.low[i], bounds.high[i], c_k -> weight_vertices[k], u ->
+// coefficients.
 //
-// Proof. From w walk away from a corner v of the smallest face of W' that holds w, until a bound stops the walk at w':
-// then w lies between v and w', and w' is in a smaller face. After at most n - 1 walks a corner is left. For the
-// number: scale the box to the unit cube and walk along its edges from all-low to all-high. The sum rises, so each of
-// the n! shortest walks passes one corner. A corner on an edge with k coordinates high lies on k! (n-1-k)! of them, a
-// corner at a vertex on more, and k! (n-1-k)! is least at k = floor((n-1)/2).
+// Proof. From w walk away from a weight vertex v of the smallest face of W' that holds w, until a bound stops the walk
+// at w': then w lies between v and w', and w' is in a smaller face. After at most n - 1 walks a weight vertex is left.
+// For the number: scale the box to the unit cube and walk along its edges from all-low to all-high. The sum rises, so
+// each of the n! shortest walks passes one weight vertex. One inside an edge of the cube with k coordinates high lies on
+// k! (n-1-k)! of them, one at a vertex of the cube on more, and k! (n-1-k)! is least at k = floor((n-1)/2).
 #pragma once
 
 #include <optional>
@@ -25,7 +26,7 @@
 namespace refitlab {
 
 template <class S>
-using Corners = std::vector<std::vector<S>>;
+using WeightVertices = std::vector<std::vector<S>>;
 
 template <class S>
 Verdict same_weights(const std::vector<S>& a, const std::vector<S>& b) {
@@ -34,9 +35,9 @@ Verdict same_weights(const std::vector<S>& a, const std::vector<S>& b) {
   return v;
 }
 
-// Calls visit(w) for the affine weights w with all coordinates but one at a bound: the only candidates for corners.
+// Calls visit(w) for the affine weights w with all coordinates but one at a bound: the only candidates for weight vertices.
 template <class S, class Visit>
-void for_each_corner_candidate(const WeightBounds<S>& bounds, Visit&& visit) {
+void for_each_weight_vertex_candidate(const WeightBounds<S>& bounds, Visit&& visit) {
   const std::size_t n = bounds.low.size();
   for (std::size_t loose = 0; loose < n; ++loose)
     for (unsigned side = 0; side < 1u << (n - 1); ++side) {
@@ -55,37 +56,38 @@ void for_each_corner_candidate(const WeightBounds<S>& bounds, Visit&& visit) {
 // --- Hypotheses ---
 
 template <class S>
-Verdict corners_are_admissible(const WeightBounds<S>& bounds, const Corners<S>& corners) {
+Verdict weight_vertices_are_admissible(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices) {
   Verdict v = Verdict::holds;
-  for (const auto& c : corners) v &= admits<S>(bounds, c);
+  for (const auto& c : weight_vertices) v &= admits<S>(bounds, c);
   return v;
 }
 
 template <class S>
-Verdict corners_are_complete(const WeightBounds<S>& bounds, const Corners<S>& corners) {
+Verdict weight_vertices_are_complete(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices) {
   Verdict v = Verdict::holds;
-  for_each_corner_candidate(bounds, [&](const std::vector<S>& candidate) {
+  for_each_weight_vertex_candidate(bounds, [&](const std::vector<S>& candidate) {
     Verdict listed = Verdict::fails;
-    for (const auto& c : corners) listed |= same_weights(c, candidate);
+    for (const auto& c : weight_vertices) listed |= same_weights(c, candidate);
     v &= implies(admits<S>(bounds, candidate), listed);
   });
   return v;
 }
 
 template <class S>
-Verdict weight_vertices_span_hypotheses(const WeightBounds<S>& bounds, const Corners<S>& corners) {
-  return corners_are_admissible(bounds, corners) & corners_are_complete(bounds, corners);
+Verdict weight_vertices_span_hypotheses(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices) {
+  return weight_vertices_are_admissible(bounds, weight_vertices) & weight_vertices_are_complete(bounds, weight_vertices);
 }
 
-// For the number of corners: a list without repetition of points with at most one coordinate off its bounds.
+// For the number of weight vertices: a list without repetition of points with at most one coordinate off its bounds.
 template <class S>
-Verdict corners_are_proper(const WeightBounds<S>& bounds, const Corners<S>& corners) {
-  Verdict v = corners_are_admissible(bounds, corners);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
+Verdict weight_vertices_are_proper(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices) {
+  Verdict v = weight_vertices_are_admissible(bounds, weight_vertices);
+  for (std::size_t k = 0; k < weight_vertices.size(); ++k) {
     Verdict tight = Verdict::fails;
-    for_each_corner_candidate(bounds, [&](const std::vector<S>& candidate) { tight |= same_weights(corners[k], candidate); });
+    for_each_weight_vertex_candidate(
+        bounds, [&](const std::vector<S>& candidate) { tight |= same_weights(weight_vertices[k], candidate); });
     v &= tight;
-    for (std::size_t l = 0; l < k; ++l) v &= !same_weights(corners[k], corners[l]);
+    for (std::size_t l = 0; l < k; ++l) v &= !same_weights(weight_vertices[k], weight_vertices[l]);
   }
   return v;
 }
@@ -94,11 +96,13 @@ Verdict corners_are_proper(const WeightBounds<S>& bounds, const Corners<S>& corn
 
 // w = sum_k u_k c_k with u in W_m.
 template <class S>
-Verdict is_corner_combination(const Corners<S>& corners, const std::vector<S>& w, const std::vector<S>& coefficients) {
-  Verdict v = verdict_of(coefficients.size() == corners.size()) & is_convex<S>(coefficients);
+Verdict is_weight_vertex_combination(const WeightVertices<S>& weight_vertices, const std::vector<S>& w,
+                                     const std::vector<S>& coefficients) {
+  Verdict v = verdict_of(coefficients.size() == weight_vertices.size()) & is_convex<S>(coefficients);
   for (std::size_t i = 0; i < w.size(); ++i) {
     S sum(0);
-    for (std::size_t k = 0; k < corners.size() && k < coefficients.size(); ++k) sum = sum + coefficients[k] * corners[k][i];
+    for (std::size_t k = 0; k < weight_vertices.size() && k < coefficients.size(); ++k)
+      sum = sum + coefficients[k] * weight_vertices[k][i];
     v &= equal(sum, w[i]);
   }
   return v;
@@ -106,7 +110,7 @@ Verdict is_corner_combination(const Corners<S>& corners, const std::vector<S>& w
 
 // w is not in the hull of the points: it lies strictly beyond all of them along the normal.
 template <class S>
-Verdict separates(const std::vector<S>& normal, const std::vector<S>& w, const Corners<S>& points) {
+Verdict separates(const std::vector<S>& normal, const std::vector<S>& w, const WeightVertices<S>& points) {
   Verdict v = Verdict::holds;
   for (const auto& p : points) {
     S gap(0);
@@ -119,16 +123,17 @@ Verdict separates(const std::vector<S>& normal, const std::vector<S>& w, const C
 // --- Conclusion ---
 
 template <class S>
-struct CornerCombination {
+struct WeightVertexCombination {
   Verdict verdict;
-  std::vector<S> coefficients;  // u: one a corner, at most n of them not 0; empty if none were found
+  std::vector<S> coefficients;  // u: one a weight vertex, at most n of them not 0; empty if none were found
 };
 
-// W' is inside the hull of the corners: the coefficients of an admissible w.
+// W' is inside the hull of the weight vertices: the coefficients of an admissible w.
 template <class S>
-CornerCombination<S> weight_vertices_span(const WeightBounds<S>& bounds, const Corners<S>& corners, const std::vector<S>& w) {
+WeightVertexCombination<S> weight_vertices_span(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
+                                                const std::vector<S>& w) {
   const std::size_t n = w.size();
-  std::vector<S> coefficients(corners.size(), S(0)), x = w;
+  std::vector<S> coefficients(weight_vertices.size(), S(0)), x = w;
   std::vector<const S*> bound(n);  // the bound that coordinate i of x is known to be at
   std::size_t loose = n;
   for (std::size_t i = 0; i < n; ++i) {
@@ -138,37 +143,37 @@ CornerCombination<S> weight_vertices_span(const WeightBounds<S>& bounds, const C
     loose -= bound[i] != nullptr;
   }
   for (S remaining(1);;) {
-    // A corner of the face of x: at every bound that x is at.
+    // A weight vertex of the face of x: at every bound that x is at.
     Verdict found = Verdict::fails;
     std::size_t k = 0;
-    for (; k < corners.size(); ++k) {
+    for (; k < weight_vertices.size(); ++k) {
       Verdict on_face = Verdict::holds;
       for (std::size_t i = 0; i < n; ++i)
-        if (bound[i]) on_face &= equal(corners[k][i], *bound[i]);
+        if (bound[i]) on_face &= equal(weight_vertices[k][i], *bound[i]);
       found |= on_face;
       if (on_face == Verdict::holds) break;
     }
-    if (k == corners.size()) return {found, {}};
-    // The first bound on the way from the corner through x.
+    if (k == weight_vertices.size()) return {found, {}};
+    // The first bound on the way from the weight vertex through x.
     std::optional<S> step;
     std::size_t hit = n;
     const S* wall = nullptr;
     for (std::size_t i = 0; i < n && loose > 1; ++i) {
-      const S direction = x[i] - corners[k][i];
+      const S direction = x[i] - weight_vertices[k][i];
       const bool up = certainly_less(S(0), direction), down = certainly_less(direction, S(0));
       if (bound[i] || !(up || down)) continue;
       const S& limit = up ? bounds.high[i] : bounds.low[i];
       const S t = max_of(S((limit - x[i]) / direction), S(0));  // not back, should w be outside W'
       if (!step || prefer_less(t, *step)) step = t, hit = i, wall = &limit;
     }
-    if (!step) {  // x is the corner
+    if (!step) {  // x is the weight vertex
       coefficients[k] = coefficients[k] + remaining;
-      return {is_corner_combination(corners, w, coefficients), coefficients};
+      return {is_weight_vertex_combination(weight_vertices, w, coefficients), coefficients};
     }
     coefficients[k] = coefficients[k] + remaining * *step / (S(1) + *step);
     remaining = remaining / (S(1) + *step);
     for (std::size_t i = 0; i < n; ++i)
-      if (!bound[i]) x[i] = x[i] + *step * (x[i] - corners[k][i]);
+      if (!bound[i]) x[i] = x[i] + *step * (x[i] - weight_vertices[k][i]);
     x[hit] = *wall;
     bound[hit] = wall;
     --loose;
@@ -181,18 +186,18 @@ struct AdmissibleWeights {
   std::vector<S> weights;  // w
 };
 
-// The hull of the corners is inside W': the admissible weights that convex coefficients make.
+// The hull of the weight vertices is inside W': the admissible weights that convex coefficients make.
 template <class S>
-AdmissibleWeights<S> corners_combine(const WeightBounds<S>& bounds, const Corners<S>& corners,
-                                     const std::vector<S>& coefficients) {
+AdmissibleWeights<S> weight_vertices_combine(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
+                                             const std::vector<S>& coefficients) {
   std::vector<S> w(bounds.low.size(), S(0));
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] = w[i] + coefficients[k] * corners[k][i];
+  for (std::size_t k = 0; k < weight_vertices.size(); ++k)
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] = w[i] + coefficients[k] * weight_vertices[k][i];
   return {admits<S>(bounds, w), w};
 }
 
 // n C(n-1, floor((n-1)/2)): 1, 2, 6, 12, 30, 60 for n = 1 ... 6.
-constexpr std::size_t most_corners(std::size_t n) {
+constexpr std::size_t most_weight_vertices(std::size_t n) {
   std::size_t count = n;
   for (std::size_t k = 1; k <= (n - 1) / 2; ++k) count = count * (n - k) / k;
   return count;
@@ -201,27 +206,27 @@ constexpr std::size_t most_corners(std::size_t n) {
 // --- Erratum: W' may be empty ---
 // The paper gives W' a hull of m points for any bounds. It is never empty for bounds taken from vertices.
 
-// A corner of W', which shows that there is one.
+// A weight vertex of W', which shows that there is one.
 template <class S>
-struct SomeCorner {
+struct SomeWeightVertex {
   Verdict verdict;
-  std::vector<S> corner;  // admissible if the verdict is that it exists
+  std::vector<S> weight_vertex;  // admissible if the verdict is that it exists
 };
 
 template <class S>
-SomeCorner<S> has_corner(const WeightBounds<S>& bounds) {
-  SomeCorner<S> best{Verdict::fails, {}};
-  for_each_corner_candidate(bounds, [&](const std::vector<S>& candidate) {
+SomeWeightVertex<S> has_weight_vertex(const WeightBounds<S>& bounds) {
+  SomeWeightVertex<S> best{Verdict::fails, {}};
+  for_each_weight_vertex_candidate(bounds, [&](const std::vector<S>& candidate) {
     const Verdict v = admits<S>(bounds, candidate);
     if (best.verdict < v) best = {v, candidate};
   });
   return best;
 }
 
-// Printed: whatever the bounds, W' has corners.
+// Printed: whatever the bounds, W' has weight vertices.
 template <class S>
-Verdict corners_exist_printed(const WeightBounds<S>& bounds) {
-  return has_corner(bounds).verdict;
+Verdict weight_vertices_exist_printed(const WeightBounds<S>& bounds) {
+  return has_weight_vertex(bounds).verdict;
 }
 
 // l_i <= h_i and sum l <= 1 <= sum h.
@@ -237,10 +242,10 @@ Verdict bounds_are_compatible(const WeightBounds<S>& bounds) {
   return v & less_equal(low, S(1)) & less_equal(S(1), high);
 }
 
-// Repaired: W' has corners if and only if the bounds are compatible.
+// Repaired: W' has weight vertices if and only if the bounds are compatible.
 template <class S>
-Verdict corners_exist_repaired(const WeightBounds<S>& bounds) {
-  const Verdict compatible = bounds_are_compatible(bounds), exists = has_corner(bounds).verdict;
+Verdict weight_vertices_exist_repaired(const WeightBounds<S>& bounds) {
+  const Verdict compatible = bounds_are_compatible(bounds), exists = has_weight_vertex(bounds).verdict;
   return implies(compatible, exists) & implies(exists, compatible);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the corners.
+// Section 4.2, the linear part is a hull: the blends of given points are the hull of their blends at the weight vertices.
 //
-// Statement. Let W' be the hull of the corners c_1 ... c_m (s41_weight_vertices_span) and let r_1 ... r_n be points of R^d.
-// With r'_k = sum_i c_ki r_i, {sum_i w_i r_i : w in W'} = CH(r'_1, ..., r'_m). Any d: the paper uses it for the images
-// C_{j_i} r_c of the rotation center (d = 3, Equation 5) and for the quaternions q_i (d = 4, section 4.3).
+// Statement. Let W' be the hull of the weight vertices c_1 ... c_m (s41_weight_vertices_span) and let r_1 ... r_n be
+// points of R^d. With r'_k = sum_i c_ki r_i, {sum_i w_i r_i : w in W'} = CH(r'_1, ..., r'_m). Any d: the paper uses it
+// for the images C_{j_i} r_c of the rotation center (d = 3, Equation 5) and for the quaternions q_i (d = 4, section 4.3).
 //
 // Paper: section 4.2 and, for quaternions, section 4.3. It holds as printed.
-// Notation: C_{j_i} r_c or q_i -> points[i], c_ki -> corners[k][i], r'_k or q'_k -> images[k], u -> coefficients.
+// Notation: C_{j_i} r_c or q_i -> points[i], c_ki -> weight_vertices[k][i], r'_k or q'_k -> images[k], u -> coefficients.
 //
-// Proof. Swap the sums: sum_i (sum_k u_k c_ki) r_i = sum_k u_k r'_k. So the coefficients that take the corners to w
+// Proof. Swap the sums: sum_i (sum_k u_k c_ki) r_i = sum_k u_k r'_k. So the coefficients that take the weight vertices to w
 // take the images to the blend, and the other way round.
 #pragma once
 
@@ -21,18 +21,19 @@ namespace refitlab {
 
 // Equation 5: r'_k = sum_i c_ki r_i.
 template <class S, int D>
-std::vector<Vec<S, D>> corner_images(const Corners<S>& corners, std::span<const Vec<S, D>> points) {
+std::vector<Vec<S, D>> weight_vertex_images(const WeightVertices<S>& weight_vertices, std::span<const Vec<S, D>> points) {
   std::vector<Vec<S, D>> images;
-  for (const auto& c : corners) images.push_back(combine<S, D>(c, points));
+  for (const auto& c : weight_vertices) images.push_back(combine<S, D>(c, points));
   return images;
 }
 
 // --- Hypotheses ---
 
-// The corners are those of W', and there is one point a weight.
+// The weight vertices are those of W', and there is one point a weight.
 template <class S, int D>
-Verdict linear_part_hull_hypotheses(const WeightBounds<S>& bounds, const Corners<S>& corners, std::span<const Vec<S, D>> points) {
-  return verdict_of(points.size() == bounds.low.size()) & weight_vertices_span_hypotheses(bounds, corners);
+Verdict linear_part_hull_hypotheses(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
+                                    std::span<const Vec<S, D>> points) {
+  return verdict_of(points.size() == bounds.low.size()) & weight_vertices_span_hypotheses(bounds, weight_vertices);
 }
 
 // --- Witnesses and their checks ---
@@ -77,23 +78,23 @@ struct LinearPartPoint {
 
 // The linear part is inside the hull: u for the blend with weights w.
 template <class S, int D>
-LinearPartPoint<S, D> linear_part_in_hull(const WeightBounds<S>& bounds, const Corners<S>& corners,
+LinearPartPoint<S, D> linear_part_in_hull(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
                                           std::span<const Vec<S, D>> points, const std::vector<S>& w) {
   const Vec<S, D> blend = combine<S, D>(w, points);
-  auto span = weight_vertices_span(bounds, corners, w);
+  auto span = weight_vertices_span(bounds, weight_vertices, w);
   if (span.coefficients.empty()) return {span.verdict, blend, {}};
-  const auto images = corner_images(corners, points);
+  const auto images = weight_vertex_images(weight_vertices, points);
   const Verdict v = span.verdict & is_hull_point<S, D>(images, blend, span.coefficients);
   return {v, blend, std::move(span.coefficients)};
 }
 
 // The hull is inside the linear part: w for the combination of the images with coefficients u.
 template <class S, int D>
-LinearPartPoint<S, D> hull_in_linear_part(const WeightBounds<S>& bounds, const Corners<S>& corners,
+LinearPartPoint<S, D> hull_in_linear_part(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
                                           std::span<const Vec<S, D>> points, const std::vector<S>& coefficients) {
-  const auto images = corner_images(corners, points);
+  const auto images = weight_vertex_images(weight_vertices, points);
   const Vec<S, D> x = combine<S, D>(coefficients, images);
-  auto w = corners_combine(bounds, corners, coefficients);
+  auto w = weight_vertices_combine(bounds, weight_vertices, coefficients);
   const Verdict v = w.verdict & is_admissible_blend<S, D>(bounds, points, x, w.weights);
   return {v, x, std::move(w.weights)};
 }

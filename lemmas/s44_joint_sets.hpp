@@ -2,12 +2,13 @@
 // Section 4.4, several joint-sets: one ball of the balls of all joint-sets.
 //
 // Statement. Let S = [p, r] enclose vertices that belong to joint-sets z = 1 ... Z, each joint-set with its own joints,
-// rotation center and corners. If a ball [g, R] encloses the balls r'_{k,z} (+) F_z of every joint-set, then [g, R + r]
-// encloses every deformed vertex of every joint-set. Here F_z is any ball that holds the turned p - r_c of joint-set z.
+// rotation center and weight vertices. If a ball [g, R] encloses the balls r'_{k,z} (+) F_z of every joint-set, then
+// [g, R + r] encloses every deformed vertex of every joint-set. Here F_z is any ball that holds the turned p - r_c of
+// joint-set z.
 //
 // Paper: section 4.4, second paragraph; lines 4-8 of Algorithm 1.
-// Notation: S = [p, r] -> reference, C_{j_i} -> transforms[i], r_c -> rotation_center, c_k -> corners[k], w -> weights,
-// r'_{k,z} (+) F_z -> a SquaredBall: F_z is taken as [0, ||p - r_c||], the simplest bound that is always one.
+// Notation: S = [p, r] -> reference, C_{j_i} -> transforms[i], r_c -> rotation_center, c_k -> weight_vertices[k], w ->
+// weights, r'_{k,z} (+) F_z -> a SquaredBall: F_z is taken as [0, ||p - r_c||], the simplest bound that is always one.
 //
 // Proof. s44_sum_of_bounds for each joint-set; R_q keeps lengths.
 #pragma once
@@ -26,7 +27,7 @@ template <class S>
 struct PosedJointSet {
   std::vector<RigidTransform<S>> transforms;  // C_{j_1} ... C_{j_n}
   Vec<S, 3> rotation_center;                  // r_c: the skinning's, so a part of what is bounded
-  Corners<S> corners;                         // c_1 ... c_m
+  WeightVertices<S> weight_vertices;          // c_1 ... c_m
 };
 
 template <class S>
@@ -56,17 +57,18 @@ Verdict encloses_part(const Ball3<S>& ball, const SquaredBall<S, 3>& part) {
   return roots_sum_at_most(squared_distance(part.center, ball.center), part.squared_radius, ball.radius);
 }
 
-// --- Erratum: whose corners, whose rotation center ---
-// The input of Algorithm 1 has one list of corners and one rotation center, and its lines 6-8 use them for every
+// --- Erratum: whose weight vertices, whose rotation center ---
+// The input of Algorithm 1 has one list of weight vertices and one rotation center, and its lines 6-8 use them for every
 // joint-set.
 
-// Printed: the corners and the rotation center of the first joint-set serve all of them (which have as many joints).
+// Printed: the weight vertices and the rotation center of the first joint-set serve all of them (which have as many
+// joints).
 template <class S>
 std::vector<SquaredBall<S, 3>> joint_set_balls_printed(std::span<const PosedJointSet<S>> sets, const Vec<S, 3>& p) {
   std::vector<SquaredBall<S, 3>> balls;
   for (const auto& set : sets) {
     const auto images = rotation_center_images<S>(set.transforms, sets[0].rotation_center);
-    for (const auto& image : corner_images<S, 3>(sets[0].corners, images))
+    for (const auto& image : weight_vertex_images<S, 3>(sets[0].weight_vertices, images))
       balls.push_back({image, squared_distance(p, sets[0].rotation_center)});
   }
   return balls;
@@ -78,7 +80,7 @@ std::vector<SquaredBall<S, 3>> joint_set_balls_repaired(std::span<const PosedJoi
   std::vector<SquaredBall<S, 3>> balls;
   for (const auto& set : sets) {
     const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
-    for (const auto& image : corner_images<S, 3>(set.corners, images))
+    for (const auto& image : weight_vertex_images<S, 3>(set.weight_vertices, images))
       balls.push_back({image, squared_distance(p, set.rotation_center)});
   }
   return balls;
@@ -86,12 +88,12 @@ std::vector<SquaredBall<S, 3>> joint_set_balls_repaired(std::span<const PosedJoi
 
 // --- Hypotheses ---
 
-// The vertex is in the reference ball, its weights are the given combination of its joint-set's corners, the blend is a
-// rotation.
+// The vertex is in the reference ball, its weights are the given combination of its joint-set's weight vertices, the
+// blend is a rotation.
 template <class S>
 Verdict is_vertex_of(const PosedJointSet<S>& set, const Ball3<S>& reference, std::span<const S> w, const Vec<S, 3>& v,
                      const std::vector<S>& coefficients) {
-  return is_corner_combination<S>(set.corners, {w.begin(), w.end()}, coefficients) & encloses(reference, v) &
+  return is_weight_vertex_combination<S>(set.weight_vertices, {w.begin(), w.end()}, coefficients) & encloses(reference, v) &
          minkowski_sum_hypotheses(blended_rotation<S>(set.transforms, w));
 }
 
@@ -110,15 +112,15 @@ struct JointSetVertex {
   Vec<S, 3> linear, spherical, offset;  // the deformed vertex is their sum
 };
 
-// The three parts make the deformed vertex, the linear one is where the coefficients take the corner images, and the
+// The three parts make the deformed vertex, the linear one is where the coefficients take the weight vertex images, and the
 // other two are no longer than ||p - r_c|| and r.
 template <class S>
 Verdict is_joint_set_vertex(const PosedJointSet<S>& set, const Ball3<S>& reference, std::span<const S> w, const Vec<S, 3>& v,
                             const std::vector<S>& coefficients, const JointSetVertex<S>& witness) {
   const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
-  const auto at_corners = corner_images<S, 3>(set.corners, images);
+  const auto at_weight_vertices = weight_vertex_images<S, 3>(set.weight_vertices, images);
   const Vec<S, 3> vertex = blend_vertex(set, w, v), sum = witness.linear + witness.spherical + witness.offset;
-  Verdict good = is_hull_point<S, 3>(at_corners, witness.linear, coefficients) &
+  Verdict good = is_hull_point<S, 3>(at_weight_vertices, witness.linear, coefficients) &
                  less_equal(squared_norm(witness.spherical), squared_distance(reference.center, set.rotation_center)) &
                  less_equal(squared_norm(witness.offset), sq(reference.radius));
   for (int i = 0; i < 3; ++i) good &= equal(sum[i], vertex[i]);

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
 import report_package  # noqa: F401
-from formats import digits, escaped, power_of_ten, table, whole_number
-from report import growth, original
+from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
+from report import growth, original, statements
 from report.statistics import mean, span
 from report.tables import ALL, ResultError
 from report.verdicts import of_lemma, said_of_claims, summed_up
@@ -232,12 +232,21 @@ def verdict_table(results, lemmas):
     return table("lllr", ["statement", "as printed", "repaired or new: holds in", "degenerate"], out)
 
 
-def tables(results, lemmas):
+def statement_table(results, root):
+    """What stands behind each statement."""
+    rows = []
+    for s in statements.statements(root, summed_up(results.rows("verdicts"))):
+        tests, proofs, run_by = statements.cells(s, broken_name, escaped)
+        rows.append([broken_name(s.verdict.lemma), tests, r" \newline ".join(proofs), run_by])
+    return long_table([33, 26, 54, 27], statements.HEAD, rows)
+
+
+def tables(results, lemmas, root):
     return {"tightness_man": tightness_table(results, "man", "walk"),
             "tightness_twist": tightness_table(results, "man", "full twist"),
             "worst": worst_table(results), "misses": misses_table(results), "cost": cost_table(results),
             "batch": batch_table(results), "volumes": volumes_table(results), "rounding": rounding_table(results), "collisions": collision_table(results),
-            "provenance": provenance_table(results), "verdicts": verdict_table(results, lemmas)}
+            "provenance": provenance_table(results), "verdicts": verdict_table(results, lemmas), "statements": statement_table(results, root)}
 
 
 # --- Data of plots: columns set apart by spaces ---

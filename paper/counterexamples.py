@@ -72,8 +72,8 @@ def mean_ball(points):
 
 
 def algorithm_1(case):
-    """Algorithm 1 as printed, for one joint-set whose joints turn about 0 with weights of [0, 1] each: then the corners
-    are the joints, all r'_k are 0, and the result is the one ball of line 15, inflated."""
+    """Algorithm 1 as printed, for one joint-set whose joints turn about 0 with weights of [0, 1] each: then the weight
+    vertices are the joints, all r'_k are 0, and the result is the one ball of line 15, inflated."""
     (joint_set,), vertex, reference = case["joint_sets"], case["vertex"], case["reference"]
     units = [t["rotation"] for t in joint_set["transforms"]]
     zero = [Fraction(0)] * 3

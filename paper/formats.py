@@ -49,3 +49,16 @@ def table(columns, head, rows):
     lines = [f"\\begin{{tabular}}{{{columns}}}", "\\toprule", " & ".join(head) + r" \\", "\\midrule"]
     lines += ["\\addlinespace" if row is None else " & ".join(row) + r" \\" for row in rows]
     return "\n".join([*lines, "\\bottomrule", "\\end{tabular}", ""])
+
+
+def broken_name(name):
+    """A name of code that may be broken after each of its words."""
+    broken = re.sub(r"(\\_|/)", r"\1\\allowbreak{}", escaped(name))
+    return f"\\texttt{{{broken}}}"
+
+
+def long_table(widths, head, rows):
+    """A booktabs table that goes on over pages, without a caption. widths: of its columns, in millimetres."""
+    columns = "".join(f">{{\\raggedright\\arraybackslash}}p{{{width}mm}}" for width in widths)
+    lines = [f"\\begin{{longtable}}{{{columns}}}", "\\toprule", " & ".join(head) + r" \\", "\\midrule", "\\endhead", "\\bottomrule", "\\endfoot"]
+    return "\n".join([*lines, *(" & ".join(row) + r" \\" for row in rows), "\\end{longtable}", ""])

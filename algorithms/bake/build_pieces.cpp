@@ -66,7 +66,7 @@ class Clustering {
   double extent_;  // the length that a full change of weight counts as: the node's radius
 };
 
-using Corners = std::vector<std::vector<double>>;
+using WeightVertices = std::vector<std::vector<double>>;
 
 class NodeClusters {
  public:
@@ -87,7 +87,7 @@ class NodeClusters {
     while (!queue.empty() && static_cast<int>(queue.size() + done.size()) < most) {
       const Cluster widest = queue.top();
       queue.pop();
-      if (widest.vertices.size() == 1 || is_better_as_vertices(widest, corners_of(widest))) {
+      if (widest.vertices.size() == 1 || is_better_as_vertices(widest, weight_vertices_of(widest))) {
         done.push_back(widest);
         continue;
       }
@@ -100,14 +100,14 @@ class NodeClusters {
     return done;
   }
 
-  Corners corners_of(const Cluster& c) const {
+  WeightVertices weight_vertices_of(const Cluster& c) const {
     std::vector<std::span<const double>> weights;
     for (const int v : c.vertices) weights.push_back(sets_.weights(v));
     return weight_polytope(weights);
   }
 
-  bool is_better_as_vertices(const Cluster& c, const Corners& corners) const {
-    const auto m = static_cast<double>(corners.size());
+  bool is_better_as_vertices(const Cluster& c, const WeightVertices& weight_vertices) const {
+    const auto m = static_cast<double>(weight_vertices.size());
     return static_cast<double>(c.vertices.size()) <= options_.vertices_per_control_point * m * (m + 1) * (m + 2) / 6;
   }
 
@@ -152,16 +152,17 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
     table.first.push_back(table.pieces.size());
     const auto of_node = clusters.of(tree.nodes[n], vertices[static_cast<int>(n)]);
     for (const Cluster& c : of_node) {
-      const auto corners = clusters.corners_of(c);
-      const bool is_exact = of_node.size() == 1 && corners.size() == 1;
-      if (c.vertices.size() == 1 || (!is_exact && clusters.is_better_as_vertices(c, corners))) {
+      const auto weight_vertices = clusters.weight_vertices_of(c);
+      const bool is_exact = of_node.size() == 1 && weight_vertices.size() == 1;
+      if (c.vertices.size() == 1 || (!is_exact && clusters.is_better_as_vertices(c, weight_vertices))) {
         for (const int v : c.vertices) table.pieces.push_back(listed[v]);
         continue;
       }
-      table.pieces.push_back({c.joint_set, static_cast<int>(table.weight_vertices.size()), static_cast<int>(corners.size()),
-                              static_cast<int>(table.references.size())});
+      table.pieces.push_back({c.joint_set, static_cast<int>(table.weight_vertices.size()),
+                              static_cast<int>(weight_vertices.size()), static_cast<int>(table.references.size())});
       table.references.push_back(c.ball);
-      for (const auto& corner : corners) table.weight_vertices.insert(table.weight_vertices.end(), corner.begin(), corner.end());
+      for (const auto& weight_vertex : weight_vertices)
+        table.weight_vertices.insert(table.weight_vertices.end(), weight_vertex.begin(), weight_vertex.end());
     }
     order_by_support({table.pieces.data() + table.first.back(), table.pieces.size() - table.first.back()}, table.references);
   }

@@ -119,7 +119,7 @@ class Builder {
     tree_.leaf_vertices.insert(tree_.leaf_vertices.end(), vertices.begin(), vertices.end());
   }
 
-  // Joint-sets, weight bounds and corners of a node's vertices.
+  // Joint-sets, weight bounds and weight vertices of a node's vertices.
   void add_joint_sets(TreeNode& node) {
     std::map<int, WeightBounds<double>> bounds;
     for (const int v : distinct_vertices(mesh_, triangles(node.first_triangle, node.triangle_count))) {
@@ -134,9 +134,9 @@ class Builder {
     node.first_piece = static_cast<int>(tree_.pieces.size());
     node.piece_count = static_cast<int>(bounds.size());
     for (const auto& [set, b] : bounds) {
-      const auto corners = weight_vertices_or_simplex(b);
-      tree_.pieces.push_back({set, static_cast<int>(tree_.weight_vertices.size()), static_cast<int>(corners.size())});
-      for (const auto& c : corners) tree_.weight_vertices.insert(tree_.weight_vertices.end(), c.begin(), c.end());
+      const auto weight_vertices = weight_vertices_or_simplex(b);
+      tree_.pieces.push_back({set, static_cast<int>(tree_.weight_vertices.size()), static_cast<int>(weight_vertices.size())});
+      for (const auto& c : weight_vertices) tree_.weight_vertices.insert(tree_.weight_vertices.end(), c.begin(), c.end());
     }
   }
 

@@ -50,7 +50,7 @@ std::vector<WeightRow> hull_of_four(const std::vector<WeightRow>& rows) {
   CGAL::convex_hull_3(points.begin(), points.end(), hull);
   if (CGAL::Polyhedron_3<Kernel> body; CGAL::assign(body, hull))
     for (auto v = body.points_begin(); v != body.points_end(); ++v) out.push_back(complete({v->x(), v->y(), v->z()}));
-  else out = rows;                    // in a plane or on a line: their corners are rarely fewer
+  else out = rows;                    // in a plane or on a line: their weight vertices are rarely fewer
   std::sort(out.begin(), out.end());  // CGAL's order goes by where its memory happens to be
   return out;
 }

@@ -98,8 +98,8 @@ inline constexpr std::size_t weight_vertex_limit = 140;
 
 template <class S>
 std::vector<std::vector<S>> weight_vertices_or_simplex(const WeightBounds<S>& bounds) {
-  auto corners = enumerate_weight_vertices(bounds, weight_vertex_limit);
-  return corners ? std::move(*corners) : low_bound_simplex(bounds);
+  auto weight_vertices = enumerate_weight_vertices(bounds, weight_vertex_limit);
+  return weight_vertices ? std::move(*weight_vertices) : low_bound_simplex(bounds);
 }
 
 }  // namespace refitlab

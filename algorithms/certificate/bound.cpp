@@ -19,33 +19,33 @@ using Point = Vec<Rational, 3>;
 
 constexpr int most_halvings_tried = most_halvings + 3;  // a ball that is not a refit's may need more
 
-// A corner exactly, and as a refit in double has it.
+// A weight vertex exactly, and as a refit in double has it.
 template <template <class> class Blend>
-struct Corner {
+struct WeightVertex {
   Blend<Rational> exact;
   Blend<double> rounded;
 };
 
 // W_kl and N_kl of degree 2, and whether all W_kl are positive.
 struct Mixtures {
-  template <class Piece, class Corners>
-  Mixtures(const Piece& piece, const Corners& corners) : m(corners.size()) {
+  template <class Piece, class WeightVertices>
+  Mixtures(const Piece& piece, const WeightVertices& weight_vertices) : m(weight_vertices.size()) {
     for (std::size_t k = 0; k < m; ++k)
       for (std::size_t l = 0; l < m; ++l) {
-        entries.push_back(piece.mix(corners[k].exact, corners[l].exact));
+        entries.push_back(piece.mix(weight_vertices[k].exact, weight_vertices[l].exact));
         are_positive = are_positive && entries.back().weight > 0;
       }
   }
-  const MixedCorners<Rational>& operator()(std::size_t k, std::size_t l) const { return entries[k * m + l]; }
+  const MixedPair<Rational>& operator()(std::size_t k, std::size_t l) const { return entries[k * m + l]; }
 
   std::size_t m;
-  std::vector<MixedCorners<Rational>> entries;
+  std::vector<MixedPair<Rational>> entries;
   bool are_positive = true;
 };
 
 // The blends of a spherical piece carry x into the target.
 struct SphericalClaim {
-  using Corner = refitlab::Corner<BlendedJoints>;
+  using WeightVertex = refitlab::WeightVertex<BlendedJoints>;
   Point x;
   Ball3<Rational> target;
 
@@ -53,23 +53,23 @@ struct SphericalClaim {
   static BlendedJoints<S> blend(const PaletteEntry<S>& palette, std::span<const S> w) {
     return blend_joints(palette, w);
   }
-  static Corner middle(const Corner& a, const Corner& b) {
+  static WeightVertex middle(const WeightVertex& a, const WeightVertex& b) {
     return {SphericalPiece<Rational>::middle(a.exact, b.exact), SphericalPiece<double>::middle(a.rounded, b.rounded)};
   }
 
-  std::optional<Bound> prove(const std::vector<Corner>& corners) const {
-    if (by_cap(corners, {0, 0, 0, 0})) return Bound{By::all_rotations};
-    for (const auto& axis : axes(corners))
-      if (by_cap(corners, axis)) return Bound{By::cap, axis};
-    if (by_control(corners)) return Bound{By::control};
+  std::optional<Bound> prove(const std::vector<WeightVertex>& weight_vertices) const {
+    if (by_cap(weight_vertices, {0, 0, 0, 0})) return Bound{By::all_rotations};
+    for (const auto& axis : axes(weight_vertices))
+      if (by_cap(weight_vertices, axis)) return Bound{By::cap, axis};
+    if (by_control(weight_vertices)) return Bound{By::control};
     return {};
   }
 
  private:
-  // The centers of both of the refits' balls around the unit quaternions; none where a corner vanishes.
-  static std::vector<Quaternion<double>> axes(const std::vector<Corner>& corners) {
+  // The centers of both of the refits' balls around the unit quaternions; none where a weight vertex vanishes.
+  static std::vector<Quaternion<double>> axes(const std::vector<WeightVertex>& weight_vertices) {
     std::vector<Quaternion<double>> unit;
-    for (const Corner& c : corners) {
+    for (const WeightVertex& c : weight_vertices) {
       const double length = norm(c.rounded.rotation);
       if (!(length > 0)) return {};
       unit.push_back(c.rounded.rotation / length);
@@ -79,28 +79,29 @@ struct SphericalClaim {
   }
 
   // Of all rotations for the axis 0.
-  bool by_cap(const std::vector<Corner>& corners, const Quaternion<double>& axis) const {
+  bool by_cap(const std::vector<WeightVertex>& weight_vertices, const Quaternion<double>& axis) const {
     CapFallback<Rational> cap{{}, {}, convert<Rational>(axis), 0};
-    for (const Corner& c : corners) cap.rotations.push_back(c.exact.rotation);
+    for (const WeightVertex& c : weight_vertices) cap.rotations.push_back(c.exact.rotation);
     if (squared_norm(cap.axis) > 0) {
       if (are_strictly_ahead(cap.rotations, cap.axis) != Verdict::holds) return false;
       cap.squared_cosine = squared_cap_cosine<Rational>(cap.rotations, cap.axis);
     }
     const SquaredBall<Rational, 3> turned = fallback_ball(cap, x);
-    for (const Corner& c : corners)
+    for (const WeightVertex& c : weight_vertices)
       if (encloses_part<Rational>(target, {c.exact.center_image + turned.center, turned.squared_radius}) != Verdict::holds)
         return false;
     return true;
   }
 
-  bool by_control(const std::vector<Corner>& corners) const {
-    const Mixtures mixed(SphericalPiece<Rational>(x, 0), corners);
+  bool by_control(const std::vector<WeightVertex>& weight_vertices) const {
+    const Mixtures mixed(SphericalPiece<Rational>(x, 0), weight_vertices);
     if (!mixed.are_positive) return false;
-    for (std::size_t j = 0; j < corners.size(); ++j)
-      for (std::size_t k = j; k < corners.size(); ++k)
-        for (std::size_t l = k; l < corners.size(); ++l) {
-          const auto point = spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), corners[j].exact.center_image,
-                                                     corners[k].exact.center_image, corners[l].exact.center_image);
+    for (std::size_t j = 0; j < weight_vertices.size(); ++j)
+      for (std::size_t k = j; k < weight_vertices.size(); ++k)
+        for (std::size_t l = k; l < weight_vertices.size(); ++l) {
+          const auto point =
+              spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), weight_vertices[j].exact.center_image,
+                                      weight_vertices[k].exact.center_image, weight_vertices[l].exact.center_image);
           if (encloses<Rational, 3>(target, point.numerator / point.denominator) != Verdict::holds) return false;
         }
     return true;
@@ -109,7 +110,7 @@ struct SphericalClaim {
 
 // The blends of a dual quaternion piece carry x into the target.
 struct DualQuaternionClaim {
-  using Corner = refitlab::Corner<BlendedDuals>;
+  using WeightVertex = refitlab::WeightVertex<BlendedDuals>;
   Point x;
   Ball3<Rational> target;
 
@@ -117,21 +118,21 @@ struct DualQuaternionClaim {
   static BlendedDuals<S> blend(const PaletteEntry<S>& palette, std::span<const S> w) {
     return blend_duals(palette, w);
   }
-  static Corner middle(const Corner& a, const Corner& b) {
+  static WeightVertex middle(const WeightVertex& a, const WeightVertex& b) {
     return {DualQuaternionPiece<Rational>::middle(a.exact, b.exact), DualQuaternionPiece<double>::middle(a.rounded, b.rounded)};
   }
 
-  std::optional<Bound> prove(const std::vector<Corner>& corners) const {
-    if (auto bound = by_reach(corners)) return bound;
-    if (by_control(corners)) return Bound{By::control};
+  std::optional<Bound> prove(const std::vector<WeightVertex>& weight_vertices) const {
+    if (auto bound = by_reach(weight_vertices)) return bound;
+    if (by_control(weight_vertices)) return Bound{By::control};
     return {};
   }
 
  private:
-  std::optional<Bound> by_reach(const std::vector<Corner>& corners) const {
+  std::optional<Bound> by_reach(const std::vector<WeightVertex>& weight_vertices) const {
     std::vector<BlendedDuals<double>> rounded;
     DualQuaternionBlend<Rational> exact{{}, {}, x};
-    for (const Corner& c : corners) {
+    for (const WeightVertex& c : weight_vertices) {
       rounded.push_back(c.rounded);
       exact.rotations.push_back(c.exact.rotation);
       exact.duals.push_back(c.exact.dual);
@@ -141,16 +142,16 @@ struct DualQuaternionClaim {
     const Quaternion<Rational> axis = convert<Rational>(bound.axis);
     if (are_strictly_ahead(exact.rotations, axis) != Verdict::holds) return {};
     Point middle = Point::Zero();
-    for (const Corner& c : corners)
-      middle += move_rigidly<Rational>(c.exact, squared_norm(c.exact.rotation), x) / Rational(int(corners.size()));
+    for (const WeightVertex& c : weight_vertices)
+      middle += move_rigidly<Rational>(c.exact, squared_norm(c.exact.rotation), x) / Rational(int(weight_vertices.size()));
     for (int i = 0; i < 3; ++i) bound.center[i] = CGAL::to_double(middle[i]);
     if (encloses_part(target, dual_quaternion_ball<Rational>(exact, axis, convert<Rational>(bound.center))) != Verdict::holds)
       return {};
     return bound;
   }
 
-  bool by_control(const std::vector<Corner>& corners) const {
-    const Mixtures mixed(DualQuaternionPiece<Rational>(x, 0), corners);
+  bool by_control(const std::vector<WeightVertex>& weight_vertices) const {
+    const Mixtures mixed(DualQuaternionPiece<Rational>(x, 0), weight_vertices);
     if (!mixed.are_positive) return false;
     for (const auto& kl : mixed.entries)
       if (encloses<Rational, 3>(target, kl.numerator / kl.weight) != Verdict::holds) return false;
@@ -159,22 +160,23 @@ struct DualQuaternionClaim {
 };
 
 // The edge at which a refit halves a simplex.
-template <class Corner>
-std::array<std::size_t, 2> edge_to_halve(const std::vector<Corner>& corners) {
-  const auto [k, l] = widest_edge<double>(corners.size(), [&](std::size_t a, std::size_t b) {
-    return mix_rotations<double>(corners[a].rounded.rotation, corners[b].rounded.rotation, {0, 0, 0}).weight;
+template <class WeightVertex>
+std::array<std::size_t, 2> edge_to_halve(const std::vector<WeightVertex>& weight_vertices) {
+  const auto [k, l] = widest_edge<double>(weight_vertices.size(), [&](std::size_t a, std::size_t b) {
+    return mix_rotations<double>(weight_vertices[a].rounded.rotation, weight_vertices[b].rounded.rotation, {0, 0, 0}).weight;
   });
   return {k, l};
 }
 
 template <class Claim>
-std::optional<Bound> search(const Claim& claim, const std::vector<typename Claim::Corner>& corners, int halvings_left) {
-  if (auto bound = claim.prove(corners)) return bound;
-  if (halvings_left == 0 || corners.size() == 1) return {};
-  Bound bound{.by = By::halves, .edge = edge_to_halve(corners)};
-  const auto middle = Claim::middle(corners[bound.edge[0]], corners[bound.edge[1]]);
+std::optional<Bound> search(const Claim& claim, const std::vector<typename Claim::WeightVertex>& weight_vertices,
+                            int halvings_left) {
+  if (auto bound = claim.prove(weight_vertices)) return bound;
+  if (halvings_left == 0 || weight_vertices.size() == 1) return {};
+  Bound bound{.by = By::halves, .edge = edge_to_halve(weight_vertices)};
+  const auto middle = Claim::middle(weight_vertices[bound.edge[0]], weight_vertices[bound.edge[1]]);
   for (const std::size_t replaced : bound.edge) {
-    auto half = corners;
+    auto half = weight_vertices;
     half[replaced] = middle;
     auto of_half = search(claim, half, halvings_left - 1);
     if (!of_half) return {};
@@ -184,9 +186,9 @@ std::optional<Bound> search(const Claim& claim, const std::vector<typename Claim
 }
 
 // A joint whose quaternion q is not of unit length maps by M = ||q||^2 R_q + 1 - ||q||^2, which makes a vector longer.
-bool linear_holds(const PaletteEntry<Rational>& palette, const std::vector<std::vector<Rational>>& corners,
+bool linear_holds(const PaletteEntry<Rational>& palette, const std::vector<std::vector<Rational>>& weight_vertices,
                   const Ball3<Rational>& reference, const Ball3<Rational>& ball) {
-  for (const auto& w : corners) {
+  for (const auto& w : weight_vertices) {
     Rational growth(0);
     for (std::size_t i = 0; i < w.size(); ++i) {
       const Rational n = squared_norm(palette.transforms[i].rotation);
@@ -206,17 +208,18 @@ std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece
   const PaletteEntry<double> rounded = node.palette[set.joint_set];
   const OwnedPaletteEntry<Rational> owned = convert<Rational>(rounded);
   const PaletteEntry<Rational> palette = owned;
-  std::vector<std::vector<Rational>> corners;
+  std::vector<std::vector<Rational>> weight_vertices;
   for (int k = 0; k < set.weight_vertex_count; ++k) {
-    const auto w = node.corner(set, k);
-    corners.emplace_back(w.begin(), w.end());
+    const auto w = node.weight_vertex(set, k);
+    weight_vertices.emplace_back(w.begin(), w.end());
   }
   const auto as_exact = [](const Ball3<double>& b) { return Ball3<Rational>{convert<Rational>(b.center), b.radius}; };
   const Ball3<Rational> reference = as_exact(node.piece_reference(piece)), around = as_exact(ball);
   const auto searched = [&]<class Claim>(const Claim& claim) {
-    std::vector<typename Claim::Corner> blends;
+    std::vector<typename Claim::WeightVertex> blends;
     for (int k = 0; k < set.weight_vertex_count; ++k)
-      blends.push_back({Claim::template blend<Rational>(palette, corners[k]), Claim::blend(rounded, node.corner(set, k))});
+      blends.push_back(
+          {Claim::template blend<Rational>(palette, weight_vertices[k]), Claim::blend(rounded, node.weight_vertex(set, k))});
     return search(claim, blends, most_halvings_tried);
   };
   // Rigid blends carry the reference ball to within its radius of where they carry its center.
@@ -224,7 +227,7 @@ std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece
   if (target.radius < 0) return {};
   switch (skinning) {
     case Skinning::linear:
-      if (linear_holds(palette, corners, reference, around)) return Bound{By::control};
+      if (linear_holds(palette, weight_vertices, reference, around)) return Bound{By::control};
       return {};
     case Skinning::dual_quaternion: return searched(DualQuaternionClaim{reference.center, target});
     default: return searched(SphericalClaim{reference.center - palette.rotation_center, target});

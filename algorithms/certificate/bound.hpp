@@ -16,11 +16,11 @@ namespace refitlab {
 
 struct Bound {
   enum class By {
-    control,        // the control points of all corners (b1, b2; s42 of linear blending)
+    control,        // the control points of all weight vertices (b1, b2; s42 of linear blending)
     cap,            // the rotations' cap about an axis (t3, b4), spherical blending only
     all_rotations,  // the whole sphere of them (b4), spherical blending only
     reach,          // b6, dual quaternions only
-    halves          // two simplices (b3): the middle of an edge stands in place of its first corner, and of its second
+    halves          // two simplices (b3): the middle of an edge stands in place of its first weight vertex, and of its second
   };
   By by;
   Quaternion<double> axis = identity_quaternion<double>();  // of cap and reach, of any length

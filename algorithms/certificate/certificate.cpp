@@ -37,17 +37,17 @@ json json_of(const Bound& bound) {
   return out;
 }
 
-json corners_of(const RefitNode<double>& node, const NodePiece& set) {
+json weight_vertices_of(const RefitNode<double>& node, const NodePiece& set) {
   json out;
   for (int k = 0; k < set.weight_vertex_count; ++k) {
     json weights;
     Rational sum(0);
-    for (const double w : node.corner(set, k)) {
+    for (const double w : node.weight_vertex(set, k)) {
       weights.push_back(exact_json(w));
       sum += Rational(w);
-      if (w < 0) throw std::invalid_argument("certificate: the weight of a corner is negative");
+      if (w < 0) throw std::invalid_argument("certificate: the weight of a weight vertex is negative");
     }
-    if (sum != 1) throw std::invalid_argument("certificate: the weights of a corner have the sum " + as_text(sum));
+    if (sum != 1) throw std::invalid_argument("certificate: the weights of a weight vertex have the sum " + as_text(sum));
     out.push_back(weights);
   }
   return out;
@@ -63,9 +63,9 @@ bool is_in(const Ball3<double>& ball, const Point3& position) {
   return apart <= Rational(ball.radius) * Rational(ball.radius);
 }
 
-std::vector<std::span<const double>> corner_rows(const RefitNode<double>& node, const NodePiece& set) {
+std::vector<std::span<const double>> weight_vertex_rows(const RefitNode<double>& node, const NodePiece& set) {
   std::vector<std::span<const double>> rows;
-  for (int k = 0; k < set.weight_vertex_count; ++k) rows.push_back(node.corner(set, k));
+  for (int k = 0; k < set.weight_vertex_count; ++k) rows.push_back(node.weight_vertex(set, k));
   return rows;
 }
 
@@ -74,10 +74,10 @@ json json_of(const CertifiedVertex& v, const RefitNode<double>& node, const std:
   for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     const NodePiece& set = node.pieces[i];
     if (set.joint_set != v.joint_set || !is_in(node.piece_reference(i), v.position)) continue;
-    const auto found = find_shares(corner_rows(node, set), v.weights);
+    const auto found = find_shares(weight_vertex_rows(node, set), v.weights);
     if (!found) continue;
     out["piece"] = i;
-    out["corners"] = found->places;
+    out["weight_vertices"] = found->places;
     for (const Rational& share : found->shares) out["shares"].push_back(as_text(share));
     return out;
   }
@@ -127,7 +127,7 @@ std::string certificate(const RefitNode<double>& node, Skinning skinning, const 
     const auto [number, is_new] = numbers.try_emplace(set.joint_set, numbers.size());
     if (is_new) document["joint_sets"].push_back(exact_json(node.palette[set.joint_set], of.joints[set.joint_set], skinning));
     json piece;
-    piece["corners"] = corners_of(node, set);
+    piece["weight_vertices"] = weight_vertices_of(node, set);
     piece["joint_set"] = number->second;
     piece["reference"] = exact_json(node.piece_reference(i));
     const auto bound = find_bound(node, i, skinning, ball);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificate: why a ball holds a node's vertices, as a document that anyone can check.
 //
-// It has the node's vertices, each with its piece and how its weights are mixed of the piece's corners (shares.hpp), the
-// inputs of the refit (per joint-set the joints' quaternions and the center images, translations or dual parts; per piece
-// the reference ball and the corners), the ball, and for each piece how it is proved that the ball holds it (bound.hpp).
-// Every number is an exact fraction: a program in any language can check it without a rounding. One is
-// proptests/certificate/check, which shares no code with the refits; its first lines say what exactly is proved. Another is
-// lemmas/proofs/checker, which is itself proved.
+// It has the node's vertices, each with its piece and how its weights are mixed of the piece's weight vertices
+// (shares.hpp), the inputs of the refit (per joint-set the joints' quaternions and the center images, translations or
+// dual parts; per piece the reference ball and the weight vertices), the ball, and for each piece how it is proved that
+// the ball holds it (bound.hpp). Every number is an exact fraction: a program in any language can check it without a
+// rounding. One is proptests/certificate/check, which shares no code with the refits; its first lines say what exactly
+// is proved. Another is lemmas/proofs/checker, which is itself proved.
 //
 // Format: JSON, its keys sorted, indented by one space, in ASCII, ended by a line feed:
 //   about        what it is of, for the reader: no part of the claim
@@ -16,12 +16,14 @@
 //                and rotation_center, translations, or duals}, lists by joint
 //   model, palette  SHA-256 of their documents (documents.hpp)
 //   node         its number in the model's sphere tree
-//   pieces       a list of {joint_set: its index, reference: its ball, corners: a list of lists of weights by joint, bound}
+//   pieces       a list of {joint_set: its index, reference: its ball, weight_vertices: a list of lists of weights by
+//                joint, bound}
 //   skinning     "spherical", "linear" or "dual_quaternion"
-//   vertices     a list of {id: in the model, piece: its index, position: [x, y, z], weights by joint, corners: indices of
-//                the piece's, shares: of these corners}; the weights are the corners times their shares, by the shares' sum
+//   vertices     a list of {id: in the model, piece: its index, position: [x, y, z], weights by joint, weight_vertices:
+//                indices of the piece's, shares: of these weight vertices}; the weights are the weight vertices times
+//                their shares, by the shares' sum
 // A bound is {by: "control"}, {by: "cap", axis}, {by: "all_rotations"}, {by: "reach", axis, center} or {by: "halves", edge:
-// [k, l], halves: [the bound with the middle in place of corner k, that in place of l]}.
+// [k, l], halves: [the bound with the middle in place of weight vertex k, that in place of l]}.
 #pragma once
 
 #include <span>

@@ -31,16 +31,17 @@ void make_whole(std::vector<Rational>& shares) {
 
 }  // namespace
 
-std::optional<Shares> find_shares(const std::vector<std::span<const double>>& corners, std::span<const double> weights) {
+std::optional<Shares> find_shares(const std::vector<std::span<const double>>& weight_vertices, std::span<const double> weights) {
   const DefaultFloatEnvironment environment;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    if (std::ranges::equal(corners[k], weights)) return Shares{{k}, {1}};
+  for (std::size_t k = 0; k < weight_vertices.size(); ++k)
+    if (std::ranges::equal(weight_vertices[k], weights)) return Shares{{k}, {1}};
   CGAL::Quadratic_program<double> program(CGAL::EQUAL, true, 0, false, 0);  // A x = b, x >= 0, any such x
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    for (std::size_t k = 0; k < corners.size(); ++k) program.set_a(static_cast<int>(k), static_cast<int>(i), corners[k][i]);
+    for (std::size_t k = 0; k < weight_vertices.size(); ++k)
+      program.set_a(static_cast<int>(k), static_cast<int>(i), weight_vertices[k][i]);
     program.set_b(static_cast<int>(i), weights[i]);
   }
-  for (std::size_t k = 0; k < corners.size(); ++k) program.set_c(static_cast<int>(k), 0);
+  for (std::size_t k = 0; k < weight_vertices.size(); ++k) program.set_c(static_cast<int>(k), 0);
   const auto solution = CGAL::solve_nonnegative_linear_program(program, CGAL::Gmpzf());
   if (solution.is_infeasible()) return {};
   Shares out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shares: that weights are a convex combination of the corners of a piece, as numbers that anyone can check.
+// Shares: that weights are a convex combination of the weight vertices of a piece, as numbers that anyone can check.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace refitlab {
 
-// The weights are sum_k shares[k] corners[places[k]] / sum_k shares[k]. The shares are whole numbers above 0.
+// The weights are sum_k shares[k] weight_vertices[places[k]] / sum_k shares[k]. The shares are whole numbers above 0.
 struct Shares {
   std::vector<std::size_t> places;
   std::vector<Rational> shares;
 };
 
-// At most as many as there are weights; one for a corner. Nothing if the weights are outside the hull of the corners: both
-// are taken exactly. corners: rows of as many finite numbers as there are weights.
-std::optional<Shares> find_shares(const std::vector<std::span<const double>>& corners, std::span<const double> weights);
+// At most as many as there are weights; one for a weight vertex. Nothing if the weights are outside the hull of the
+// weight vertices: both are taken exactly. weight_vertices: rows of as many finite numbers as there are weights.
+std::optional<Shares> find_shares(const std::vector<std::span<const double>>& weight_vertices, std::span<const double> weights);
 
 }  // namespace refitlab

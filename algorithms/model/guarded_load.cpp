@@ -7,19 +7,24 @@
 #include <cerrno>
 #include <system_error>
 
+#include "algorithms/model/assimp_scene.hpp"
+#include "algorithms/model/gltf_scene.hpp"
 #include "algorithms/model/load.hpp"
+#include "algorithms/model/regular_file.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 
-Model load_model_guarded(const std::string& path, unsigned seconds) {
+Model load_model_guarded(const std::string& path, const LoadOptions& options, unsigned seconds) {
   const DefaultFloatEnvironment environment;
+  const auto bytes = bytes_of_regular_file(path);
+  if (!bytes || is_gltf(*bytes, path)) return load_model(path, options);
   const pid_t copy = fork();
   if (copy < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (copy == 0) {
     alarm(seconds);  // whose signal ends the copy
     try {
-      load_model(path);
+      assimp_scene(path);
     } catch (...) {
     }
     _exit(0);  // without the parent's buffers and destructors
@@ -28,7 +33,7 @@ Model load_model_guarded(const std::string& path, unsigned seconds) {
   while (waitpid(copy, &status, 0) < 0)
     if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw ModelError(path, "file", "assimp crashes on it, or does not end");
-  return load_model(path);
+  return load_model(path, options);
 }
 
 }  // namespace refitlab

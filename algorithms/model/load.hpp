@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigged models from files: glTF 2.0, FBX, X, Collada, and whatever else assimp 5.2 reads with bones.
+// Rigged models from files: glTF 2.0, and FBX, X, Collada and whatever else assimp 5.2 reads with bones.
 #pragma once
 
 #include <string>
 
+#include "algorithms/model/load_options.hpp"
 #include "algorithms/model/model.hpp"
 
 namespace refitlab {
@@ -25,7 +26,7 @@ namespace refitlab {
 // empty mesh, a number that is not finite, a weight that is negative, a vertex without weight, a joint or vertex index
 // out of range, weights whose sum says that some got lost, skin matrices that shear, or scale or mirror by different
 // factors.
-Model load_model(const std::string& path);
+Model load_model(const std::string& path, const LoadOptions& options = {});
 
 // A clip is checked on loading at as many times, evenly chosen among its keys' times if there are more.
 inline constexpr int max_checked_times = 256;

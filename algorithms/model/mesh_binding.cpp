@@ -3,17 +3,18 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <set>
+#include <map>
+#include <tuple>
 
 namespace refitlab {
 namespace {
 
-// The corners of the box of a mesh: where two placements agree there, they agree on the mesh.
-std::vector<Eigen::Vector4d> box_corners(const aiMesh& mesh) {
-  Eigen::Vector3d low = to_eigen(mesh.mVertices[0]), high = low;
-  for (unsigned v = 1; v < mesh.mNumVertices; ++v) {
-    low = low.cwiseMin(to_eigen(mesh.mVertices[v]));
-    high = high.cwiseMax(to_eigen(mesh.mVertices[v]));
+// The corners of the box of a primitive: where two placements agree there, they agree on it.
+std::vector<Eigen::Vector4d> box_corners(const ScenePrimitive& primitive) {
+  Eigen::Vector3d low = primitive.positions[0], high = low;
+  for (const Eigen::Vector3d& p : primitive.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
   std::vector<Eigen::Vector4d> corners;
   for (int c = 0; c < 8; ++c)
@@ -31,44 +32,47 @@ bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const std::vector
 constexpr double same_joint_tolerance = 1e-6;  // float rounding of offset matrices
 constexpr double same_frame_tolerance = 1e-3;  // of a mesh alone, any placement is right: keep the file's coordinates
 
+constexpr double affine_tolerance = 1e-6;  // of the last row of an offset matrix
+
 class Binder {
  public:
-  Binder(const NodeTree& tree, const std::string& file) : tree_(tree), file_(file) {
-    globals_ = global_transforms(tree.nodes(), Animation{}, 0);
-  }
+  explicit Binder(const Scene& scene) : scene_(scene) { globals_ = global_transforms(scene.nodes, Animation{}, 0); }
 
-  BoundMesh bind_skinned(const aiMesh& mesh) {
-    BoundMesh bound{&mesh, Eigen::Matrix4d::Identity(), {}};
-    const auto box = box_corners(mesh);
-    std::vector<int> nodes;
-    std::vector<Eigen::Matrix4d> offsets;
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-      const aiBone& bone = *mesh.mBones[b];
-      const std::string thing = "bone '" + std::string(bone.mName.C_Str()) + "'";
-      nodes.push_back(tree_.find(bone.mName.C_Str()));
-      offsets.push_back(to_eigen(bone.mOffsetMatrix));
-      if (nodes.back() < 0) throw ModelError(file_, thing, "no node has this name");
-      if (!offsets.back().allFinite() || offsets.back().determinant() == 0)
-        throw ModelError(file_, thing, "its offset matrix is singular or not finite");
-    }
-    if (!joints_.empty()) bound.placement = placement(nodes, offsets, box);
-    const Eigen::Matrix4d back = bound.placement.inverse();
-    for (std::size_t b = 0; b < nodes.size(); ++b)
-      bound.joints.push_back(joint(nodes[b], offsets[b], offsets[b] * back, bound.placement, box));
+  BoundPrimitive bind(int shown, int primitive) {
+    const ShownMesh& use = scene_.shown[shown];
+    BoundPrimitive bound{shown, primitive, Eigen::Matrix4d::Identity(), {}};
+    const auto box = box_corners(scene_.meshes[use.mesh].primitives[primitive]);
+    if (use.skin < 0) bind_to_node(use.node, box, bound);
+    else bind_to_skin(scene_.skins[use.skin], box, bound);
     return bound;
-  }
-
-  BoundMesh bind_to_node(const aiMesh& mesh, int node) {
-    const Eigen::Matrix4d rest = rest_frame(node);
-    if (!rest.allFinite() || rest.determinant() == 0)
-      throw ModelError(file_, "node '" + tree_.nodes()[node].name + "'", "its transform is singular");
-    const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-    return {&mesh, rest, {joint(node, identity, rest.inverse(), rest, box_corners(mesh))}};
   }
 
   std::vector<BoundJoint> joints_;
 
  private:
+  void bind_to_skin(const SceneSkin& skin, const std::vector<Eigen::Vector4d>& box, BoundPrimitive& bound) {
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      const Eigen::Matrix4d& offset = skin.offsets[j];
+      const std::string thing = "bone '" + scene_.nodes[skin.joints[j]].name + "'";
+      if (!offset.allFinite() || offset.determinant() == 0)
+        throw ModelError(scene_.file, thing, "its offset matrix is singular or not finite");
+      if ((offset.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() > affine_tolerance)
+        throw ModelError(scene_.file, thing, "its offset matrix is not affine");
+    }
+    if (!joints_.empty()) bound.placement = placement(skin.joints, skin.offsets, box);
+    const Eigen::Matrix4d back = bound.placement.inverse();
+    for (std::size_t j = 0; j < skin.joints.size(); ++j)
+      bound.joints.push_back(joint(skin.joints[j], skin.offsets[j], skin.offsets[j] * back, bound.placement, box));
+  }
+
+  void bind_to_node(int node, const std::vector<Eigen::Vector4d>& box, BoundPrimitive& bound) {
+    bound.placement = rest_frame(node);
+    if (!bound.placement.allFinite() || bound.placement.determinant() == 0)
+      throw ModelError(scene_.file, "node '" + scene_.nodes[node].name + "'", "its transform is singular");
+    const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+    bound.joints = {joint(node, identity, bound.placement.inverse(), bound.placement, box)};
+  }
+
   int joint_of_node(int node) const {
     const auto found = std::find_if(joints_.begin(), joints_.end(), [&](const auto& j) { return j.node == node; });
     return found == joints_.end() ? -1 : static_cast<int>(found - joints_.begin());
@@ -77,7 +81,7 @@ class Binder {
   // The frame of a node, to the reference pose, as it is in the file relative to the nearest joint.
   Eigen::Matrix4d rest_frame(int node) const {
     int nearest = -1;
-    for (int n = node; n >= 0 && nearest < 0; n = tree_.nodes()[n].parent) nearest = joint_of_node(n);
+    for (int n = node; n >= 0 && nearest < 0; n = scene_.nodes[n].parent) nearest = joint_of_node(n);
     const BoundJoint& j = joints_[std::max(nearest, 0)];
     if (j.node == node) return j.offset.inverse();
     return (globals_[j.node] * j.offset).inverse() * globals_[node];
@@ -103,12 +107,11 @@ class Binder {
     for (std::size_t j = 0; j < joints_.size(); ++j)
       if (joints_[j].node == node && agree(own, joints_[j].offset * placement, box, same_joint_tolerance))
         return static_cast<int>(j);
-    joints_.push_back({tree_.nodes()[node].name, node, -1, offset});
+    joints_.push_back({scene_.nodes[node].name, node, -1, offset});
     return static_cast<int>(joints_.size()) - 1;
   }
 
-  const NodeTree& tree_;
-  std::string file_;
+  const Scene& scene_;
   std::vector<Eigen::Matrix4d> globals_;
 };
 
@@ -130,38 +133,45 @@ std::vector<int> order_joints(std::vector<BoundJoint>& joints, const std::vector
   return fresh;
 }
 
+bool weights_move(const Scene& scene, int node) {
+  for (const Animation& motion : scene.animations)
+    for (const WeightTrack& track : motion.weight_tracks)
+      if (track.node == node) return true;
+  return false;
+}
+
 }  // namespace
 
-BoundScene bind_meshes(const aiScene& scene, const NodeTree& tree, const std::string& file) {
-  struct Use {
-    int node;
-    const aiMesh* mesh;
-  };
-  std::vector<Use> uses;
-  std::set<const aiMesh*> skinned;
-  for (std::size_t n = 0; n < tree.nodes().size(); ++n) {
-    const aiNode& source = tree.source(static_cast<int>(n));
-    for (unsigned m = 0; m < source.mNumMeshes; ++m) {
-      const aiMesh* mesh = scene.mMeshes[source.mMeshes[m]];
-      const auto is_triangle = [](const aiFace& face) { return face.mNumIndices == 3; };
-      if (std::none_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces, is_triangle)) continue;
-      // The bones of a skinned mesh say where it is; it is there once, however many nodes refer to it.
-      if (!mesh->HasBones() || skinned.insert(mesh).second) uses.push_back({static_cast<int>(n), mesh});
-    }
-  }
-  if (skinned.empty()) throw ModelError(file, "file", "no skin: no mesh has bones");
-
+BoundScene bind_meshes(const Scene& scene) {
   BoundScene out;
-  out.meshes.resize(uses.size());
-  Binder binder(tree, file);
-  for (std::size_t u = 0; u < uses.size(); ++u)
-    if (uses[u].mesh->HasBones()) out.meshes[u] = binder.bind_skinned(*uses[u].mesh);
-  for (std::size_t u = 0; u < uses.size(); ++u)
-    if (!uses[u].mesh->HasBones()) out.meshes[u] = binder.bind_to_node(*uses[u].mesh, uses[u].node);
+  // The joints of a skinned mesh say where it is; it is there once, however many nodes show it: by mesh, skin, weights of
+  // morph targets, and the node that has them where a clip moves them.
+  std::map<std::tuple<int, int, std::vector<double>, int>, int> skinned;
+  for (std::size_t s = 0; s < scene.shown.size(); ++s) {
+    const ShownMesh& use = scene.shown[s];
+    const int node = weights_move(scene, use.node) ? use.node : -1;
+    if (use.skin >= 0) {
+      const auto [first, is_new] = skinned.try_emplace({use.mesh, use.skin, use.weights, node}, static_cast<int>(s));
+      if (!is_new) out.repeated.push_back({static_cast<int>(s), first->second});
+      if (!is_new) continue;
+    }
+    const std::vector<ScenePrimitive>& primitives = scene.meshes[use.mesh].primitives;
+    for (std::size_t p = 0; p < primitives.size(); ++p)
+      if (!primitives[p].triangles.empty())
+        out.primitives.push_back({static_cast<int>(s), static_cast<int>(p), Eigen::Matrix4d::Identity(), {}});
+  }
+  const auto is_skinned = [&](const BoundPrimitive& bound) { return scene.shown[bound.shown].skin >= 0; };
+  if (std::none_of(out.primitives.begin(), out.primitives.end(), is_skinned))
+    throw ModelError(scene.file, "file", "no skin: no mesh has bones");
+
+  Binder binder(scene);
+  for (const bool skinned_first : {true, false})
+    for (BoundPrimitive& bound : out.primitives)
+      if (is_skinned(bound) == skinned_first) bound = binder.bind(bound.shown, bound.primitive);
   out.joints = std::move(binder.joints_);
-  const std::vector<int> fresh = order_joints(out.joints, tree.nodes());
-  for (BoundMesh& mesh : out.meshes)
-    for (int& joint : mesh.joints) joint = fresh[joint];
+  const std::vector<int> fresh = order_joints(out.joints, scene.nodes);
+  for (BoundPrimitive& bound : out.primitives)
+    for (int& joint : bound.joints) joint = fresh[joint];
   return out;
 }
 

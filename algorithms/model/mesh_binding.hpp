@@ -1,34 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The meshes of a model file, each in its place in one reference pose, and the joints that move them.
+// The meshes of a scene, each in its place in one reference pose, and the joints that move them.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "algorithms/model/scene_conversion.hpp"
+#include "algorithms/model/scene.hpp"
 
 namespace refitlab {
 
-// A mesh in its place: its vertices, moved by placement, are in the frame of the reference pose.
-struct BoundMesh {
-  const aiMesh* mesh;
+// A primitive that a node shows, in its place: its vertices, moved by placement, are in the frame of the reference pose.
+struct BoundPrimitive {
+  int shown, primitive;  // of scene.shown[shown]'s mesh
   Eigen::Matrix4d placement;
-  std::vector<int> joints;  // by bone; a mesh without bones has one joint for all of its vertices
+  std::vector<int> joints;  // by joint of the skin; a mesh without a skin has one joint for all of its vertices
+};
+
+// A node shows what another, before it, shows with the same skin and the same morph weights: both are indices of
+// scene.shown.
+struct RepeatedMesh {
+  int shown, first;
 };
 
 struct BoundScene {
-  std::vector<BoundJoint> joints;  // in the order of their nodes
-  std::vector<BoundMesh> meshes;   // in the order of their nodes
+  std::vector<BoundJoint> joints;          // in the order of their nodes
+  std::vector<BoundPrimitive> primitives;  // in the order of the scene
+  std::vector<RepeatedMesh> repeated;      // whose primitives are bound for the first one alone
 };
 
-// Finds joints for all meshes of the tree that have triangles.
+// Finds joints for all primitives of the scene that have triangles.
 //
-// The reference pose is the one that the first skinned mesh rests in. A mesh whose offset matrices, of joints that
-// others have used, are in another frame is moved to the reference pose; where no one placement makes all of them
-// agree, a node gets a joint for each offset. A skinned mesh that shares no joint, and a mesh without bones, are placed
+// The reference pose is the one that the first skinned primitive rests in. A primitive whose offset matrices, of joints
+// that others have used, are in another frame is moved to the reference pose; where no one placement makes all of them
+// agree, a node gets a joint for each offset. A skinned primitive that shares no joint, and one without a skin, are placed
 // as the nodes of the file have them relative to the nearest ancestor that is a joint (or else to the first joint);
-// the node of a mesh without bones becomes a joint.
-// Throws ModelError: no skin, a bone without a node, an offset matrix that is singular or not finite.
-BoundScene bind_meshes(const aiScene& scene, const NodeTree& tree, const std::string& file);
+// the node of a mesh without a skin becomes a joint.
+// Throws ModelError: no skin, an offset matrix that is singular, not affine or not finite.
+BoundScene bind_meshes(const Scene& scene);
 
 }  // namespace refitlab

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "algorithms/model/skeleton_motion.hpp"
@@ -17,6 +18,27 @@ struct Clip {
   Animation animation = {};            // of the model's skeleton; without tracks where there is no skeleton
 };
 
+// A primitive of a file as one node shows it, and what of the model was made of it. A model vertex may be that of several
+// primitives, and of several vertices of one.
+struct SourcePrimitive {
+  int node, mesh, primitive, skin;  // indices in the file; -1 for no skin
+  std::vector<int> vertices;        // by the primitive's vertex: the model's, or -1 for one that no triangle uses
+  std::vector<int> triangles;       // by the primitive's triangle: the model's, or -1 for one that was dropped
+};
+
+// By how much a morph target moves vertices, in the frame of the reference pose. Others stay.
+struct MorphTarget {
+  std::vector<std::pair<int, Point3>> displacements;  // by vertex, in increasing order
+};
+
+// A mesh with morph targets as one node shows it. Before a vertex v of it is skinned, it is moved to v plus the sum over the
+// targets of weight times displacement. No vertex has displacements of two meshes.
+struct MorphedMesh {
+  int node;                     // of the skeleton's nodes, whose WeightTrack has the weights
+  std::vector<double> weights;  // by target, where no clip moves them
+  std::vector<MorphTarget> targets;
+};
+
 struct Model : SkinnedMesh {
   std::vector<Clip> clips = {};
   // How far the skin matrices M of a file, its scale s taken out, are from rotations: the largest Frobenius norm of
@@ -24,6 +46,11 @@ struct Model : SkinnedMesh {
   double rigidity_defect = 0;
   // What the clips' animations move: of models from files. Its joints are the mesh's.
   BoundSkeleton skeleton = {};
+  // Where all of it comes from: of models from files. A skinned mesh that several nodes show with one skin is in the model
+  // once, and has a source for each node.
+  std::vector<SourcePrimitive> sources = {};
+  // Of models loaded with Morphs::moving, whose vertices are those of weights 0.
+  std::vector<MorphedMesh> morphs = {};
 };
 
 }  // namespace refitlab

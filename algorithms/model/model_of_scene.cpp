@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/model_of_scene.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/mesh_binding.hpp"
@@ -16,87 +17,136 @@ namespace {
 
 using Weights = std::vector<std::pair<int, double>>;  // joint, weight
 
-std::string name_of(const aiMesh& mesh) { return "mesh '" + std::string(mesh.mName.C_Str()) + "'"; }
-
-// What later steps take for granted, assimp's own triangulation among them.
-void check_mesh(const aiMesh& mesh, const std::string& file) {
-  const std::string thing = name_of(mesh);
-  if (mesh.mNumVertices == 0 || mesh.mNumFaces == 0 || !mesh.mVertices) throw ModelError(file, thing, "is empty");
-  for (unsigned v = 0; v < mesh.mNumVertices; ++v)
-    if (!to_eigen(mesh.mVertices[v]).allFinite())
-      throw ModelError(file, thing, "the position of vertex " + std::to_string(v) + " is not finite");
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f)
-    for (unsigned i = 0; i < mesh.mFaces[f].mNumIndices; ++i)
-      if (mesh.mFaces[f].mIndices[i] >= mesh.mNumVertices)
-        throw ModelError(file, thing, "face " + std::to_string(f) + " names a vertex out of range");
-  for (unsigned b = 0; b < mesh.mNumBones; ++b)
-    for (unsigned w = 0; w < mesh.mBones[b]->mNumWeights; ++w) {
-      const aiVertexWeight& weight = mesh.mBones[b]->mWeights[w];
-      const std::string at = thing + ", vertex " + std::to_string(weight.mVertexId);
-      if (weight.mVertexId >= mesh.mNumVertices) throw ModelError(file, at, "a bone names a vertex out of range");
-      if (!std::isfinite(weight.mWeight)) throw ModelError(file, at, "a weight is not a finite number");
-      if (weight.mWeight < 0) throw ModelError(file, at, "weight " + std::to_string(weight.mWeight) + " is negative");
-    }
-}
-
-std::vector<Weights> weights_by_vertex(const BoundMesh& bound) {
-  std::vector<Weights> out(bound.mesh->mNumVertices);
-  if (!bound.mesh->HasBones()) out.assign(out.size(), {{bound.joints[0], 1.0}});
-  for (unsigned b = 0; b < bound.mesh->mNumBones; ++b)
-    for (unsigned w = 0; w < bound.mesh->mBones[b]->mNumWeights; ++w) {
-      const aiVertexWeight& weight = bound.mesh->mBones[b]->mWeights[w];
-      if (weight.mWeight > 0) out[weight.mVertexId].emplace_back(bound.joints[b], weight.mWeight);
-    }
-  return out;
-}
-
-// Gathers the triangles of all meshes, a vertex for each position and weights.
+// Gathers the triangles of all primitives, a vertex for each position, weights and displacements.
 class Skin {
  public:
-  explicit Skin(Model& model) : model_(model) {}
+  Skin(const Scene& scene, Morphs morphs, Model& model) : scene_(scene), morphs_(morphs), model_(model) {}
 
-  void add(const BoundMesh& bound) {
-    const std::vector<Weights> weights = weights_by_vertex(bound);
+  void add(const BoundPrimitive& bound) {
+    const ShownMesh& use = scene_.shown[bound.shown];
+    const ScenePrimitive& primitive = scene_.meshes[use.mesh].primitives[bound.primitive];
+    const int morphed = morphs_ == Morphs::moving && !primitive.targets.empty() ? morphed_mesh(use) : -1;
+    SourcePrimitive source{
+        scene_.nodes[use.node].source, use.mesh, bound.primitive, use.skin, std::vector<int>(primitive.positions.size(), -1), {}};
     const bool mirrored = bound.placement.determinant() < 0;
-    for (unsigned f = 0; f < bound.mesh->mNumFaces; ++f) {
-      const aiFace& face = bound.mesh->mFaces[f];
-      if (face.mNumIndices != 3) continue;
+    for (const Triangle& corners : primitive.triangles) {
       Triangle t;
-      for (int k = 0; k < 3; ++k) t[k] = vertex(bound, face.mIndices[k], weights[face.mIndices[k]]);
+      for (int k = 0; k < 3; ++k) {
+        int& known = source.vertices[corners[k]];
+        if (known < 0) known = vertex(bound, primitive, corners[k], morphed);
+        t[k] = known;
+      }
       if (mirrored) std::swap(t[1], t[2]);
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) model_.triangles.push_back(t);
+      const bool kept = t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+      source.triangles.push_back(kept ? static_cast<int>(model_.triangles.size()) : -1);
+      if (kept) model_.triangles.push_back(t);
     }
+    model_.sources.push_back(std::move(source));
   }
 
  private:
-  int vertex(const BoundMesh& bound, unsigned index, const Weights& weights) {
+  // The index of the node's mesh in model.morphs, with room for its targets.
+  int morphed_mesh(const ShownMesh& use) {
+    auto& meshes = model_.morphs;
+    const auto found = std::find_if(meshes.begin(), meshes.end(), [&](const MorphedMesh& m) { return m.node == use.node; });
+    if (found != meshes.end()) return static_cast<int>(found - meshes.begin());
+    meshes.push_back({use.node, use.weights, std::vector<MorphTarget>(use.weights.size())});
+    return static_cast<int>(meshes.size()) - 1;
+  }
+
+  // In the order of the skin's joints: so the sum does not depend on the format.
+  static Weights weights_of(const BoundPrimitive& bound, const ScenePrimitive& primitive, int index, bool skinned) {
+    if (!skinned) return {{bound.joints[0], 1.0}};
+    Weights out = primitive.weights[index];
+    std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (auto& weight : out) weight.first = bound.joints[weight.first];
+    return out;
+  }
+
+  // In the primitive's frame, with the displacements of weights that do not move.
+  Eigen::Vector3d position_of(const ShownMesh& use, const ScenePrimitive& primitive, int index) const {
+    Eigen::Vector3d out = primitive.positions[index];
+    for (std::size_t t = 0; morphs_ == Morphs::constant && t < primitive.targets.size(); ++t)
+      if (use.weights[t] != 0) out += use.weights[t] * primitive.targets[t][index];
+    return out;
+  }
+
+  // Of the reference pose, target by target; nothing if all are zero.
+  static std::vector<double> displacements_of(const BoundPrimitive& bound, const ScenePrimitive& primitive, int index) {
+    std::vector<double> out;
+    bool any = false;
+    for (const auto& target : primitive.targets) {
+      const Eigen::Vector3d moved = bound.placement.topLeftCorner<3, 3>() * target[index];
+      any = any || !moved.isZero(0);
+      out.insert(out.end(), {moved[0], moved[1], moved[2]});
+    }
+    return any ? out : std::vector<double>{};
+  }
+
+  int vertex(const BoundPrimitive& bound, const ScenePrimitive& primitive, int index, int morphed) {
+    const ShownMesh& use = scene_.shown[bound.shown];
+    const Weights weights = weights_of(bound, primitive, index, use.skin >= 0);
     double sum = 0;
     for (const auto& [joint, weight] : weights) sum += weight;
     if (!(sum >= least_weight_sum && sum <= greatest_weight_sum)) {
       const std::string reason = sum == 0 ? "no weight" : "its weights sum to " + std::to_string(sum) + ", not 1";
-      throw ModelError(model_.name, name_of(*bound.mesh) + ", vertex " + std::to_string(index), reason);
+      throw ModelError(model_.name, primitive.label + ", vertex " + std::to_string(index), reason);
     }
-    const Point3 rest = (bound.placement * to_eigen(bound.mesh->mVertices[index]).homogeneous()).head<3>();
-    const Key key{{rest[0], rest[1], rest[2]}, quantize_weights(weights)};
+    const Point3 rest = (bound.placement * position_of(use, primitive, index).homogeneous()).head<3>();
+    const std::vector<double> moved = morphed < 0 ? std::vector<double>{} : displacements_of(bound, primitive, index);
+    const Key key{{rest[0], rest[1], rest[2]}, quantize_weights(weights), moved.empty() ? -1 : morphed, moved};
     const auto [found, is_new] = known_.try_emplace(key, static_cast<int>(model_.vertices.size()));
     if (is_new) {
+      for (std::size_t t = 0; t < moved.size() / 3; ++t)
+        if (const Point3 by(moved[3 * t], moved[3 * t + 1], moved[3 * t + 2]); !by.isZero(0))
+          model_.morphs[morphed].targets[t].displacements.emplace_back(found->second, by);
       model_.vertices.push_back(rest);
       auto& influences = model_.influences.emplace_back();
-      for (const auto& [joint, weight] : key.second) influences.push_back({joint, weight});
+      for (const auto& [joint, weight] : std::get<1>(key)) influences.push_back({joint, weight});
     }
     return found->second;
   }
 
-  using Key = std::pair<std::array<double, 3>, Weights>;
+  using Key = std::tuple<std::array<double, 3>, Weights, int, std::vector<double>>;
+  const Scene& scene_;
+  Morphs morphs_;
   Model& model_;
   std::map<Key, int> known_;
 };
 
+void add_repeated_sources(const Scene& scene, const BoundScene& bound, Model& model) {
+  const std::size_t own = model.sources.size();
+  for (const RepeatedMesh& repeated : bound.repeated)
+    for (std::size_t i = 0; i < own; ++i) {
+      const ShownMesh& first = scene.shown[repeated.first];
+      if (model.sources[i].node != scene.nodes[first.node].source) continue;
+      SourcePrimitive again = model.sources[i];
+      again.node = scene.nodes[scene.shown[repeated.shown].node].source;
+      model.sources.push_back(std::move(again));
+    }
+}
+
+// A clip whose morph weights are anywhere other than those of the node.
+void check_weights_stay(const Scene& scene) {
+  for (const ShownMesh& use : scene.shown)
+    for (const Animation& motion : scene.animations)
+      for (const WeightTrack& track : motion.weight_tracks) {
+        if (track.node != use.node) continue;
+        const auto rest = Eigen::Map<const Eigen::VectorXd>(use.weights.data(), static_cast<Eigen::Index>(use.weights.size()));
+        bool stay = true;
+        for (const auto& key : track.weights.keys) stay = stay && key.value == rest;
+        for (const auto& tangents : track.weights.tangents) stay = stay && tangents.into.isZero(0) && tangents.out.isZero(0);
+        if (!stay)
+          throw ModelError(scene.file, "clip '" + motion.name + "', node '" + scene.nodes[use.node].name + "'",
+                           "moves the weights of morph targets, which this program does not bound");
+      }
+}
+
 // Moves the constant factor of the skin matrices (see skeleton_motion.hpp) into the reference pose.
-void factor_out(const Eigen::Matrix4d& factor, BoundSkeleton& skeleton, std::vector<BoundMesh>& meshes) {
+void factor_out(const Eigen::Matrix4d& factor, BoundSkeleton& skeleton, std::vector<BoundPrimitive>& primitives) {
   const Eigen::Matrix4d back = factor.inverse();
   for (BoundJoint& joint : skeleton.joints) joint.offset = joint.offset * back;
-  for (BoundMesh& mesh : meshes) mesh.placement = factor * mesh.placement;
+  for (BoundPrimitive& bound : primitives) bound.placement = factor * bound.placement;
 }
 
 std::vector<Joint> rest_joints(const BoundSkeleton& skeleton) {
@@ -105,44 +155,58 @@ std::vector<Joint> rest_joints(const BoundSkeleton& skeleton) {
   return joints;
 }
 
-void check_node(const aiNode& node, const aiScene& scene, const std::string& file) {
-  for (unsigned m = 0; m < node.mNumMeshes; ++m)
-    if (node.mMeshes[m] >= scene.mNumMeshes)
-      throw ModelError(file, "node '" + std::string(node.mName.C_Str()) + "'", "names a mesh out of range");
-  for (unsigned c = 0; c < node.mNumChildren; ++c) check_node(*node.mChildren[c], scene, file);
+// Over the reference pose and all clips, at the times that are checked on loading.
+double greatest_defect(const BoundSkeleton& skeleton, const std::vector<Animation>& motions) {
+  double out = rigidity_defect(skin_matrices(skeleton, motions.empty() ? Animation{} : motions.front(), 0));
+  for (const Animation& motion : motions)
+    for (const double time : key_times(motion, max_checked_times))
+      out = std::max(out, rigidity_defect(skin_matrices(skeleton, motion, time)));
+  return out;
+}
+
+// The same; throws where a pose is not rigid.
+double checked_defect(const BoundSkeleton& skeleton, const std::vector<Animation>& motions) {
+  double out = pose(skeleton, motions.empty() ? Animation{} : motions.front(), 0).rigidity_defect;
+  for (const Animation& motion : motions)
+    for (const double time : key_times(motion, max_checked_times))
+      out = std::max(out, pose(skeleton, motion, time).rigidity_defect);
+  return out;
 }
 
 }  // namespace
 
-void check_scene(const aiScene& scene, const std::string& file) {
-  if (!scene.mRootNode || scene.mNumMeshes == 0) throw ModelError(file, "file", "has no mesh");
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) check_mesh(*scene.mMeshes[m], file);
-  check_node(*scene.mRootNode, scene, file);
-}
-
-Model model_of_scene(const aiScene& scene, const std::string& file) {
+Model model_of_scene(const Scene& scene, const LoadOptions& options) {
   const DefaultFloatEnvironment environment;
-  const NodeTree tree(scene, file);
-  BoundScene bound = bind_meshes(scene, tree, file);
-  const std::vector<Animation> motions = convert_animations(scene, tree, file);
-
-  auto skeleton = std::make_shared<BoundSkeleton>(BoundSkeleton{file, tree.nodes(), std::move(bound.joints)});
-  const Animation first = motions.empty() ? Animation{} : motions.front();
-  factor_out(common_factor(*skeleton, first, 0), *skeleton, bound.meshes);
-
+  if (options.morphs == Morphs::constant) check_weights_stay(scene);
+  const BoundScene bound = bind_meshes(scene);
   Model model;
-  model.name = file;
-  model.joints = rest_joints(*skeleton);
-  model.rigidity_defect = pose(*skeleton, first, 0).rigidity_defect;
-  Skin skin(model);
-  for (const BoundMesh& mesh : bound.meshes) skin.add(mesh);
-  for (const Animation& motion : motions) {
-    for (const double time : key_times(motion, max_checked_times))
-      model.rigidity_defect = std::max(model.rigidity_defect, pose(*skeleton, motion, time).rigidity_defect);
+  model.name = scene.file;
+  model.skeleton = {scene.file, scene.nodes, bound.joints};
+  std::vector<BoundPrimitive> primitives = bound.primitives;
+  const Eigen::Matrix4d factor =
+      common_factor(model.skeleton, scene.animations.empty() ? Animation{} : scene.animations.front(), 0);
+  factor_out(factor, model.skeleton, primitives);
+  if (options.joints == Joints::rigid) {
+    model.rigidity_defect = checked_defect(model.skeleton, scene.animations);
+  } else {
+    model.rigidity_defect = greatest_defect(model.skeleton, scene.animations);
+    if (!(model.rigidity_defect <= rigidity_tolerance)) {
+      model.skeleton.joints = bound.joints;
+      primitives = bound.primitives;
+      model.rigidity_defect = greatest_defect(model.skeleton, scene.animations);
+    }
+  }
+
+  model.joints = rest_joints(model.skeleton);
+  Skin skin(scene, options.morphs, model);
+  for (const BoundPrimitive& primitive : primitives) skin.add(primitive);
+  add_repeated_sources(scene, bound, model);
+  const auto skeleton = std::make_shared<const BoundSkeleton>(model.skeleton);
+  for (Animation motion : scene.animations) {
+    if (model.morphs.empty()) motion.weight_tracks.clear();
     model.clips.push_back(
         {motion.name, motion.duration, [skeleton, motion](double time) { return pose(*skeleton, motion, time).pose; }, motion});
   }
-  model.skeleton = *skeleton;
   validate(model);
   return model;
 }

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene that assimp read, as a model.
+// A scene as a model.
 #pragma once
 
-#include <assimp/scene.h>
-
-#include <string>
-
+#include "algorithms/model/load_options.hpp"
 #include "algorithms/model/model.hpp"
+#include "algorithms/model/scene.hpp"
 
 namespace refitlab {
 
-// What later steps take for granted, assimp's own triangulation among them: meshes that are not empty, finite
-// positions, indices in range, weights that are finite and not negative. Throws ModelError.
-void check_scene(const aiScene& scene, const std::string& file);
-
-// The model of a scene that check_scene let pass, by its triangles, as load_model says. file: for errors; the model's
-// name.
-Model model_of_scene(const aiScene& scene, const std::string& file);
+// As load_model says. Takes for granted that indices are in range, positions finite, and weights finite and not negative.
+// The scene's file is the model's name. Throws ModelError.
+Model model_of_scene(const Scene& scene, const LoadOptions& options = {});
 
 }  // namespace refitlab

@@ -4,48 +4,14 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
+#include "algorithms/model/channel_value.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "lemmas/c2_channel_motion.hpp"
 
 namespace refitlab {
 namespace {
-
-Eigen::Vector3d between(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) { return a + t * (b - a); }
-Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double t) {
-  return a.slerp(t, b).normalized();
-}
-
-// Of the channel's spline from a key to the next.
-template <int D, class Value, class Coefficients>
-Vec<double, D> on_spline(const Channel<Value>& channel, std::size_t key, double share, const Coefficients& of) {
-  const Key<Value>&a = channel.keys[key], &b = channel.keys[key + 1];
-  return spline_curve<double, D>(of(a.value), of(channel.tangents[key].out), of(channel.tangents[key + 1].into), of(b.value),
-                                 b.time - a.time)
-      .at(share);
-}
-Eigen::Vector3d on_spline(const Channel<Eigen::Vector3d>& channel, std::size_t key, double share) {
-  return on_spline<3>(channel, key, share, [](const Eigen::Vector3d& v) { return v; });
-}
-Eigen::Quaterniond on_spline(const Channel<Eigen::Quaterniond>& channel, std::size_t key, double share) {
-  const auto coefficients = [](const Eigen::Quaterniond& q) -> Eigen::Vector4d { return q.coeffs(); };
-  return Eigen::Quaterniond(on_spline<4>(channel, key, share, coefficients)).normalized();
-}
-
-template <class Value>
-Value value_at(const Channel<Value>& channel, double time, Side side) {
-  const auto& keys = channel.keys;
-  const auto after = side == Side::after
-                         ? std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; })
-                         : std::lower_bound(keys.begin(), keys.end(), time, [](const auto& k, double t) { return k.time < t; });
-  if (after == keys.begin()) return keys.front().value;
-  if (after == keys.end() || channel.interpolation == Interpolation::step) return (after - 1)->value;
-  const auto before = after - 1;
-  const double share = (time - before->time) / (after->time - before->time);
-  if (channel.interpolation == Interpolation::cubic) return on_spline(channel, std::size_t(before - keys.begin()), share);
-  return between(before->value, after->value, share);
-}
 
 Eigen::Matrix4d local_transform(const NodeTrack& track, double time, Side side) {
   Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
@@ -61,6 +27,13 @@ Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d m) {
   for (int step = 0; step < 4; ++step) m = 0.5 * (m + m.inverse().transpose()).eval();
   return m;
 }
+
+double defect_of(const Eigen::Matrix4d& matrix) {
+  const Eigen::Matrix3d m = matrix.topLeftCorner<3, 3>();
+  return (m.transpose() * m - Eigen::Matrix3d::Identity()).norm();
+}
+
+bool is_proper(const Eigen::Matrix4d& matrix) { return matrix.allFinite() && matrix.topLeftCorner<3, 3>().determinant() > 0; }
 
 // Why m, which is not within rigidity_tolerance of a rotation, is refused.
 std::string reason_against(const Eigen::Matrix3d& m) {
@@ -91,10 +64,26 @@ std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nod
   return globals;
 }
 
-std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time, Side side) {
-  const auto globals = global_transforms(skeleton.nodes, animation, time, side);
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
+  const DefaultFloatEnvironment environment;
+  const auto globals = global_transforms(skeleton.nodes, motion, time, side);
   std::vector<Eigen::Matrix4d> out;
   for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
+  return out;
+}
+
+Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side) {
+  const DefaultFloatEnvironment environment;
+  return value_at(track.weights, time, side);
+}
+
+double rigidity_defect(const std::vector<Eigen::Matrix4d>& skin_matrices) {
+  const DefaultFloatEnvironment environment;
+  double out = 0;
+  for (const Eigen::Matrix4d& matrix : skin_matrices) {
+    if (!is_proper(matrix)) return std::numeric_limits<double>::infinity();
+    out = std::max(out, defect_of(matrix));
+  }
   return out;
 }
 
@@ -118,8 +107,8 @@ PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, doubl
   for (std::size_t j = 0; j < matrices.size(); ++j) {
     const BoundJoint& joint = skeleton.joints[j];
     const Eigen::Matrix3d m = matrices[j].topLeftCorner<3, 3>();
-    const double defect = (m.transpose() * m - Eigen::Matrix3d::Identity()).norm();
-    if (!(defect <= rigidity_tolerance && m.determinant() > 0 && matrices[j].allFinite())) {
+    const double defect = defect_of(matrices[j]);
+    if (!(defect <= rigidity_tolerance && is_proper(matrices[j]))) {
       std::ostringstream thing;
       if (!motion.name.empty()) thing << "clip '" << motion.name << "', ";
       thing << "joint '" << joint.name << "', time " << time << " s";
@@ -142,6 +131,7 @@ std::vector<double> key_times(const Animation& motion, std::size_t limit) {
     collect_times(track.rotations, times);
     collect_times(track.scales, times);
   }
+  for (const WeightTrack& track : motion.weight_tracks) collect_times(track.weights, times);
   std::erase_if(times, [&](double t) { return t < 0 || t > motion.duration; });
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());

@@ -22,6 +22,7 @@ struct SceneNode {
   std::string name;
   int parent;             // index of a node that comes before this one, or -1
   Eigen::Matrix4d local;  // to the parent's frame, where no clip moves it
+  int source = -1;        // its index in the file
 };
 
 struct BoundJoint {
@@ -63,13 +64,20 @@ struct NodeTrack {
   Channel<Eigen::Vector3d> scales;
 };
 
+// The weights of the morph targets of the mesh that a node shows, all of them at a time.
+struct WeightTrack {
+  int node;
+  Channel<Eigen::VectorXd> weights;
+};
+
 // Where two keys share a time, or a step ends, a channel jumps: a time has two sides then.
 enum class Side { before, after };
 
 struct Animation {
   std::string name;
   double duration = 0;
-  std::vector<NodeTrack> tracks;  // of distinct nodes; a node without one stays as it is
+  std::vector<NodeTrack> tracks;                // of distinct nodes; a node without one stays as it is
+  std::vector<WeightTrack> weight_tracks = {};  // of distinct nodes; a mesh without one keeps its weights
 };
 
 struct BoundSkeleton {
@@ -87,9 +95,16 @@ struct PosedSkeleton {
 std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& animation, double time,
                                                Side side = Side::after);
 
-// The M_j, by joint.
+// M_j by joint, affine.
 std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time,
                                            Side side = Side::after);
+
+// By target.
+Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side = Side::after);
+
+// How far skin matrices are from rotations: the largest Frobenius norm of M^T M - I over the joints. Infinite where one
+// mirrors or is not finite.
+double rigidity_defect(const std::vector<Eigen::Matrix4d>& skin_matrices);
 
 // K of the skin matrices at a time, by the determinant of the joint in the middle. The identity where it differs from
 // that by rounding only.

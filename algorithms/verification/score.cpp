@@ -56,35 +56,35 @@ Containment is_held(const Ball3<double>& ball, const Ball3<S>& image) {
 
 }  // namespace
 
-CaseNodes::CaseNodes(const SyntheticCase& query) : reference_(lift<double>(query.reference)) {
+CaseNodes::CaseNodes(const SyntheticCase& synthetic) : reference_(lift<double>(synthetic.reference)) {
   const DefaultFloatEnvironment environment;
   constexpr int halvings = 2;
-  for (const SyntheticSet& set : query.sets) {
+  for (const SyntheticSet& set : synthetic.sets) {
     const int number = static_cast<int>(palette_.size());
     palette_.push_back(lift_palette<double>(set.palette));
-    const auto add = [&](Pieces pieces, const std::vector<RationalWeights>& corners) {
-      if (corners.empty()) return;
+    const auto add = [&](Pieces pieces, const std::vector<RationalWeights>& weight_vertices) {
+      if (weight_vertices.empty()) return;
       Description& d = descriptions_[static_cast<int>(pieces)];
-      d.pieces.push_back({number, static_cast<int>(d.weight_vertices.size()), static_cast<int>(corners.size()),
+      d.pieces.push_back({number, static_cast<int>(d.weight_vertices.size()), static_cast<int>(weight_vertices.size()),
                           static_cast<int>(d.pieces.size())});
       if (pieces != Pieces::node) d.references.push_back(lift<double>(set.reference));
-      for (const auto& corner : corners)
-        for (const Rational& w : corner) d.weight_vertices.push_back(lift<double>(w));
+      for (const auto& weight_vertex : weight_vertices)
+        for (const Rational& w : weight_vertex) d.weight_vertices.push_back(lift<double>(w));
     };
-    add(Pieces::node, set.corners);
-    add(Pieces::joint_sets, set.corners);
-    add(Pieces::mixed, set.corners);  // a query has no vertices to list
+    add(Pieces::node, set.weight_vertices);
+    add(Pieces::joint_sets, set.weight_vertices);
+    add(Pieces::mixed, set.weight_vertices);  // a synthetic case has no vertices to list
     std::vector<WeightBounds<Rational>> boxes;
     halve(set.bounds, halvings, boxes);
     for (const auto& box : boxes) add(Pieces::many, *enumerate_weight_vertices(box, std::size_t(-1) / 2));
   }
 }
 
-SkinnedCase::SkinnedCase(const SyntheticCase& query, Skinning skinning) : skinning_(skinning) {
+SkinnedCase::SkinnedCase(const SyntheticCase& synthetic, Skinning skinning) : skinning_(skinning) {
   const DefaultFloatEnvironment environment;
-  for (const SyntheticSet& set : query.sets) weights_.push_back(sampled_weights(set));
-  for (std::size_t z = 0; z < query.sets.size(); ++z) {
-    const SyntheticSet& set = query.sets[z];
+  for (const SyntheticSet& set : synthetic.sets) weights_.push_back(sampled_weights(set));
+  for (std::size_t z = 0; z < synthetic.sets.size(); ++z) {
+    const SyntheticSet& set = synthetic.sets[z];
     size_ = std::max(size_, norm(lift<double>(set.palette.rotation_center)));
     for (const auto& image : set.palette.center_images) size_ = std::max(size_, norm(lift<double>(image)));
     const auto& [p, r] = set.reference;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scoring refits on queries: does a ball in double hold what is exactly skinned, and how much larger is it than needed.
+// Scoring refits on synthetic cases: does a ball in double hold what is exactly skinned, and how much larger is it than
+// needed.
 #pragma once
 
 #include <optional>
@@ -10,10 +11,10 @@
 
 namespace refitlab {
 
-// A query in double as the input of a refit, in each of the descriptions that variants ask for.
+// A synthetic case in double as the input of a refit, in each of the descriptions that variants ask for.
 class CaseNodes {
  public:
-  explicit CaseNodes(const SyntheticCase& query);
+  explicit CaseNodes(const SyntheticCase& synthetic);
 
   // joint_sets: a ball for each joint-set. clusters: with its weight box halved at the widest weight, twice.
   RefitNode<double> node(Pieces pieces) const {
@@ -43,15 +44,15 @@ struct CaseScore {
   bool misses_beyond_tolerance() const { return worst_miss > synthetic_tolerance; }
 };
 
-// What one kind of skinning makes of a query at its sampled weights.
+// What one kind of skinning makes of a synthetic case at its sampled weights.
 //
 // Spherical and by dual quaternions: the image of S_z is a ball, [image of its center, its radius], so holding it is
 // holding all vertices of S_z with these weights. Linear: the images of the center of S_z and of the six ends of its
 // axes stand for it.
 class SkinnedCase {
  public:
-  // skinning: not Hejl's, which needs a skeleton. The query must outlive this.
-  SkinnedCase(const SyntheticCase& query, Skinning skinning);
+  // skinning: not Hejl's, which needs a skeleton. The case must outlive this.
+  SkinnedCase(const SyntheticCase& synthetic, Skinning skinning);
 
   // The ball's numbers are taken as they are. Each comparison is made in intervals of doubles, then of 60 digits, then
   // in rationals, until it is decided.

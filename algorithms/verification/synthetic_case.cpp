@@ -22,7 +22,7 @@ using Transforms = std::vector<RigidTransform<Rational>>;
 
 constexpr int weight_unit = 1 << weight_bits;
 
-// --- Pieces of a query ---
+// --- Pieces of a synthetic case ---
 
 // q^2 / ||q||^2 is of unit length: the rotation by twice the angle.
 RationalQuaternion unit_of(const RationalQuaternion& q) { return multiply(q, q) / squared_norm(q); }
@@ -92,7 +92,7 @@ WeightBounds<Rational> any_bounds(PortableRandom& random, std::size_t n) {
   return bounds;
 }
 
-// --- Degenerate queries ---
+// --- Degenerate synthetic cases ---
 
 // What chance would not bring about, done to one joint-set. Some need a second joint; without one the pose is at
 // rest.
@@ -110,9 +110,9 @@ std::string make_degenerate(PortableRandom& random, SyntheticSet& set) {
       set.bounds.high.assign(c.size(), Rational(1, 2));
       set.bounds.low[0] = Rational(1, 2);
       set.bounds.high[0] = 1;
-      return "zero blend at a corner";
+      return "zero blend at a weight vertex";
     case 4: set.reference.radius = 0; return "r = 0";
-    case 5: set.bounds.high = set.bounds.low = vertex_weights(random, c.size()); return "one corner";
+    case 5: set.bounds.high = set.bounds.low = vertex_weights(random, c.size()); return "one weight vertex";
     case 6: set.palette.rotation_center = set.reference.center; return "rotation center at p";
     default: c.assign(c.size(), {}); return "at rest";
   }
@@ -150,40 +150,40 @@ Json json_of(const SyntheticSet& set) {
 SyntheticCase make_synthetic_case(std::uint64_t seed, std::uint64_t number) {
   const DefaultFloatEnvironment environment;
   PortableRandom random(seed, number);
-  SyntheticCase query;
-  query.reference.center = any_point(random, 40, 8);
-  query.reference.radius = 0;
+  SyntheticCase synthetic;
+  synthetic.reference.center = any_point(random, 40, 8);
+  synthetic.reference.radius = 0;
   const int sets = std::max(1, random.between(-2, 3));  // two thirds have one joint-set
   const bool is_degenerate = random.one_in(4);
   for (int z = 0; z < sets; ++z) {
     SyntheticSet set;
     const Rational away(sets == 1 ? 0 : random.between(0, 24), 16);
-    set.reference.center = query.reference.center + rotate(any_rotation(random), RationalPoint(away, 0, 0));
+    set.reference.center = synthetic.reference.center + rotate(any_rotation(random), RationalPoint(away, 0, 0));
     set.reference.radius = Rational(random.between(1, 40), random.one_in(3) ? 200 : 20);
     set.palette.transforms = any_transforms(random);
     Transforms& c = set.palette.transforms;
     if (!random.one_in(4)) make_signs_consistent<Rational>(c);
     set.bounds = any_bounds(random, c.size());
     set.palette.rotation_center = set.reference.center + any_point(random, 30, 10);
-    if (is_degenerate && z == 0) query.degeneracy = make_degenerate(random, set);
+    if (is_degenerate && z == 0) synthetic.degeneracy = make_degenerate(random, set);
     if (random.one_in(2))  // the joints share a point, as bones of a skeleton do
       for (auto& other : c) {
         const RationalPoint& center = set.palette.rotation_center;
         other.translation = apply(c[0], center) - rotate(other.rotation, center);
       }
     place_rotation_center<Rational>(set.palette, RationalPoint(set.palette.rotation_center));
-    set.corners = *enumerate_weight_vertices(set.bounds, std::numeric_limits<std::size_t>::max());
-    query.reference.radius = std::max(query.reference.radius, Rational(away + set.reference.radius));
-    query.sets.push_back(std::move(set));
+    set.weight_vertices = *enumerate_weight_vertices(set.bounds, std::numeric_limits<std::size_t>::max());
+    synthetic.reference.radius = std::max(synthetic.reference.radius, Rational(away + set.reference.radius));
+    synthetic.sets.push_back(std::move(set));
   }
-  return query;
+  return synthetic;
 }
 
 std::vector<RationalWeights> sampled_weights(const SyntheticSet& set) {
   const DefaultFloatEnvironment environment;
-  constexpr int most_corners = 10, pairs = 8, mixtures = 8;
-  PortableRandom random(set.corners.size(), set.palette.transforms.size());
-  const std::size_t m = set.corners.size(), n = set.palette.transforms.size();
+  constexpr int most_weight_vertices = 10, pairs = 8, mixtures = 8;
+  PortableRandom random(set.weight_vertices.size(), set.palette.transforms.size());
+  const std::size_t m = set.weight_vertices.size(), n = set.palette.transforms.size();
   std::vector<RationalWeights> out;
   const auto add = [&](const std::vector<int>& shares) {
     int sum = 0;
@@ -191,10 +191,10 @@ std::vector<RationalWeights> sampled_weights(const SyntheticSet& set) {
     RationalWeights w(n, Rational(0));
     for (std::size_t k = 0; k < m; ++k)
       if (shares[k] > 0)
-        for (std::size_t i = 0; i < n; ++i) w[i] += set.corners[k][i] * Rational(shares[k], sum);
+        for (std::size_t i = 0; i < n; ++i) w[i] += set.weight_vertices[k][i] * Rational(shares[k], sum);
     if (squared_norm(blend_quaternion<Rational>(set.palette, w)) != 0) out.push_back(std::move(w));
   };
-  const std::size_t step = 1 + (m - 1) / most_corners;
+  const std::size_t step = 1 + (m - 1) / most_weight_vertices;
   for (std::size_t k = 0; k < m; k += step) {
     std::vector<int> shares(m, 0);
     shares[k] = 1;
@@ -220,22 +220,22 @@ std::vector<RationalWeights> sampled_weights(const SyntheticSet& set) {
 std::string synthetic_cases_as_case_file(std::uint64_t seed, int count) {
   std::string cases;  // a line each
   for (int number = 0; number < count; ++number) {
-    const SyntheticCase query = make_synthetic_case(seed, number);
+    const SyntheticCase synthetic = make_synthetic_case(seed, number);
     Json sets = Json::array();
-    for (const SyntheticSet& set : query.sets) sets.push_back(json_of(set));
-    const Json one{{"name", "query " + std::to_string(number) + " of seed " + std::to_string(seed)},
+    for (const SyntheticSet& set : synthetic.sets) sets.push_back(json_of(set));
+    const Json one{{"name", "synthetic case " + std::to_string(number) + " of seed " + std::to_string(seed)},
                    {"statement", "algorithm1"},
                    {"form", "repaired"},
                    {"claim", "ball_encloses_vertex"},
                    {"inputs",
-                    {{"reference", json_of(query.reference)},
+                    {{"reference", json_of(synthetic.reference)},
                      {"joint_sets", sets},
                      {"vertex",
                       {{"joint_set", 0},
-                       {"weights", json_of(sampled_weights(query.sets[0]).back())},
-                       {"position", json_of(query.sets[0].reference.center)}}}}},
+                       {"weights", json_of(sampled_weights(synthetic.sets[0]).back())},
+                       {"position", json_of(synthetic.sets[0].reference.center)}}}}},
                    {"expected", "encloses"},
-                   {"note", query.degeneracy.empty() ? "general" : query.degeneracy}};
+                   {"note", synthetic.degeneracy.empty() ? "general" : synthetic.degeneracy}};
     cases += (number == 0 ? "\n" : ",\n") + one.dump();
   }
   return "{\"format\": \"refitlab cases 1\", \"cases\": [" + cases + "\n]}\n";

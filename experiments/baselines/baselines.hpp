@@ -14,7 +14,7 @@ std::vector<DetectorKind> engine_kinds();
 std::vector<std::string> absent_engines();
 
 using Maker = std::unique_ptr<Detector>(const Character& character);
-Maker make_brown, make_aabb_tree, make_skin_all_simd, make_cgal_aabb;
+Maker make_brown, make_aabb_tree, make_skin_all_simd, make_skin_all_float, make_cgal_aabb;
 Maker make_fcl_aabb, make_fcl_kdop16, make_fcl_obbrss;
 Maker make_bullet_dbvt, make_bullet_gimpact;
 Maker make_embree;

@@ -8,7 +8,7 @@
 namespace refitlab::drawings {
 namespace {
 
-// Two corners that turn apart and are carried apart.
+// Two weight vertices that turn apart and are carried apart.
 SphericalBlend<double> bend() { return {{turn(0), turn(140)}, {{0, 0, 0}, {0.4, 0.3, 0}}, {1.2, 0.3, 0}}; }
 template <class Blend>
 std::vector<Point> curve_of(const Blend &blend) {
@@ -108,7 +108,7 @@ const std::vector<Drawing> &drawings_of_control_hulls() {
                                          "The weights halved: two control polygons that are together far closer "
                                          "to the curve than the one."},
                                         {"b4_cap_fallback", b4,
-                                         "Where control weights are not positive: a ball about each corner’s "
+                                         "Where control weights are not positive: a ball about each weight vertex’s "
                                          "image, of the cap that holds all "
                                          "rotations."},
                                         {"b5_rotation_axis", b5,

@@ -21,22 +21,22 @@ std::vector<Point> around_their_middle(std::vector<Point> points) {
 }
 void s41(Plane &p) {
   p.path("line", {in_triangle({1, 0, 0}), in_triangle({0, 1, 0}), in_triangle({0, 0, 1})}, true);
-  std::vector<Point> corners;
-  for (const auto &c : weight_vertices_or_simplex(box)) corners.push_back(in_triangle(c));
-  p.path("hull", around_their_middle(corners), true);
-  for (const Point &c : corners) p.dot("dot_in", c);
+  std::vector<Point> weight_vertices;
+  for (const auto &c : weight_vertices_or_simplex(box)) weight_vertices.push_back(in_triangle(c));
+  p.path("hull", around_their_middle(weight_vertices), true);
+  for (const Point &c : weight_vertices) p.dot("dot_in", c);
   p.text(in_triangle({1, 0, 0}), "w1 = 1"), p.text(in_triangle({0, 1, 0}), "w2 = 1"), p.text(in_triangle({0, 0, 1}), "w3 = 1");
 }
 
 std::vector<Point> deformed_centers() { return {{0, 0}, {1.6, 0.2}, {0.7, 1.3}}; }
-std::vector<Point> corner_images_of_box() {
-  return corner_images<double, 2>(weight_vertices_or_simplex(box), deformed_centers());
+std::vector<Point> weight_vertex_images_of_box() {
+  return weight_vertex_images<double, 2>(weight_vertices_or_simplex(box), deformed_centers());
 }
 void s42(Plane &p) {
   p.path("line", deformed_centers(), true);
-  p.path("hull", around_their_middle(corner_images_of_box()), true);
+  p.path("hull", around_their_middle(weight_vertex_images_of_box()), true);
   for (const Point &r : deformed_centers()) p.dot("dot", r, "C r");
-  for (const Point &r : corner_images_of_box()) p.dot("dot_in", r, "r'");
+  for (const Point &r : weight_vertex_images_of_box()) p.dot("dot_in", r, "r'");
 }
 
 void s43_distance_range(Plane &p) {
@@ -75,12 +75,12 @@ void s43_whole_sphere(Plane &p) { draw_hull_in_cap(p, {{1, 0}, {1, 0}, {1, 0}, {
 
 void s44_sum(Plane &p) {
   std::vector<Ball3<double>> balls;
-  for (const Point &r : corner_images_of_box()) balls.push_back({{r[0], r[1], 0}, 0.5});
+  for (const Point &r : weight_vertex_images_of_box()) balls.push_back({{r[0], r[1], 0}, 0.5});
   draw_balls_and_theirs(p, balls);
 }
 void s44_joint_sets(Plane &p) {
   std::vector<Ball3<double>> balls;
-  for (const Point &r : corner_images_of_box()) balls.push_back({{r[0], r[1], 0}, 0.25});
+  for (const Point &r : weight_vertex_images_of_box()) balls.push_back({{r[0], r[1], 0}, 0.25});
   for (const Point &r : {Point(2.4, -0.3), Point(2.2, 0.4)}) balls.push_back({{r[0], r[1], 0}, 0.45});
   draw_balls_and_theirs(p, balls);
 }
@@ -91,11 +91,11 @@ const std::vector<Drawing> &drawings_of_sections() {
   static const std::vector<Drawing> all{
       {"s41_weight_vertices_span", s41,
        "The weights of three joints as points of a triangle: what the bounds "
-       "admit (filled), and its corners."},
+       "admit (filled), and its weight vertices."},
       {"s42_linear_part_hull", s42,
        "Where three joints carry the rotation center (C r), and where the "
-       "corners of the weights do (r'): the hull of "
-       "these holds what admissible weights can reach."},
+       "weight vertices do (r'): the hull of these "
+       "holds what admissible weights can reach."},
       {"s43_distance_range", s43_distance_range,
        "A ball that meets the circle has a distance in [0, 1]. The dashed one "
        "passes the printed conditions and has "
@@ -110,10 +110,10 @@ const std::vector<Drawing> &drawings_of_sections() {
        "the radius 6/5, and its cap (yellow) is "
        "good."},
       {"s44_joint_sets", s44_joint_sets,
-       "The balls of two joint-sets, each about images of its own corners, and "
+       "The balls of two joint-sets, each about images of its own weight vertices, and "
        "the ball (dashed) around all of them."},
       {"s44_sum_of_bounds", s44_sum,
-       "Equal balls about the images of the corners, and the smallest ball "
+       "Equal balls about the images of the weight vertices, and the smallest ball "
        "(dashed) around them."}};
   return all;
 }

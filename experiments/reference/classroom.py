@@ -51,7 +51,7 @@ refit with another policy for its balls (<code>algorithms/runtime/refit/ball_pol
 <li>Add a row to the table in <code>algorithms/runtime/refit/variants.cpp</code>. For a proved bound, the row has the skinning, the function, a name, a description, and the pieces that it needs. The slack for rounding is added automatically. For example
 <pre><code>sound&lt;spherical, control&lt;NearSmallestBalls&gt;&gt;("control_near", "control hull, near-smallest ball", P::node),</code></pre>
 A bound of spherical blending that is not proved is <code>unsound&lt;…&gt;("name", "description")</code>.</li>
-<li><code>proptests/run --only refit_end_to_end queries</code>: every variant that the table calls sound must enclose every vertex of random rigs and of the models
+<li><code>proptests/run --only refit_end_to_end synthetic_case</code>: every variant that the table calls sound must enclose every vertex of random rigs and of the models
 (<code>proptests/algorithms/refit_end_to_end.cpp</code>). You need not write a test for that. <code>--only extremes certificate collide</code> tests the variants of the table too.</li>
 <li><code>experiments/run --only tightness speed rounding</code>: the variant appears in the tables, the plots and the explorer automatically.</li>
 <li>For a new template, write a suite that tests that intervals and exact numbers agree. <code>proptests/algorithms/control_hull.cpp</code> is an example.</li></ol></section>

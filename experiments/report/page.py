@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import jinja2
 from markupsafe import Markup
 
-from . import collisions, drawings, explorer, growth, pictures, queries, rounding, speed, tightness, verdicts, volumes
+from . import collisions, drawings, explorer, growth, pictures, rounding, speed, synthetic, tightness, verdicts, volumes
 from .tables import PROVENANCE, ResultError
 
 FOLDER = pathlib.Path(__file__).resolve().parent
@@ -28,7 +28,7 @@ SECTIONS = [
     ("Growth with triangles", "triangles", growth.triangles_section, ["triangle_growth"]),
     ("Growth with joints", "joints", growth.joints_section, ["joint_growth"]),
     ("Many characters in one scene", "characters", growth.characters_section, ["character_growth"]),
-    ("Generated queries", "queries", queries.section, ["queries"]),
+    ("Synthetic cases", "synthetic", synthetic.section, ["synthetic"]),
 ]
 
 EFFORTS = {"quick": "a smoke run", "default": "a first look"}

@@ -66,7 +66,7 @@ SCHEMAS = {
     "joint_growth": {**LONG, "joints": count},
     "character_growth": {**LONG, "characters": count},
     "rounding": LONG,
-    "queries": LONG,
+    "synthetic": LONG,
     "pictures": {**LONG, "figure": text, "file": text},
     "picture_labels": {"file": text, "label": text, "x": number, "y": number},
     "picture_colors": {"meaning": text, "color": text},

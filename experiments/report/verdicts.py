@@ -70,12 +70,12 @@ def markdown(verdicts):
     return f"| {' | '.join(rows[0])} |\n|{'|'.join(rows[1])}|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows[2:])
 
 
-def place(text, path):
+def place(text, path, opening=OPENING, closing=CLOSING):
     """Where the table begins and ends in the text of a file. Raises ResultError if it has none."""
-    start, end = text.find(OPENING), text.find(CLOSING)
+    start, end = text.find(opening), text.find(closing)
     if start < 0 or end < start:
-        raise ResultError(f"{path}: the lines {OPENING.strip()} and {CLOSING} are missing")
-    return start + len(OPENING), end
+        raise ResultError(f"{path}: the lines {opening.strip()} and {closing} are missing")
+    return start + len(opening), end
 
 
 def section(results, page):

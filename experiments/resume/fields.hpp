@@ -14,7 +14,7 @@
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
-#include "experiments/synthetic/queries.hpp"
+#include "experiments/synthetic/synthetic.hpp"
 #include "experiments/tightness/tightness.hpp"
 #include "experiments/tightness/volumes.hpp"
 
@@ -44,7 +44,7 @@ inline auto fields(TriangleGrowthSettings& v) {
   auto& [frames, million, speed] = v;
   return std::tie(frames, million, speed);
 }
-inline auto fields(QuerySettings& v) {
+inline auto fields(SyntheticSettings& v) {
   auto& [count, seed] = v;
   return std::tie(count, seed);
 }
@@ -107,9 +107,9 @@ inline auto fields(CharacterGrowth& v) {
   auto& [characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all] = v;
   return std::tie(characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all);
 }
-inline auto fields(QueryResult& v) {
-  auto& [variant, share, queries, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns] = v;
-  return std::tie(variant, share, queries, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns);
+inline auto fields(SyntheticResult& v) {
+  auto& [variant, share, cases, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns] = v;
+  return std::tie(variant, share, cases, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns);
 }
 
 }  // namespace refitlab

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/tightness/measure.hpp"
 
+#include "algorithms/bake/parallel.hpp"
 #include "algorithms/methods/refit/deformed.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/scenes/methods.hpp"
-#include "experiments/threads/parallel.hpp"
 
 namespace refitlab {
 namespace {

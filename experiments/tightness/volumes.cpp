@@ -7,11 +7,11 @@
 #include <iostream>
 #include <numbers>
 
+#include "algorithms/bake/parallel.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/methods/refit/volume_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "experiments/threads/parallel.hpp"
 #include "experiments/tightness/measure.hpp"
 
 namespace refitlab {

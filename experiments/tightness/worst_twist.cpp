@@ -4,9 +4,9 @@
 #include <numbers>
 #include <tuple>
 
+#include "algorithms/bake/parallel.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
-#include "experiments/threads/parallel.hpp"
 #include "experiments/tightness/misses.hpp"
 
 namespace refitlab {

@@ -9,7 +9,7 @@ Import ListNotations.
 (* --- The program, over the real numbers: with the skinning's own signs --- *)
 
 Definition printed_balls (center_of_points : list (quat R) -> quat R) (p : vec R) (z : posed_set) : list (ball (vec R)) :=
-  let unit := map direction (corner_images (corners z) (rotations z)) in                 (* lines 8 to 10 *)
+  let unit := map direction (weight_vertex_images (weight_vertices z) (rotations z)) in                 (* lines 8 to 10 *)
   let c := center_of_points unit in                                                     (* line 11 *)
   let r := sqrt (largest_squared_distance c unit) in
   let d := hull_distance c r in                                                         (* line 13: alpha = 2 arccos d *)
@@ -17,7 +17,7 @@ Definition printed_balls (center_of_points : list (quat R) -> quat R) (p : vec R
   let sin_alpha := 2 * d * sqrt (1 - d * d) in
   let u := (p - rotation_center z)%V in
   map (fun image => Ball (image + cos_alpha *: rotate (direction c) u)%V (sin_alpha * norm u))  (* lines 12, 14, 15 *)
-    (corner_images (corners z) (center_images z)).
+    (weight_vertex_images (weight_vertices z) (center_images z)).
 Definition algorithm1_printed (center_of_points : list (quat R) -> quat R) (of_balls : list (ball (vec R)) -> ball (vec R))
   (n : node) : ball (vec R) :=
   inflate (of_balls (flat_map (printed_balls center_of_points (center (reference n))) (joint_sets n)))
@@ -28,15 +28,16 @@ Definition algorithm1_printed (center_of_points : list (quat R) -> quat R) (of_b
 (* With mean balls throughout: the ball holds every deformed vertex, even if no norm that it divides by is 0. *)
 Definition algorithm1_printed_is_sound : Prop :=
   forall (n : node) (z : posed_set) (w : list R) (v : vec R),
-  In z (joint_sets n) -> is_corner_combination (corners z) w -> in_ball (reference n) v ->
+  In z (joint_sets n) -> is_weight_vertex_combination (weight_vertices z) w -> in_ball (reference n) v ->
   comb w (rotations z) <> lzero ->
-  Forall (fun q => q <> lzero) (corner_images (corners z) (rotations z)) ->
-  mean (map direction (corner_images (corners z) (rotations z))) <> lzero ->
+  Forall (fun q => q <> lzero) (weight_vertex_images (weight_vertices z) (rotations z)) ->
+  mean (map direction (weight_vertex_images (weight_vertices z) (rotations z))) <> lzero ->
   in_ball (algorithm1_printed mean mean_ball n) (deformed z w v).
-(* Line 9 divides by ||q'_k||, for unit quaternions and the corners of weight bounds. *)
+(* Line 9 divides by ||q'_k||, for unit quaternions and the weight vertices of weight bounds. *)
 Definition line_9_is_defined : Prop :=
-  forall bounds corners (qs : list (quat R)), lists_corners bounds corners -> length bounds = length qs ->
-  Forall (fun q => norm2 q = 1) qs -> Forall (fun q => q <> lzero) (corner_images corners qs).
+  forall bounds weight_vertices (qs : list (quat R)), lists_weight_vertices bounds weight_vertices ->
+    length bounds = length qs ->
+  Forall (fun q => norm2 q = 1) qs -> Forall (fun q => q <> lzero) (weight_vertex_images weight_vertices qs).
 (* Line 3 takes quaternions from matrices, which are the same for q and -q: the blend is as good as the skinning's. *)
 Definition line_3_keeps_blends : Prop :=
   exists of_matrix : quat R -> quat R, (forall q, of_matrix (-1 *: q)%V = of_matrix q) /\
@@ -64,8 +65,8 @@ Proof.
   set (z := PosedSet [Rigid one o; Rigid one o; Rigid one o; Rigid far o] o [[1; 0; 0; 0]; [0; 1; 0; 0]; [0; 0; 1; 0]; [0; 0; 0; 1]]).
   set (x := Vec 1 0 0). set (n := Node (Ball x 0) [z]). set (w := [1 / 4; 1 / 4; 1 / 4; 1 / 4]).
   set (c := Quat (7 / 8) (1 / 8) (1 / 8) (1 / 8)).
-  assert (Q : corner_images (corners z) (rotations z) = [one; one; one; far]).
-  { unfold corner_images, rotations, z. cbn [corners transforms map rotation comb]. unfold one, far.
+  assert (Q : weight_vertex_images (weight_vertices z) (rotations z) = [one; one; one; far]).
+  { unfold weight_vertex_images, rotations, z. cbn [weight_vertices transforms map rotation comb]. unfold one, far.
     repeat f_equal; vunfold; f_equal; ring. }
   assert (U : map direction [one; one; one; far] = [one; one; one; far]).
   { cbn [map]. rewrite !direction_of_unit by (unfold one, far; vunfold; field). reflexivity. }
@@ -83,8 +84,8 @@ Proof.
   assert (Im : center_images z = [o; o; o; o]).
   { unfold center_images, z. cbn [transforms rotation_center map].
     rewrite !Zr by (apply norm2_pos_inv; unfold one, far; vunfold; lra). reflexivity. }
-  assert (Ci : corner_images (corners z) (center_images z) = [o; o; o; o]).
-  { rewrite Im. unfold corner_images, z. cbn [corners map].
+  assert (Ci : weight_vertex_images (weight_vertices z) (center_images z) = [o; o; o; o]).
+  { rewrite Im. unfold weight_vertex_images, z. cbn [weight_vertices map].
     rewrite !I0 by (repeat split; [repeat constructor; lra|cbn; lra]). reflexivity. }
   assert (F : largest_squared_distance c [one; one; one; far] = 9 / 16).
   { cbn [largest_squared_distance]. replace (norm2 (one - c)) with (1 / 16) by (unfold one, c; vunfold; field).
@@ -116,7 +117,7 @@ Proof.
   assert (G : in_ball (Ball (o + (2 * (d * d) - 1) *: y)%V (s * 1 + 0)) y).
   { apply P.
     - now left.
-    - exists w. unfold w, z. cbn [corners]. split; [repeat split; [repeat constructor; lra|cbn; lra]|].
+    - exists w. unfold w, z. cbn [weight_vertices]. split; [repeat split; [repeat constructor; lra|cbn; lra]|].
       intros [|[|[|[|[|]]]]]; cbn; field.
     - unfold in_ball, n. cbn [reference center radius]. right. apply norm_eq; [lra|]. unfold x. vunfold. ring.
     - now rewrite B.
@@ -131,7 +132,7 @@ Qed.
 Theorem line_9_is_defined_is_false : ~ line_9_is_defined.
 Proof.
   intros P. specialize (P [(1 / 2, 1 / 2); (1 / 2, 1 / 2)] [[1 / 2; 1 / 2]] [Quat 1 0 0 0; Quat (-1) 0 0 0]).
-  assert (F : Forall (fun q => q <> lzero) (corner_images [[1 / 2; 1 / 2]] [Quat 1 0 0 0; Quat (-1) 0 0 0])).
+  assert (F : Forall (fun q => q <> lzero) (weight_vertex_images [[1 / 2; 1 / 2]] [Quat 1 0 0 0; Quat (-1) 0 0 0])).
   { apply P; [|reflexivity|repeat apply Forall_cons; try apply Forall_nil; vunfold; ring].
     split.
     - intros c [<-|[]]. split; [repeat constructor; unfold within; cbn; lra|cbn; lra].

@@ -9,22 +9,23 @@ Import ListNotations.
 
 (* --- The program --- *)
 
-(* Lines 5 to 13: a bound of the rotations of the corners' blends. Where a blend is 0, all rotations. The centers of points
-   are any function, such as the mean. *)
+(* Lines 5 to 13: a bound of the rotations of the weight vertices' blends. Where a blend is 0, all rotations. The
+   centers of points are any function, such as the mean. *)
 Definition all_nonzero (qs : list (quat R)) : bool :=
   forallb (fun q => if Req_EM_T (norm2 q) 0 then false else true) qs.
-Definition bound_corner_rotations (center_of_points : list (quat R) -> quat R) (qs : list (quat R)) : rotation_ball :=
+Definition bound_weight_vertex_rotations (center_of_points : list (quat R) -> quat R) (qs : list (quat R)) : rotation_ball :=
   if all_nonzero qs then let unit := map direction qs in bound_rotations unit (center_of_points unit) else all_rotations.
 
 (* A node: the ball S = [p, r] that holds its vertices in the reference pose, and its joint-sets in the pose. *)
 Record node := Node { reference : ball (vec R); joint_sets : list posed_set }.
 
-(* Lines 7, 14 and 15: the balls of a joint-set, one a corner. *)
+(* Lines 7, 14 and 15: the balls of a joint-set, one a weight vertex. *)
 Definition joint_set_balls (center_of_points : list (quat R) -> quat R) (p : vec R) (z : posed_set) : list (ball (vec R)) :=
-  let bound := bound_corner_rotations center_of_points (corner_images (corners z) (rotations z)) in
+  let bound := bound_weight_vertex_rotations center_of_points (weight_vertex_images (weight_vertices z) (rotations z)) in
   let u := (p - rotation_center z)%V in
   let offset := (center_ratio bound *: rotate (apex bound) u)%V in
-  map (fun image => Ball (image + offset)%V (radius_ratio bound * norm u)) (corner_images (corners z) (center_images z)).
+  map (fun image => Ball (image + offset)%V (radius_ratio bound * norm u))
+    (weight_vertex_images (weight_vertices z) (center_images z)).
 
 (* Line 16: one ball around all of them, inflated by r. *)
 Definition algorithm1 (center_of_points : list (quat R) -> quat R) (of_balls : list (ball (vec R)) -> ball (vec R))
@@ -51,16 +52,16 @@ Definition encloses_its_balls (of_balls : list (ball (vec R)) -> ball (vec R)) :
   forall balls b, In b balls -> holds_ball (of_balls balls) b.
 
 (* The ball holds every vertex of the node, deformed by Equation (1): v in S, of any joint-set, with any weights in the hull
-   of its corners whose blend is not 0. *)
+   of its weight vertices whose blend is not 0. *)
 Definition algorithm1_repaired_is_sound : Prop :=
   forall center_of_points of_balls (n : node) (z : posed_set) (w : list R) (v : vec R),
-  encloses_its_balls of_balls -> In z (joint_sets n) -> is_corner_combination (corners z) w ->
+  encloses_its_balls of_balls -> In z (joint_sets n) -> is_weight_vertex_combination (weight_vertices z) w ->
   in_ball (reference n) v -> comb w (rotations z) <> lzero ->
   in_ball (algorithm1 center_of_points of_balls n) (deformed z w v).
-(* The same for weight bounds whose corners are listed, as the paper has it. *)
+(* The same for weight bounds whose weight vertices are listed, as the paper has it. *)
 Definition algorithm1_repaired_is_sound_for_bounds : Prop :=
   forall center_of_points of_balls (n : node) (z : posed_set) bounds (w : list R) (v : vec R),
-  encloses_its_balls of_balls -> In z (joint_sets n) -> lists_corners bounds (corners z) -> admits bounds w ->
+  encloses_its_balls of_balls -> In z (joint_sets n) -> lists_weight_vertices bounds (weight_vertices z) -> admits bounds w ->
   in_ball (reference n) v -> comb w (rotations z) <> lzero ->
   in_ball (algorithm1 center_of_points of_balls n) (deformed z w v).
 (* Mean balls are such a way. *)
@@ -76,9 +77,10 @@ Proof.
 Qed.
 
 (* Lemma 2 takes the bound of the units' hull to that of the blends' hull. *)
-Lemma bound_corner_rotations_sound center_of_points qs : bounds_rotations qs (bound_corner_rotations center_of_points qs).
+Lemma bound_weight_vertex_rotations_sound center_of_points qs : bounds_rotations qs
+  (bound_weight_vertex_rotations center_of_points qs).
 Proof.
-  unfold bound_corner_rotations. destruct (all_nonzero qs) eqn:Z; [|apply all_rotations_bound].
+  unfold bound_weight_vertex_rotations. destruct (all_nonzero qs) eqn:Z; [|apply all_rotations_bound].
   apply all_nonzero_spec in Z. set (unit := map direction qs).
   assert (D : unit = divided (map norm qs) qs) by (symmetry; apply divided_by_norms).
   assert (U : Forall (fun n => norm2 n = 1) unit).
@@ -91,16 +93,17 @@ Qed.
 Theorem algorithm1_repaired_is_sound_holds : algorithm1_repaired_is_sound.
 Proof.
   intros cp ob n z w v Ob I W V N. unfold algorithm1. set (b := ob _).
-  set (bound := bound_corner_rotations cp (corner_images (corners z) (rotations z))).
-  destruct (bound_corner_rotations_sound cp (corner_images (corners z) (rotations z))) as (_ & C & _ & B). fold bound in B, C.
+  set (bound := bound_weight_vertex_rotations cp (weight_vertex_images (weight_vertices z) (rotations z))).
+  destruct (bound_weight_vertex_rotations_sound cp (weight_vertex_images (weight_vertices z) (rotations z))) as
+    (_ & C & _ & B). fold bound in B, C.
   set (F := Ball (center_ratio bound *: rotate (apex bound) (center (reference n) - rotation_center z))%V
     (radius_ratio bound * norm (center (reference n) - rotation_center z))).
   apply (joint_sets_repaired_holds [(z, F)] (reference n) b) with (F := F); auto; [|now left].
   intros z' F' [Q|[]]. injection Q as <- <-. split.
   - (* The turned p - r_c is in F. *)
     intros w' (u & U & Q) N'. unfold in_ball, F. cbn [center radius]. apply B; auto.
-    exists u. split; [unfold corner_images; now rewrite map_length|]. now apply swap_sums.
-  - (* The ball is around r'_k (+) F for every corner. *)
+    exists u. split; [unfold weight_vertex_images; now rewrite map_length|]. now apply swap_sums.
+  - (* The ball is around r'_k (+) F for every weight vertex. *)
     intros image Im. apply Ob, in_flat_map. exists z. split; [exact I|]. unfold joint_set_balls. apply in_map_iff.
     exists image. split; [reflexivity|exact Im].
 Qed.
@@ -108,7 +111,7 @@ Qed.
 Theorem algorithm1_repaired_is_sound_for_bounds_holds : algorithm1_repaired_is_sound_for_bounds.
 Proof.
   intros cp ob n z bounds w v Ob I L W V N. apply algorithm1_repaired_is_sound_holds; auto.
-  apply (corners_span_repaired_holds bounds (corners z) w L); auto. symmetry. now apply admits_length.
+  apply (weight_vertices_span_repaired_holds bounds (weight_vertices z) w L); auto. symmetry. now apply admits_length.
 Qed.
 
 Lemma radius_about_bounds c balls b : In b balls -> norm (center b - c) + radius b <= radius_about c balls.
@@ -124,11 +127,12 @@ Proof. intros balls b I. unfold holds_ball, mean_ball. cbn [center radius]. now 
 Example algorithm1_instance :
   let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat 0 0 0 1) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
   let n := Node (Ball (Vec 2 0 0) 1) [z] in let w := [1 / 2; 1 / 2] in
-  encloses_its_balls mean_ball /\ In z (joint_sets n) /\ lists_corners [(0, 1); (0, 1)] (corners z) /\
-  admits [(0, 1); (0, 1)] w /\ is_corner_combination (corners z) w /\ in_ball (reference n) (Vec 2 1 0) /\
+  encloses_its_balls mean_ball /\ In z (joint_sets n) /\ lists_weight_vertices [(0, 1); (0, 1)] (weight_vertices z) /\
+  admits [(0, 1); (0, 1)] w /\ is_weight_vertex_combination (weight_vertices z) w /\ in_ball (reference n) (Vec 2 1 0) /\
   comb w (rotations z) <> lzero.
 Proof.
-  cbv zeta. split; [exact mean_balls_enclose_holds|]. split; [now left|]. split; [exact corners_instance|]. split; [|split; [|split]].
+  cbv zeta. split; [exact mean_balls_enclose_holds|]. split; [now left|]. split; [exact weight_vertices_instance|].
+    split; [|split; [|split]].
   - split; [repeat constructor; unfold within; cbn; lra|cbn; lra].
   - exists [1 / 2; 1 / 2]. split; [repeat split; [repeat constructor; lra|cbn; lra]|]. intros [|[|[|]]]; cbn; field.
   - unfold in_ball. cbn [center radius reference]. apply norm_le. split; vunfold; lra.

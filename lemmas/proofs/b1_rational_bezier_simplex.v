@@ -4,8 +4,8 @@ From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Import ListNotations.
 
-(* --- Multi-indices: those that begin with the first corner, then the others, and so on. Each sorted multi-index I comes
-   once, with B_I(u), the product of its u times the number of its orderings. --- *)
+(* --- Multi-indices: those that begin with the first weight vertex, then the others, and so on. Each sorted multi-index
+   I comes once, with B_I(u), the product of its u times the number of its orderings. --- *)
 
 Fixpoint bernstein2 (u : list R) : list R :=
   match u with [] => [] | a :: v => a * a :: map (Rmult (2 * a)) v ++ bernstein2 v end.
@@ -14,7 +14,7 @@ Fixpoint bernstein3 (u : list R) : list R :=
   | [] => []
   | a :: v => a * a * a :: map (Rmult (3 * (a * a))) v ++ map (Rmult (3 * a)) (bernstein2 v) ++ bernstein3 v
   end.
-(* f at the corners of each multi-index, in the same order. *)
+(* f at the weight vertices of each multi-index, in the same order. *)
 Fixpoint indices2 {X Y} (f : X -> X -> Y) (xs : list X) : list Y :=
   match xs with [] => [] | x :: ys => f x x :: map (f x) ys ++ indices2 f ys end.
 Fixpoint indices3 {X Y} (f : X -> X -> X -> Y) (xs : list X) : list Y :=
@@ -29,7 +29,7 @@ Arguments mixed (a b x)%V.
 Definition dual_point (p : vec R) (a b : quat R * quat R) : vec R * R :=
   let '(qa, da) := a in let '(qb, db) := b in
   ((mixed qa qb p + (im (qmul da (conj qb)) + im (qmul db (conj qa))))%V, dot qa qb).
-(* Degree 3: corners (q'_k, r'_k). W_jkl = (W_jk + W_kl + W_jl) / 3,
+(* Degree 3: weight vertices (q'_k, r'_k). W_jkl = (W_jk + W_kl + W_jl) / 3,
    N_jkl = (P_jk + P_kl + P_jl) / 3 + (r'_j W_kl + r'_k W_jl + r'_l W_jk) / 3. *)
 Definition spherical_point (x : vec R) (a b c : quat R * vec R) : vec R * R :=
   let '(qa, ra) := a in let '(qb, rb) := b in let '(qc, rc) := c in
@@ -45,27 +45,27 @@ Definition linear_is_bezier : Prop :=
   comb u (map (fun p => (p, 1)) ps) = (comb u ps, 1).
 (* Degree 2: numerator and denominator are those of dual quaternion blending. *)
 Definition dual_is_bezier : Prop :=
-  forall (u : list R) (p : vec R) (corners : list (quat R * quat R)), length u = length corners ->
-  let q := comb u (map fst corners) in let d := comb u (map snd corners) in
-  comb (bernstein2 u) (indices2 (dual_point p) corners) =
+  forall (u : list R) (p : vec R) (weight_vertices : list (quat R * quat R)), length u = length weight_vertices ->
+  let q := comb u (map fst weight_vertices) in let d := comb u (map snd weight_vertices) in
+  comb (bernstein2 u) (indices2 (dual_point p) weight_vertices) =
   ((turned q p q + 2 *: im (qmul d (conj q)))%V, norm2 q).
 (* Degree 3: those of Equation (1), x = p - r_c. *)
 Definition spherical_is_bezier : Prop :=
-  forall (u : list R) (x : vec R) (corners : list (quat R * vec R)), length u = length corners -> sum u = 1 ->
-  let q := comb u (map fst corners) in let r := comb u (map snd corners) in
-  comb (bernstein3 u) (indices3 (spherical_point x) corners) =
+  forall (u : list R) (x : vec R) (weight_vertices : list (quat R * vec R)), length u = length weight_vertices -> sum u = 1 ->
+  let q := comb u (map fst weight_vertices) in let r := comb u (map snd weight_vertices) in
+  comb (bernstein3 u) (indices3 (spherical_point x) weight_vertices) =
   ((turned q x q + norm2 q *: r)%V, norm2 q).
 (* Where the blend is not 0, N / W is what the skinning makes. *)
 Definition dual_is_skinning : Prop :=
-  forall (u : list R) (p : vec R) (corners : list (quat R * quat R)), length u = length corners ->
-  comb u (map fst corners) <> lzero ->
-  let '(n, w) := comb (bernstein2 u) (indices2 (dual_point p) corners) in
-  0 < w /\ (/ w *: n)%V = skin_dual (map fst corners) (map snd corners) u p.
+  forall (u : list R) (p : vec R) (weight_vertices : list (quat R * quat R)), length u = length weight_vertices ->
+  comb u (map fst weight_vertices) <> lzero ->
+  let '(n, w) := comb (bernstein2 u) (indices2 (dual_point p) weight_vertices) in
+  0 < w /\ (/ w *: n)%V = skin_dual (map fst weight_vertices) (map snd weight_vertices) u p.
 Definition spherical_is_skinning : Prop :=
-  forall (u : list R) (p rotation_center : vec R) (corners : list (quat R * vec R)),
-  length u = length corners -> sum u = 1 -> comb u (map fst corners) <> lzero ->
-  let '(n, w) := comb (bernstein3 u) (indices3 (spherical_point (p - rotation_center)%V) corners) in
-  0 < w /\ (/ w *: n)%V = skin_spherical (map fst corners) (map snd corners) rotation_center u p.
+  forall (u : list R) (p rotation_center : vec R) (weight_vertices : list (quat R * vec R)),
+  length u = length weight_vertices -> sum u = 1 -> comb u (map fst weight_vertices) <> lzero ->
+  let '(n, w) := comb (bernstein3 u) (indices3 (spherical_point (p - rotation_center)%V) weight_vertices) in
+  0 < w /\ (/ w *: n)%V = skin_spherical (map fst weight_vertices) (map snd weight_vertices) rotation_center u p.
 (* The B_I(u) are convex coefficients if the u are. *)
 Definition bernstein_is_convex : Prop :=
   forall u m, convex m u ->
@@ -171,7 +171,7 @@ Proof.
   split; [|split]; intros; rewrite !(dual_point_swap p _ b); auto.
 Qed.
 
-(* Degree 3 with a 1 in front of each corner, which takes the place of the quaternion. *)
+(* Degree 3 with a 1 in front of each weight vertex, which takes the place of the quaternion. *)
 Definition spherical_form (x : vec R) (a b c : R * (quat R * vec R)) : vec R * R :=
   let '(ha, (qa, ra)) := a in let '(hb, (qb, rb)) := b in let '(hc, (qc, rc)) := c in
   let wab := dot qa qb in let wbc := dot qb qc in let wac := dot qa qc in
@@ -245,26 +245,27 @@ Proof. cbv [spherical_point]. rewrite mixed_same. change (dot q q) with (norm2 q
 
 Theorem dual_is_bezier_holds : dual_is_bezier.
 Proof.
-  intros u p corners L q d. rewrite (sum2_is_form _ _ _ (dual_point_bilinear p) L), comb_pair. apply dual_point_at_blend.
+  intros u p weight_vertices L q d. rewrite (sum2_is_form _ _ _ (dual_point_bilinear p) L), comb_pair.
+    apply dual_point_at_blend.
 Qed.
 
 Theorem spherical_is_bezier_holds : spherical_is_bezier.
 Proof.
-  intros u x corners L S q r.
-  rewrite <- (indices3_ext _ _ corners (spherical_form_point x)), <- indices3_with_one.
+  intros u x weight_vertices L S q r.
+  rewrite <- (indices3_ext _ _ weight_vertices (spherical_form_point x)), <- indices3_with_one.
   rewrite (sum3_is_form _ _ _ (spherical_form_trilinear x)) by (unfold with_one; now rewrite map_length).
   rewrite comb_with_one_sum, S, spherical_form_point, comb_pair by auto. apply spherical_point_at_blend.
 Qed.
 
 Theorem dual_is_skinning_holds : dual_is_skinning.
 Proof.
-  intros u p corners L N. rewrite dual_is_bezier_holds by auto. cbv zeta. split; [now apply norm2_pos|reflexivity].
+  intros u p weight_vertices L N. rewrite dual_is_bezier_holds by auto. cbv zeta. split; [now apply norm2_pos|reflexivity].
 Qed.
 Theorem spherical_is_skinning_holds : spherical_is_skinning.
 Proof.
-  intros u p c corners L S N. rewrite spherical_is_bezier_holds by auto. cbv zeta. apply norm2_pos in N.
-  split; [exact N|]. unfold skin_spherical, rotate. set (q := comb u (map fst corners)) in *.
-  revert N. generalize (turned q (p - c) q) (norm2 q) (comb u (map snd corners)). intros t n r N. vec_field. lra.
+  intros u p c weight_vertices L S N. rewrite spherical_is_bezier_holds by auto. cbv zeta. apply norm2_pos in N.
+  split; [exact N|]. unfold skin_spherical, rotate. set (q := comb u (map fst weight_vertices)) in *.
+  revert N. generalize (turned q (p - c) q) (norm2 q) (comb u (map snd weight_vertices)). intros t n r N. vec_field. lra.
 Qed.
 
 Lemma bernstein2_nonneg u : Forall (Rle 0) u -> Forall (Rle 0) (bernstein2 u).
@@ -289,9 +290,9 @@ Proof.
   repeat split; auto using bernstein2_nonneg, bernstein3_nonneg; ring.
 Qed.
 
-(* The hypotheses can be met: two corners half-way. *)
-Example bezier_instance : let corners := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (3 / 5) (4 / 5) 0 0, Vec 1 0 0)] in
-  let u := [1 / 2; 1 / 2] in length u = length corners /\ sum u = 1 /\ comb u (map fst corners) <> lzero.
+(* The hypotheses can be met: two weight vertices half-way. *)
+Example bezier_instance : let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (3 / 5) (4 / 5) 0 0, Vec 1 0 0)] in
+  let u := [1 / 2; 1 / 2] in length u = length weight_vertices /\ sum u = 1 /\ comb u (map fst weight_vertices) <> lzero.
 Proof.
   cbv zeta. split; [reflexivity|]. split; [cbn; field|]. apply norm2_pos_inv. cbn. vunfold. lra.
 Qed.

@@ -8,65 +8,68 @@ Import ListNotations.
 (* --- Statements --- *)
 
 (* The control points (N_I, W_I) of a blend of degree 2 and of degree 3, and the positions N_I / W_I. *)
-Definition dual_points (p : vec R) (corners : list (quat R * quat R)) := indices2 (dual_point p) corners.
-Definition spherical_points (x : vec R) (corners : list (quat R * vec R)) := indices3 (spherical_point x) corners.
+Definition dual_points (p : vec R) (weight_vertices : list (quat R * quat R)) := indices2 (dual_point p) weight_vertices.
+Definition spherical_points (x : vec R) (weight_vertices : list (quat R * vec R)) :=
+  indices3 (spherical_point x) weight_vertices.
 Definition position (point : vec R * R) : vec R := (/ snd point *: fst point)%V.
 Definition weights_are_positive (points : list (vec R * R)) := Forall (fun point => 0 < snd point) points.
 
 (* If all W_I > 0, v'(u) is a convex combination of the N_I / W_I. The blend is then not 0. *)
 Definition spherical_in_hull : Prop :=
-  forall (corners : list (quat R * vec R)) (p rotation_center : vec R) (u : list R),
-  let points := spherical_points (p - rotation_center)%V corners in
-  weights_are_positive points -> convex (length corners) u ->
-  comb u (map fst corners) <> lzero /\
-  in_hull (map position points) (skin_spherical (map fst corners) (map snd corners) rotation_center u p).
+  forall (weight_vertices : list (quat R * vec R)) (p rotation_center : vec R) (u : list R),
+  let points := spherical_points (p - rotation_center)%V weight_vertices in
+  weights_are_positive points -> convex (length weight_vertices) u ->
+  comb u (map fst weight_vertices) <> lzero /\
+  in_hull (map position points) (skin_spherical (map fst weight_vertices) (map snd weight_vertices) rotation_center u p).
 Definition dual_in_hull : Prop :=
-  forall (corners : list (quat R * quat R)) (p : vec R) (u : list R),
-  weights_are_positive (dual_points p corners) -> convex (length corners) u ->
-  comb u (map fst corners) <> lzero /\
-  in_hull (map position (dual_points p corners)) (skin_dual (map fst corners) (map snd corners) u p).
+  forall (weight_vertices : list (quat R * quat R)) (p : vec R) (u : list R),
+  weights_are_positive (dual_points p weight_vertices) -> convex (length weight_vertices) u ->
+  comb u (map fst weight_vertices) <> lzero /\
+  in_hull (map position (dual_points p weight_vertices)) (skin_dual (map fst weight_vertices) (map snd weight_vertices) u p).
 (* A convex set that holds the ball of radius r about each of them holds v'(u) + y for all ||y|| <= r; and so all that
    the blend makes of the reference ball [p, r]. *)
 Definition spherical_in_convex_set : Prop :=
-  forall (K : vec R -> Prop) (corners : list (quat R * vec R)) (reference : ball (vec R)) (rotation_center v : vec R) (u : list R),
-  let points := spherical_points (center reference - rotation_center)%V corners in
-  convex_set K -> weights_are_positive points -> convex (length corners) u ->
+  forall (K : vec R -> Prop) (weight_vertices : list (quat R * vec R)) (reference : ball (vec R))
+    (rotation_center v : vec R) (u : list R),
+  let points := spherical_points (center reference - rotation_center)%V weight_vertices in
+  convex_set K -> weights_are_positive points -> convex (length weight_vertices) u ->
   (forall point y, In point points -> norm y <= radius reference -> K (position point + y)%V) ->
-  in_ball reference v -> K (skin_spherical (map fst corners) (map snd corners) rotation_center u v).
+  in_ball reference v -> K (skin_spherical (map fst weight_vertices) (map snd weight_vertices) rotation_center u v).
 Definition dual_in_convex_set : Prop :=
-  forall (K : vec R -> Prop) (corners : list (quat R * quat R)) (reference : ball (vec R)) (v : vec R) (u : list R),
-  let points := dual_points (center reference) corners in
-  convex_set K -> weights_are_positive points -> convex (length corners) u ->
+  forall (K : vec R -> Prop) (weight_vertices : list (quat R * quat R)) (reference : ball (vec R)) (v : vec R) (u : list R),
+  let points := dual_points (center reference) weight_vertices in
+  convex_set K -> weights_are_positive points -> convex (length weight_vertices) u ->
   (forall point y, In point points -> norm y <= radius reference -> K (position point + y)%V) ->
-  in_ball reference v -> K (skin_dual (map fst corners) (map snd corners) u v).
+  in_ball reference v -> K (skin_dual (map fst weight_vertices) (map snd weight_vertices) u v).
 (* It is enough that all pairwise (q'_k, q'_l) > 0. *)
 Definition pairs_are_enough : Prop :=
-  forall (corners : list (quat R * vec R)) (duals : list (quat R * quat R)) (x p : vec R),
-  ((forall a b, In a corners -> In b corners -> 0 < dot (fst a) (fst b)) -> weights_are_positive (spherical_points x corners)) /\
+  forall (weight_vertices : list (quat R * vec R)) (duals : list (quat R * quat R)) (x p : vec R),
+  ((forall a b, In a weight_vertices -> In b weight_vertices -> 0 < dot (fst a) (fst b)) ->
+    weights_are_positive (spherical_points x weight_vertices)) /\
   ((forall a b, In a duals -> In b duals -> 0 < dot (fst a) (fst b)) -> weights_are_positive (dual_points p duals)).
 (* A convex cone that holds the (N_I, W_I), whatever their signs, holds numerator and denominator of the blend: balls,
    half-spaces and hulls are such cones. *)
 Definition spherical_in_cone : Prop :=
-  forall (C : vec R * R -> Prop) (corners : list (quat R * vec R)) (x : vec R) (u : list R),
-  cone C -> convex (length corners) u -> Forall C (spherical_points x corners) ->
-  let q := comb u (map fst corners) in let r := comb u (map snd corners) in
+  forall (C : vec R * R -> Prop) (weight_vertices : list (quat R * vec R)) (x : vec R) (u : list R),
+  cone C -> convex (length weight_vertices) u -> Forall C (spherical_points x weight_vertices) ->
+  let q := comb u (map fst weight_vertices) in let r := comb u (map snd weight_vertices) in
   C ((turned q x q + norm2 q *: r)%V, norm2 q).
 Definition dual_in_cone : Prop :=
-  forall (C : vec R * R -> Prop) (corners : list (quat R * quat R)) (p : vec R) (u : list R),
-  cone C -> convex (length corners) u -> Forall C (dual_points p corners) ->
-  let q := comb u (map fst corners) in let d := comb u (map snd corners) in
+  forall (C : vec R * R -> Prop) (weight_vertices : list (quat R * quat R)) (p : vec R) (u : list R),
+  cone C -> convex (length weight_vertices) u -> Forall C (dual_points p weight_vertices) ->
+  let q := comb u (map fst weight_vertices) in let d := comb u (map snd weight_vertices) in
   C ((turned q p q + 2 *: im (qmul d (conj q)))%V, norm2 q).
 
 (* --- Proofs --- *)
 
 Theorem spherical_in_cone_holds : spherical_in_cone.
 Proof.
-  intros C corners x u K U F. cbv zeta. assert (U' := U). destruct U' as (L & P & S).
+  intros C weight_vertices x u K U F. cbv zeta. assert (U' := U). destruct U' as (L & P & S).
   rewrite <- spherical_is_bezier_holds by auto. apply comb_in_cone; auto. now apply bernstein3_nonneg.
 Qed.
 Theorem dual_in_cone_holds : dual_in_cone.
 Proof.
-  intros C corners p u K (L & P & S) F. cbv zeta. rewrite <- dual_is_bezier_holds by auto.
+  intros C weight_vertices p u K (L & P & S) F. cbv zeta. rewrite <- dual_is_bezier_holds by auto.
   apply comb_in_cone; auto. now apply bernstein2_nonneg.
 Qed.
 
@@ -103,25 +106,26 @@ Qed.
 
 Theorem spherical_in_hull_holds : spherical_in_hull.
 Proof.
-  intros corners p c u points W U. destruct (bernstein_is_convex_holds u _ U) as [_ [B S]]. assert (U' := U).
+  intros weight_vertices p c u points W U. destruct (bernstein_is_convex_holds u _ U) as [_ [B S]]. assert (U' := U).
   destruct U' as (L & P & Su).
   destruct (quotient_in_hull (bernstein3 u) points) as [D H]; auto; [now apply indices3_length|lra|].
-  pose proof (spherical_is_bezier_holds u (p - c)%V corners L Su : comb (bernstein3 u) points = _) as Z.
-  assert (N : comb u (map fst corners) <> lzero).
+  pose proof (spherical_is_bezier_holds u (p - c)%V weight_vertices L Su : comb (bernstein3 u) points = _) as Z.
+  assert (N : comb u (map fst weight_vertices) <> lzero).
   { intros Z0. rewrite Z in D. cbn [snd] in D. rewrite Z0, norm2_zero in D. lra. }
-  split; [exact N|]. pose proof (spherical_is_skinning_holds u p c corners L Su N) as Sk.
-  fold (spherical_points (p - c)%V corners) in Sk. fold points in Sk. rewrite Z in Sk, H. destruct Sk as [_ <-]. exact H.
+  split; [exact N|]. pose proof (spherical_is_skinning_holds u p c weight_vertices L Su N) as Sk.
+  fold (spherical_points (p - c)%V weight_vertices) in Sk. fold points in Sk. rewrite Z in Sk, H. destruct Sk as [_ <-].
+    exact H.
 Qed.
 Theorem dual_in_hull_holds : dual_in_hull.
 Proof.
-  intros corners p u W U. destruct (bernstein_is_convex_holds u _ U) as [[B S] _]. assert (U' := U).
+  intros weight_vertices p u W U. destruct (bernstein_is_convex_holds u _ U) as [[B S] _]. assert (U' := U).
   destruct U' as (L & P & Su).
-  destruct (quotient_in_hull (bernstein2 u) (dual_points p corners)) as [D H]; auto; [now apply indices2_length|lra|].
-  pose proof (dual_is_bezier_holds u p corners L : comb (bernstein2 u) (dual_points p corners) = _) as Z.
-  assert (N : comb u (map fst corners) <> lzero).
+  destruct (quotient_in_hull (bernstein2 u) (dual_points p weight_vertices)) as [D H]; auto; [now apply indices2_length|lra|].
+  pose proof (dual_is_bezier_holds u p weight_vertices L : comb (bernstein2 u) (dual_points p weight_vertices) = _) as Z.
+  assert (N : comb u (map fst weight_vertices) <> lzero).
   { intros Z0. rewrite Z in D. cbn [snd] in D. rewrite Z0, norm2_zero in D. lra. }
-  split; [exact N|]. pose proof (dual_is_skinning_holds u p corners L N) as Sk.
-  fold (dual_points p corners) in Sk. rewrite Z in Sk, H. destruct Sk as [_ <-]. exact H.
+  split; [exact N|]. pose proof (dual_is_skinning_holds u p weight_vertices L N) as Sk.
+  fold (dual_points p weight_vertices) in Sk. rewrite Z in Sk, H. destruct Sk as [_ <-]. exact H.
 Qed.
 
 (* A convex set around the balls about points holds the ball about any point of their hull. *)
@@ -134,10 +138,11 @@ Qed.
 
 Theorem spherical_in_convex_set_holds : spherical_in_convex_set.
 Proof.
-  intros K corners reference c v u points C W U F V.
-  destruct (spherical_in_hull_holds corners (center reference) c u W U) as [N H].
-  replace (skin_spherical _ _ c u v) with (skin_spherical (map fst corners) (map snd corners) c u (center reference) +
-    rotate (comb u (map fst corners)) (v - center reference))%V.
+  intros K weight_vertices reference c v u points C W U F V.
+  destruct (spherical_in_hull_holds weight_vertices (center reference) c u W U) as [N H].
+  replace (skin_spherical _ _ c u v) with (skin_spherical (map fst weight_vertices) (map snd weight_vertices) c u
+    (center reference) +
+    rotate (comb u (map fst weight_vertices)) (v - center reference))%V.
   - apply convex_set_around_balls with (1 := C) (2 := H). intros q Q. apply in_map_iff in Q as (pt & <- & I).
     apply F; [exact I|]. rewrite rotate_norm by exact N. exact V.
   - unfold skin_spherical. rewrite !rotate_sub. vec_ring.
@@ -148,14 +153,14 @@ Proof.
 Qed.
 Theorem dual_in_convex_set_holds : dual_in_convex_set.
 Proof.
-  intros K corners reference v u points C W U F V.
-  destruct (dual_in_hull_holds corners (center reference) u W U) as [N H].
+  intros K weight_vertices reference v u points C W U F V.
+  destruct (dual_in_hull_holds weight_vertices (center reference) u W U) as [N H].
   rewrite (skin_dual_moves _ _ u (center reference) v).
   apply convex_set_around_balls with (1 := C) (2 := H). intros q Q. apply in_map_iff in Q as (pt & <- & I).
   apply F; [exact I|]. rewrite rotate_norm by exact N. exact V.
 Qed.
 
-(* What holds of f at all corners holds at all multi-indices. *)
+(* What holds of f at all weight vertices holds at all multi-indices. *)
 Lemma indices2_all {X Y} (P : Y -> Prop) (f : X -> X -> Y) xs : (forall a b, In a xs -> In b xs -> P (f a b)) ->
   Forall P (indices2 f xs).
 Proof.
@@ -174,22 +179,22 @@ Qed.
 
 Theorem pairs_are_enough_holds : pairs_are_enough.
 Proof.
-  intros corners duals x p. split; intros F.
+  intros weight_vertices duals x p. split; intros F.
   - apply indices3_all. intros [qa ra] [qb rb] [qc rc] A B C. cbn [spherical_point snd].
     pose proof (F _ _ A B). pose proof (F _ _ B C). pose proof (F _ _ A C). cbn [fst] in *. lra.
   - apply indices2_all. intros [qa da] [qb db] A B. exact (F _ _ A B).
 Qed.
 
-(* The hypotheses can be met: two corners 53 degrees apart on S_3, a proper hull. *)
+(* The hypotheses can be met: two weight vertices 53 degrees apart on S_3, a proper hull. *)
 Example control_hull_instance :
-  let corners := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (3 / 5) (4 / 5) 0 0, Vec 0 0 0)] in
-  weights_are_positive (spherical_points (Vec 0 1 0) corners) /\ convex (length corners) [1 / 2; 1 / 2].
+  let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (3 / 5) (4 / 5) 0 0, Vec 0 0 0)] in
+  weights_are_positive (spherical_points (Vec 0 1 0) weight_vertices) /\ convex (length weight_vertices) [1 / 2; 1 / 2].
 Proof.
   split; [|repeat split; [repeat constructor; lra|cbn; lra]].
   apply (pairs_are_enough_holds _ [] _ (Vec 0 0 0)). intros a b [<-|[<-|[]]] [<-|[<-|[]]]; cbn [fst]; vunfold; lra.
 Qed.
 (* Without pairs that are positive: 104 degrees apart, and still a hull of degree 3. *)
 Example beyond_half_a_turn_instance :
-  let corners := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (- 1 / 4) 1 0 0, Vec 0 0 0)] in
-  weights_are_positive (spherical_points (Vec 0 1 0) corners).
+  let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (- 1 / 4) 1 0 0, Vec 0 0 0)] in
+  weights_are_positive (spherical_points (Vec 0 1 0) weight_vertices).
 Proof. unfold weights_are_positive, spherical_points. cbn. repeat apply Forall_cons; try apply Forall_nil; cbn [snd]; vunfold; lra. Qed.

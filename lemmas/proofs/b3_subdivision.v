@@ -7,7 +7,7 @@ Import ListNotations.
 
 (* --- Statements --- *)
 
-(* The half at the edge (k, l) that keeps corner k has the middle in place of corner l. *)
+(* The half at the edge (k, l) that keeps weight vertex k has the middle in place of weight vertex l. *)
 Fixpoint set_nth {X} (k : nat) (y : X) (xs : list X) : list X :=
   match xs, k with [], _ => [] | _ :: t, O => y :: t | x :: t, S k => x :: set_nth k y t end.
 Definition half {E} {l : Lin R E} (kept replaced : nat) (xs : list E) : list E :=
@@ -21,13 +21,13 @@ Definition halves_cover : Prop :=
 (* If the weights of the whole are positive, the control points of a half have positive weights, and are in the hull of
    the whole's. *)
 Definition half_points_in_hull : Prop :=
-  forall (corners : list (quat R * vec R)) (x : vec R) (i j : nat),
-  (i < length corners)%nat -> (j < length corners)%nat -> i <> j ->
-  weights_are_positive (spherical_points x corners) ->
-  Forall (fun point => 0 < snd point /\ in_hull (map position (spherical_points x corners)) (position point))
-    (spherical_points x (half i j corners)).
-(* 2. Rate: the control point of three corners is near the surface's point at their mean. With all ||q'_i - q'_k|| <= s,
-   ||r'_i - r'_k|| <= t, ||q'_i|| <= b and ||x|| <= a: *)
+  forall (weight_vertices : list (quat R * vec R)) (x : vec R) (i j : nat),
+  (i < length weight_vertices)%nat -> (j < length weight_vertices)%nat -> i <> j ->
+  weights_are_positive (spherical_points x weight_vertices) ->
+  Forall (fun point => 0 < snd point /\ in_hull (map position (spherical_points x weight_vertices)) (position point))
+    (spherical_points x (half i j weight_vertices)).
+(* 2. Rate: the control point of three weight vertices is near the surface's point at their mean. With all ||q'_i -
+   q'_k|| <= s, ||r'_i - r'_k|| <= t, ||q'_i|| <= b and ||x|| <= a: *)
 Definition control_point_is_near : Prop :=
   forall (a b c : quat R * vec R) (x : vec R) (s t len arm : R),
   let near p q := norm (fst p - fst q) <= s /\ norm (snd p - snd q) <= t in
@@ -169,7 +169,7 @@ Proof.
   - replace (1 - t * wx / w) with ((1 - t) * wy / w) by (unfold w; field; unfold w in W; lra). clearbody w. vec_field. lra.
 Qed.
 
-(* Every triple of corners is among the multi-indices, whatever its order. *)
+(* Every triple of weight vertices is among the multi-indices, whatever its order. *)
 Lemma indices2_in {X Y} (f : X -> X -> Y) xs a b : (forall a b, f a b = f b a) -> In a xs -> In b xs -> In (f a b) (indices2 f xs).
 Proof.
   intros S. induction xs as [|x xs IH]; [intros []|]. intros A B. cbn [indices2].
@@ -199,16 +199,17 @@ Proof. rewrite <- !spherical_form_point. apply spherical_form_swap. Qed.
 Lemma spherical_point_swap_last x a b c : spherical_point x a b c = spherical_point x a c b.
 Proof. rewrite <- !spherical_form_point. apply spherical_form_swap_last. Qed.
 
-(* A convex set that holds the points of all triples of corners holds those of all triples of blends. *)
-Lemma blends_in_convex_set (K : vec R * R -> Prop) (corners : list (quat R * vec R)) x : convex_set K ->
-  (forall a b c, In a corners -> In b corners -> In c corners -> K (spherical_point x a b c)) ->
-  forall a b c, in_hull corners a -> in_hull corners b -> in_hull corners c -> K (spherical_point x a b c).
+(* A convex set that holds the points of all triples of weight vertices holds those of all triples of blends. *)
+Lemma blends_in_convex_set (K : vec R * R -> Prop) (weight_vertices : list (quat R * vec R)) x : convex_set K ->
+  (forall a b c, In a weight_vertices -> In b weight_vertices -> In c weight_vertices -> K (spherical_point x a b c)) ->
+  forall a b c, in_hull weight_vertices a -> in_hull weight_vertices b -> in_hull weight_vertices c ->
+    K (spherical_point x a b c).
 Proof.
   intros C F.
-  assert (Last : forall a b, (forall c, In c corners -> K (spherical_point x a b c)) ->
-    forall c, in_hull corners c -> K (spherical_point x a b c)).
+  assert (Last : forall a b, (forall c, In c weight_vertices -> K (spherical_point x a b c)) ->
+    forall c, in_hull weight_vertices c -> K (spherical_point x a b c)).
   { intros a b H c (u & U & ->). rewrite <- spherical_form_point, <- comb_with_one by auto.
-    rewrite (comb_linear _ u (with_one corners) (spherical_form_linear x (1, a) (1, b))).
+    rewrite (comb_linear _ u (with_one weight_vertices) (spherical_form_linear x (1, a) (1, b))).
     unfold with_one. rewrite map_map. apply convex_set_comb; auto; [now rewrite map_length|].
     apply Forall_map, Forall_forall. intros d D. rewrite spherical_form_point. auto. }
   intros a b c A B D. apply Last; auto. intros d Id. rewrite spherical_point_swap_last. apply Last; auto.
@@ -224,12 +225,12 @@ Qed.
 
 Theorem half_points_in_hull_holds : half_points_in_hull.
 Proof.
-  intros corners x i j I J N W. set (ps := map position (spherical_points x corners)).
-  assert (C : forall y, In y (half i j corners) -> in_hull corners y).
-  { intros y Y. apply (whole_of_half corners i j y I J N). now apply hull_point. }
+  intros weight_vertices x i j I J N W. set (ps := map position (spherical_points x weight_vertices)).
+  assert (C : forall y, In y (half i j weight_vertices) -> in_hull weight_vertices y).
+  { intros y Y. apply (whole_of_half weight_vertices i j y I J N). now apply hull_point. }
   apply (indices3_all (fun point => 0 < snd point /\ in_hull ps (position point))). intros a b c A B D.
-  apply (blends_in_convex_set _ corners x (positive_hull_convex ps)); auto. clear - W ps. intros a b c A B D.
-  assert (P : In (spherical_point x a b c) (spherical_points x corners)).
+  apply (blends_in_convex_set _ weight_vertices x (positive_hull_convex ps)); auto. clear - W ps. intros a b c A B D.
+  assert (P : In (spherical_point x a b c) (spherical_points x weight_vertices)).
   { apply indices3_in; auto; intros; [apply spherical_point_swap|apply spherical_point_swap_last]. }
   unfold weights_are_positive in W. rewrite Forall_forall in W. split; [now apply W|]. apply hull_point. now apply in_map.
 Qed.
@@ -374,7 +375,7 @@ Proof.
   pose proof (norm_sub ((n2 / 6) *: rotate q x) (1 / 6 *: T))%V. pose proof (norm_sub (1 / 3 *: F4) (1 / 3 *: F3))%V. lra.
 Qed.
 
-(* The hypotheses can be met: an edge of two quaternions of unit length, and a third corner between them. *)
+(* The hypotheses can be met: an edge of two quaternions of unit length, and a third weight vertex between them. *)
 Example halving_instance : let p := Quat 1 0 0 0 in let q := Quat (3 / 5) (4 / 5) 0 0 in
   norm2 p = norm2 q /\ (1 / 2 *: (p + q))%V <> lzero /\ (0 < length [p; q])%nat /\ (1 < length [p; q])%nat /\ 0%nat <> 1%nat.
 Proof. cbv zeta. repeat split; try (cbn; lia); [vunfold; field|apply norm2_pos_inv; vunfold; lra]. Qed.
@@ -384,8 +385,9 @@ Proof.
   cbv zeta. rewrite (norm_eq (Quat 1 0 0 0 - Quat (-1) 0 0 0)%V 2) by (try lra; vunfold; ring).
   split; apply norm_le; (split; [lra|]); vunfold; lra.
 Qed.
-Example half_points_instance : exists corners x, (0 < length corners)%nat /\ (1 < length corners)%nat /\ 0%nat <> 1%nat /\
-  weights_are_positive (spherical_points x corners).
+Example half_points_instance : exists weight_vertices x, (0 < length weight_vertices)%nat /\
+  (1 < length weight_vertices)%nat /\ 0%nat <> 1%nat /\
+  weights_are_positive (spherical_points x weight_vertices).
 Proof. do 2 eexists. repeat split; cycle 3; [apply control_hull_instance|cbn; lia..]. Qed.
 Example rate_instance : let a := (Quat 1 0 0 0, Vec 0 0 0) in let b := (Quat (3 / 5) (4 / 5) 0 0, Vec 1 0 0) in
   norm (fst a - fst b) <= 1 /\ norm (snd a - snd b) <= 1 /\ (1 / 3 *: (fst a + fst b + fst b))%V <> lzero.

@@ -15,12 +15,14 @@ Definition height (kappa2 : R) := Rmax (2 * kappa2 - 1) 0.
 (* Every vertex v' = R_b x + sum u_k r'_k + y, with b not 0 and ||y|| <= r, is in the hull of the balls
    [r'_k + h R_c x, sqrt(1 - h^2) ||x|| + r]: in any convex set that holds them. *)
 Definition cap_fallback : Prop :=
-  forall (K : vec R -> Prop) (corners : list (quat R * vec R)) (c : quat R) (kappa2 : R) (x y : vec R) (r : R) (u : list R),
-  let h := height kappa2 in let b := comb u (map fst corners) in
-  convex_set K -> cap_is_valid (map fst corners) c kappa2 -> convex (length corners) u -> b <> lzero -> norm y <= r ->
-  (forall q r', In (q, r') corners -> forall z,
+  forall (K : vec R -> Prop) (weight_vertices : list (quat R * vec R)) (c : quat R) (kappa2 : R) (x y : vec R) (r : R)
+    (u : list R),
+  let h := height kappa2 in let b := comb u (map fst weight_vertices) in
+  convex_set K -> cap_is_valid (map fst weight_vertices) c kappa2 -> convex (length weight_vertices) u -> b <> lzero ->
+    norm y <= r ->
+  (forall q r', In (q, r') weight_vertices -> forall z,
      in_ball (Ball (r' + h *: rotate c x)%V (sqrt (1 - h * h) * norm x + r)) z -> K z) ->
-  K (rotate b x + comb u (map snd corners) + y)%V.
+  K (rotate b x + comb u (map snd weight_vertices) + y)%V.
 (* If all (q'_k, q'_l) >= 0 and no q'_k is 0, all of them are strictly ahead of their sum. *)
 Definition positive_pairs_are_ahead : Prop :=
   forall E (l : Lin R E) (e : Euclid E) (qs : list E), let sum := comb (repeat 1 (length qs)) qs in
@@ -46,12 +48,12 @@ Qed.
 
 Theorem cap_fallback_holds : cap_fallback.
 Proof.
-  intros K corners c kappa2 x y r u h b C V U N Y F.
-  assert (B : in_hull (map fst corners) b) by (exists u; split; [now rewrite map_length|reflexivity]).
+  intros K weight_vertices c kappa2 x y r u h b C V U N Y F.
+  assert (B : in_hull (map fst weight_vertices) b) by (exists u; split; [now rewrite map_length|reflexivity]).
   pose proof (fallback_step _ c kappa2 b x V B N) as S. cbv zeta in S. fold h in S.
-  replace (rotate b x + comb u (map snd corners) + y)%V with
-    (comb u (map snd corners) + (h *: rotate c x + (rotate b x - h *: rotate c x) + y))%V by vec_ring.
-  apply convex_set_around_balls with (ps := map snd corners); auto.
+  replace (rotate b x + comb u (map snd weight_vertices) + y)%V with
+    (comb u (map snd weight_vertices) + (h *: rotate c x + (rotate b x - h *: rotate c x) + y))%V by vec_ring.
+  apply convex_set_around_balls with (ps := map snd weight_vertices); auto.
   - exists u. split; [now rewrite map_length|reflexivity].
   - intros p P. apply in_map_iff in P as ([q r'] & <- & I). cbn [snd]. apply (F q r' I). unfold in_ball. cbn [center radius].
     replace (_ - _)%V with ((rotate b x - h *: rotate c x) + y)%V by vec_ring.
@@ -72,9 +74,9 @@ Proof.
 Qed.
 
 (* The hypotheses can be met: 1 and (4/5, 3/5, 0, 0) about 1 with kappa^2 = 16/25. *)
-Example cap_fallback_instance : let corners := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (4 / 5) (3 / 5) 0 0, Vec 0 0 0)] in
-  cap_is_valid (map fst corners) (Quat 1 0 0 0) (16 / 25) /\ convex (length corners) [1 / 2; 1 / 2] /\
-  comb [1 / 2; 1 / 2] (map fst corners) <> lzero.
+Example cap_fallback_instance : let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (4 / 5) (3 / 5) 0 0, Vec 0 0 0)] in
+  cap_is_valid (map fst weight_vertices) (Quat 1 0 0 0) (16 / 25) /\ convex (length weight_vertices) [1 / 2; 1 / 2] /\
+  comb [1 / 2; 1 / 2] (map fst weight_vertices) <> lzero.
 Proof.
   cbv zeta. split; [|split].
   - right. split; [apply norm2_pos_inv; vunfold; lra|]. split; [lra|]. apply one_cap_instance.

@@ -5,34 +5,36 @@ Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.con
 Require Import Refitlab.t3_one_cap.
 Import ListNotations.
 
-(* --- Statements: corners (q_k, d_k) of any length --- *)
+(* --- Statements: weight vertices (q_k, d_k) of any length --- *)
 
 (* E_k = 2 d_k + q_k p - f q_k, with p and f as pure quaternions. *)
-Definition reach_at (p f : vec R) (corner : quat R * quat R) : quat R :=
-  (2 *: snd corner + qmul (fst corner) (pure p) - qmul (pure f) (fst corner))%V.
-(* Of a corner that is not 0: its image of p. *)
-Definition corner_image (p : vec R) (corner : quat R * quat R) : vec R := skin_dual [fst corner] [snd corner] [1] p.
+Definition reach_at (p f : vec R) (weight_vertex : quat R * quat R) : quat R :=
+  (2 *: snd weight_vertex + qmul (fst weight_vertex) (pure p) - qmul (pure f) (fst weight_vertex))%V.
+(* Of a weight vertex that is not 0: its image of p. *)
+Definition weight_vertex_image (p : vec R) (weight_vertex : quat R * quat R) : vec R :=
+  skin_dual [fst weight_vertex] [snd weight_vertex] [1] p.
 
 (* If all (q_k, a) > 0, no blend is 0, and all v'(u) are in the ball about f of radius ||a|| max ||E_k|| / (q_k, a): of any
    radius that is no less. *)
 Definition dual_quaternion_ball : Prop :=
-  forall (corners : list (quat R * quat R)) (a : quat R) (p f : vec R) (r : R) (u : list R),
-  (forall c, In c corners -> 0 < dot (fst c) a /\ norm a * (norm (reach_at p f c) / dot (fst c) a) <= r) ->
-  convex (length corners) u ->
-  comb u (map fst corners) <> lzero /\ in_ball (Ball f r) (skin_dual (map fst corners) (map snd corners) u p).
+  forall (weight_vertices : list (quat R * quat R)) (a : quat R) (p f : vec R) (r : R) (u : list R),
+  (forall c, In c weight_vertices -> 0 < dot (fst c) a /\ norm a * (norm (reach_at p f c) / dot (fst c) a) <= r) ->
+  convex (length weight_vertices) u ->
+  comb u (map fst weight_vertices) <> lzero /\ in_ball (Ball f r)
+    (skin_dual (map fst weight_vertices) (map snd weight_vertices) u p).
 (* ||E_k||^2 = ||q_k||^2 ||v'_k - f||^2 + 4 (d_k, q_k)^2 / ||q_k||^2 *)
 Definition reach_is_distance : Prop :=
   forall (c : quat R * quat R) (p f : vec R), fst c <> lzero ->
   norm2 (reach_at p f c) =
-  norm2 (fst c) * norm2 (corner_image p c - f) + 4 * (dot (snd c) (fst c) * dot (snd c) (fst c)) / norm2 (fst c).
+  norm2 (fst c) * norm2 (weight_vertex_image p c - f) + 4 * (dot (snd c) (fst c) * dot (snd c) (fst c)) / norm2 (fst c).
 (* If an axis is there, 0 is not in the hull of the q_k. *)
 Definition axis_excludes_zero : Prop :=
   forall (qs : list (quat R)) (a : quat R), (forall q, In q qs -> 0 < dot q a) -> ~ in_hull qs lzero.
 (* Without one there may be no ball: near a blend that is 0 vertices are carried as far as wanted. *)
 Definition no_ball_near_zero : Prop :=
-  exists (corners : list (quat R * quat R)) (p : vec R), forall b : ball (vec R), exists u,
-  convex (length corners) u /\ comb u (map fst corners) <> lzero /\
-  ~ in_ball b (skin_dual (map fst corners) (map snd corners) u p).
+  exists (weight_vertices : list (quat R * quat R)) (p : vec R), forall b : ball (vec R), exists u,
+  convex (length weight_vertices) u /\ comb u (map fst weight_vertices) <> lzero /\
+  ~ in_ball b (skin_dual (map fst weight_vertices) (map snd weight_vertices) u p).
 
 (* --- Proofs --- *)
 
@@ -62,7 +64,7 @@ Qed.
 
 Theorem dual_quaternion_ball_holds : dual_quaternion_ball.
 Proof.
-  intros corners a p f r u B U. set (qs := map fst corners). set (ds := map snd corners).
+  intros weight_vertices a p f r u B U. set (qs := map fst weight_vertices). set (ds := map snd weight_vertices).
   assert (N : 0 < dot (comb u qs) a /\ comb u qs <> lzero).
   { apply (blend_not_zero_holds _ _ _ a qs).
     - apply Forall_map, Forall_forall. intros c I. apply (B c I).
@@ -72,11 +74,12 @@ Proof.
   { pose proof (dot_le_norms q a). pose proof (norm_nonneg a).
     destruct (Rle_lt_or_eq_dec _ _ (norm_nonneg a)) as [|Z]; auto. rewrite <- Z in *. lra. }
   assert (R0 : 0 <= r).
-  { destruct corners as [|c cs]; [now apply convex_not_empty in U|]. destruct (B c (or_introl eq_refl)) as [Dc Bc].
+  { destruct weight_vertices as [|c cs]; [now apply convex_not_empty in U|]. destruct (B c (or_introl eq_refl)) as [Dc Bc].
     eapply Rle_trans; [|exact Bc]. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [apply norm_nonneg|left; now apply inv_pos]. }
   assert (C : norm (reach_at p f (q, comb u ds)) * norm a <= r * dot q a).
-  { unfold q, qs, ds. rewrite <- comb_pair, (comb_linear _ u corners (reach_linear p f)), dot_comb, map_map.
-    destruct U as (L & P & _). clear - B L P A. revert u L P; induction corners as [|c corners IH]; intros [|x u] L P; try discriminate.
+  { unfold q, qs, ds. rewrite <- comb_pair, (comb_linear _ u weight_vertices (reach_linear p f)), dot_comb, map_map.
+    destruct U as (L & P & _). clear - B L P A. revert u L P; induction weight_vertices as [|c weight_vertices IH];
+      intros [|x u] L P; try discriminate.
     - cbn [map comb]. rewrite norm_zero. cbn. lra.
     - apply Forall_cons_iff in P as [X P]. cbn [map comb].
       destruct (B c (or_introl eq_refl)) as [Dc Bc]. specialize (IH (fun k K => B k (or_intror K)) u ltac:(auto) P).
@@ -84,7 +87,7 @@ Proof.
       { apply Rmult_le_compat_r with (r := dot (fst c) a) in Bc; [|lra].
         replace (norm a * (norm (reach_at p f c) / dot (fst c) a) * dot (fst c) a) with (norm a * norm (reach_at p f c)) in Bc
           by (field; lra). exact Bc. }
-      pose proof (norm_add (x *: reach_at p f c)%V (comb u (map (reach_at p f) corners))) as T.
+      pose proof (norm_add (x *: reach_at p f c)%V (comb u (map (reach_at p f) weight_vertices))) as T.
       rewrite norm_scale in T by auto. cbn [ladd lscale lin_num add mul ops_R] in *.
       apply Rmult_le_compat_r with (r := norm a) in T; [|lra]. nra. }
   unfold in_ball. cbn [center radius]. rewrite skin_dual_from by exact N. fold q.
@@ -103,7 +106,7 @@ Qed.
 
 Theorem reach_is_distance_holds : reach_is_distance.
 Proof.
-  intros [q d] p f N. cbn [fst snd] in *. unfold corner_image. cbn [fst snd].
+  intros [q d] p f N. cbn [fst snd] in *. unfold weight_vertex_image. cbn [fst snd].
   assert (Z : comb [1] [q] = q) by (cbn [comb]; vec_ring). assert (Zd : comb [1] [d] = d) by (cbn [comb]; vec_ring).
   rewrite skin_dual_from by (now rewrite Z). rewrite Z, Zd, norm2_scale. apply norm2_pos in N.
   assert (S : norm2 (reach_at p f (q, d)) * norm2 q = norm2 (im (qmul (reach_at p f (q, d)) (conj q))) + 4 * (dot d q * dot d q)).
@@ -122,8 +125,8 @@ Qed.
    carried to (1 - 1 / t, 0, 0). *)
 Theorem no_ball_near_zero_holds : no_ball_near_zero.
 Proof.
-  set (corners := [(Quat 1 0 0 0, Quat 0 0 0 0); (Quat (-1) 0 0 0, Quat 0 (-1) 0 0)]).
-  exists corners, (Vec 0 0 0). intros [c r]. set (m := Rmax (vx c - 1 + Rabs r) 0 + 1).
+  set (weight_vertices := [(Quat 1 0 0 0, Quat 0 0 0 0); (Quat (-1) 0 0 0, Quat 0 (-1) 0 0)]).
+  exists weight_vertices, (Vec 0 0 0). intros [c r]. set (m := Rmax (vx c - 1 + Rabs r) 0 + 1).
   assert (M : 1 <= m /\ vx c - 1 + Rabs r < m) by (unfold m, Rmax; destruct (Rle_dec _ _); lra).
   set (t := - / (m + 1)). assert (T : (m + 1) * / (m + 1) = 1) by (apply Rinv_r; lra).
   assert (T0 : 0 < / (m + 1)) by (apply inv_pos; lra). assert (T1 : t <> 0) by (unfold t; lra).
@@ -133,7 +136,7 @@ Proof.
   - intros B. unfold in_ball in B. cbn [center radius] in B.
     replace (skin_dual _ _ _ _) with (Vec (2 + m) 0 0) in B.
     + apply norm_le in B as [R0 B]. rewrite Rabs_pos_eq in M by auto. destruct c as [x y z]. cbn [vx] in M. vunfold. nra.
-    + unfold skin_dual, corners. cbn [map fst snd comb].
+    + unfold skin_dual, weight_vertices. cbn [map fst snd comb].
       replace (((1 + t) / 2) *: Quat 1 0 0 0 + (((1 - t) / 2) *: Quat (-1) 0 0 0 + lzero))%V with (Quat t 0 0 0)
         by (vunfold; f_equal; field).
       replace (((1 + t) / 2) *: Quat 0 0 0 0 + (((1 - t) / 2) *: Quat 0 (-1) 0 0 + lzero))%V with (Quat 0 (- (1 - t) / 2) 0 0)
@@ -144,9 +147,11 @@ Proof.
 Qed.
 
 (* The hypotheses can be met: a turn by 74 degrees, about the axis 1. *)
-Example dual_ball_instance : let corners := [(Quat 1 0 0 0, Quat 0 0 0 0); (Quat (4 / 5) (3 / 5) 0 0, Quat 0 0 0 0)] in
+Example dual_ball_instance : let weight_vertices := [(Quat 1 0 0 0, Quat 0 0 0 0);
+  (Quat (4 / 5) (3 / 5) 0 0, Quat 0 0 0 0)] in
   let a := Quat 1 0 0 0 in let f := Vec 0 0 0 in
-  exists r, forall c, In c corners -> 0 < dot (fst c) a /\ norm a * (norm (reach_at (Vec 0 1 0) f c) / dot (fst c) a) <= r.
+  exists r, forall c, In c weight_vertices -> 0 < dot (fst c) a /\
+    norm a * (norm (reach_at (Vec 0 1 0) f c) / dot (fst c) a) <= r.
 Proof.
   cbv zeta. set (g := fun c => norm (Quat 1 0 0 0) * (norm (reach_at (Vec 0 1 0) (Vec 0 0 0) c) / dot (fst c) (Quat 1 0 0 0))).
   set (c1 := (Quat 1 0 0 0, Quat 0 0 0 0)). set (c2 := (Quat (4 / 5) (3 / 5) 0 0, Quat 0 0 0 0)). exists (Rmax (g c1) (g c2)).

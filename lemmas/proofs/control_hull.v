@@ -15,43 +15,44 @@ Definition balls_or_all := option (list (ball (vec R))).
 Definition join (a b : balls_or_all) : balls_or_all :=
   match a, b with Some x, Some y => Some (x ++ y) | _, _ => None end.
 
-(* Corners that are near emit their control balls; others are halved at an edge, a few times; then they fall back. *)
+(* Weight vertices that are near emit their control balls; others are halved at an edge, a few times; then they fall back. *)
 Section Cover.
 Context {E : Type} {l : Lin R E} (near : list E -> bool) (emit : list E -> list (ball (vec R)))
   (fall_back : list E -> balls_or_all) (widest_edge : list E -> nat * nat).
-Fixpoint cover (halvings_left : nat) (corners : list E) : balls_or_all :=
-  if near corners then Some (emit corners)
+Fixpoint cover (halvings_left : nat) (weight_vertices : list E) : balls_or_all :=
+  if near weight_vertices then Some (emit weight_vertices)
   else match halvings_left with
-  | O => fall_back corners
-  | S h => let (k, l) := widest_edge corners in join (cover h (half l k corners)) (cover h (half k l corners))
+  | O => fall_back weight_vertices
+  | S h => let (k, l) := widest_edge weight_vertices in join (cover h (half l k weight_vertices))
+    (cover h (half k l weight_vertices))
   end.
 End Cover.
 
-(* Pairs of corners are near if (q_k, q_l) > 0 and its square times a factor is above ||q_k||^2 ||q_l||^2. (The program looks
-   at the widest pair, which decides for all.) *)
+(* Pairs of weight vertices are near if (q_k, q_l) > 0 and its square times a factor is above ||q_k||^2 ||q_l||^2. (The
+   program looks at the widest pair, which decides for all.) *)
 Definition pair_is_near (factor : R) (a b : quat R) : bool :=
   if Rlt_dec 0 (dot a b) then if Rlt_dec (norm2 a * norm2 b) (factor * (dot a b * dot a b)) then true else false else false.
-Definition all_near {X} (factor : R) (corners : list (quat R * X)) : bool :=
-  forallb (fun a => forallb (fun b => pair_is_near factor (fst a) (fst b)) corners) corners.
+Definition all_near {X} (factor : R) (weight_vertices : list (quat R * X)) : bool :=
+  forallb (fun a => forallb (fun b => pair_is_near factor (fst a) (fst b)) weight_vertices) weight_vertices.
 
 (* Spherical blending of a piece: x = p - r_c and r is the radius of the reference ball. *)
 Section Spherical.
 Context (center_of_points : list (quat R) -> quat R) (widest_edge : list (quat R * vec R) -> nat * nat) (most_halvings : nat).
-Definition emit_spherical (x : vec R) (r : R) (corners : list (quat R * vec R)) : list (ball (vec R)) :=
-  map (fun point => Ball (position point) r) (spherical_points x corners).
-Definition fall_back_spherical (x : vec R) (r : R) (corners : list (quat R * vec R)) : balls_or_all :=
-  let bound := bound_corner_rotations center_of_points (map fst corners) in
+Definition emit_spherical (x : vec R) (r : R) (weight_vertices : list (quat R * vec R)) : list (ball (vec R)) :=
+  map (fun point => Ball (position point) r) (spherical_points x weight_vertices).
+Definition fall_back_spherical (x : vec R) (r : R) (weight_vertices : list (quat R * vec R)) : balls_or_all :=
+  let bound := bound_weight_vertex_rotations center_of_points (map fst weight_vertices) in
   let offset := (center_ratio bound *: rotate (apex bound) x)%V in
-  Some (map (fun c => Ball (snd c + offset)%V (r + radius_ratio bound * norm x)) corners).
+  Some (map (fun c => Ball (snd c + offset)%V (r + radius_ratio bound * norm x)) weight_vertices).
 Definition cover_spherical (x : vec R) (r : R) : nat -> list (quat R * vec R) -> balls_or_all :=
   cover (all_near 4) (emit_spherical x r) (fall_back_spherical x r) widest_edge.
 
-(* The corners of a joint-set, and its control balls: one ball where there is one rotation. *)
-Definition posed_corners (z : posed_set) : list (quat R * vec R) :=
-  map (fun c => (comb c (rotations z), comb c (center_images z))) (corners z).
+(* The weight vertices of a joint-set, and its control balls: one ball where there is one rotation. *)
+Definition posed_weight_vertices (z : posed_set) : list (quat R * vec R) :=
+  map (fun c => (comb c (rotations z), comb c (center_images z))) (weight_vertices z).
 Definition piece_balls (reference : ball (vec R)) (z : posed_set) : balls_or_all :=
   let x := (center reference - rotation_center z)%V in
-  match posed_corners z with
+  match posed_weight_vertices z with
   | [(q, r')] =>
     if Req_EM_T (norm2 q) 0 then cover_spherical x (radius reference) 0 [(q, r')]
     else Some [Ball (rotate q x + r')%V (radius reference)]
@@ -64,8 +65,8 @@ End Spherical.
 (* --- Statements --- *)
 
 Definition edges_are_valid {E} (widest_edge : list E -> nat * nat) :=
-  forall corners, (2 <= length corners)%nat -> let (k, l) := widest_edge corners in
-  (k < length corners)%nat /\ (l < length corners)%nat /\ k <> l.
+  forall weight_vertices, (2 <= length weight_vertices)%nat -> let (k, l) := widest_edge weight_vertices in
+  (k < length weight_vertices)%nat /\ (l < length weight_vertices)%nat /\ k <> l.
 (* A set of points holds balls. *)
 Definition holds_all (K : vec R -> Prop) (balls : list (ball (vec R))) := forall b z, In b balls -> in_ball b z -> K z.
 
@@ -75,7 +76,7 @@ Definition control_hull_is_sound : Prop :=
     (balls : list (ball (vec R))) (z : posed_set) (w : list R) (v : vec R),
   edges_are_valid widest_edge -> convex_set K ->
   node_balls center_of_points widest_edge most_halvings reference sets = Some balls -> holds_all K balls ->
-  In z sets -> is_corner_combination (corners z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   K (deformed z w v).
 (* There always are such balls. *)
 Definition control_hull_is_bounded : Prop :=
@@ -87,12 +88,13 @@ Definition refit_control_hull_is_sound : Prop :=
     (balls : list (ball (vec R))) (z : posed_set) (w : list R) (v : vec R),
   edges_are_valid widest_edge -> encloses_its_balls of_balls ->
   node_balls center_of_points widest_edge most_halvings reference sets = Some balls ->
-  In z sets -> is_corner_combination (corners z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   in_ball (of_balls balls) (deformed z w v).
 
 (* --- Proofs --- *)
 
-(* Whatever passes from the balls of near corners, and from those of the fallback, to all blends, passes from those of cover. *)
+(* Whatever passes from the balls of near weight vertices, and from those of the fallback, to all blends, passes from
+   those of cover. *)
 Lemma cover_sound {E} `{Euclid E} near emit fall_back widest_edge (P : E -> Prop) (K : vec R -> Prop) :
   edges_are_valid widest_edge ->
   (forall cs x, near cs = true -> holds_all K (emit cs) -> in_hull cs x -> P x) ->
@@ -115,8 +117,8 @@ Proof.
       intros b z I Z. apply (B b z); auto. apply in_or_app. now left.
 Qed.
 
-Lemma all_near_positive {X} factor (corners : list (quat R * X)) : all_near factor corners = true ->
-  forall a b, In a corners -> In b corners -> 0 < dot (fst a) (fst b).
+Lemma all_near_positive {X} factor (weight_vertices : list (quat R * X)) : all_near factor weight_vertices = true ->
+  forall a b, In a weight_vertices -> In b weight_vertices -> 0 < dot (fst a) (fst b).
 Proof.
   intros N a b A B. unfold all_near in N. rewrite forallb_forall in N. specialize (N a A). rewrite forallb_forall in N.
   specialize (N b B). unfold pair_is_near in N. destruct (Rlt_dec 0 (dot (fst a) (fst b))); [assumption|discriminate].
@@ -147,8 +149,8 @@ Lemma fall_back_spherical_sound center_of_points (K : vec R -> Prop) x r cs bs c
   fall_back_spherical center_of_points x r cs = Some bs -> holds_all K bs -> in_hull cs c -> spherical_goal K x r c.
 Proof.
   intros C F B (u & U & ->) Nz y Y. rewrite comb_pair in *. cbn [fst snd] in *. injection F as <-.
-  destruct (bound_corner_rotations_sound center_of_points (map fst cs)) as (_ & _ & _ & Bd).
-  set (bound := bound_corner_rotations center_of_points (map fst cs)) in *.
+  destruct (bound_weight_vertex_rotations_sound center_of_points (map fst cs)) as (_ & _ & _ & Bd).
+  set (bound := bound_weight_vertex_rotations center_of_points (map fst cs)) in *.
   set (offset := (center_ratio bound *: rotate (apex bound) x)%V) in *.
   assert (S : norm (rotate (comb u (map fst cs)) x - offset) <= radius_ratio bound * norm x).
   { apply Bd; auto. exists u. split; [now rewrite map_length|reflexivity]. }
@@ -163,13 +165,14 @@ Proof.
     apply in_point_ball. eapply Rle_trans; [apply norm_add|]. lra.
 Qed.
 
-(* The blend of a joint-set's corners. *)
-Lemma posed_blend z w u : convex (length (corners z)) u ->
-  (forall i, nth i w 0 = comb u (map (fun c => nth i c 0) (corners z))) ->
-  comb u (posed_corners z) = (comb w (rotations z), comb w (center_images z)).
+(* The blend of a joint-set's weight vertices. *)
+Lemma posed_blend z w u : convex (length (weight_vertices z)) u ->
+  (forall i, nth i w 0 = comb u (map (fun c => nth i c 0) (weight_vertices z))) ->
+  comb u (posed_weight_vertices z) = (comb w (rotations z), comb w (center_images z)).
 Proof.
-  intros U Q. unfold posed_corners. rewrite comb_pair, !map_map. cbn [fst snd].
-  rewrite (swap_sums u (corners z) w (rotations z) Q), (swap_sums u (corners z) w (center_images z) Q). reflexivity.
+  intros U Q. unfold posed_weight_vertices. rewrite comb_pair, !map_map. cbn [fst snd].
+  rewrite (swap_sums u (weight_vertices z) w (rotations z) Q), (swap_sums u (weight_vertices z) w (center_images z) Q).
+    reflexivity.
 Qed.
 
 Lemma single_hull {E} `{Euclid E} (p x : E) : in_hull [p] x -> x = p.
@@ -181,11 +184,12 @@ Qed.
 Lemma piece_balls_sound center_of_points widest_edge most_halvings K reference z balls w v :
   edges_are_valid widest_edge -> convex_set K ->
   piece_balls center_of_points widest_edge most_halvings reference z = Some balls -> holds_all K balls ->
-  is_corner_combination (corners z) w -> in_ball reference v -> comb w (rotations z) <> lzero -> K (deformed z w v).
+  is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+    K (deformed z w v).
 Proof.
   intros V C B H (u & U & Q) X N. set (x := (center reference - rotation_center z)%V).
-  assert (In : in_hull (posed_corners z) (comb w (rotations z), comb w (center_images z))).
-  { exists u. split; [unfold posed_corners; now rewrite map_length|]. symmetry. now apply posed_blend. }
+  assert (In : in_hull (posed_weight_vertices z) (comb w (rotations z), comb w (center_images z))).
+  { exists u. split; [unfold posed_weight_vertices; now rewrite map_length|]. symmetry. now apply posed_blend. }
   assert (G : spherical_goal K x (radius reference) (comb w (rotations z), comb w (center_images z))).
   { assert (Cov : forall h cs bs c, h = 0%nat \/ (2 <= length cs)%nat ->
       cover_spherical center_of_points widest_edge x (radius reference) h cs = Some bs -> holds_all K bs ->
@@ -193,7 +197,7 @@ Proof.
     { apply cover_sound; auto.
       - intros cs c A E I. apply emit_spherical_sound with cs; auto.
       - intros cs bs c A E I. apply fall_back_spherical_sound with center_of_points cs bs; auto. }
-    unfold piece_balls in B. fold x in B. destruct (posed_corners z) as [|[q r'] [|c2 cs]] eqn:P.
+    unfold piece_balls in B. fold x in B. destruct (posed_weight_vertices z) as [|[q r'] [|c2 cs]] eqn:P.
     - destruct In as (b & Cb & _). now apply convex_not_empty in Cb.
     - destruct (Req_EM_T (norm2 q) 0) as [Z|Z].
       + apply (Cov 0%nat [(q, r')] balls); auto.
@@ -228,7 +232,7 @@ Proof.
     destruct (IH (half l k cs)) as (b1 & ->). destruct (IH (half k l cs)) as (b2 & ->). eexists. reflexivity. }
   induction sets as [|z sets (bs & Bs)]; [eexists; reflexivity|]. cbn [node_balls]. rewrite Bs.
   assert (P : exists ps, piece_balls cp we mh reference z = Some ps).
-  { unfold piece_balls. destruct (posed_corners z) as [|[q r'] [|c2 cs]]; auto.
+  { unfold piece_balls. destruct (posed_weight_vertices z) as [|[q r'] [|c2 cs]]; auto.
     destruct (Req_EM_T (norm2 q) 0); auto. eexists. reflexivity. }
   destruct P as (ps & ->). eexists. reflexivity.
 Qed.
@@ -244,14 +248,14 @@ Proof.
   - now apply ball_around_balls.
 Qed.
 
-(* The hypotheses can be met: by the node of algorithm1_instance, with any edge of the corners, and mean balls. *)
+(* The hypotheses can be met: by the node of algorithm1_instance, with any edge of the weight vertices, and mean balls. *)
 Example control_hull_instance :
   let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat 0 0 0 1) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
   let edge := fun _ : list (quat R * vec R) => (1%nat, 0%nat) in let S := Ball (Vec 2 0 0) 1 in let w := [1 / 2; 1 / 2] in
   edges_are_valid edge /\
   (exists balls, node_balls mean edge 4 S [z] = Some balls /\ holds_all (in_ball (mean_ball balls)) balls /\
     convex_set (in_ball (mean_ball balls))) /\
-  is_corner_combination (corners z) w /\ in_ball S (Vec 2 1 0) /\ comb w (rotations z) <> lzero.
+  is_weight_vertex_combination (weight_vertices z) w /\ in_ball S (Vec 2 1 0) /\ comb w (rotations z) <> lzero.
 Proof.
   cbv zeta. split; [intros cs L; lia|]. split; [|split; [|split]]; try apply algorithm1_instance.
   edestruct control_hull_is_bounded_holds as (balls & B). exists balls. split; [exact B|]. split; [|apply ball_convex].

@@ -13,8 +13,8 @@ Import ListNotations.
 Definition dual_of (c : rigid) : quat R := (1 / 2 *: qmul (pure (translation c)) (rotation c))%V.
 Definition duals (z : posed_set) := map dual_of (transforms z).
 Definition deformed_dual (z : posed_set) (w : list R) (v : vec R) := skin_dual (rotations z) (duals z) w v.
-Definition dual_corners (z : posed_set) : list (quat R * quat R) :=
-  map (fun c => (comb c (rotations z), comb c (duals z))) (corners z).
+Definition dual_weight_vertices (z : posed_set) : list (quat R * quat R) :=
+  map (fun c => (comb c (rotations z), comb c (duals z))) (weight_vertices z).
 
 Section Dual.
 (* The axis and the middle are found in any way. *)
@@ -36,7 +36,7 @@ Definition fall_back_dual (p : vec R) (r : R) (cs : list (quat R * quat R)) : ba
 Definition cover_dual (p : vec R) (r : R) : nat -> list (quat R * quat R) -> balls_or_all :=
   cover (all_near 2) (emit_dual p r) (fall_back_dual p r) widest_edge.
 Definition dual_piece_balls (reference : ball (vec R)) (z : posed_set) : balls_or_all :=
-  match dual_corners z with
+  match dual_weight_vertices z with
   | [(q, d)] =>
     if Req_EM_T (norm2 q) 0 then cover_dual (center reference) (radius reference) 0 [(q, d)]
     else Some [Ball (skin_dual [q] [d] [1] (center reference)) (radius reference)]
@@ -61,14 +61,14 @@ Definition dual_hull_is_sound : Prop :=
   forall axis_of middle_of widest_edge most_halvings (K : vec R -> Prop) reference sets balls z w v,
   edges_are_valid widest_edge -> convex_set K ->
   dual_node_balls axis_of middle_of widest_edge most_halvings reference sets = Some balls -> holds_all K balls ->
-  In z sets -> is_corner_combination (corners z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   K (deformed_dual z w v).
 (* Where it is not all of space, the ball of the program holds every deformed vertex. *)
 Definition refit_dual_quaternion_is_sound : Prop :=
   forall axis_of middle_of widest_edge most_halvings of_balls reference sets b z w v,
   edges_are_valid widest_edge -> encloses_its_balls of_balls ->
   refit_dual_quaternion axis_of middle_of widest_edge most_halvings of_balls reference sets = Some b ->
-  In z sets -> is_corner_combination (corners z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   in_ball b (deformed_dual z w v).
 (* The duals make what they stand for: with one joint, its rigid transform. *)
 Definition dual_is_rigid : Prop :=
@@ -128,12 +128,15 @@ Qed.
 Lemma dual_piece_balls_sound axis_of middle_of widest_edge most_halvings K reference z balls w v :
   edges_are_valid widest_edge -> convex_set K ->
   dual_piece_balls axis_of middle_of widest_edge most_halvings reference z = Some balls -> holds_all K balls ->
-  is_corner_combination (corners z) w -> in_ball reference v -> comb w (rotations z) <> lzero -> K (deformed_dual z w v).
+  is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+    K (deformed_dual z w v).
 Proof.
   intros V C B H (u & U & Q) X N.
-  assert (In : in_hull (dual_corners z) (comb w (rotations z), comb w (duals z))).
-  { exists u. split; [unfold dual_corners; now rewrite map_length|]. unfold dual_corners. rewrite comb_pair, !map_map. cbn [fst snd].
-    rewrite (swap_sums u (corners z) w (rotations z) Q), (swap_sums u (corners z) w (duals z) Q). reflexivity. }
+  assert (In : in_hull (dual_weight_vertices z) (comb w (rotations z), comb w (duals z))).
+  { exists u. split; [unfold dual_weight_vertices; now rewrite map_length|]. unfold dual_weight_vertices.
+    rewrite comb_pair, !map_map. cbn [fst snd].
+    rewrite (swap_sums u (weight_vertices z) w (rotations z) Q), (swap_sums u (weight_vertices z) w (duals z) Q).
+      reflexivity. }
   assert (G : dual_goal K (center reference) (radius reference) (comb w (rotations z), comb w (duals z))).
   { assert (Cov : forall h cs bs c, h = 0%nat \/ (2 <= length cs)%nat ->
       cover_dual axis_of middle_of widest_edge (center reference) (radius reference) h cs = Some bs -> holds_all K bs ->
@@ -141,7 +144,7 @@ Proof.
     { apply cover_sound; auto.
       - intros cs c A E I. apply emit_dual_sound with cs; auto.
       - intros cs bs c A E I. apply fall_back_dual_sound with axis_of middle_of cs bs; auto. }
-    unfold dual_piece_balls in B. destruct (dual_corners z) as [|[q d] [|c2 cs]] eqn:P.
+    unfold dual_piece_balls in B. destruct (dual_weight_vertices z) as [|[q d] [|c2 cs]] eqn:P.
     - destruct In as (b & Cb & _). now apply convex_not_empty in Cb.
     - destruct (Req_EM_T (norm2 q) 0) as [Z|Z].
       + apply (Cov 0%nat [(q, d)] balls); auto.
@@ -188,12 +191,13 @@ Qed.
 Example refit_dual_instance :
   let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat (4 / 5) (3 / 5) 0 0) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
   edges_are_valid (fun _ : list (quat R * quat R) => (1%nat, 0%nat)) /\
-  is_corner_combination (corners z) [1 / 2; 1 / 2] /\ comb [1 / 2; 1 / 2] (rotations z) <> lzero /\
+  is_weight_vertex_combination (weight_vertices z) [1 / 2; 1 / 2] /\ comb [1 / 2; 1 / 2] (rotations z) <> lzero /\
   exists balls, dual_node_balls (fun qs => hd lzero qs) (fun _ => Vec 0 0 0) (fun _ => (1%nat, 0%nat)) 0 (Ball (Vec 0 0 0) 1) [z]
     = Some balls.
 Proof.
   cbv zeta. split; [intros cs L; lia|]. split; [apply algorithm1_instance|]. split; [apply norm2_pos_inv; cbn; vunfold; lra|].
-  unfold dual_node_balls, dual_piece_balls, dual_corners. cbn [corners map]. set (c1 := comb _ _) at 1. unfold cover_dual. cbn [cover].
+  unfold dual_node_balls, dual_piece_balls, dual_weight_vertices. cbn [weight_vertices map]. set (c1 := comb _ _) at 1.
+    unfold cover_dual. cbn [cover].
   destruct (all_near _ _); [eexists; reflexivity|]. unfold fall_back_dual. cbn [map fst hd].
   assert (A : forall b, b = true -> exists balls, join (if b then Some [Ball (Vec 0 0 0) 0] else None) (Some []) = Some balls)
     by (intros b ->; eexists; reflexivity).

@@ -11,22 +11,23 @@ Import ListNotations.
 (* sum w_i C_{j_i} v *)
 Definition skin_linear (z : posed_set) (w : list R) (v : vec R) : vec R :=
   comb w (map (fun c => apply_rigid c v) (transforms z)).
-(* The balls of the reference ball's radius about the corner-blended images of its center. *)
+(* The balls of the reference ball's radius about the weight vertex-blended images of its center. *)
 Definition linear_balls (reference : ball (vec R)) (sets : list posed_set) : list (ball (vec R)) :=
-  flat_map (fun z => map (fun c => Ball (skin_linear z c (center reference)) (radius reference)) (corners z)) sets.
+  flat_map (fun z => map (fun c => Ball (skin_linear z c (center reference)) (radius reference)) (weight_vertices z)) sets.
 
 (* --- Statements --- *)
 
-(* The joints are rigid, and the corners' weights are convex. *)
+(* The joints are rigid, and the weight vertices' weights are convex. *)
 Definition is_rigid_set (z : posed_set) :=
-  Forall (fun c => rotation c <> lzero) (transforms z) /\ Forall (convex (length (transforms z))) (corners z).
+  Forall (fun c => rotation c <> lzero) (transforms z) /\ Forall (convex (length (transforms z))) (weight_vertices z).
 (* Any convex set that holds the balls holds every deformed vertex; and so does one ball around them. *)
 Definition linear_balls_are_sound : Prop :=
   forall (K : vec R -> Prop) reference sets z w v, convex_set K -> holds_all K (linear_balls reference sets) ->
-  In z sets -> is_rigid_set z -> is_corner_combination (corners z) w -> in_ball reference v -> K (skin_linear z w v).
+  In z sets -> is_rigid_set z -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
+    K (skin_linear z w v).
 Definition refit_linear_is_sound : Prop :=
   forall of_balls reference sets z w v, encloses_its_balls of_balls ->
-  In z sets -> is_rigid_set z -> is_corner_combination (corners z) w -> in_ball reference v ->
+  In z sets -> is_rigid_set z -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
   in_ball (of_balls (linear_balls reference sets)) (skin_linear z w v).
 
 (* --- Proofs --- *)
@@ -50,8 +51,9 @@ Qed.
 
 Theorem linear_balls_are_sound_holds : linear_balls_are_sound.
 Proof.
-  intros K reference sets z w v C H I [Ro Co] (u & U & Q) V. unfold skin_linear. rewrite (swap_sums u (corners z) w) by auto.
-  apply convex_set_comb; auto; [unfold corner_images; now rewrite map_length|].
+  intros K reference sets z w v C H I [Ro Co] (u & U & Q) V. unfold skin_linear.
+    rewrite (swap_sums u (weight_vertices z) w) by auto.
+  apply convex_set_comb; auto; [unfold weight_vertex_images; now rewrite map_length|].
   apply Forall_map, Forall_forall. intros c Ic. rewrite Forall_forall in Co.
   apply (H (Ball (skin_linear z c (center reference)) (radius reference))).
   - apply in_flat_map. exists z. split; [exact I|]. apply in_map_iff. now exists c.
@@ -68,7 +70,7 @@ Qed.
 (* The hypotheses can be met: the joint-set of algorithm1_instance. *)
 Example refit_linear_instance :
   let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat 0 0 0 1) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
-  is_rigid_set z /\ is_corner_combination (corners z) [1 / 2; 1 / 2].
+  is_rigid_set z /\ is_weight_vertex_combination (weight_vertices z) [1 / 2; 1 / 2].
 Proof.
   split; [split|].
   - repeat apply Forall_cons; try apply Forall_nil; apply norm2_pos_inv; cbn [rotation]; vunfold; lra.

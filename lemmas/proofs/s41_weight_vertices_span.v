@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* Section 4.1, corners span W' (Equation 4). *)
+(* Section 4.1, weight vertices span W' (Equation 4). *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.
 Import ListNotations.
@@ -9,30 +9,30 @@ Import ListNotations.
 (* Weight bounds <l_i, h_i> as a list of pairs. They cut W' out of the plane of affine weights. *)
 Definition within (b : R * R) (x : R) := fst b <= x <= snd b.
 Definition admits (bounds : list (R * R)) (w : list R) := Forall2 within bounds w /\ sum w = 1.
-(* A point of W' that has at most one coordinate off its bounds: a corner. *)
+(* A point of W' that has at most one coordinate off its bounds: a weight vertex. *)
 Definition tight (b : R * R) (x : R) := x = fst b \/ x = snd b.
 Definition at_most_one_off (bounds : list (R * R)) (w : list R) :=
   exists i, forall k, (k < length w)%nat -> k <> i -> tight (nth k bounds (0, 0)) (nth k w 0).
-(* The list holds points of W' only, and each corner. *)
-Definition lists_corners (bounds : list (R * R)) (corners : list (list R)) :=
-  (forall c, In c corners -> admits bounds c) /\
-  (forall w, admits bounds w -> at_most_one_off bounds w -> In w corners).
+(* The list holds points of W' only, and each weight vertex. *)
+Definition lists_weight_vertices (bounds : list (R * R)) (weight_vertices : list (list R)) :=
+  (forall c, In c weight_vertices -> admits bounds c) /\
+  (forall w, admits bounds w -> at_most_one_off bounds w -> In w weight_vertices).
 (* w_i = sum_k u_k c_ki with u in W_m *)
-Definition is_corner_combination (corners : list (list R)) (w : list R) :=
-  exists u, convex (length corners) u /\ forall i, nth i w 0 = comb u (map (fun c => nth i c 0) corners).
+Definition is_weight_vertex_combination (weight_vertices : list (list R)) (w : list R) :=
+  exists u, convex (length weight_vertices) u /\ forall i, nth i w 0 = comb u (map (fun c => nth i c 0) weight_vertices).
 
 (* Every w of W' is a convex combination of the list, and every convex combination of the list is in W'. *)
-Definition corners_span_repaired : Prop :=
-  forall bounds corners w, lists_corners bounds corners -> length w = length bounds ->
-  (admits bounds w <-> is_corner_combination corners w).
-(* W' has corners if and only if l_i <= h_i and sum l <= 1 <= sum h. *)
-Definition corners_exist_repaired : Prop :=
+Definition weight_vertices_span_repaired : Prop :=
+  forall bounds weight_vertices w, lists_weight_vertices bounds weight_vertices -> length w = length bounds ->
+  (admits bounds w <-> is_weight_vertex_combination weight_vertices w).
+(* W' has weight vertices if and only if l_i <= h_i and sum l <= 1 <= sum h. *)
+Definition weight_vertices_exist_repaired : Prop :=
   forall bounds, bounds <> [] ->
   ((exists w, admits bounds w /\ at_most_one_off bounds w) <->
    Forall (fun b => fst b <= snd b) bounds /\ sum (map fst bounds) <= 1 <= sum (map snd bounds)).
 
-(* Printed: whatever the bounds, W' is the hull of its corners, m >= 1 of them. *)
-Definition corners_exist_printed : Prop := forall bounds, exists w, admits bounds w /\ at_most_one_off bounds w.
+(* Printed: whatever the bounds, W' is the hull of its weight vertices, m >= 1 of them. *)
+Definition weight_vertices_exist_printed : Prop := forall bounds, exists w, admits bounds w /\ at_most_one_off bounds w.
 
 (* --- Proofs --- *)
 
@@ -47,17 +47,18 @@ Qed.
 Lemma mix_same t x : mix t x x = x.
 Proof. unfold mix. induction x as [|a x IH]; cbn; [reflexivity|]. rewrite IH. f_equal. ring. Qed.
 
-(* Corners as a type of lists: all coordinates at a bound, or one anywhere between. *)
-Inductive corner : list (R * R) -> list R -> Prop :=
-| corner_nil : corner [] []
-| corner_tight : forall b x bs v, within b x -> tight b x -> corner bs v -> corner (b :: bs) (x :: v)
-| corner_off : forall b x bs v, within b x -> Forall2 (fun b x => within b x /\ tight b x) bs v -> corner (b :: bs) (x :: v).
+(* Weight vertices as a type of lists: all coordinates at a bound, or one anywhere between. *)
+Inductive weight_vertex : list (R * R) -> list R -> Prop :=
+| weight_vertex_nil : weight_vertex [] []
+| weight_vertex_tight : forall b x bs v, within b x -> tight b x -> weight_vertex bs v -> weight_vertex (b :: bs) (x :: v)
+| weight_vertex_off : forall b x bs v, within b x -> Forall2 (fun b x => within b x /\ tight b x) bs v ->
+  weight_vertex (b :: bs) (x :: v).
 
-Lemma tight_corner bs v : Forall2 (fun b x => within b x /\ tight b x) bs v -> corner bs v.
+Lemma tight_weight_vertex bs v : Forall2 (fun b x => within b x /\ tight b x) bs v -> weight_vertex bs v.
 Proof. induction 1 as [|b x bs v [W T] F IH]; constructor; auto. Qed.
 
-(* A corner behind one more coordinate that is off its bounds: moving weight between this and the one that is off, until a
-   bound stops it, both ways. *)
+(* A weight vertex behind one more coordinate that is off its bounds: moving weight between this and the one that is
+   off, until a bound stops it, both ways. *)
 Definition closed_under_mix (P : list R -> Prop) :=
   forall t x y, length x = length y -> 0 <= t <= 1 -> P x -> P y -> P (mix t x y).
 
@@ -85,9 +86,9 @@ Proof.
     first [left; right; lra | left; left; lra | right; left; lra | right; right; lra].
 Qed.
 
-(* P holds of all corners with the sum of w, and passes from two lists to those between them: then it holds of w. *)
-Lemma corners_suffice bs w : Forall2 within bs w -> forall P, closed_under_mix P ->
-  (forall v, corner bs v -> sum v = sum w -> P v) -> P w.
+(* P holds of all weight vertices with the sum of w, and passes from two lists to those between them: then it holds of w. *)
+Lemma weight_vertices_suffice bs w : Forall2 within bs w -> forall P, closed_under_mix P ->
+  (forall v, weight_vertex bs v -> sum v = sum w -> P v) -> P w.
 Proof.
   induction 1 as [|b x bs w X F IH]; intros P M C; [apply C; [constructor|reflexivity]|].
   apply (IH (fun v => P (x :: v))).
@@ -97,7 +98,7 @@ Proof.
   - intros v Cv Sv. clear IH F. rewrite sum_cons in C. rewrite <- Sv in C. clear Sv w.
     (* One coordinate of v may be off; x may be off too. *)
     revert P M C. induction Cv as [|c y cs v Y T Cv IH|c y cs v Y F]; intros P M C.
-    + apply C; [|reflexivity]. apply corner_off; [exact X|constructor].
+    + apply C; [|reflexivity]. apply weight_vertex_off; [exact X|constructor].
     + apply (IH (fun u => P (match u with a :: u => a :: y :: u | [] => [] end))).
       * intros t u1 u2 L T12 U1 U2. destruct u1 as [|a1 u1], u2 as [|a2 u2]; try discriminate; [exact U1|].
         replace (match mix t (a1 :: u1) (a2 :: u2) with [] => [] | a :: u => a :: y :: u end)
@@ -105,18 +106,18 @@ Proof.
         -- apply M; cbn in *; auto.
         -- unfold mix. cbn. repeat f_equal. ring.
       * intros u U S. destruct u as [|a u]; [inversion U|]. apply C.
-        -- inversion U; subst; [apply corner_tight; auto; apply corner_tight; auto|].
-           apply corner_off; auto.
+        -- inversion U; subst; [apply weight_vertex_tight; auto; apply weight_vertex_tight; auto|].
+           apply weight_vertex_off; auto.
         -- rewrite !sum_cons in *. lra.
     + destruct (split_pair b c x y X Y) as (p & q & t & P0 & Q0 & T & E & (B1 & C1 & O1) & (B2 & C2 & O2)).
       replace (x :: y :: v) with (mix t (x + p :: y - p :: v) (x - q :: y + q :: v)).
       * apply M; auto; apply C; try (rewrite !sum_cons; ring).
-        -- destruct O1 as [O|O]; [apply corner_tight; auto; now apply corner_off|apply corner_off; auto].
-        -- destruct O2 as [O|O]; [apply corner_tight; auto; now apply corner_off|apply corner_off; auto].
+        -- destruct O1 as [O|O]; [apply weight_vertex_tight; auto; now apply weight_vertex_off|apply weight_vertex_off; auto].
+        -- destruct O2 as [O|O]; [apply weight_vertex_tight; auto; now apply weight_vertex_off|apply weight_vertex_off; auto].
       * unfold mix. cbn. fold (mix t v v). rewrite mix_same. repeat f_equal; lra.
 Qed.
 
-Lemma corner_within bs v : corner bs v -> Forall2 within bs v.
+Lemma weight_vertex_within bs v : weight_vertex bs v -> Forall2 within bs v.
 Proof.
   induction 1 as [|b x bs v X T C IH|b x bs v X F]; constructor; auto. clear -F. induction F as [|b x bs v [W _] F IH]; constructor; auto.
 Qed.
@@ -125,7 +126,7 @@ Lemma tight_nth bs v k : Forall2 (fun b x => within b x /\ tight b x) bs v -> (k
 Proof.
   intros F; revert k; induction F as [|b x bs v [_ T] F IH]; intros [|k] L; cbn in *; auto; try lia. apply IH. lia.
 Qed.
-Lemma corner_at_most_one_off bs v : corner bs v -> at_most_one_off bs v.
+Lemma weight_vertex_at_most_one_off bs v : weight_vertex bs v -> at_most_one_off bs v.
 Proof.
   induction 1 as [|b x bs v X T C (i & IH)|b x bs v X F].
   - exists 0%nat. cbn. lia.
@@ -144,22 +145,24 @@ Proof.
 Qed.
 
 (* sum_i of sum_k u_k c_ki *)
-Lemma sum_of_combinations (u : list R) (corners : list (list R)) (w : list R) n : length w = n ->
-  (forall i, nth i w 0 = comb u (map (fun c => nth i c 0) corners)) ->
-  (forall c, In c corners -> length c = n) -> sum w = comb u (map sum corners).
+Lemma sum_of_combinations (u : list R) (weight_vertices : list (list R)) (w : list R) n : length w = n ->
+  (forall i, nth i w 0 = comb u (map (fun c => nth i c 0) weight_vertices)) ->
+  (forall c, In c weight_vertices -> length c = n) -> sum w = comb u (map sum weight_vertices).
 Proof.
-  revert n corners; induction w as [|a w IH]; intros n corners L W C.
-  - cbn in L. subst n. clear W. symmetry. revert corners C; induction u as [|b u IH]; intros [|c corners] C; try reflexivity.
+  revert n weight_vertices; induction w as [|a w IH]; intros n weight_vertices L W C.
+  - cbn in L. subst n. clear W. symmetry. revert weight_vertices C; induction u as [|b u IH];
+    intros [|c weight_vertices] C; try reflexivity.
     cbn [map comb]. rewrite IH by (intros d D; apply C; now right).
     rewrite (proj1 (length_zero_iff_nil c)) by (apply C; now left). cbn. ring.
   - destruct n as [|n]; [discriminate|].
-    assert (A : a = comb u (map (hd 0) corners)).
+    assert (A : a = comb u (map (hd 0) weight_vertices)).
     { specialize (W 0%nat). cbn [nth] in W. rewrite W. f_equal. apply map_ext. now intros [|]. }
-    rewrite sum_cons, (IH n (map (@tl R) corners)).
-    + rewrite A. clear -C. revert corners C; induction u as [|b u IH]; intros [|c corners] C; cbn [map comb]; try (cbn; ring).
+    rewrite sum_cons, (IH n (map (@tl R) weight_vertices)).
+    + rewrite A. clear -C. revert weight_vertices C; induction u as [|b u IH]; intros [|c weight_vertices] C;
+      cbn [map comb]; try (cbn; ring).
       assert (sum c = hd 0 c + sum (tl c)) as ->.
       { specialize (C c (or_introl eq_refl)). destruct c; [discriminate|]. reflexivity. }
-      specialize (IH corners ltac:(intros d D; apply C; now right)).
+      specialize (IH weight_vertices ltac:(intros d D; apply C; now right)).
       cbn [ladd lscale lin_num add mul ops_R] in *. lra.
     + cbn in L. lia.
     + intros i. rewrite map_map. specialize (W (S i)). cbn in W. rewrite W. f_equal. apply map_ext.
@@ -170,11 +173,11 @@ Qed.
 Lemma admits_length bounds w : admits bounds w -> length bounds = length w.
 Proof. intros [F _]. apply (Forall2_nth _ _ _ (0, 0) 0) in F. apply F. Qed.
 
-Theorem corners_span_repaired_holds : corners_span_repaired.
+Theorem weight_vertices_span_repaired_holds : weight_vertices_span_repaired.
 Proof.
-  intros bounds corners w [Adm Comp] Lw. split.
+  intros bounds weight_vertices w [Adm Comp] Lw. split.
   - intros [F S].
-    apply (corners_suffice bounds w F (fun w => is_corner_combination corners w)).
+    apply (weight_vertices_suffice bounds w F (fun w => is_weight_vertex_combination weight_vertices w)).
     + intros t x y L T (u & (Lu & Pu & Su) & U) (v & (Lv & Pv & Sv) & V).
       exists (mix t u v). split.
       * split; [rewrite mix_length; congruence|]. split.
@@ -188,11 +191,11 @@ Proof.
              rewrite !sum_cons, IH by auto. ring. }
            rewrite H, Su, Sv by auto. ring.
       * intros i. rewrite nth_mix, U, V by auto. assert (G : length u = length v) by congruence. clear - G.
-        generalize (map (fun c => nth i c 0) corners). intros l. unfold mix.
+        generalize (map (fun c => nth i c 0) weight_vertices). intros l. unfold mix.
         revert v l G; induction u as [|a u IH]; intros [|b v] [|c l] G; try discriminate; cbn [combine map comb fst snd];
           try (cbn; ring). rewrite <- IH by auto. cbn. ring.
-    + intros v C Sv. assert (I : In v corners).
-      { apply Comp; [|now apply corner_at_most_one_off]. split; [now apply corner_within|congruence]. }
+    + intros v C Sv. assert (I : In v weight_vertices).
+      { apply Comp; [|now apply weight_vertex_at_most_one_off]. split; [now apply weight_vertex_within|congruence]. }
       apply in_split in I as (l1 & l2 & ->).
       exists (repeat 0 (length l1) ++ 1 :: repeat 0 (length l2)).
       assert (Z : forall n, Forall (Rle 0) (repeat 0 n)) by (intro k; apply Forall_forall; intros x X; apply repeat_spec in X; lra).
@@ -206,20 +209,20 @@ Proof.
       * intros i. rewrite map_app. cbn [map]. rewrite comb_app by (now rewrite repeat_length, map_length). cbn [comb].
         rewrite !Cz. cbn. ring.
   - intros (u & (L & P & S) & U).
-    assert (Lc : forall c, In c corners -> length c = length bounds).
+    assert (Lc : forall c, In c weight_vertices -> length c = length bounds).
     { intros c I. apply Adm, admits_length in I. congruence. }
     split.
     + apply (Forall2_nth _ _ _ (0, 0) 0). split; [auto|]. intros i I. rewrite U. unfold within.
-      assert (G : forall c, In c corners -> within (nth i bounds (0, 0)) (nth i c 0)).
+      assert (G : forall c, In c weight_vertices -> within (nth i bounds (0, 0)) (nth i c 0)).
       { intros c C. specialize (Lc c C). apply Adm in C as [F _]. apply (Forall2_nth _ _ _ (0, 0) 0) in F as [_ F]. apply F. lia. }
       split.
       * replace (fst _) with (fst (nth i bounds (0, 0)) * sum u) by (rewrite S; ring).
         apply comb_at_least; [now rewrite map_length|auto|]. apply Forall_map, Forall_forall. intros c C. apply (G c C).
       * replace (snd _) with (snd (nth i bounds (0, 0)) * sum u) by (rewrite S; ring).
         apply comb_at_most; [now rewrite map_length|auto|]. apply Forall_map, Forall_forall. intros c C. apply (G c C).
-    + rewrite (sum_of_combinations u corners w (length bounds) Lw U Lc).
-      replace (map sum corners) with (repeat 1 (length corners)); [now rewrite comb_ones, S|].
-      clear - Adm. induction corners as [|c corners IH]; [reflexivity|]. cbn. f_equal.
+    + rewrite (sum_of_combinations u weight_vertices w (length bounds) Lw U Lc).
+      replace (map sum weight_vertices) with (repeat 1 (length weight_vertices)); [now rewrite comb_ones, S|].
+      clear - Adm. induction weight_vertices as [|c weight_vertices IH]; [reflexivity|]. cbn. f_equal.
       * symmetry. apply (Adm c). now left.
       * apply IH. intros d D. apply Adm. now right.
 Qed.
@@ -238,20 +241,21 @@ Proof.
     destruct (IH (s - x)) as (w & W & Sw); [lra|]. exists (x :: w). rewrite sum_cons. split; [constructor; auto; split; lra|lra].
 Qed.
 
-Theorem corners_exist_repaired_holds : corners_exist_repaired.
+Theorem weight_vertices_exist_repaired_holds : weight_vertices_exist_repaired.
 Proof.
   intros bounds N. split.
   - intros (w & [F S] & _). clear N. rewrite <- S. clear S.
     induction F as [|b x bounds w [B1 B2] F [IH1 [IH2 IH3]]]; cbn [map]; [split; [constructor|cbn; lra]|].
     rewrite !sum_cons. split; [constructor; auto; lra|lra].
   - intros [F S]. destruct (weights_of_sum bounds 1 F S) as (w & W & Sw).
-    apply (corners_suffice bounds w W (fun _ => exists w, admits bounds w /\ at_most_one_off bounds w)).
+    apply (weight_vertices_suffice bounds w W (fun _ => exists w, admits bounds w /\ at_most_one_off bounds w)).
     + intros t x y _ _ A _. exact A.
-    + intros v C V. exists v. split; [split; [now apply corner_within|congruence]|now apply corner_at_most_one_off].
+    + intros v C V. exists v. split; [split; [now apply weight_vertex_within|congruence]|now apply
+      weight_vertex_at_most_one_off].
 Qed.
 
 (* Low bounds whose sum exceeds 1. *)
-Theorem corners_exist_printed_is_false : ~ corners_exist_printed.
+Theorem weight_vertices_exist_printed_is_false : ~ weight_vertices_exist_printed.
 Proof.
   intros P. destruct (P [(3 / 4, 1); (3 / 4, 1)]) as (w & [F S] & _).
   inversion F as [|b x bs v X F1]; subst. inversion F1 as [|c y cs u Y F2]; subst. inversion F2; subst.
@@ -259,7 +263,7 @@ Proof.
 Qed.
 
 (* The hypotheses can be met: two joints without bounds, with both ends listed. *)
-Example corners_instance : lists_corners [(0, 1); (0, 1)] [[1; 0]; [0; 1]].
+Example weight_vertices_instance : lists_weight_vertices [(0, 1); (0, 1)] [[1; 0]; [0; 1]].
 Proof.
   split.
   - intros c [<-|[<-|[]]]; (split; [repeat constructor; unfold within; cbn; lra|cbn; lra]).

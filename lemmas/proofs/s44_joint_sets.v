@@ -7,9 +7,9 @@ Import ListNotations.
 
 (* --- Statements --- *)
 
-(* A joint-set in a pose: its joints' transforms, the skinning's rotation center, and the corners of its weights. *)
+(* A joint-set in a pose: its joints' transforms, the skinning's rotation center, and the weight vertices of its weights. *)
 Record posed_set := PosedSet {
-  transforms : list rigid; rotation_center : vec R; corners : list (list R) }.
+  transforms : list rigid; rotation_center : vec R; weight_vertices : list (list R) }.
 Definition rotations (z : posed_set) := map rotation (transforms z).
 Definition center_images (z : posed_set) := map (fun c => apply_rigid c (rotation_center z)) (transforms z).
 (* Equation (1). *)
@@ -18,7 +18,7 @@ Definition deformed (z : posed_set) (w : list R) (v : vec R) :=
 
 (* F holds the turned p - r_c of the joint-set. *)
 Definition holds_turned (z : posed_set) (p : vec R) (F : ball (vec R)) :=
-  forall w, is_corner_combination (corners z) w -> comb w (rotations z) <> lzero ->
+  forall w, is_weight_vertex_combination (weight_vertices z) w -> comb w (rotations z) <> lzero ->
   in_ball F (rotate (comb w (rotations z)) (p - rotation_center z)).
 (* [0, ||p - r_c||] always does. *)
 Definition simplest_turned (z : posed_set) (p : vec R) := Ball (lzero : vec R) (norm (p - rotation_center z)).
@@ -29,17 +29,17 @@ Definition simplest_holds_turned : Prop := forall z p, holds_turned z p (simples
 Definition joint_sets_repaired : Prop :=
   forall (sets : list (posed_set * ball (vec R))) (reference b : ball (vec R)),
   (forall z F, In (z, F) sets -> holds_turned z (center reference) F /\
-    encloses_equal_balls b F (corner_images (corners z) (center_images z))) ->
-  forall z F w v, In (z, F) sets -> is_corner_combination (corners z) w -> in_ball reference v ->
+    encloses_equal_balls b F (weight_vertex_images (weight_vertices z) (center_images z))) ->
+  forall z F w v, In (z, F) sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
   comb w (rotations z) <> lzero -> in_ball (inflate b (radius reference)) (deformed z w v).
 
-(* Printed: the corners and the rotation center of the first joint-set serve all of them. *)
+(* Printed: the weight vertices and the rotation center of the first joint-set serve all of them. *)
 Definition joint_sets_printed : Prop :=
   forall (first : posed_set) (sets : list posed_set) (reference b : ball (vec R)),
   (forall z, In z (first :: sets) ->
     encloses_equal_balls b (simplest_turned first (center reference))
-      (corner_images (corners first) (map (fun c => apply_rigid c (rotation_center first)) (transforms z)))) ->
-  forall z w v, In z (first :: sets) -> is_corner_combination (corners z) w -> in_ball reference v ->
+      (weight_vertex_images (weight_vertices first) (map (fun c => apply_rigid c (rotation_center first)) (transforms z)))) ->
+  forall z w v, In z (first :: sets) -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
   comb w (rotations z) <> lzero -> in_ball (inflate b (radius reference)) (deformed z w v).
 
 (* --- Proofs --- *)
@@ -58,8 +58,9 @@ Proof.
   replace (rotate q (v - rotation_center z) + comb w (center_images z))%V with
     (comb w (center_images z) + rotate q (center reference - rotation_center z) + rotate q (v - center reference))%V
     by (rewrite !rotate_sub; vec_ring).
-  apply (sum_of_bounds_holds _ _ _ b F (corner_images (corners z) (center_images z))); auto.
-  - rewrite (swap_sums u (corners z) w) by auto. exists u. split; [|reflexivity]. unfold corner_images. now rewrite map_length.
+  apply (sum_of_bounds_holds _ _ _ b F (weight_vertex_images (weight_vertices z) (center_images z))); auto.
+  - rewrite (swap_sums u (weight_vertices z) w) by auto. exists u. split; [|reflexivity]. unfold weight_vertex_images.
+    now rewrite map_length.
   - now apply T.
   - unfold in_ball in V. now rewrite rotate_norm.
 Qed.
@@ -77,8 +78,8 @@ Proof.
   specialize (P first [second] (Ball (Vec 0 0 0) 0) (Ball (Vec 0 0 0) 0)).
   assert (D : in_ball (inflate (Ball (Vec 0 0 0) 0) 0) (deformed second [0; 1] (Vec 0 0 0))).
   { apply P.
-    - intros z [<-|[<-|[]]] x; unfold corner_images, first, second, at_rest, moved_by_five;
-        cbn [corners map In transforms rotation_center]; rewrite !Z;
+    - intros z [<-|[<-|[]]] x; unfold weight_vertex_images, first, second, at_rest, moved_by_five;
+        cbn [weight_vertices map In transforms rotation_center]; rewrite !Z;
         (intros [<-|[]]); unfold holds_ball, simplest_turned; cbn [center radius first rotation_center];
         rewrite !(norm_eq _ 0) by (try lra; cbn [comb]; vunfold; ring); lra.
     - right. now left.
@@ -96,8 +97,8 @@ Qed.
 
 (* The hypotheses can be met: one joint at rest, and the ball of radius 0 about the vertex. *)
 Example joint_sets_instance : exists z b w, holds_turned z (Vec 0 0 0) (simplest_turned z (Vec 0 0 0)) /\
-  encloses_equal_balls b (simplest_turned z (Vec 0 0 0)) (corner_images (corners z) (center_images z)) /\
-  is_corner_combination (corners z) w /\ comb w (rotations z) <> lzero.
+  encloses_equal_balls b (simplest_turned z (Vec 0 0 0)) (weight_vertex_images (weight_vertices z) (center_images z)) /\
+  is_weight_vertex_combination (weight_vertices z) w /\ comb w (rotations z) <> lzero.
 Proof.
   set (z := PosedSet [at_rest] (Vec 0 0 0) [[1]]). set (y := comb [1] (center_images z)).
   exists z, (Ball y 0), [1]. split; [apply simplest_holds_turned_holds|]. split; [|split].

@@ -27,15 +27,15 @@ Definition volume_refit_is_sound : Prop :=
   forall directions center_of_points widest_edge most_halvings reference sets balls z w v,
   edges_are_valid widest_edge ->
   node_balls center_of_points widest_edge most_halvings reference sets = Some balls ->
-  In z sets -> is_corner_combination (corners z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   in_volume_around directions balls (deformed z w v).
 (* A half-space by the cone theorem: if (d, N_I) <= D W_I for all control points, whatever the signs of the W_I, then
    (d, v') <= D for every blend that is not 0. *)
 Definition half_space_by_cone : Prop :=
-  forall (corners : list (quat R * vec R)) (p rotation_center d : vec R) (D : R) (u : list R),
-  Forall (fun point => dot (fst point) d <= D * snd point) (spherical_points (p - rotation_center)%V corners) ->
-  convex (length corners) u -> comb u (map fst corners) <> lzero ->
-  dot (skin_spherical (map fst corners) (map snd corners) rotation_center u p) d <= D.
+  forall (weight_vertices : list (quat R * vec R)) (p rotation_center d : vec R) (D : R) (u : list R),
+  Forall (fun point => dot (fst point) d <= D * snd point) (spherical_points (p - rotation_center)%V weight_vertices) ->
+  convex (length weight_vertices) u -> comb u (map fst weight_vertices) <> lzero ->
+  dot (skin_spherical (map fst weight_vertices) (map snd weight_vertices) rotation_center u p) d <= D.
 
 (* --- Proofs --- *)
 
@@ -87,9 +87,10 @@ Proof.
 Qed.
 Theorem half_space_by_cone_holds : half_space_by_cone.
 Proof.
-  intros corners p c d D u F U N.
-  pose proof (spherical_in_cone_holds _ corners (p - c)%V u (half_space_cone d D) U F) as G. cbv zeta in G. cbn [fst snd] in G.
-  unfold skin_spherical, rotate. set (q := comb u (map fst corners)) in *. apply norm2_pos in N.
+  intros weight_vertices p c d D u F U N.
+  pose proof (spherical_in_cone_holds _ weight_vertices (p - c)%V u (half_space_cone d D) U F) as G. cbv zeta in G.
+    cbn [fst snd] in G.
+  unfold skin_spherical, rotate. set (q := comb u (map fst weight_vertices)) in *. apply norm2_pos in N.
   rewrite dot_add_l, dot_scale_l in *. apply Rmult_le_reg_l with (1 := N).
   rewrite Rmult_plus_distr_l, <- Rmult_assoc, Rinv_r, Rmult_1_l by lra. lra.
 Qed.

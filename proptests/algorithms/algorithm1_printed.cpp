@@ -63,21 +63,21 @@ Checked replay(const counterexamples::PinnedRefit& pinned) {
   return printed_fails && repaired.encloses(*v).verdict == Verdict::holds;
 }
 
-// Nodes of a single corner in floating point: in exact arithmetic their quaternions' sphere has radius 0, and line 13
-// takes the arccos of 1. The joints' rotations are products of five unit quaternions, as down a limb.
-struct OneCorner {
+// Nodes of a single weight vertex in floating point: in exact arithmetic their quaternions' sphere has radius 0, and
+// line 13 takes the arccos of 1. The joints' rotations are products of five unit quaternions, as down a limb.
+struct OneWeightVertex {
   long balls = 0, not_a_number = 0, repaired_wrong = 0;
 };
 
 template <class S>
-OneCorner refit_one_corner(int joints, int balls) {
+OneWeightVertex refit_one_weight_vertex(int joints, int balls) {
   std::mt19937 random(2006);
   std::normal_distribution<double> gauss;
   const auto unit = [&] {
     const Quaternion<double> q(gauss(random), gauss(random), gauss(random), gauss(random));
     return Quaternion<S>((q / norm(q)).template cast<S>());
   };
-  OneCorner out;
+  OneWeightVertex out;
   RefitLists<S> lists;
   const std::vector<S> weights(joints, S(1) / S(joints));
   for (; out.balls < balls; ++out.balls) {
@@ -102,7 +102,7 @@ OneCorner refit_one_corner(int joints, int balls) {
 
 template <class S>
 Checked share_not_a_number(int joints, double at_least) {
-  const OneCorner n = refit_one_corner<S>(joints, 100000);
+  const OneWeightVertex n = refit_one_weight_vertex<S>(joints, 100000);
   const double share = double(n.not_a_number) / double(n.balls);
   char text[80];
   std::snprintf(text, sizeof text, "%.1f %% of the printed balls are not a number", 100 * share);

@@ -69,11 +69,11 @@ struct Misses {
   double worst = 0;
 };
 
-// Some corner's blend all but vanishes: rounding then turns it, and a last example is about that.
+// Some weight vertex's blend all but vanishes: rounding then turns it, and a last example is about that.
 bool has_short_blend(const RefitCase& c) {
   for (const auto& set : c.sets)
-    for (const auto& corner : set.weights.corners)
-      if (const auto q = squared_norm(blend_quaternion<Rational>(set.palette, corner)); q != 0 && q < Rational(1, 1000000))
+    for (const auto& weight_vertex : set.weights.vertices)
+      if (const auto q = squared_norm(blend_quaternion<Rational>(set.palette, weight_vertex)); q != 0 && q < Rational(1, 1000000))
         return true;
   return false;
 }
@@ -104,8 +104,8 @@ void check_double(Misses& misses) {
   RC_CLASSIFY(missed, "missed by rounding");
 }
 
-// One corner whose blend all but vanishes, so that its direction in double is mostly rounding: three quaternions at 120
-// degrees, with weights off the third by some 2^-24. The length of the blend, and the miss relative to ||p||.
+// One weight vertex whose blend all but vanishes, so that its direction in double is mostly rounding: three quaternions
+// at 120 degrees, with weights off the third by some 2^-24. The length of the blend, and the miss relative to ||p||.
 std::pair<double, double> miss_of_short_blend(int off) {
   const double unit = std::ldexp(1, -24), third = 5592405 * unit;
   const std::vector<double> w{third + off * unit, third - off * unit, 1 - 2 * third};

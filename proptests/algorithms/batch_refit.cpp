@@ -81,7 +81,7 @@ double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning 
     for (const auto& image : palette.center_images) size = std::max(size, image.norm());
     if (!is_any_rotation(node, set))  // of which none would be off
       for (int k = 0; k < set.weight_vertex_count; ++k)
-        shortest = std::min(shortest, norm(blend_quaternion<double>(palette, node.corner(set, k))));
+        shortest = std::min(shortest, norm(blend_quaternion<double>(palette, node.weight_vertex(set, k))));
     const double x = (node.reference.center - palette.rotation_center).lpNorm<1>();
     slack = std::max(slack, epsilon * (66 + 2 * n) * (x / shortest + size + 2 * palette.rotation_center.norm()));
   }
@@ -134,8 +134,8 @@ std::string what_is_missed(const gen::WideModel& wide) {
   return "";
 }
 
-// Joints of which one turns the other way than the rest: of the corners many are one way and few the other, so that these are
-// on the far side of the sphere from the mean.
+// Joints of which one turns the other way than the rest: of the weight vertices many are one way and few the other, so
+// that these are on the far side of the sphere from the mean.
 std::pair<SkinnedMesh, Pose> lopsided(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   SkinnedMesh model;
@@ -227,10 +227,11 @@ std::string what_is_wrong(const SkinnedMesh& model, const Pose& pose, Skinning s
       const Point3 center = balls[n].center.cast<double>();
       const double radius = balls[n].radius, slack = slack_of(tree, node, skinning), off = (center - expected.center).norm();
       const std::string which = "node " + std::to_string(n) + " by " + how;
-      int corners = 0;
-      for (const NodePiece& set : node.pieces) corners += set.weight_vertex_count;
+      int weight_vertices = 0;
+      for (const NodePiece& set : node.pieces) weight_vertices += set.weight_vertex_count;
       // The center is a mean, so many terms of which may be off by more: a ball is measured from whatever came out.
-      if (!(off <= slack * (1 + corners / 64.))) return which + ": center off by " + std::to_string(off / slack) + " slacks";
+      if (!(off <= slack * (1 + weight_vertices / 64.)))
+        return which + ": center off by " + std::to_string(off / slack) + " slacks";
       if (!(radius >= expected.radius - off)) return which + ": smaller than in double";
       const bool one_set = node.pieces.size() == 1, is_sized = skinning == Skinning::linear || is_bounded(node);
       if (one_set && (is_sized || is_any_rotation(node, node.pieces[0])) && !(radius >= expected.radius - off + 0.8 * slack))
@@ -308,7 +309,7 @@ PROPTEST(batch_refit) {
               }
               return Checked(true, cases);
             });
-  t.holds("nor where few corners turn the other way than the rest", {.number_type = "float pack", .cases = 200}, [] {
+  t.holds("nor where few weight vertices turn the other way than the rest", {.number_type = "float pack", .cases = 200}, [] {
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
     const auto [model, pose] = lopsided(random);
     if (const auto wrong = what_is_wrong(model, pose, Skinning::spherical); !wrong.empty()) RC_FAIL(wrong);
@@ -373,19 +374,20 @@ PROPTEST(batch_refit) {
           }
         return Checked(taken == 6 && refused == 6, taken + refused);
       });
-  t.example("of the built-in man's nodes most are refitted whole and some are merged, in lanes of unlike corners too", {}, [] {
-    const Model man = make_man();
-    const JointSets sets(man);
-    const SphereTree tree = build_sphere_tree(man, sets);
-    const PackedNodes packed(tree, sets);
-    const NodeBlocks blocks = packed.nodes();
-    long unlike = 0;
-    for (int b = 0; b < blocks.block_count; ++b) unlike += blocks.blocks[b].share == 0;
-    const auto merged = static_cast<long>(packed.merged().size()), whole = static_cast<long>(tree.nodes.size()) - merged;
-    return Checked(whole > 10 * merged && merged > 100 && unlike > 100 && unlike < blocks.block_count / 2, whole + merged,
-                   std::to_string(whole) + " whole, " + std::to_string(merged) + " merged; " + std::to_string(unlike) + " of " +
-                       std::to_string(blocks.block_count) + " blocks of unlike lanes");
-  });
+  t.example(
+      "of the built-in man's nodes most are refitted whole and some are merged, in lanes of unlike weight vertices too", {}, [] {
+        const Model man = make_man();
+        const JointSets sets(man);
+        const SphereTree tree = build_sphere_tree(man, sets);
+        const PackedNodes packed(tree, sets);
+        const NodeBlocks blocks = packed.nodes();
+        long unlike = 0;
+        for (int b = 0; b < blocks.block_count; ++b) unlike += blocks.blocks[b].share == 0;
+        const auto merged = static_cast<long>(packed.merged().size()), whole = static_cast<long>(tree.nodes.size()) - merged;
+        return Checked(whole > 10 * merged && merged > 100 && unlike > 100 && unlike < blocks.block_count / 2, whole + merged,
+                       std::to_string(whole) + " whole, " + std::to_string(merged) + " merged; " + std::to_string(unlike) +
+                           " of " + std::to_string(blocks.block_count) + " blocks of unlike lanes");
+      });
 }
 
 }  // namespace proptests::suite_batch_refit

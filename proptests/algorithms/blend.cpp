@@ -44,11 +44,11 @@ OwnedPaletteEntry<double> in_double(const OwnedPaletteEntry<Rational>& palette) 
 }
 
 void classify(const Blend& b) {
-  bool corner = false, equal = false;
-  for (const auto& w : b.weights) corner = corner || w == 1;
+  bool weight_vertex = false, equal = false;
+  for (const auto& w : b.weights) weight_vertex = weight_vertex || w == 1;
   for (std::size_t i = 1; i < b.palette.transforms.size(); ++i)
     equal = equal || abs(dot(b.palette.transforms[0].rotation, b.palette.transforms[i].rotation)) == 1;
-  RC_CLASSIFY(corner || equal || b.vanishes() || b.vertex == b.palette.rotation_center, "degenerate");
+  RC_CLASSIFY(weight_vertex || equal || b.vanishes() || b.vertex == b.palette.rotation_center, "degenerate");
 }
 
 }  // namespace

@@ -22,22 +22,22 @@ constexpr int halvings = most_halvings + 3;
 
 double random_number(std::mt19937& random) { return std::normal_distribution<double>(0, 1)(random); }
 
-oracle::BlendCorners corners_of(const SkinnedPiece& piece) {
-  return oracle::blend_corners(piece.palette, piece.corners, piece.reference.center, piece.skinning);
+oracle::BlendsAtWeightVertices weight_vertices_of(const SkinnedPiece& piece) {
+  return oracle::blend_at_weight_vertices(piece.palette, piece.weight_vertices, piece.reference.center, piece.skinning);
 }
 
 // The least radius about the center that is found a bound.
 double least_radius(const SkinnedPiece& piece, const Vec<double, 3>& center) {
   if (piece.skinning == Skinning::linear)
-    return oracle::needed_radius_linear(piece.palette, piece.corners, piece.reference, center);
-  return piece.reference.radius + oracle::least_found_radius(corners_of(piece), center, halvings);
+    return oracle::needed_radius_linear(piece.palette, piece.weight_vertices, piece.reference, center);
+  return piece.reference.radius + oracle::least_found_radius(weight_vertices_of(piece), center, halvings);
 }
 
 // Whether the bound proves the ball, by the twin.
 bool proves(const SkinnedPiece& piece, const Bound& bound, const Ball3<double>& ball, double margin) {
   if (piece.skinning == Skinning::linear)
     return bound.by == By::control && least_radius(piece, ball.center) <= ball.radius + margin;
-  return oracle::needed_radius(corners_of(piece), bound, ball.center) + piece.reference.radius <= ball.radius + margin;
+  return oracle::needed_radius(weight_vertices_of(piece), bound, ball.center) + piece.reference.radius <= ball.radius + margin;
 }
 
 std::optional<Bound> found(const SkinnedPiece& piece, const Ball3<double>& ball) {
@@ -65,11 +65,11 @@ Ball3<double> ball_to_try(const SkinnedPiece& piece, std::mt19937& random) {
   return out;
 }
 
-void check_least_radius(Skinning skinning, int most_corners) {
+void check_least_radius(Skinning skinning, int most_weight_vertices) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-  const SkinnedPiece piece(random, skinning, most_corners);
+  const SkinnedPiece piece(random, skinning, most_weight_vertices);
   Ball3<double> ball = ball_to_try(piece, random);
-  RC_CLASSIFY(piece.corners.size() == 1, "degenerate");
+  RC_CLASSIFY(piece.weight_vertices.size() == 1, "degenerate");
   if (piece.has_relation) {  // which of equally wide edges is halved is not said
     RC_TAG("exact relation");
     for (const double radius : {0.5, 1., 2., 4., 8., 1e9})
@@ -99,8 +99,8 @@ void check_first_tried(Skinning skinning) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const SkinnedPiece piece(random, skinning, 5);
   const Ball3<double> ball = ball_to_try(piece, random);
-  for (const Bound& first : oracle::first_tried(corners_of(piece))) {
-    const double radius = piece.reference.radius + oracle::needed_radius(corners_of(piece), first, ball.center);
+  for (const Bound& first : oracle::first_tried(weight_vertices_of(piece))) {
+    const double radius = piece.reference.radius + oracle::needed_radius(weight_vertices_of(piece), first, ball.center);
     if (piece.has_relation || !(radius < 1e4)) continue;
     const auto bound = found(piece, {ball.center, radius + 1e-9 * (1 + radius + ball.center.norm())});
     RC_ASSERT(bound.has_value());
@@ -158,7 +158,7 @@ PROPTEST(bound) {
           [] { check_first_tried(Skinning::spherical); });
   t.holds("dual quaternions: the reach is tried first, about the mean image", {.cases = 150},
           [] { check_first_tried(Skinning::dual_quaternion); });
-  t.example("corners at a right angle have no control points before they are halved", {}, [] {
+  t.example("weight vertices at a right angle have no control points before they are halved", {}, [] {
     for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
       const SkinnedPiece piece(skinning, palette_of({{1, 0, 0, 0}, {0, 1, 0, 0}}), {{1, 0}, {0, 1}}, {{0, 0, 1}, 0});
       const auto bound = found(piece, {{10, 0, 0}, 10.5});
@@ -166,7 +166,7 @@ PROPTEST(bound) {
     }
     return true;
   });
-  t.example("a corner behind the axis, or at a right angle to it, has no cap and no reach", {}, [] {
+  t.example("a weight vertex behind the axis, or at a right angle to it, has no cap and no reach", {}, [] {
     for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion})
       for (const Quaternion<double>& last : {Quaternion<double>{-1, 0, 0, 0}, {-2, 0, 0, 0}, {-2, 1, 0, 0}}) {
         const std::vector<std::vector<double>> all{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -176,7 +176,7 @@ PROPTEST(bound) {
     const SkinnedPiece zero(Skinning::spherical, palette_of({{1, 0, 0, 0}, {0, 0, 0, 0}}), {{1, 0}, {0, 1}}, {{3, 0, 0}, 1});
     return !found(zero, {{3, 0, 0}, 1.5}) && found(zero, {{0, 0, 0}, 4})->by == By::all_rotations;
   });
-  t.example("corners so long that their mean overflows have no axis, and no error", {}, [] {
+  t.example("weight vertices so long that their mean overflows have no axis, and no error", {}, [] {
     const SkinnedPiece piece(Skinning::dual_quaternion, palette_of({{1.5e308, 0, 0, 0}, {1.5e308, 1e300, 0, 0}}),
                              {{1, 0}, {0, 1}}, {{0, 0, 0}, 1});
     return found(piece, {{0, 0, 0}, 2}).has_value();

@@ -63,7 +63,9 @@ Json json(const std::vector<X>& list) {
 }
 Json json(const WeightBounds<Rational>& b) { return {{"low", json(b.low)}, {"high", json(b.high)}}; }
 Json json(const PosedJointSet<Rational>& s) {
-  return {{"transforms", json(s.transforms)}, {"rotation_center", json(s.rotation_center)}, {"corners", json(s.corners)}};
+  return {{"transforms", json(s.transforms)},
+          {"rotation_center", json(s.rotation_center)},
+          {"weight_vertices", json(s.weight_vertices)}};
 }
 Json json(const gen::SetCase& s) {
   return {{"transforms", json(s.palette.transforms)},
@@ -166,21 +168,24 @@ void add_section_4(std::vector<Twin>& out) {
       out.push_back({"high bounds too low, " + form, {{"bounds", json(high_too_low)}}});
       out.push_back({"crossed bounds, " + form, {{"bounds", json(crossed)}}});
     }
-    out.push_back({"a corner is missing", {{"bounds", json(segment)}, {"corners", json(one_end)}, {"weights", json(middle)}}});
+    out.push_back({"a weight vertex is missing",
+                   {{"bounds", json(segment)}, {"weight_vertices", json(one_end)}, {"weights", json(middle)}}});
     out.push_back({"weights out of bounds",
-                   {{"bounds", json(segment)}, {"corners", json(both_ends)}, {"weights", json(beyond_the_segment)}}});
-    out.push_back(
-        {"a corner too far", {{"bounds", json(segment)}, {"corners", json(too_far)}, {"coefficients", json(only_the_first)}}});
-    out.push_back({"a corner twice", {{"bounds", json(segment)}, {"corners", json(repeated)}}});
+                   {{"bounds", json(segment)}, {"weight_vertices", json(both_ends)}, {"weights", json(beyond_the_segment)}}});
+    out.push_back({"a weight vertex too far",
+                   {{"bounds", json(segment)}, {"weight_vertices", json(too_far)}, {"coefficients", json(only_the_first)}}});
+    out.push_back({"a weight vertex twice", {{"bounds", json(segment)}, {"weight_vertices", json(repeated)}}});
   }
   {
     using namespace s42;
-    out.push_back(
-        {"image of a missing corner",
-         {{"bounds", json(segment)}, {"corners", json(first_only)}, {"points", json(points)}, {"weights", json(second)}}});
-    out.push_back({"image of a corner too far",
+    out.push_back({"image of a missing weight vertex",
                    {{"bounds", json(segment)},
-                    {"corners", json(too_far)},
+                    {"weight_vertices", json(first_only)},
+                    {"points", json(points)},
+                    {"weights", json(second)}}});
+    out.push_back({"image of a weight vertex too far",
+                   {{"bounds", json(segment)},
+                    {"weight_vertices", json(too_far)},
                     {"points", json(points)},
                     {"coefficients", json(only_the_first)}}});
   }
@@ -234,7 +239,7 @@ void add_section_4(std::vector<Twin>& out) {
       out.push_back({name, {{"joint_sets", json(c.sets)}, {"reference", json(c.reference)}, {"ball", json(c.ball)}}});
     };
     add("one rotation center for two joint-sets, printed", rotation_center);
-    add("one list of corners for two joint-sets, printed", corners);
+    add("one list of weight vertices for two joint-sets, printed", weight_vertices);
   }
   {
     using namespace s44_sum;
@@ -295,8 +300,8 @@ void add_beyond(std::vector<Twin>& out) {
     add("x and y", once);
     add("x twice, and y", twice);
   }
-  const char* const names[] = {"cap beyond a right angle, printed", "negative radius, printed", "zero blend at a corner, signed",
-                               "zero mean, signed", "lost sign, printed"};
+  const char* const names[] = {"cap beyond a right angle, printed", "negative radius, printed",
+                               "zero blend at a weight vertex, signed", "zero mean, signed", "lost sign, printed"};
   const auto& pinned = counterexamples::algorithm1();
   for (std::size_t i = 0; i < pinned.size(); ++i) {
     const auto& [finding, input, weights, undefined] = pinned[i];

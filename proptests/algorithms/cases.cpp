@@ -182,7 +182,7 @@ Checked check_refusals() {
     for (const auto& word : s.words)
       if (error.find(word) == std::string::npos) wrong += s.from + " -> " + s.to + ": no '" + word + "' in '" + error + "'; ";
   }
-  std::string many = refit_case;  // 24 joints with weights in [0, 1/12]: 24 choose 12 corners
+  std::string many = refit_case;  // 24 joints with weights in [0, 1/12]: 24 choose 12 weight vertices
   const auto repeat = [](const std::string& part, int times) {
     std::string out = part;
     for (int i = 1; i < times; ++i) out += ", " + part;
@@ -193,7 +193,7 @@ Checked check_refusals() {
       repeat("{\"rotation\": [\"1\", \"0\", \"0\", \"0\"], \"translation\": [\"0\", \"0\", \"0\"]}", 22) +
           ", {\"rotation\": [\"1\"");
   put("[\"0\", \"0\"], \"high\": [\"1\", \"1\"]", "[" + repeat("\"0\"", 24) + "], \"high\": [" + repeat("\"1/12\"", 24) + "]");
-  if (error_of(many).find("'bounds' have more than 100000 corners") == std::string::npos) wrong += error_of(many) + "; ";
+  if (error_of(many).find("'bounds' have more than 100000 weight vertices") == std::string::npos) wrong += error_of(many) + "; ";
   const auto drop_last = [](Json& list) { list.erase(list.size() - 1); };
   const std::string few_points = error_of(
       changed_case("linear_part_in_hull", [&](Json& inputs) { drop_last(inputs["points"]), drop_last(inputs["weights"]); }));
@@ -202,7 +202,7 @@ Checked check_refusals() {
     Json& sets = inputs["joint_sets"];
     sets.push_back(sets[0]);
     drop_last(sets.back()["transforms"]);
-    for (Json& corner : sets.back()["corners"]) drop_last(corner);
+    for (Json& weight_vertex : sets.back()["weight_vertices"]) drop_last(weight_vertex);
   }));
   if (few_joints.find("'transforms' are not as many as those of the first") == std::string::npos) wrong += few_joints + "; ";
   const std::string double_name =

@@ -93,11 +93,11 @@ bool is_about(const json& document, const RefitNode<double>& node, Skinning skin
     const auto stated = palette_of(document["joint_sets"].at(piece["joint_set"].get<std::size_t>()));
     const PaletteEntry<double> palette = node.palette[set.joint_set];
     all = same(ball_of(piece["reference"]), exactly(node.piece_reference(i))) &&
-          piece["corners"].size() == std::size_t(set.weight_vertex_count) &&
+          piece["weight_vertices"].size() == std::size_t(set.weight_vertex_count) &&
           stated.transforms.size() == palette.transforms.size();
     for (int k = 0; all && k < set.weight_vertex_count; ++k)
       for (std::size_t j = 0; j < palette.transforms.size(); ++j)
-        all = all && number(piece["corners"][k].at(j)) == Rational(node.corner(set, k)[j]);
+        all = all && number(piece["weight_vertices"][k].at(j)) == Rational(node.weight_vertex(set, k)[j]);
     for (std::size_t j = 0; all && j < palette.transforms.size(); ++j) {
       all = stated.transforms[j].rotation == convert<Rational>(palette.transforms[j].rotation);
       if (skinning == Skinning::linear)
@@ -296,12 +296,12 @@ json with_other_value(json document, std::mt19937& random) {
 
 // --- What is false ---
 
-// The weights at which a piece is looked at: corners, points between two, the middle of all.
-std::vector<Numbers> sampled(const json& corners) {
+// The weights at which a piece is looked at: weight vertices, points between two, the middle of all.
+std::vector<Numbers> sampled(const json& weight_vertices) {
   std::vector<Numbers> out;
-  for (const json& corner : corners) {
+  for (const json& weight_vertex : weight_vertices) {
     out.emplace_back();
-    for (const json& w : corner) out.back().push_back(number(w));
+    for (const json& w : weight_vertex) out.back().push_back(number(w));
   }
   const std::size_t m = out.size(), n = out[0].size();
   Numbers middle(n, Rational(0));
@@ -330,7 +330,7 @@ std::vector<Image> images_of(const json& document, const json& piece) {
   const auto palette = palette_of(document["joint_sets"][piece["joint_set"].get<std::size_t>()]);
   const auto reference = ball_of(piece["reference"]);
   std::vector<Image> out;
-  for (const Numbers& w : sampled(piece["corners"])) {
+  for (const Numbers& w : sampled(piece["weight_vertices"])) {
     if (skinning != Skinning::linear) {
       if (squared_norm(blend_quaternion<Rational>(palette, w)) == 0) continue;
       out.push_back({blend<Rational>(skinning, palette, w, reference.center), reference.radius});
@@ -385,7 +385,7 @@ class Forger {
   explicit Forger(std::mt19937& random) : random_(random) {}
 
   // Inputs and bounds are changed or not, and then the radius is a little less than is needed. The center is moved little
-  // or far: seen from afar, any image may be the farthest, not only those of corners.
+  // or far: seen from afar, any image may be the farthest, not only those of weight vertices.
   json forge(json document) {
     json& piece = document["pieces"][pick(document["pieces"].size())];
     json& set = document["joint_sets"][piece["joint_set"].get<std::size_t>()];
@@ -394,7 +394,7 @@ class Forger {
       case 0: set["rotations"][joint] = as_json<4>(some_vector<4>()); break;  // a joint is turned
       case 1: set["rotations"][joint] = negated(set["rotations"][joint]); break;
       case 2: move(set, joint); break;
-      case 3: widen(piece["corners"]); break;
+      case 3: widen(piece["weight_vertices"]); break;
       case 4: piece["reference"]["radius"] = as_text(number(piece["reference"]["radius"]) + Rational(int(pick(3)), 8)); break;
       case 5: piece["reference"]["center"] = as_json<3>(some_vector<3>()); break;
       default: break;
@@ -405,7 +405,7 @@ class Forger {
       if (pick(2) == 0) p["bound"] = some_bound(document, p, 3);
     const double gap = std::pow(10., -3. - double(pick(6)));
     document["ball"]["radius"] = as_text(Rational(needed_radius(document) * (1 - gap)));
-    return oracle::with_corner_vertices(document);
+    return oracle::with_weight_vertex_vertices(document);
   }
 
  private:
@@ -427,16 +427,16 @@ class Forger {
       set[data][joint] = as_json<3>(vector<3>(set[data][joint]) + some_vector<3>());
     }
   }
-  // A corner becomes a corner of the whole simplex.
-  void widen(json& corners) {
-    json& corner = corners[pick(corners.size())];
-    const std::size_t n = corner.size(), one = pick(n);
-    for (std::size_t i = 0; i < n; ++i) corner[i] = i == one ? "1" : "0";
+  // A weight vertex becomes a weight vertex of the whole simplex.
+  void widen(json& weight_vertices) {
+    json& weight_vertex = weight_vertices[pick(weight_vertices.size())];
+    const std::size_t n = weight_vertex.size(), one = pick(n);
+    for (std::size_t i = 0; i < n; ++i) weight_vertex[i] = i == one ? "1" : "0";
   }
 
   // Any bound that has the shape of one: also a kept one whose halves are cut.
   json some_bound(const json& document, const json& piece, int depth) {
-    const std::size_t m = piece["corners"].size();
+    const std::size_t m = piece["weight_vertices"].size();
     if (pick(4) == 0 && piece["bound"].contains("halves")) return piece["bound"]["halves"][pick(2)];
     if (depth > 0 && pick(3) == 0 && document["skinning"] != "linear")
       return {{"by", "halves"},
@@ -539,9 +539,9 @@ Checked check_malformed() {
       {"a joint-set that is not there", with("/pieces/0/joint_set", 1), "pieces[0]: joint_set is none of them"},
       {"a joint-set counted from the end", with("/pieces/0/joint_set", -1), "pieces[0]: joint_set is none of them"},
       {"more images than joints", with("/joint_sets/0/center_images/4", {"0", "0", "0"}), "lists differ in length"},
-      {"a corner of one weight", with("/pieces/0/corners/0", {"1"}), "weights are not convex"},
-      {"a weight below 0", with("/pieces/0/corners/0", {"2", "-1", "0", "0"}), "weights are not convex"},
-      {"weights of sum 2", with("/pieces/0/corners/0", {"1", "1", "0", "0"}), "weights are not convex"},
+      {"a weight vertex of one weight", with("/pieces/0/weight_vertices/0", {"1"}), "weights are not convex"},
+      {"a weight below 0", with("/pieces/0/weight_vertices/0", {"2", "-1", "0", "0"}), "weights are not convex"},
+      {"weights of sum 2", with("/pieces/0/weight_vertices/0", {"1", "1", "0", "0"}), "weights are not convex"},
       {"a reference ball of radius -1", with("/pieces/0/reference/radius", "-1"), "reference.radius is negative"},
       {"a ball of radius -1", with("/ball/radius", "-1"), "smaller than the reference"},
       {"a bound that is a text", with("/pieces/0/bound", "control"), "bound is no dict"},
@@ -553,11 +553,11 @@ Checked check_malformed() {
       {"halves of no edge",
        with("/pieces/0/bound",
             {{"by", "halves"}, {"edge", {0, 99}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}),
-       "edge ends at no corner"},
+       "edge ends at no weight vertex"},
       {"halves of an edge counted from the end",
        with("/pieces/0/bound",
             {{"by", "halves"}, {"edge", {-1, 0}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}),
-       "edge ends at no corner"},
+       "edge ends at no weight vertex"},
       {"one half", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 1}}, {"halves", {good["pieces"][0]["bound"]}}}),
        "has 1 items, not 2"},
   };

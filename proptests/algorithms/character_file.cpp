@@ -63,8 +63,8 @@ std::vector<Fault> faults() {
       {"joint-sets out of range", node([](auto& n) { n[1].first_piece = 1 << 30; })},
       {"without a parent", node([](auto& n) { n.push_back(n.back()); })},
       {"a joint-set names a joint-set", [](Character& c) { c.tree.pieces[0].joint_set = 99; }},
-      {"a joint-set names corners", [](Character& c) { c.tree.pieces[0].weight_vertex_count = 0; }},
-      {"a joint-set names corners", [](Character& c) { c.tree.pieces[0].first_weight = -1; }},
+      {"a joint-set names weight vertices", [](Character& c) { c.tree.pieces[0].weight_vertex_count = 0; }},
+      {"a joint-set names weight vertices", [](Character& c) { c.tree.pieces[0].first_weight = -1; }},
       {"not in [0, 1]", [](Character& c) { c.tree.weight_vertices[0] = std::nan(""); }},
       {"do not sum to 1", [](Character& c) { c.tree.weight_vertices[0] *= 0.5; }},
       {"belong to no node", [](Character& c) { mixed(c).first.clear(); }},
@@ -74,7 +74,7 @@ std::vector<Fault> faults() {
       {"have a ball that is none", [](Character& c) { mixed(c).references.back().radius = -1; }},
       {"name a ball out of range", [](Character& c) { mixed(c).pieces[0].reference = 1 << 30; }},
       {"one names a joint-set", [](Character& c) { mixed(c).pieces[0].joint_set = -1; }},
-      {"one has a corner", [](Character& c) { mixed(c).weight_vertices[0] = 2; }},
+      {"one has a weight vertex", [](Character& c) { mixed(c).weight_vertices[0] = 2; }},
   };
 }
 

@@ -34,10 +34,10 @@ json ball(const json& center, const json& radius) { return {{"center", center}, 
 // A list of one, which braces alone do not make.
 json alone(const json& item) { return json::array({item}); }
 json nested(const json& list) { return list.front().is_structured() ? list : alone(list); }
-const json one_corner = alone(alone("1"));
+const json one_weight_vertex = alone(alone("1"));
 
-json piece(const json& corners, const json& reference, const json& bound) {
-  return {{"joint_set", 0}, {"corners", corners}, {"reference", reference}, {"bound", bound}};
+json piece(const json& weight_vertices, const json& reference, const json& bound) {
+  return {{"joint_set", 0}, {"weight_vertices", weight_vertices}, {"reference", reference}, {"bound", bound}};
 }
 
 json document(const char* skinning, const json& rotations, const json& data, const json& pieces, const json& around) {
@@ -46,14 +46,14 @@ json document(const char* skinning, const json& rotations, const json& data, con
   if (skinning == std::string("linear")) set["translations"] = nested(data);
   else if (skinning == std::string("dual_quaternion")) set["duals"] = nested(data);
   else set["center_images"] = nested(data), set["rotation_center"] = origin;
-  return oracle::with_corner_vertices({{"about", ""},
-                                       {"ball", around},
-                                       {"joint_sets", alone(set)},
-                                       {"model", std::string(64, '0')},
-                                       {"node", 0},
-                                       {"pieces", pieces.is_array() ? pieces : alone(pieces)},
-                                       {"pose", std::string(64, 'f')},
-                                       {"skinning", skinning}});
+  return oracle::with_weight_vertex_vertices({{"about", ""},
+                                              {"ball", around},
+                                              {"joint_sets", alone(set)},
+                                              {"model", std::string(64, '0')},
+                                              {"node", 0},
+                                              {"pieces", pieces.is_array() ? pieces : alone(pieces)},
+                                              {"pose", std::string(64, 'f')},
+                                              {"skinning", skinning}});
 }
 
 json repeated(const json& item, std::size_t times) { return json(json::array_t(times, item)); }
@@ -74,22 +74,23 @@ json exactly(const Vec<double, D>& v) {
 }
 
 json document(const gen::SkinnedPiece& p, const json& bound, const Ball3<double>& around) {
-  json rotations, data, corners;
+  json rotations, data, weight_vertices;
   for (std::size_t i = 0; i < p.palette.transforms.size(); ++i) {
     rotations.push_back(exactly<4>(p.palette.transforms[i].rotation));
     data.push_back(p.skinning == Skinning::linear      ? exactly<3>(p.palette.transforms[i].translation)
                    : p.skinning == Skinning::spherical ? exactly<3>(p.palette.center_images[i])
                                                        : exactly<4>(p.palette.duals[i]));
   }
-  for (const auto& w : p.corners) {
+  for (const auto& w : p.weight_vertices) {
     json weights;
     for (const double x : w) weights.push_back(exactly(x));
-    corners.push_back(weights);
+    weight_vertices.push_back(weights);
   }
   json out = document(p.skinning == Skinning::linear      ? "linear"
                       : p.skinning == Skinning::spherical ? "spherical"
                                                           : "dual_quaternion",
-                      rotations, data, {piece(corners, ball(exactly<3>(p.reference.center), exactly(p.reference.radius)), bound)},
+                      rotations, data,
+                      {piece(weight_vertices, ball(exactly<3>(p.reference.center), exactly(p.reference.radius)), bound)},
                       ball(exactly<3>(around.center), exactly(around.radius)));
   if (p.skinning == Skinning::spherical) out["joint_sets"][0]["rotation_center"] = exactly<3>(p.palette.rotation_center);
   return out;
@@ -99,7 +100,7 @@ json document(const gen::SkinnedPiece& p, const json& bound, const Ball3<double>
 
 Bound some_bound(const gen::SkinnedPiece& p, std::mt19937& random, int depth) {
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
-  const std::size_t m = p.corners.size();
+  const std::size_t m = p.weight_vertices.size();
   if (depth > 0 && pick(2)) {
     Bound out{.by = By::halves, .edge = {pick(m), pick(m)}};
     for (int i = 0; i < 2; ++i) out.halves.push_back(some_bound(p, random, depth - 1));
@@ -136,9 +137,10 @@ void check_least_radii() {
     for (double& x : center) x = std::normal_distribution<double>(0, i % 4)(random);
     const double needed =
         skinning == Skinning::linear
-            ? oracle::needed_radius_linear(p.palette, p.corners, p.reference, center)
-            : p.reference.radius +
-                  oracle::needed_radius(oracle::blend_corners(p.palette, p.corners, p.reference.center, skinning), bound, center);
+            ? oracle::needed_radius_linear(p.palette, p.weight_vertices, p.reference, center)
+            : p.reference.radius + oracle::needed_radius(oracle::blend_at_weight_vertices(p.palette, p.weight_vertices,
+                                                                                          p.reference.center, skinning),
+                                                         bound, center);
     RC_CLASSIFY(std::isinf(needed), "degenerate");
     if (std::isinf(needed)) {
       folder.add(sealed(document(p, as_json(bound), {center, 1e12}))), is_large_enough.push_back(false);
@@ -159,11 +161,12 @@ struct Tight {
   json document;
 };
 
-// Vertices at the edge of their piece: on its sphere, of mixed corners, of the same one twice, of a share of 0.
+// Vertices at the edge of their piece: on its sphere, of mixed weight vertices, of the same one twice, of a share of 0.
 json with_vertices_at_edges(json document) {
   document["vertices"][0]["position"] = point("2/3", "2/3", "-1/3");
-  document["vertices"][1].update({{"corners", {2, 0, 2}}, {"shares", {"1/2", "5", "9/2"}}, {"weights", {"1/2", "0", "1/2"}}});
-  document["vertices"][2].update({{"corners", {1, 2}}, {"shares", {"7", "0"}}, {"weights", {"0", "1", "0"}}});
+  document["vertices"][1].update(
+      {{"weight_vertices", {2, 0, 2}}, {"shares", {"1/2", "5", "9/2"}}, {"weights", {"1/2", "0", "1/2"}}});
+  document["vertices"][2].update({{"weight_vertices", {1, 2}}, {"shares", {"7", "0"}}, {"weights", {"0", "1", "0"}}});
   return document;
 }
 
@@ -172,7 +175,7 @@ std::vector<Tight> tight_documents() {
   std::vector<Tight> out;
   const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}};
   const json small = ball(origin, "1"), left = {"2", "1", "0", "0"}, right = {"2", "-1", "0", "0"};
-  for (int far = 0; far < 3; ++far) {  // which corner is the farthest
+  for (int far = 0; far < 3; ++far) {  // which weight vertex is the farthest
     json moved = repeated(origin, 3), duals = repeated(zero_dual, 3);
     moved[far] = point("12", "0", "0");
     duals[far] = {"0", "6", "0", "0"};
@@ -198,15 +201,15 @@ std::vector<Tight> tight_documents() {
   out.push_back(
       {"mixed control points", document("spherical", turns, two, {piece(both, ball(point("0", "0", "1"), "1"), control)},
                                         ball(point("0", "0", "17/55"), "107/55"))});
-  out.push_back({"mixed dual control points",  // N_12 / W_12 is (0, 0, 5/3), the corners' images are (0, -+4/5, 3/5)
+  out.push_back({"mixed dual control points",  // N_12 / W_12 is (0, 0, 5/3), the weight vertices' images are (0, -+4/5, 3/5)
                  document("dual_quaternion", turns, repeated(zero_dual, 2),
                           {piece(both, ball(point("0", "0", "1"), "1"), control)}, ball(point("0", "0", "0"), "8/3"))});
-  out.push_back({"a longer joint",
-                 document("linear", {{"2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "7"))});
-  out.push_back({"a shorter joint",
-                 document("linear", {{"1/2", "0", "0", "0"}}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
+  out.push_back({"a longer joint", document("linear", {{"2", "0", "0", "0"}}, {origin},
+                                            {piece(one_weight_vertex, small, control)}, ball(origin, "7"))});
+  out.push_back({"a shorter joint", document("linear", {{"1/2", "0", "0", "0"}}, {origin},
+                                             {piece(one_weight_vertex, small, control)}, ball(origin, "1"))});
   out.push_back({"nothing but the reference",
-                 document("spherical", {unturned}, {origin}, {piece(one_corner, small, control)}, ball(origin, "1"))});
+                 document("spherical", {unturned}, {origin}, {piece(one_weight_vertex, small, control)}, ball(origin, "1"))});
   out.push_back(
       {"halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
                           {piece(both, small, halves(0, 1, control, all_rotations))}, ball(point("0", "5", "0"), "14"))});
@@ -293,21 +296,21 @@ std::vector<Broken> broken_documents() {
   for (const std::string p : {"0", "1", "2"}) {
     const std::string at = "/pieces/" + p + "/";
     for (const std::string k : {"0", "1", "2"}) {
-      const std::string corner = at + "corners/" + k;
+      const std::string weight_vertex = at + "weight_vertices/" + k;
       for (int i = 0; i < 3; ++i) {
         json weights = {"1/3", "1/3", "1/3"};
         weights[i] = "1" + std::string(380, '0') + "/3" + std::string(379, '0') + "1";
-        with(corner, weights, "weights are not convex");  // the sum is a little less
+        with(weight_vertex, weights, "weights are not convex");  // the sum is a little less
         weights[i] = "1" + std::string(379, '0') + "1/3" + std::string(380, '0');
-        with(corner, weights, "weights are not convex");  // a little more
+        with(weight_vertex, weights, "weights are not convex");  // a little more
         weights = {"0", "0", "0"};
         weights[i] = "-1" + tiny;
         weights[(i + 1) % 3] = "1" + std::string(379, '0') + "1" + tiny;
-        with(corner, weights, "weights are not convex");  // one below 0
+        with(weight_vertex, weights, "weights are not convex");  // one below 0
       }
-      with(corner, {"1", "0"}, "weights are not convex");
-      with(corner, {"1", "0", "0", "0"}, "weights are not convex");
-      with(corner, json::array(), "is no list of something");
+      with(weight_vertex, {"1", "0"}, "weights are not convex");
+      with(weight_vertex, {"1", "0", "0", "0"}, "weights are not convex");
+      with(weight_vertex, json::array(), "is no list of something");
     }
     with(at + "reference/radius", "-1" + tiny, "reference.radius is negative");
     with(at + "joint_set", 1, "joint_set is none of them");
@@ -317,7 +320,7 @@ std::vector<Broken> broken_documents() {
     with(at + "joint_set", 0.0, "no integer");
     with(at + "joint_set", 1234567890, "no integer");
     with(at + "joint_set", 123456789, "joint_set is none of them");
-    with(at + "corners", json::array(), "is no list of something");
+    with(at + "weight_vertices", json::array(), "is no list of something");
     with(at + "bound/axis", unturned, "has not the members");
     with(at + "bound/by", "all_rotations", "no bound of this skinning");
     with(at + "bound/by", "halves", "no bound of this skinning");
@@ -326,13 +329,13 @@ std::vector<Broken> broken_documents() {
     const std::string at = "/vertices/" + v + "/";
     with(at + "piece", 3, "piece is none of them");
     with(at + "piece", -1, "piece is none of them");
-    with(at + "corners/0", 3, "a share is of no corner");
-    with(at + "corners/0", -1, "a share is of no corner");
-    with(at + "corners", {0, 0}, "a share is of no corner");
-    with(at + "shares", {"1", "0"}, "a share is of no corner");
+    with(at + "weight_vertices/0", 3, "a share is of no weight vertex");
+    with(at + "weight_vertices/0", -1, "a share is of no weight vertex");
+    with(at + "weight_vertices", {0, 0}, "a share is of no weight vertex");
+    with(at + "shares", {"1", "0"}, "a share is of no weight vertex");
     with(at + "shares", {"0"}, "the shares are not convex");
     with(at + "shares", {"-1"}, "the shares are not convex");
-    with(at + "corners/0", 1, "the weights are not what the shares make");
+    with(at + "weight_vertices/0", 1, "the weights are not what the shares make");
     with(at + "weights", {"1", "0"}, "the weights are not what the shares make");
     with(at + "weights", {"1", "0", "0", "0"}, "the weights are not what the shares make");
     with(at + "weights", {"1", "0", "1" + tiny}, "the weights are not what the shares make");
@@ -344,7 +347,7 @@ std::vector<Broken> broken_documents() {
     }
   }
   json negative = good;  // shares of sum 1 that make the weights, one of them below 0
-  negative["vertices"][1]["corners"] = {0, 1, 1}, negative["vertices"][1]["shares"] = {"1", "1", "-1"};
+  negative["vertices"][1]["weight_vertices"] = {0, 1, 1}, negative["vertices"][1]["shares"] = {"1", "1", "-1"};
   out.push_back({"a share below 0", negative, "vertices[1]: the shares are not convex"});
   add_other_shapes(
       good,
@@ -386,7 +389,7 @@ std::vector<Broken> broken_documents() {
                    reason});
   };
   // That of all three is at the distance 5 / sqrt 3, all others at sqrt 5 at most.
-  out.push_back({"the control point of three different corners",
+  out.push_back({"the control point of three different weight vertices",
                  document("spherical", {{"1", "1", "0", "0"}, {"1", "0", "1", "0"}, {"1", "0", "0", "1"}}, repeated(origin, 3),
                           {piece(units, ball(point("1", "1", "1"), "0"), control)}, ball(origin, "57/20")),
                  "a control point is outside"});
@@ -399,9 +402,10 @@ std::vector<Broken> broken_documents() {
       rigid("halves with a right angle", turned, halves((k + 1) % 3, (k + 2) % 3, control, control), "a right angle apart",
             skinning);
       for (const int edge : {-1, 3}) {
-        rigid("an edge from nowhere", repeated(unturned, 3), halves(edge, k, control, control), "edge ends at no corner",
+        rigid("an edge from nowhere", repeated(unturned, 3), halves(edge, k, control, control), "edge ends at no weight vertex",
               skinning);
-        rigid("an edge to nowhere", repeated(unturned, 3), halves(k, edge, control, control), "edge ends at no corner", skinning);
+        rigid("an edge to nowhere", repeated(unturned, 3), halves(k, edge, control, control), "edge ends at no weight vertex",
+              skinning);
       }
     }
     rigid("a cap across", turned, cap(unturned), "not ahead");
@@ -436,7 +440,8 @@ Checked check_broken() {
 }
 
 Checked check_digests() {
-  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const json good =
+      document("linear", {unturned}, {origin}, {piece(one_weight_vertex, ball(origin, "1"), control)}, ball(origin, "1"));
   const json whole = json::parse(sealed(good));
   const std::string digest = whole["digest"];
   CheckedFolder folder;
@@ -458,7 +463,8 @@ Checked check_digests() {
 
 // The same document in other layouts, each with the digest of that layout where it has a place for it.
 Checked check_layouts() {
-  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const json good =
+      document("linear", {unturned}, {origin}, {piece(one_weight_vertex, ball(origin, "1"), control)}, ball(origin, "1"));
   const std::string text = sealed(good);
   std::string late = text;  // the keys in another order
   const std::string about = " \"about\": \"\",\n";
@@ -484,7 +490,7 @@ std::string digits(int count, int seed) {
   return out;
 }
 
-json with_corners(const char* skinning, std::size_t m, const json& bound) {
+json with_weight_vertices(const char* skinning, std::size_t m, const json& bound) {
   const json data = skinning == std::string("dual_quaternion") ? zero_dual : origin;
   return document(skinning, {unturned}, {data}, {piece(repeated(alone("1"), m), ball(origin, "1"), bound)}, ball(origin, "1"));
 }
@@ -494,25 +500,25 @@ json halved(int depth) { return depth == 0 ? control : halves(0, 1, halved(depth
 Checked check_work() {
   std::vector<Broken> list;
   const char* work = "the proofs take too much work";
-  list.push_back({"thousands of corners", with_corners("spherical", 4000, control), work});
-  list.push_back({"thousands of corners, of degree 2", with_corners("dual_quaternion", 4000, control), work});
-  list.push_back({"halves of halves of halves", with_corners("dual_quaternion", 40, halved(10)), work});
-  json pieces = with_corners("spherical", 60, control);
+  list.push_back({"thousands of weight vertices", with_weight_vertices("spherical", 4000, control), work});
+  list.push_back({"thousands of weight vertices, of degree 2", with_weight_vertices("dual_quaternion", 4000, control), work});
+  list.push_back({"halves of halves of halves", with_weight_vertices("dual_quaternion", 40, halved(10)), work});
+  json pieces = with_weight_vertices("spherical", 60, control);
   pieces["pieces"] = repeated(pieces["pieces"][0], 60);
   list.push_back({"many pieces", pieces, work});
-  json wide = with_corners("linear", 1, control);
-  wide["pieces"][0]["corners"] = one_corner;
+  json wide = with_weight_vertices("linear", 1, control);
+  wide["pieces"][0]["weight_vertices"] = one_weight_vertex;
   wide["joint_sets"][0] = {
       {"joints", repeated(0, 900)}, {"rotations", repeated(unturned, 900)}, {"translations", repeated(origin, 900)}};
   json weights = repeated("0", 900);
   weights[0] = "1/1" + std::string(390, '0');
-  wide["pieces"][0]["corners"] = repeated(weights, 40);
+  wide["pieces"][0]["weight_vertices"] = repeated(weights, 40);
   list.push_back({"many joints", wide, work});
-  json dense = with_corners("spherical", 60, control);
+  json dense = with_weight_vertices("spherical", 60, control);
   dense["ball"]["radius"] = "1/1" + std::string(390, '0');
   dense["pieces"][0]["reference"]["radius"] = digits(400, 1) + "/7" + std::string(390, '0');
   list.push_back({"long numbers", dense, work});
-  json coprime = with_corners("spherical", 2, control);
+  json coprime = with_weight_vertices("spherical", 2, control);
   for (int i = 0; i < 8; ++i) {
     json q = {"1", "1/" + digits(390, 3 * i), "1/" + digits(391, 3 * i + 1), "1/" + digits(392, 3 * i + 2)};
     coprime["joint_sets"][0]["rotations"].push_back(q), coprime["joint_sets"][0]["center_images"].push_back(origin);
@@ -572,14 +578,14 @@ json with_denominators(json document, int bits) {
 
 struct Sized {
   json bound;
-  std::size_t corners;
+  std::size_t weight_vertices;
 };
 
 json of_sizes(const char* skinning, std::size_t joints, const std::vector<Sized>& sizes) {
   const json data = skinning == std::string("dual_quaternion") ? zero_dual : origin;
   json weights = repeated("0", joints), pieces = json::array();
   weights[0] = "1";
-  for (const Sized& s : sizes) pieces.push_back(piece(repeated(weights, s.corners), ball(origin, "1"), s.bound));
+  for (const Sized& s : sizes) pieces.push_back(piece(repeated(weights, s.weight_vertices), ball(origin, "1"), s.bound));
   json out = document(skinning, repeated(unturned, joints), repeated(data, joints), pieces, ball(origin, "1"));
   out["vertices"].erase(out["vertices"].begin() + 1, out["vertices"].end());
   return out;
@@ -592,7 +598,7 @@ Checked check_work_edges() {
     const char* skinning;
     std::size_t joints;
     std::vector<Sized> sizes;  // 800 in all: m n, (m + d - 1 choose d) for each bound, 1 + n for a vertex
-    json least;                // of two units for one joint and corner
+    json least;                // of two units for one joint and weight vertex
   } sized[] = {
       {"linear", 1, {{control, 399}}, control},
       {"linear", 9, {{control, 79}}, control},
@@ -627,14 +633,14 @@ Checked check_work_edges() {
   // Vertices of 1 + 2 * 3 units for three shares of two weights; the piece has 2 + 1.
   json listed = of_sizes("linear", 2, {{control, 1}});
   json vertex = listed["vertices"][0];
-  vertex["corners"] = {0, 0, 0}, vertex["shares"] = {"1", "1", "1"};
+  vertex["weight_vertices"] = {0, 0, 0}, vertex["shares"] = {"1", "1", "1"};
   listed["vertices"] = repeated(vertex, 113);  // 794
   for (const int more : {1, 2}) {
-    vertex["corners"].erase(0), vertex["shares"].erase(0);
+    vertex["weight_vertices"].erase(0), vertex["shares"].erase(0);
     listed["vertices"].push_back(vertex);  // of 5 units, then of 3
     add(with_denominators(listed, 6144), more == 1 ? little : too_much);
   }
-  const json one = with_corners("linear", 1, control);
+  const json one = with_weight_vertices("linear", 1, control);
   add(with_denominators(one, 8192), little), add(with_denominators(one, 8193), "the common denominator has more than 8192 bits");
   const auto lines = folder.check();
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -644,7 +650,7 @@ Checked check_work_edges() {
 
 // As many denominators as a file has room for: their least common multiple alone would take minutes.
 Checked check_many_denominators() {
-  json many = with_corners("spherical", 1, control);
+  json many = with_weight_vertices("spherical", 1, control);
   for (int i = 0; i < 12000; ++i) {
     json q = {"1"};
     for (int k = 0; k < 3; ++k) q.push_back("1/1" + std::string(380, '0') + std::to_string(100001 + 6 * i + 2 * k));
@@ -669,7 +675,8 @@ bool is_orderly(const oracle::CheckerRun& run, std::size_t files, const std::str
 }
 
 Checked check_names() {
-  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const json good =
+      document("linear", {unturned}, {origin}, {piece(one_weight_vertex, ball(origin, "1"), control)}, ball(origin, "1"));
   const Texts names{"a\nb",
                     "x\naccepted: \"good.json\": 1 linear pieces",
                     "\naccepted: y",
@@ -729,7 +736,8 @@ Checked check_names() {
 // --- What cannot be read ---
 
 Checked check_statuses() {
-  const json good = document("linear", {unturned}, {origin}, {piece(one_corner, ball(origin, "1"), control)}, ball(origin, "1"));
+  const json good =
+      document("linear", {unturned}, {origin}, {piece(one_weight_vertex, ball(origin, "1"), control)}, ball(origin, "1"));
   gen::TemporaryFolder folder, empty;
   const std::string accepted = folder.file("good"), rejected = folder.file("bad"), absent = folder.file("absent"),
                     odd = folder.file("odd");
@@ -774,8 +782,9 @@ Checked check_statuses() {
 PROPTEST(check) {
   t.holds("a ball is accepted if its bound needs as little, and a slightly smaller one is rejected", {.cases = 10},
           check_least_radii);
-  t.example("equality is accepted, and a radius smaller by 1e-380 rejected, whichever corner, triple or piece is the farthest",
-            {}, check_tight);
+  t.example(
+      "equality is accepted, and a radius smaller by 1e-380 rejected, whichever weight vertex, triple or piece is the farthest",
+      {}, check_tight);
   t.example("each condition broken alone is rejected for its reason", {}, check_broken);
   t.example("another digest is rejected", {}, check_digests);
   t.example("another layout of the same document is rejected", {}, check_layouts);

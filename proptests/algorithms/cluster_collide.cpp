@@ -197,8 +197,8 @@ PROPTEST(cluster_collide) {
         RC_ASSERT(!expected.empty());
         RC_ASSERT(sorted(collide(body, other, Query::full, counts)) == expected);
         RC_ASSERT(collide(other, body, Query::yes_no, counts).size() == 1u);
-        for (const Point3& p : points) RC_ASSERT(holds(body.reach(), p) && holds(body.wide_node_box(0), p));
-        RC_ASSERT(holds(other.reach(), tip) && holds(other.wide_node_box(0), tip));
+        for (const Point3& p : points) RC_ASSERT(holds(body.motion_bound(), p) && holds(body.wide_node_box(0), p));
+        RC_ASSERT(holds(other.motion_bound(), tip) && holds(other.wide_node_box(0), tip));
       });
   t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {}, [] {
     const auto c = bake(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }), {.triangles_per_leaf = 1000000});
@@ -272,29 +272,30 @@ PROPTEST(cluster_collide) {
             }
             RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
           });
-  t.example("what is counted: of single triangles every box once, none where reaches are apart, and sums over queries", {}, [] {
-    SkinnedMesh m = gen::needle(0, 1, 1, 1);
-    const auto c = bake(m);
-    const ClusterTree tree(c);
-    ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-    const Pose still = reference_pose(c.mesh);
-    const auto counts_at = [&](double x, Query query, PairMemory* memory) {
-      first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
-      QueryCounts counts{100, 1000};  // of queries before
-      collide(first, second, query, counts, memory);
-      return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
-    };
-    PairMemory memory;
-    // Reaches, the first's wide node against the second's whole, the second's, groups of the first, groups of the
-    // second; with a memory of bodies that were near no reaches; and then no box at all, but the pair.
-    const std::pair<long, long> touching{5, 1}, apart{1, 0}, again{4, 1}, remembered{0, 1};
-    bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
-    ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
-    ok = ok && counts_at(0.5, Query::full, &memory) == again && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
-         first.corners_skinned() == 8 && second.corners_skinned() == 8;
-    ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
-    return Checked(ok, 5);
-  });
+  t.example("what is counted: of single triangles every box once, none where motion bounds are apart, and sums over queries", {},
+            [] {
+              SkinnedMesh m = gen::needle(0, 1, 1, 1);
+              const auto c = bake(m);
+              const ClusterTree tree(c);
+              ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+              const Pose still = reference_pose(c.mesh);
+              const auto counts_at = [&](double x, Query query, PairMemory* memory) {
+                first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
+                QueryCounts counts{100, 1000};  // of queries before
+                collide(first, second, query, counts, memory);
+                return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
+              };
+              PairMemory memory;
+              // Motion bounds, the first's wide node against the second's whole, the second's, groups of the first, groups of the
+              // second; with a memory of bodies that were near no motion bounds; and then no box at all, but the pair.
+              const std::pair<long, long> touching{5, 1}, apart{1, 0}, again{4, 1}, remembered{0, 1};
+              bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
+              ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
+              ok = ok && counts_at(0.5, Query::full, &memory) == again && first.nodes_bounded() == 1 &&
+                   first.clusters_skinned() == 1 && first.corners_skinned() == 8 && second.corners_skinned() == 8;
+              ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
+              return Checked(ok, 5);
+            });
   t.example("a body counts the nodes that it bounds, and the clusters and corners that it skins, each once a frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
@@ -363,14 +364,14 @@ PROPTEST(cluster_collide) {
           ok = ok && pairs == sorted(collide({p}, {q, at}, Query::full, unused));
           const long skinned = a.clusters_skinned() + b.clusters_skinned();
           const auto all = 2 * static_cast<long>(tree.clusters().size());
-          if (distance == 5.0) ok = ok && a.nodes_bounded() + b.nodes_bounded() == 0;  // their reaches are apart
+          if (distance == 5.0) ok = ok && a.nodes_bounded() + b.nodes_bounded() == 0;  // their motion bounds are apart
           ok = ok && (distance == 5.0 ? skinned == 0 : distance == 0.1 ? pairs.size() > 100 : skinned < all / 2);
           text += std::to_string(skinned) + " of " + std::to_string(all) + " clusters skinned for " +
                   std::to_string(pairs.size()) + " pairs; ";
         }
         return Checked(ok, 3, text);
       });
-  t.example("where two men's reaches begin to meet, each box of the first one's root is counted as compared", {}, [] {
+  t.example("where two men's motion bounds begin to meet, each box of the first one's root is counted as compared", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
@@ -380,11 +381,11 @@ PROPTEST(cluster_collide) {
       a.begin(pose, {}), b.begin(pose, at);
       QueryCounts counts;
       collide(a, b, Query::full, counts);
-      if (counts.ball_tests == 1) continue;  // the reaches are apart
+      if (counts.ball_tests == 1) continue;  // the motion bounds are apart
       return Checked(counts.ball_tests >= 1 + tree.wide_nodes()[0].child_count && tree.wide_nodes()[0].child_count > 8, 1,
                      std::to_string(counts.ball_tests) + " boxes are compared at " + std::to_string(distance));
     }
-    return Checked(false, 0, "the reaches never meet");
+    return Checked(false, 0, "the motion bounds never meet");
   });
   t.example("triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
     SkinnedMesh m;
@@ -428,7 +429,7 @@ PROPTEST(cluster_collide) {
     const auto& kept = memory.pairs();
     for (const TrianglePair& pair : kept) ok = ok && std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
     const std::size_t remembered = kept.size();
-    for (const bool was_near : {true, false}) {  // reaches are compared again once the bounds have been found apart
+    for (const bool was_near : {true, false}) {  // motion bounds are compared again once the bounds have been found apart
       a.begin(walk.sample(0.2 * walk.duration), {});
       b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {5, 0, 0}});
       ok = ok && memory.are_near == was_near && collide(a, b, Query::full, counts, &memory).empty() &&

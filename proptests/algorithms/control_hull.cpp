@@ -54,7 +54,7 @@ void check_hull() {
     RC_TAG("exact");
     std::size_t unhalved = 0;
     for (const auto& set : c.sets)
-      unhalved += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
+      unhalved += set.weights.vertices.size() == 1 ? 1 : control_point_count(set.weights.vertices.size());
     RC_CLASSIFY(balls.size() > unhalved, "halved");
     assert_holds(c, balls, Verdict::holds);
   } catch (const NoRationalRoot&) {
@@ -79,12 +79,13 @@ void check_double() {
     if (const auto v = gen::skinned(c, sample, gen::Blending::spherical)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
-// A joint-set by hand: rotations about the origin without translation, and corners.
-RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations, const std::vector<std::vector<Rational>>& corners) {
+// A joint-set by hand: rotations about the origin without translation, and weight vertices.
+RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations,
+                  const std::vector<std::vector<Rational>>& weight_vertices) {
   gen::SetCase set;
   for (const auto& q : rotations) set.palette.transforms.push_back({q, RationalVec<3>::Zero()});
   place_rotation_center<Rational>(set.palette, RationalVec<3>(0, 0, 0));
-  set.weights.corners = corners;
+  set.weights.vertices = weight_vertices;
   return {{RationalVec<3>(1, 2, 3), Rational(1, 2)}, {set}};
 }
 
@@ -94,7 +95,7 @@ std::vector<std::vector<Rational>> whole_simplex(std::size_t n) {
   return rows;
 }
 
-// Every vertex that moves by blends of the corners at multiples of 1/8, in double.
+// Every vertex that moves by blends of the weight vertices at multiples of 1/8, in double.
 bool holds_on_a_grid(const RefitCase& c) {
   const auto balls = balls_of<double>(c);
   for (const auto& b : balls)
@@ -106,7 +107,7 @@ bool holds_on_a_grid(const RefitCase& c) {
   for_each_index(set.weight_vertex_count, 8, [&](const std::vector<std::size_t>& index) {
     std::vector<double> w(node.palette[0].transforms.size(), 0.0);
     for (const auto k : index)
-      for (std::size_t i = 0; i < w.size(); ++i) w[i] += node.corner(set, static_cast<int>(k))[i] / 8;
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] += node.weight_vertex(set, static_cast<int>(k))[i] / 8;
     if (blend_quaternion<double>(node.palette[0], w).norm() < 1e-9) return;
     const Point3 v = blend_spherical<double>(node.palette[0], w, node.reference.center);
     const Point3 d = direction_away(balls, v);
@@ -142,13 +143,14 @@ Checked measure_tightness() {
     if (!near) continue;
     place_rotation_center<double>(palette, rotation_center<double>(palette.transforms, Point3::Zero()));
     const Ball3<double> reference{2 * vector(), 0};
-    std::vector<double> corners;
+    std::vector<double> weight_vertices;
     for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
-      for (int i = 0, share = count / 3 % 3; i < n; ++i) corners.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
+      for (int i = 0, share = count / 3 % 3; i < n; ++i)
+        weight_vertices.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
     SkinningPalette<double> frame;
     frame.push_back(palette);
     const NodePiece set{0, 0, n};
-    const RefitNode<double> node{reference, {&set, 1}, corners.data(), frame};
+    const RefitNode<double> node{reference, {&set, 1}, weight_vertices.data(), frame};
     ControlLists<double> lists;
     const double bound = refit_control_hull<SmallestBalls>(node, lists).radius;
     std::vector<Point3> positions;
@@ -159,7 +161,7 @@ Checked measure_tightness() {
                    [&](const std::vector<std::size_t>& index) {
                      std::vector<double> w(n, 0.0);
                      for (const auto k : index)
-                       for (int i = 0; i < n; ++i) w[i] += corners[k * n + i] / double(index.size());
+                       for (int i = 0; i < n; ++i) w[i] += weight_vertices[k * n + i] / double(index.size());
                      positions.push_back(blend_spherical<double>(palette, w, reference.center));
                    });
     const double truth = as_ball(smallest_ball<double, 3>(positions)).radius;
@@ -192,18 +194,18 @@ PROPTEST(control_hull) {
             const auto balls = balls_of<Rational>(c);
             std::size_t expected = 0;
             for (const auto& set : c.sets)
-              expected += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
+              expected += set.weights.vertices.size() == 1 ? 1 : control_point_count(set.weights.vertices.size());
             RC_ASSERT(balls.size() == expected);
             for (const auto& b : balls) RC_ASSERT(b.radius == c.reference.radius);
             assert_holds(c, balls, Verdict::holds);
           });
-  t.holds("halving ends: at most 16 m (m + 1) (m + 2) / 6 balls for m corners, all of them finite",
+  t.holds("halving ends: at most 16 m (m + 1) (m + 2) / 6 balls for m weight vertices, all of them finite",
           {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::any);
             RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
             const auto balls = balls_of<double>(c);
             std::size_t most = 0;
-            for (const auto& set : c.sets) most += 16 * control_point_count(set.weights.corners.size());
+            for (const auto& set : c.sets) most += 16 * control_point_count(set.weights.vertices.size());
             RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
             for (const auto& b : balls) RC_ASSERT(b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0);
           });
@@ -234,10 +236,10 @@ PROPTEST(control_hull) {
             RC_CLASSIFY(c.is_degenerate(), "degenerate");
             ControlLists<S> lists;
             for (std::size_t k = 0; k < c.blend.weight_vertex_count(); ++k)
-              lists.corners.push_back({lift<S>(c.blend.rotations[k]), lift<S>(c.blend.center_images[k])});
+              lists.weight_vertices.push_back({lift<S>(c.blend.rotations[k]), lift<S>(c.blend.center_images[k])});
             SphericalPiece<S> piece(lift<S>(c.blend.x), S(0));
-            ControlHull(piece, lists.corners, lists).cover(c.blend.weight_vertex_count(), 0);
-            RC_ASSERT(lists.corners.empty() && !lists.cap.balls.empty());
+            ControlHull(piece, lists.weight_vertices, lists).cover(c.blend.weight_vertex_count(), 0);
+            RC_ASSERT(lists.weight_vertices.empty() && !lists.cap.balls.empty());
             std::vector<Ball3<double>> rounded;
             for (const auto& b : lists.cap.balls) {
               const auto middle = [](const S& x) { return static_cast<double>(median(x)); };
@@ -259,7 +261,7 @@ PROPTEST(control_hull) {
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<SmallestBalls>(); });
 
-  t.example("a corner that is 0 beside two near ones: all rotations are allowed for it", {}, [] {
+  t.example("a weight vertex that is 0 beside two near ones: all rotations are allowed for it", {}, [] {
     const RefitCase c =
         by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}}, {{1, 0}, {Rational(3, 4), Rational(1, 4)}, {Rational(1, 2), Rational(1, 2)}});
     bool all_of_them = false;
@@ -270,7 +272,7 @@ PROPTEST(control_hull) {
     const RefitCase c = by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}}, whole_simplex(2));
     return holds_on_a_grid(c);
   });
-  t.example("one, two and three half-turns about perpendicular axes, and equal corners", {}, [] {
+  t.example("one, two and three half-turns about perpendicular axes, and equal weight vertices", {}, [] {
     const gen::RationalQuaternion one(1, 0, 0, 0), i(0, 1, 0, 0), j(0, 0, 1, 0), k(0, 0, 0, 1);
     return holds_on_a_grid(by_hand({one, i}, whole_simplex(2))) && holds_on_a_grid(by_hand({one, i, j}, whole_simplex(3))) &&
            holds_on_a_grid(by_hand({one, i, j, k}, whole_simplex(4))) &&

@@ -110,11 +110,11 @@ Checked check_foreign() {
   });
   changed("a vertex that is moved to the middle of its piece", "is not as the model has it",
           [&](json& d) { d["vertices"][1]["position"] = piece_of(d, 1)["reference"]["center"]; });
-  changed("a vertex with a corner's weights", "is not as the model has it", [&](json& d) {
+  changed("a vertex with a weight vertex's weights", "is not as the model has it", [&](json& d) {
     for (std::size_t v = 0; v < d["vertices"].size(); ++v) {
-      const json& corners = piece_of(d, static_cast<int>(v))["corners"];
-      if (corners.size() == 1 || d["vertices"][v]["weights"] == corners[0]) continue;
-      d["vertices"][v].update({{"weights", corners[0]}, {"corners", {0}}, {"shares", {"1"}}});
+      const json& weight_vertices = piece_of(d, static_cast<int>(v))["weight_vertices"];
+      if (weight_vertices.size() == 1 || d["vertices"][v]["weights"] == weight_vertices[0]) continue;
+      d["vertices"][v].update({{"weights", weight_vertices[0]}, {"weight_vertices", {0}}, {"shares", {"1"}}});
       return;
     }
   });

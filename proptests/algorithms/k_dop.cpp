@@ -142,7 +142,8 @@ void check_k(Suite& t) {
 template <int inner, int outer>
 void check_smaller() {
   const auto list = draw();
-  const auto less = KDop<Rational, inner>::around(list.balls), more = KDop<Rational, outer>::around(list.balls);
+  const auto less = KDop<Rational, inner>::around(list.balls);
+  const auto more = KDop<Rational, outer>::around(list.balls);
   RC_ASSERT(less.volume() <= more.volume());
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "algorithms/model/assimp_scene.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_model_of_scene {
@@ -66,8 +67,8 @@ std::unique_ptr<aiScene> scene() {
 
 std::string refusal(const aiScene& of) {
   try {
-    check_scene(of, "file");
-    model_of_scene(of, "file");
+    check_assimp_scene(of, "file");
+    model_of_scene(convert_scene(of, "file"));
   } catch (const ModelError& e) {
     return e.what();
   }
@@ -81,6 +82,7 @@ struct Broken {
 
 std::vector<Broken> broken_scenes() {
   return {
+      {[](aiScene& s) { s.mNumMeshes = 0; }, "file: has no mesh"},
       {[](aiScene& s) { s.mMeshes[0]->mNumFaces = 0; }, "mesh 'skin': is empty"},
       {[](aiScene& s) { s.mMeshes[0]->mFaces[0].mIndices[2] = 3; }, "mesh 'skin': face 0 names a vertex out of range"},
       {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mWeights[1].mVertexId = 3; },
@@ -90,6 +92,9 @@ std::vector<Broken> broken_scenes() {
       {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mWeights[1].mWeight = -1; },
        "mesh 'skin', vertex 1: weight -1.000000 is negative"},
       {[](aiScene& s) { s.mRootNode->mMeshes[0] = 2; }, "node 'root': names a mesh out of range"},
+      {[](aiScene& s) { s.mMeshes[0]->mVertices[1].y = NAN; }, "mesh 'skin': the position of vertex 1 is not finite"},
+      {[](aiScene& s) { s.mRootNode->mChildren[0]->mName = "root"; }, "node 'root': two nodes have this name"},
+      {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mOffsetMatrix.d1 = 1; }, "bone 'root': its offset matrix is not affine"},
       {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mName = "nobody"; }, "bone 'nobody': no node has this name"},
       {[](aiScene& s) { s.mRootNode->mChildren[0]->mTransformation.a1 = 0; }, "node 'plain': its transform is singular"},
       {[](aiScene& s) { s.mRootNode->mTransformation.a1 = NAN; }, "node 'root': its transform is not finite"},
@@ -97,6 +102,15 @@ std::vector<Broken> broken_scenes() {
       {[](aiScene& s) { s.mAnimations[0]->mDuration = INFINITY; }, "clip 'clip': its duration is not a time"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = NAN; }, "clip 'clip': its duration is not a time"},
       {[](aiScene& s) { s.mAnimations[0]->mChannels[1]->mNodeName = "root"; }, "clip 'clip', joint 'root': two channels move it"},
+      {[](aiScene& s) { s.mAnimations[0]->mChannels[0]->mPositionKeys[0].mValue.x = NAN; },
+       "clip 'clip', joint 'root', key 0 at 0.000000 s: not finite, or a rotation by a zero quaternion"},
+      {[](aiScene& s) {
+         aiNodeAnim& channel = *s.mAnimations[0]->mChannels[0];
+         delete[] channel.mPositionKeys;
+         channel.mNumPositionKeys = 2;
+         channel.mPositionKeys = new aiVectorKey[2]{{1, {0, 0, 0}}, {0, {0, 0, 0}}};
+       },
+       "clip 'clip', joint 'root', key 1 at 0.000000 s: keys are not in order of time"},
       {[](aiScene& s) {
          s.mRootNode->mChildren[0]->mNumMeshes = 0;
          s.mAnimations[0]->mChannels[0]->mNodeName = "nobody";
@@ -120,7 +134,7 @@ std::size_t joints_of_two_bones(double apart) {
   delete[] mesh.mBones;
   mesh.mBones = new aiBone* [2] { first, second };
   mesh.mNumBones = 2;
-  return model_of_scene(*s, "memory").joints.size();
+  return model_of_scene(convert_scene(*s, "memory")).joints.size();
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ PROPTEST(motion_bound) {
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.1, 0.5, 3.0);
             for (const Skinning skinning : all_skinnings) {
-              MotionBound reach(model, sets, skinning);
+              MotionBound motion_bound(model, sets, skinning);
               for (int frame = 0; frame < 4; ++frame) {
                 Pose pose = gen::random_pose(model, random, spread);
                 if (frame == 1) spoil_lengths(pose, random);
@@ -70,10 +70,10 @@ PROPTEST(motion_bound) {
                 if (frame == 2)
                   for (auto& joint : pose) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
                 const auto placement = random_placement(random);
-                const Box<double> box = reach.box(pose, placement),
+                const Box<double> box = motion_bound.box(pose, placement),
                                   of_vertices = box_of_vertices(model, sets, pose, skinning, placement);
                 for (const Target target : available_targets())
-                  RC_ASSERT(encloses(reach.box(pose, placement, target), of_vertices));
+                  RC_ASSERT(encloses(motion_bound.box(pose, placement, target), of_vertices));
                 if (skinning != Skinning::dual_quaternion) RC_ASSERT(std::isfinite(box.extent()));
                 if (frame == 0) RC_TAG(std::isfinite(box.extent()) ? "bounded" : "unbounded");
               }
@@ -110,10 +110,10 @@ PROPTEST(motion_bound) {
         const JointSets sets(scene.mesh);
         const Skinning skinning = gen::random_skinning(random);
         const int joints = static_cast<int>(scene.mesh.joints.size());
-        MotionBound reach(scene.mesh, sets, skinning);
+        MotionBound motion_bound(scene.mesh, sets, skinning);
         const Box<double> of_vertices = box_of_vertices(scene.mesh, sets, scene.pose, skinning, scene.placement);
         for (const Target target : available_targets()) {
-          const Box<double> box = reach.box(scene.pose, scene.placement, target);
+          const Box<double> box = motion_bound.box(scene.pose, scene.placement, target);
           RC_LOG() << scene.what;
           RC_ASSERT(encloses(box, of_vertices));
           RC_ASSERT(is_everything(box) == (skinning == Skinning::dual_quaternion && joints > most_motion_bound_joints));
@@ -147,7 +147,7 @@ PROPTEST(motion_bound) {
   t.example("a pose counts as rigid by itself only where check_pose has nothing against it", {}, [] {
     const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     const JointSets sets(model);
-    MotionBound reach(model, sets, Skinning::spherical);
+    MotionBound motion_bound(model, sets, Skinning::spherical);
     long wrong = 0, tried = 0;
     for (const double off : {0.0, 1e-7, -1e-7, 1e-6, -1e-6, 1.01e-6, -1.01e-6, 1e-5, -1e-5, 0.1, -0.1, -1.0})
       for (std::size_t joint = 0; joint < model.joints.size(); ++joint)
@@ -155,7 +155,7 @@ PROPTEST(motion_bound) {
           Pose pose = reference_pose(model);
           pose[joint].rotation *= std::sqrt(1 + off);
           bool is_rigid = false;
-          const Box<double> box = reach.box(pose, {}, is_rigid, target);
+          const Box<double> box = motion_bound.box(pose, {}, is_rigid, target);
           ++tried;
           if (is_rigid != (std::abs(off) < 5e-7)) ++wrong;
           if (is_everything(box) != (std::abs(off) > 2e-6)) ++wrong;
@@ -176,13 +176,13 @@ PROPTEST(motion_bound) {
     const JointSets sets(creature);
     bool ok = true;
     for (const Skinning skinning : all_skinnings) {
-      MotionBound reach(creature, sets, skinning);
+      MotionBound motion_bound(creature, sets, skinning);
       for (std::size_t joint = 0; joint < creature.joints.size(); ++joint) {
         Pose pose = reference_pose(creature);
         pose[joint].translation += Point3(0.3, 0.2, 0.1);
         const Box<double> of_vertices = box_of_vertices(creature, sets, pose, skinning, {});
         for (const Target target : available_targets()) {
-          const Box<double> box = reach.box(pose, {}, target);
+          const Box<double> box = motion_bound.box(pose, {}, target);
           ok = ok && encloses(box, of_vertices) && box.extent() < 1.5 * of_vertices.extent();
         }
       }
@@ -195,11 +195,11 @@ PROPTEST(motion_bound) {
     bool ok = true;
     std::string text = "sum of widths over that of the vertices' box: ";
     for (const Skinning skinning : all_skinnings) {
-      MotionBound reach(man, sets, skinning);
+      MotionBound motion_bound(man, sets, skinning);
       double bounded = 0, exact = 0;
       for (int i = 0; i < 20; ++i) {
         const Pose pose = man.clips[0].sample(i / 20.0 * man.clips[0].duration);
-        const Box<double> box = reach.box(pose, {}), of_vertices = box_of_vertices(man, sets, pose, skinning, {});
+        const Box<double> box = motion_bound.box(pose, {}), of_vertices = box_of_vertices(man, sets, pose, skinning, {});
         ok = ok && encloses(box, of_vertices);
         bounded += box.extent(), exact += of_vertices.extent();
       }
@@ -226,8 +226,8 @@ PROPTEST(motion_bound) {
     for (std::size_t j = 0; j < negated.size(); j += 2) negated[j].rotation = -negated[j].rotation;
     bool ok = true;
     for (const Skinning skinning : all_skinnings) {
-      MotionBound reach(man, sets, skinning);
-      const Box<double> box = reach.box(pose, {}), again = reach.box(negated, {});
+      MotionBound motion_bound(man, sets, skinning);
+      const Box<double> box = motion_bound.box(pose, {}), again = motion_bound.box(negated, {});
       ok = ok && (box.low - again.low).norm() < 1e-4 && (box.high - again.high).norm() < 1e-4;
     }
     return Checked(ok, 4);
@@ -248,13 +248,13 @@ PROPTEST(motion_bound) {
     const JointSets sets(model);
     long wrong = 0, tried = 0;
     for (const Skinning skinning : all_skinnings) {
-      MotionBound reach(model, sets, skinning);
+      MotionBound motion_bound(model, sets, skinning);
       for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e200, 1e30})
         for (int joint = 0; joint < 3; ++joint)
           for (int i = 0; i < 7; ++i) {
             Pose pose = reference_pose(model);
             (i < 4 ? pose[joint].rotation[i] : pose[joint].translation[i - 4]) = bad;
-            ++tried, wrong += !is_everything(reach.box(pose, {}));
+            ++tried, wrong += !is_everything(motion_bound.box(pose, {}));
           }
     }
     return Checked(wrong == 0, tried);

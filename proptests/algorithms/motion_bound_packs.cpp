@@ -58,9 +58,10 @@ struct NodeMotionBound {
         boxes(nodes.size()) {}
 
   // False if nothing is known of one.
-  bool bound(MotionBound& reach, const Pose& pose, const RigidTransform<double>& placement, Target target = best_target()) {
-    return std::isfinite(reach.box(pose, placement, target).low[0]) &&
-           reach.boxes(packs, pose, placement, scratch, boxes, target);
+  bool bound(MotionBound& motion_bound, const Pose& pose, const RigidTransform<double>& placement,
+             Target target = best_target()) {
+    return std::isfinite(motion_bound.box(pose, placement, target).low[0]) &&
+           motion_bound.boxes(packs, pose, placement, scratch, boxes, target);
   }
 };
 
@@ -85,14 +86,14 @@ PROPTEST(motion_bound_packs) {
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 1e-3, 0.1, 0.5, 1.0);
             for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-              MotionBound reach(c.mesh, c.sets, skinning);
+              MotionBound motion_bound(c.mesh, c.sets, skinning);
               for (int frame = 0; frame < 3; ++frame) {
                 Pose pose = gen::random_pose(c.mesh, random, spread);
                 if (frame == 1) spoil_lengths(pose, random);
                 const auto placement = random_placement(random);
                 const auto points = placed_vertices(c, pose, placement, skinning);
                 for (const Target target : available_targets()) {
-                  const bool is_bounded = nodes.bound(reach, pose, placement, target);
+                  const bool is_bounded = nodes.bound(motion_bound, pose, placement, target);
                   if (skinning == Skinning::linear) RC_ASSERT(is_bounded);
                   RC_TAG(is_bounded ? "bounded" : "unbounded");
                   for (std::size_t n = 0; is_bounded && n < nodes.boxes.size(); ++n)
@@ -115,11 +116,11 @@ PROPTEST(motion_bound_packs) {
         RC_ASSERT(!nodes.packs.empty());
         const int joints = static_cast<int>(scene.mesh.joints.size());
         for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-          MotionBound reach(c.mesh, c.sets, skinning);
+          MotionBound motion_bound(c.mesh, c.sets, skinning);
           const auto points = placed_vertices(c, scene.pose, scene.placement, skinning);
           for (const Target target : available_targets()) {
             RC_LOG() << scene.what;
-            RC_ASSERT(nodes.bound(reach, scene.pose, scene.placement, target));
+            RC_ASSERT(nodes.bound(motion_bound, scene.pose, scene.placement, target));
             RC_ASSERT(holds(nodes.boxes[0], points, c.vertices[0]));
             const double most = 2 * c.tree.nodes[0].reference.radius + 4 * lost_of_motion_bound * joints * scene.size + 1e-17 +
                                 1e-13 * upper_norm(scene.placement.translation);
@@ -150,8 +151,8 @@ PROPTEST(motion_bound_packs) {
             if (*rc::gen::arbitrary<bool>()) spoil_lengths(pose, random);
             for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
               const auto placement = random_placement(random);
-              MotionBound reach(c.mesh, c.sets, skinning);
-              if (!nodes.bound(reach, pose, placement)) continue;
+              MotionBound motion_bound(c.mesh, c.sets, skinning);
+              if (!nodes.bound(motion_bound, pose, placement)) continue;
               const auto points = placed_vertices(c, pose, placement, skinning);
               for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
             }
@@ -195,7 +196,7 @@ PROPTEST(motion_bound_packs) {
     model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
     const auto c = bake(std::move(model));
     NodeMotionBound nodes(c, {0});
-    MotionBound reach(c.mesh, c.sets, Skinning::spherical);
+    MotionBound motion_bound(c.mesh, c.sets, Skinning::spherical);
     const Point3 pivot(1000, 0, 0);
     bool ok = true;
     double farthest = 0;
@@ -210,8 +211,8 @@ PROPTEST(motion_bound_packs) {
           if (who != 1) pose[1].rotation *= 1 + off;
           const auto points = placed_vertices(c, pose, {}, Skinning::spherical);
           farthest = std::max(farthest, std::abs(points[0][0]));
-          reach.box(pose, {});
-          ok = ok && reach.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
+          motion_bound.box(pose, {});
+          ok = ok && motion_bound.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
                holds(nodes.boxes[0], points, c.vertices[0]) && (off != 0 || nodes.boxes[0].extent() < 1000 * angle * 1.1);
         }
     return Checked(ok && farthest > 1e-3, 27, "by up to " + std::to_string(farthest));
@@ -230,14 +231,15 @@ PROPTEST(motion_bound_packs) {
         const auto c = bake(std::move(model), {.triangles_per_leaf = 1});
         NodeMotionBound nodes(c, {0});
         for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-          MotionBound reach(c.mesh, c.sets, skinning);
+          MotionBound motion_bound(c.mesh, c.sets, skinning);
           std::mt19937 random(1);
           for (int turn = 0; turn < 20; ++turn) {
             Pose pose{{gen::random_rotation(random, 1), {0, 0, 0}}};
             pose[0].rotation *= 1 + off;
             const auto points = placed_vertices(c, pose, {}, skinning);
-            const Box<double> box = reach.box(pose, {});
-            ok = ok && holds(box, points, c.vertices[0]) && reach.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
+            const Box<double> box = motion_bound.box(pose, {});
+            ok = ok && holds(box, points, c.vertices[0]) &&
+                 motion_bound.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
                  holds(nodes.boxes[0], points, c.vertices[0]);
             ++tried;
           }
@@ -260,9 +262,9 @@ PROPTEST(motion_bound_packs) {
       for (auto& joint : pose) joint.translation *= scale;
       auto placement = random_placement(random);
       placement.translation *= scale;
-      MotionBound reach(c.mesh, c.sets, skinning);
+      MotionBound motion_bound(c.mesh, c.sets, skinning);
       const auto points = placed_vertices(c, pose, placement, skinning);
-      if (!nodes.bound(reach, pose, placement)) continue;
+      if (!nodes.bound(motion_bound, pose, placement)) continue;
       for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
     }
   });
@@ -273,15 +275,15 @@ PROPTEST(motion_bound_packs) {
     std::string text = "sum of widths over that of the vertices' boxes: ";
     bool ok = true;
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      MotionBound reach(man.mesh, man.sets, skinning);
+      MotionBound motion_bound(man.mesh, man.sets, skinning);
       std::vector<FlippedBox> scratch(count);
       std::vector<Box<double>> boxes(count);
       double exact = 0, bounded = 0;
       for (int i = 0; i < 10; ++i) {
         const Pose pose = man.clips[0].sample(i / 10.0 * man.clips[0].duration);
         const auto points = placed_vertices(man, pose, {}, skinning);
-        reach.box(pose, {});
-        ok = ok && reach.boxes(tree.wide_nodes()[0].reach, pose, {}, scratch, boxes);
+        motion_bound.box(pose, {});
+        ok = ok && motion_bound.boxes(tree.wide_nodes()[0].motion_bounds, pose, {}, scratch, boxes);
         for (int k = 0; k < count; ++k) {
           const auto vertices = tree.vertices().vertices(tree.child(0, k).cluster);
           auto box = Box<double>::empty();
@@ -321,11 +323,11 @@ PROPTEST(motion_bound_packs) {
   t.example("nothing is known of nodes between joints half a turn apart", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
     NodeMotionBound nodes(c, {0});
-    MotionBound reach(c.mesh, c.sets, Skinning::spherical);
+    MotionBound motion_bound(c.mesh, c.sets, Skinning::spherical);
     Pose pose(c.mesh.joints.size());
-    const bool at_rest = nodes.bound(reach, pose, {});
+    const bool at_rest = nodes.bound(motion_bound, pose, {});
     for (std::size_t j = 1; j < pose.size(); j += 2) pose[j].rotation = {0, 1, 0, 0};
-    return at_rest && !nodes.bound(reach, pose, {});
+    return at_rest && !nodes.bound(motion_bound, pose, {});
   });
   t.example("pieces of too many joints or too far away have no packs", {}, [] {
     SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});

@@ -2,9 +2,9 @@
 // The slack for rounding: that its rates are at least what the code's own operations can be off by, and not much more;
 // that the scales they are multiplied by bound what they claim to; and that no ball misses, in awkward cases.
 //
-// The rates are compared with running error bounds of the same templates. In the rates, what corners and blends are off
-// by turns a vertex once (palette_rounding.hpp); a running error would follow it into every product. So the templates run on
-// blends as they stand, and the blends' share is added by hand.
+// The rates are compared with running error bounds of the same templates. In the rates, what weight vertices and blends
+// are off by turns a vertex once (palette_rounding.hpp); a running error would follow it into every product. So the
+// templates run on blends as they stand, and the blends' share is added by hand.
 #include <algorithm>
 #include <cstdio>
 #include <random>
@@ -173,21 +173,21 @@ Checked check_dual_quaternion_vertex() {
 }
 
 RoundingRates<double> difference(const PaletteRounding<double>& r) {
-  return {r.corners.per_length - r.vertex.per_length, 0, r.corners.offset - r.vertex.offset};
+  return {r.weight_vertices.per_length - r.vertex.per_length, 0, r.weight_vertices.offset - r.vertex.offset};
 }
 
-// Simplices of near corners of unit length: emits their control balls by way of the halving code.
-template <class Piece, class Corner, class MakeCorner>
-std::vector<Ball3<Running>> control_balls_of(Piece piece, double distance, Draw& draw, MakeCorner make) {
+// Simplices of near weight vertices of unit length: emits their control balls by way of the halving code.
+template <class Piece, class WeightVertex, class MakeWeightVertex>
+std::vector<Ball3<Running>> control_balls_of(Piece piece, double distance, Draw& draw, MakeWeightVertex make) {
   ControlLists<Running> lists;
-  std::vector<Corner> corners;
+  std::vector<WeightVertex> weight_vertices;
   const Quaternion<Running> first = draw.unit();
-  for (int k = 0; k < 3; ++k) corners.push_back(make(draw.near(first, distance)));
-  ControlHull<Piece>(piece, corners, lists).cover(3, 0);
+  for (int k = 0; k < 3; ++k) weight_vertices.push_back(make(draw.near(first, distance)));
+  ControlHull<Piece>(piece, weight_vertices, lists).cover(3, 0);
   return lists.cap.balls;
 }
 
-Checked check_spherical_corners() {
+Checked check_spherical_weight_vertices() {
   Draw draw;
   Share share(0.5);
   for (int i = 0; i < samples / 4; ++i) {
@@ -195,11 +195,11 @@ Checked check_spherical_corners() {
     double size = 0;
     const auto balls = control_balls_of<SphericalPiece<Running>, BlendedJoints<Running>>(
         SphericalPiece<Running>(x, Running(0)), i % 2 ? 0.1 : 0.7, draw, [&](const Quaternion<Running>& q) {
-          const BlendedJoints<Running> corner{q, draw.point() * Running(i % 3)};
-          size = std::max(size, length(corner.center_image));
-          return corner;
+          const BlendedJoints<Running> weight_vertex{q, draw.point() * Running(i % 3)};
+          size = std::max(size, length(weight_vertex.center_image));
+          return weight_vertex;
         });
-    // x is off by 1; corners by n + 4, which turns twice that, allowed for thrice.
+    // x is off by 1; weight vertices by n + 4, which turns twice that, allowed for thrice.
     const double allowance = left(difference(rounding_spherical(scales(1, size))), length(x), 1 + 3 * 5, 5, size);
     for (const auto& b : balls) share.see(error_length(b.center), allowance, size == 0);
   }
@@ -229,7 +229,7 @@ Checked check_cap() {
   return share.checked();
 }
 
-Checked check_dual_quaternion_corners() {
+Checked check_dual_quaternion_weight_vertices() {
   Draw draw;
   Share share(0.5);
   for (int i = 0; i < samples / 4; ++i) {
@@ -282,7 +282,7 @@ void check_scales() {
     const Rational least = sq(Rational(1) / as_rational(scales.inverse_blend));
     RC_ASSERT(least >= Rational(least_squared_length<double>()) * Rational(0.999));
     if (least <= Rational(least_squared_length<double>())) continue;  // nothing is claimed of smaller blends
-    std::vector<std::vector<Rational>> weights = c.sets[s].weights.corners;
+    std::vector<std::vector<Rational>> weights = c.sets[s].weights.vertices;
     weights.push_back(std::vector<Rational>(n, Rational(1) / Rational(long(n))));
     weights.push_back(*gen::convex_weights(static_cast<int>(n)));
     for (const auto& w : weights) {
@@ -339,7 +339,7 @@ Checked check_nodes() {
         const Ball3<double>& reference = node.piece_reference(i);
         const bool is_alone = reference.radius == 0 && set.weight_vertex_count == 1;
         const PaletteRounding<double>& rounding = palette.rounding(set.joint_set, variant.skinning);
-        const RoundingRates<double>& rates = is_alone ? rounding.vertex : rounding.corners;
+        const RoundingRates<double>& rates = is_alone ? rounding.vertex : rounding.weight_vertices;
         const Point3 origin = variant.skinning == Skinning::spherical ? palette.rotation_center(set.joint_set) : Point3(0, 0, 0);
         const double length = (reference.center - origin).norm() + reference.radius;
         too_little += added < 0.999 * (rates.per_length * length + rates.per_radius * reference.radius + rates.offset);
@@ -383,11 +383,11 @@ PROPTEST(palette_rounding) {
   t.example("a vertex under linear blending is off by no more than its rate, and by half", options, check_linear_vertex);
   t.example("a vertex under dual quaternion blending is off by no more than its rate, and by half", options,
             check_dual_quaternion_vertex);
-  t.example("control points of degree 3 are off by no more than the corners' rate, and by half", options,
-            check_spherical_corners);
-  t.example("a cap's center and radius are off by no more than the corners' rate", options, check_cap);
-  t.example("control points of dual quaternions are off by no more than the corners' rate, and by half", options,
-            check_dual_quaternion_corners);
+  t.example("control points of degree 3 are off by no more than the weight vertices' rate, and by half", options,
+            check_spherical_weight_vertices);
+  t.example("a cap's center and radius are off by no more than the weight vertices' rate", options, check_cap);
+  t.example("control points of dual quaternions are off by no more than the weight vertices' rate, and by half", options,
+            check_dual_quaternion_weight_vertices);
   t.example("a measured radius is off by no more than it is raised", options, check_measured_radius);
   t.holds("the scales of a palette bound its lengths, its defects and all of its blends",
           {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, check_scales);

@@ -37,18 +37,18 @@ struct Rig {
 
 oracle::Row exact(std::span<const double> w) { return {w.begin(), w.end()}; }
 
-std::vector<oracle::Row> corners_of(const RefitNode<double>& node, const NodePiece& piece) {
+std::vector<oracle::Row> weight_vertices_of(const RefitNode<double>& node, const NodePiece& piece) {
   std::vector<oracle::Row> rows;
-  for (int k = 0; k < piece.weight_vertex_count; ++k) rows.push_back(exact(node.corner(piece, k)));
+  for (int k = 0; k < piece.weight_vertex_count; ++k) rows.push_back(exact(node.weight_vertex(piece, k)));
   return rows;
 }
 
-// Exactly. For more than four weights a simplex search is too slow: there the corners are rows, or those of a weight
-// box.
-bool in_hull(const std::vector<oracle::Row>& corners, const oracle::Row& w) {
-  if (w.size() <= 4 || std::find(corners.begin(), corners.end(), w) != corners.end())
-    return oracle::as_convex_combination(corners, w).has_value();
-  const auto box = oracle::bounds_around(corners);
+// Exactly. For more than four weights a simplex search is too slow: there the weight vertices are rows, or those of a
+// weight box.
+bool in_hull(const std::vector<oracle::Row>& weight_vertices, const oracle::Row& w) {
+  if (w.size() <= 4 || std::find(weight_vertices.begin(), weight_vertices.end(), w) != weight_vertices.end())
+    return oracle::as_convex_combination(weight_vertices, w).has_value();
+  const auto box = oracle::bounds_around(weight_vertices);
   for (std::size_t i = 0; i < w.size(); ++i)
     if (w[i] < box.low[i] || box.high[i] < w[i]) return false;
   return true;
@@ -81,7 +81,7 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOpt
     for (const auto& set : simple.pieces)
       if (most_pieces == 1 && set.joint_set == node.pieces[i].joint_set &&
           node.pieces[i].weight_vertex_count > set.weight_vertex_count)
-        return "more corners than the weight box";
+        return "more weight vertices than the weight box";
   }
   const std::size_t step = std::max<std::size_t>(1, of_node.size() / most);
   for (std::size_t i = 0; i < of_node.size(); i += step) {
@@ -89,14 +89,14 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOpt
     bool covered = false;
     for (std::size_t p = 0; p < node.pieces.size() && !covered; ++p)
       covered = node.pieces[p].joint_set == rig.sets.of_vertex(v) && in_ball(node.piece_reference(p), rig.mesh.vertices[v]) &&
-                in_hull(corners_of(node, node.pieces[p]), exact(rig.sets.weights(v)));
+                in_hull(weight_vertices_of(node, node.pieces[p]), exact(rig.sets.weights(v)));
     if (!covered) return "vertex " + std::to_string(v) + " is in no piece";
   }
   return "";
 }
 
 // Pieces with and without vertices in place of the cheap ones: which of a node's pieces are listed vertex by vertex has to
-// follow from their vertices and corners alone. Counts the pieces of both kinds.
+// follow from their vertices and weight vertices alone. Counts the pieces of both kinds.
 struct Listed {
   std::string wrong;
   long listed = 0, kept = 0;
@@ -124,14 +124,15 @@ void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mi
       for (const int v : own)
         if (!find([&](const NodePiece& single, const Ball3<double>& reference) {
               return single.joint_set == piece.joint_set && single.weight_vertex_count == 1 && reference.radius == 0 &&
-                     reference.center == rig.mesh.vertices[v] && exact(after.corner(single, 0)) == exact(rig.sets.weights(v));
+                     reference.center == rig.mesh.vertices[v] &&
+                     exact(after.weight_vertex(single, 0)) == exact(rig.sets.weights(v));
             }))
           out.wrong = "vertex " + std::to_string(v) + " is not listed";
     } else {
       ++out.kept;
       if (!find([&](const NodePiece& same, const Ball3<double>& reference) {
             return same.joint_set == piece.joint_set && reference.radius == before.piece_reference(i).radius &&
-                   corners_of(after, same) == corners_of(before, piece);
+                   weight_vertices_of(after, same) == weight_vertices_of(before, piece);
           }))
         out.wrong = "a piece of many vertices was changed";
     }
@@ -158,7 +159,7 @@ Rig rig_of(const std::vector<Vertex>& vertices, int joints) {
   return Rig(std::move(m), {.triangles_per_leaf = 1 << 20});
 }
 
-// Of a piece at the root: its joint-set, its radius, how far its corners' first weights are apart.
+// Of a piece at the root: its joint-set, its radius, how far its weight vertices' first weights are apart.
 struct RootPiece {
   std::vector<int> joints;
   double radius, weight_range;
@@ -170,8 +171,8 @@ std::vector<RootPiece> root_pieces(const Rig& rig, const PieceOptions& options) 
   for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     double low = 1, high = 0;
     for (int k = 0; k < node.pieces[i].weight_vertex_count; ++k) {
-      low = std::min(low, node.corner(node.pieces[i], k)[0]);
-      high = std::max(high, node.corner(node.pieces[i], k)[0]);
+      low = std::min(low, node.weight_vertex(node.pieces[i], k)[0]);
+      high = std::max(high, node.weight_vertex(node.pieces[i], k)[0]);
     }
     const auto joints = rig.sets.joints(node.pieces[i].joint_set);
     out.push_back({{joints.begin(), joints.end()}, node.piece_reference(i).radius, high - low});
@@ -304,7 +305,7 @@ PROPTEST(pieces) {
         if (rig.sets.joints(piece.joint_set).size() == 1) continue;
         double low = 1, high = 0;
         for (int k = 0; k < piece.weight_vertex_count; ++k)
-          low = std::min(low, node.corner(piece, k)[widest]), high = std::max(high, node.corner(piece, k)[widest]);
+          low = std::min(low, node.weight_vertex(piece, k)[widest]), high = std::max(high, node.weight_vertex(piece, k)[widest]);
         good = good && high - low < 0.1;
       }
     }
@@ -323,7 +324,8 @@ PROPTEST(pieces) {
     return Checked(good, 4);
   });
   t.example("what is better listed by its vertices is not split, but counts as a piece", {}, [] {
-    // Three blended vertices, far apart, against the four control points of their two corners, twice; and a rigid ring.
+    // Three blended vertices, far apart, against the four control points of their two weight vertices, twice; and a
+    // rigid ring.
     std::vector<Vertex> vertices = ring_and_row(1, 0, 0);
     vertices.resize(16);
     for (int k = 0; k < 3; ++k) vertices.push_back({{-50. + 50 * k, 0, 0}, blended(1 + k, 4)});

@@ -56,16 +56,16 @@ std::size_t control_point_count(std::size_t m) { return m * (m + 1) / 2; }
 
 std::size_t without_halving(const RefitCase& c) {
   std::size_t sum = 0;
-  for (const auto& set : c.sets) sum += set.weights.corners.size() == 1 ? 1 : control_point_count(set.weights.corners.size());
+  for (const auto& set : c.sets) sum += set.weights.vertices.size() == 1 ? 1 : control_point_count(set.weights.vertices.size());
   return sum;
 }
 
-// A joint-set's corners blend to 0 somewhere, by a slow search; nothing if it has too many for it.
+// A joint-set's weight vertices blend to 0 somewhere, by a slow search; nothing if it has too many for it.
 std::optional<bool> may_vanish(const gen::SetCase& set) {
-  std::vector<gen::RationalQuaternion> corners;
-  for (const auto& w : set.weights.corners) corners.push_back(blend_quaternion<Rational>(set.palette, w));
-  if (corners.size() > 8) return std::nullopt;
-  return squared_norm(combine<Rational, 4>(nearest_point_coefficients<4>(corners), corners)) == 0;
+  std::vector<gen::RationalQuaternion> weight_vertices;
+  for (const auto& w : set.weights.vertices) weight_vertices.push_back(blend_quaternion<Rational>(set.palette, w));
+  if (weight_vertices.size() > 8) return std::nullopt;
+  return squared_norm(combine<Rational, 4>(nearest_point_coefficients<4>(weight_vertices), weight_vertices)) == 0;
 }
 
 void check_hull() {
@@ -108,8 +108,9 @@ void check_double() {
     if (const auto v = gen::skinned(c, sample, Blending::dual_quaternion)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
-// Dual quaternions as corners, of any length and not of unit norm: what a node's corners never are all at once.
-DualQuaternionBlend<Rational> any_corners() {
+// Dual quaternions as weight vertices, of any length and not of unit norm: what a node's weight vertices never are all
+// at once.
+DualQuaternionBlend<Rational> any_weight_vertices() {
   const auto blend = (*gen::blend_case(*rc::gen::element(gen::Spread::any, gen::Spread::positive), 4)).blend;
   DualQuaternionBlend<Rational> out{blend.rotations, {}, blend.x};
   for (std::size_t k = 0; k < out.rotations.size(); ++k) out.duals.push_back(*gen::rational_vector<4>());
@@ -123,8 +124,8 @@ RefitCase by_hand(const std::vector<gen::RationalTransform>& joints) {
   place_rotation_center<Rational>(set.palette, RationalVec<3>(0, 0, 0));
   place_duals(set.palette);
   const std::size_t n = joints.size();
-  set.weights.corners.assign(n, std::vector<Rational>(n, Rational(0)));
-  for (std::size_t i = 0; i < n; ++i) set.weights.corners[i][i] = 1;
+  set.weights.vertices.assign(n, std::vector<Rational>(n, Rational(0)));
+  for (std::size_t i = 0; i < n; ++i) set.weights.vertices[i][i] = 1;
   return {{RationalVec<3>(1, 2, 3), Rational(1, 2)}, {set}};
 }
 
@@ -161,14 +162,14 @@ Checked measure_tightness() {
     for (const auto& a : palette.transforms)
       for (const auto& b : palette.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
     if (!near) continue;
-    std::vector<double> corners;
+    std::vector<double> weight_vertices;
     for (int k = 0; k < n; ++k)
-      for (int i = 0; i < n; ++i) corners.push_back(i == k);
+      for (int i = 0; i < n; ++i) weight_vertices.push_back(i == k);
     SkinningPalette<double> frame;
     frame.push_back(palette);
     const NodePiece set{0, 0, n};
     const Ball3<double> reference{2 * vector(), 0};
-    const RefitNode<double> node{reference, {&set, 1}, corners.data(), frame};
+    const RefitNode<double> node{reference, {&set, 1}, weight_vertices.data(), frame};
     ControlLists<double> lists;
     const double bound = refit_dual_quaternion<SmallestBalls>(node, lists).radius;
     std::vector<Point3> positions;
@@ -231,13 +232,13 @@ PROPTEST(refit_dual_quaternion) {
             for (const auto& b : balls) RC_ASSERT(b.radius == c.reference.radius);
             assert_holds(c, balls, Verdict::holds);
           });
-  t.holds("halving ends: at most 16 m (m + 1) / 2 balls for m corners, all of them finite, or one ball of all of space",
+  t.holds("halving ends: at most 16 m (m + 1) / 2 balls for m weight vertices, all of them finite, or one ball of all of space",
           {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
             const RefitCase c = *gen::refit_case(gen::Turns::any);
             RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
             const auto balls = balls_of<double>(c);
             std::size_t most = 0;
-            for (const auto& set : c.sets) most += 16 * control_point_count(set.weights.corners.size());
+            for (const auto& set : c.sets) most += 16 * control_point_count(set.weights.vertices.size());
             for (const auto& b : balls) RC_ASSERT(b.center.allFinite() && b.radius >= 0);
             if (balls.size() == 1) return;
             RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
@@ -264,14 +265,14 @@ PROPTEST(refit_dual_quaternion) {
   t.holds("without any halving the fallback holds every vertex, or says that there is no bound",
           {.number_type = "multiprecision interval", .cases = 300}, [] {
             using S = MultiprecisionInterval;
-            const auto blend = any_corners();
+            const auto blend = any_weight_vertices();
             const std::size_t m = blend.weight_vertex_count();
             ControlLists<S> lists;
             for (std::size_t k = 0; k < m; ++k)
-              lists.dual_corners.push_back({lift<S>(blend.rotations[k]), lift<S>(blend.duals[k])});
+              lists.dual_weight_vertices.push_back({lift<S>(blend.rotations[k]), lift<S>(blend.duals[k])});
             DualQuaternionPiece<S> piece(lift<S>(blend.point), S(0));
-            ControlHull(piece, lists.dual_corners, lists).cover(m, 0);
-            RC_ASSERT(lists.dual_corners.empty() && piece.is_bounded() == !lists.cap.balls.empty());
+            ControlHull(piece, lists.dual_weight_vertices, lists).cover(m, 0);
+            RC_ASSERT(lists.dual_weight_vertices.empty() && piece.is_bounded() == !lists.cap.balls.empty());
             RC_CLASSIFY(!piece.is_bounded(), "no bound");
             RC_CLASSIFY(piece.is_bounded() && lists.cap.balls.size() == 1 && m > 1, "fallback");
             if (!piece.is_bounded()) {
@@ -301,13 +302,13 @@ PROPTEST(refit_dual_quaternion) {
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { check_double<SmallestBalls>(); });
 
-  t.example("the fallback finds an axis where the corners' mean is behind one, and its ball has all of r", {}, [] {
+  t.example("the fallback finds an axis where the weight vertices' mean is behind one, and its ball has all of r", {}, [] {
     const Quaternion<double> ahead(1, 0, 0, 0), behind(-1, 0.5, 0, 0), still(0, 0, 0, 0);
     const auto ball = [&](double radius) {
       ControlLists<double> lists;
-      lists.dual_corners = {{ahead, still}, {ahead, still}, {behind, still}};
+      lists.dual_weight_vertices = {{ahead, still}, {ahead, still}, {behind, still}};
       DualQuaternionPiece<double> piece(Point3(0, 1, 0), radius);
-      ControlHull(piece, lists.dual_corners, lists).cover(3, 0);
+      ControlHull(piece, lists.dual_weight_vertices, lists).cover(3, 0);
       return piece.is_bounded() && lists.cap.balls.size() == 1 ? lists.cap.balls[0].radius : -1;
     };
     return ball(0) > 0 && std::abs(ball(5) - ball(0) - 5) < 1e-12;
@@ -318,11 +319,11 @@ PROPTEST(refit_dual_quaternion) {
   t.example("opposite quaternions: no ball holds the vertices near a blend of 0", {}, [=] {
     return is_all_of_space(by_hand({{one, none}, {-one, aside}})) && is_all_of_space(by_hand({{one, none}, {-one, none}}));
   });
-  t.example("a corner that is 0 beside another: no ball either; by itself it is no rotation", {}, [=] {
+  t.example("a weight vertex that is 0 beside another: no ball either; by itself it is no rotation", {}, [=] {
     RefitCase c = by_hand({{one, none}, {-one, aside}});
-    c.sets[0].weights.corners = {{1, 0}, {Rational(1, 2), Rational(1, 2)}};
+    c.sets[0].weights.vertices = {{1, 0}, {Rational(1, 2), Rational(1, 2)}};
     const bool beside = is_all_of_space(c);
-    c.sets[0].weights.corners = {{Rational(1, 2), Rational(1, 2)}};
+    c.sets[0].weights.vertices = {{Rational(1, 2), Rational(1, 2)}};
     return beside && is_all_of_space(c);
   });
   t.example("a piece without a bound takes the other pieces with it", {}, [=] {
@@ -331,10 +332,10 @@ PROPTEST(refit_dual_quaternion) {
     c.sets.push_back(c.sets[0]);
     return is_all_of_space(c);
   });
-  t.example("two half-turns are bounded, and equal corners add nothing new", {.number_type = "rational"}, [=] {
+  t.example("two half-turns are bounded, and equal weight vertices add nothing new", {.number_type = "rational"}, [=] {
     RefitCase c = by_hand({{one, none}, {i, aside}});
     const auto balls = balls_of<Rational>(c);
-    c.sets[0].weights.corners = {{1, 0}, {1, 0}, {0, 1}};
+    c.sets[0].weights.vertices = {{1, 0}, {1, 0}, {0, 1}};
     bool known = true;
     for (const auto& b : balls_of<Rational>(c)) {
       bool found = false;

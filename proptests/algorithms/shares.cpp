@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shares: whatever is a mixture of corners has shares that make it, and nothing else has.
+// Shares: whatever is a mixture of weight vertices has shares that make it, and nothing else has.
 #include "algorithms/certificate/shares.hpp"
 
 #include <random>
@@ -30,7 +30,7 @@ Row random_weights(std::mt19937& random, std::size_t n) {
 std::vector<std::span<const double>> spans(const std::vector<Row>& rows) { return {rows.begin(), rows.end()}; }
 
 // The shares are above 0, without a common divisor, as few as there are weights, and make the weights exactly.
-bool make(const Shares& s, const std::vector<Row>& corners, const Row& weights) {
+bool make(const Shares& s, const std::vector<Row>& weight_vertices, const Row& weights) {
   if (s.places.empty() || s.places.size() != s.shares.size() || s.places.size() > weights.size()) return false;
   Rational sum(0);
   CGAL::Gmpz divisor(0);
@@ -42,7 +42,7 @@ bool make(const Shares& s, const std::vector<Row>& corners, const Row& weights) 
   if (divisor != 1) return false;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     Rational mixed(0);
-    for (std::size_t k = 0; k < s.places.size(); ++k) mixed += s.shares[k] * Rational(corners.at(s.places[k])[i]);
+    for (std::size_t k = 0; k < s.places.size(); ++k) mixed += s.shares[k] * Rational(weight_vertices.at(s.places[k])[i]);
     if (mixed != sum * Rational(weights[i])) return false;
   }
   return true;
@@ -53,11 +53,11 @@ void check_hulls() {
   const std::size_t n = *rc::gen::inRange<std::size_t>(1, 8), m = *rc::gen::inRange<std::size_t>(1, 20);
   std::vector<Row> rows;
   for (std::size_t k = 0; k < m; ++k) rows.push_back(random_weights(random, n));
-  const std::vector<Row> corners = weight_polytope(spans(rows));
-  RC_CLASSIFY(corners.size() < n, "degenerate");
+  const std::vector<Row> weight_vertices = weight_polytope(spans(rows));
+  RC_CLASSIFY(weight_vertices.size() < n, "degenerate");
   for (const Row& w : rows) {
-    const auto found = find_shares(spans(corners), w);
-    RC_ASSERT(found && make(*found, corners, w));
+    const auto found = find_shares(spans(weight_vertices), w);
+    RC_ASSERT(found && make(*found, weight_vertices, w));
   }
   // Without it, a row that is beyond all others in some direction is outside.
   std::vector<Row> others = rows;
@@ -77,20 +77,21 @@ void check_hulls() {
 }  // namespace
 
 PROPTEST(shares) {
-  t.holds("weights have shares of the corners that hold them, exactly, and none of corners that do not",
+  t.holds("weights have shares of the weight vertices that hold them, exactly, and none of weight vertices that do not",
           {.number_type = "double against rational", .cases = 200}, check_hulls);
-  t.example("a corner is itself; a mixture of two has their shares in whole numbers", {}, [] {
-    const std::vector<Row> corners{{1, 0}, {0.25, 0.75}};
-    const auto corner = find_shares(spans(corners), corners[1]), mixed = find_shares(spans(corners), Row{0.5, 0.5});
-    return corner->places == std::vector<std::size_t>{1} && corner->shares == std::vector<Rational>{1} &&
+  t.example("a weight vertex is itself; a mixture of two has their shares in whole numbers", {}, [] {
+    const std::vector<Row> weight_vertices{{1, 0}, {0.25, 0.75}};
+    const auto weight_vertex = find_shares(spans(weight_vertices), weight_vertices[1]),
+               mixed = find_shares(spans(weight_vertices), Row{0.5, 0.5});
+    return weight_vertex->places == std::vector<std::size_t>{1} && weight_vertex->shares == std::vector<Rational>{1} &&
            mixed->places == std::vector<std::size_t>{0, 1} && mixed->shares == std::vector<Rational>{1, 2};
   });
   t.example("weights one grain beyond an edge have none", {}, [] {
-    const std::vector<Row> corners{{0.5, 0.5, 0}, {0.5, 0, 0.5}};
+    const std::vector<Row> weight_vertices{{0.5, 0.5, 0}, {0.5, 0, 0.5}};
     const double grain = 0x1p-24;
-    return find_shares(spans(corners), Row{0.5, 0.25, 0.25}) &&
-           !find_shares(spans(corners), Row{0.5 - grain, 0.25 + grain, 0.25}) &&
-           !find_shares(spans(corners), Row{0.5, 0.5 + grain, -grain});
+    return find_shares(spans(weight_vertices), Row{0.5, 0.25, 0.25}) &&
+           !find_shares(spans(weight_vertices), Row{0.5 - grain, 0.25 + grain, 0.25}) &&
+           !find_shares(spans(weight_vertices), Row{0.5, 0.5 + grain, -grain});
   });
 }
 

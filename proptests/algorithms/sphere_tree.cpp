@@ -96,7 +96,7 @@ std::vector<oracle::ExactWeights> rows_of(const SphereTree& tree, const NodePiec
   return rows;
 }
 
-// The joint-sets of a node are those of its vertices, and their corners those of the vertices' weight bounds.
+// The joint-sets of a node are those of its vertices, and their weight vertices those of the vertices' weight bounds.
 std::string weight_fault(const SphereTree& tree, const SkinnedMesh& model, const JointSets& sets) {
   for (const TreeNode& n : tree.nodes) {
     std::map<int, std::vector<oracle::ExactWeights>> weights;
@@ -111,10 +111,11 @@ std::string weight_fault(const SphereTree& tree, const SkinnedMesh& model, const
       const auto& own = weights[set.joint_set];
       const auto bounds = oracle::bounds_around(own);
       const auto rows = rows_of(tree, set, own[0].size());
-      const auto corners = oracle::corners(bounds);
-      if (corners.size() > weight_vertex_limit ? rows != low_bound_simplex(bounds)
-                                               : rows.size() != corners.size() || std::set(rows.begin(), rows.end()) != corners)
-        return "corners";
+      const auto weight_vertices = oracle::weight_vertices(bounds);
+      if (weight_vertices.size() > weight_vertex_limit
+              ? rows != low_bound_simplex(bounds)
+              : rows.size() != weight_vertices.size() || std::set(rows.begin(), rows.end()) != weight_vertices)
+        return "weight_vertices";
     }
   }
   return "";
@@ -195,7 +196,7 @@ PROPTEST(sphere_tree) {
             const SkinnedMesh model = gen::make_mesh(plan);
             RC_ASSERT(ball_fault(build_sphere_tree(model, JointSets(model), draw_options()), model) == "");
           });
-  t.holds("the joint-sets of a node are those of its vertices, with all corners of their weights' bounds",
+  t.holds("the joint-sets of a node are those of its vertices, with all weight vertices of their weights' bounds",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");

@@ -69,7 +69,7 @@ std::vector<oracle::Row> exact(const Rows& rows) {
   return out;
 }
 
-Rows box_corners(const Rows& rows) {
+Rows box_weight_vertices(const Rows& rows) {
   const auto bounds = oracle::bounds_around(exact(rows));
   WeightBounds<double> box;
   for (const auto& x : bounds.low) box.low.push_back(CGAL::to_double(x));
@@ -77,13 +77,14 @@ Rows box_corners(const Rows& rows) {
   return weight_vertices_or_simplex(box);
 }
 
-// By trying simplices, or down along the box where the corners are the box's.
-bool covers(const Rows& corners, const Rows& rows, const oracle::Row& w) {
-  const auto list = exact(corners);
+// By trying simplices, or down along the box where the weight vertices are the box's.
+bool covers(const Rows& weight_vertices, const Rows& rows, const oracle::Row& w) {
+  const auto list = exact(weight_vertices);
   if (w.size() <= 4 || std::find(list.begin(), list.end(), w) != list.end())
     return oracle::as_convex_combination(list, w).has_value();
-  for (const auto& [corner, coefficient] : oracle::as_combination_of_corners(oracle::bounds_around(exact(rows)), w))
-    if (std::find(list.begin(), list.end(), corner) == list.end()) return false;
+  for (const auto& [weight_vertex, coefficient] :
+       oracle::as_combination_of_weight_vertices(oracle::bounds_around(exact(rows)), w))
+    if (std::find(list.begin(), list.end(), weight_vertex) == list.end()) return false;
   return true;
 }
 
@@ -91,23 +92,24 @@ bool covers(const Rows& corners, const Rows& rows, const oracle::Row& w) {
 
 PROPTEST(weight_hull) {
   const Options options{.number_type = "rational", .cases = 500, .degenerate_at_least = 0.5};
-  t.holds("every row is a convex combination of the corners, exactly, and the corners are convex weights", options, [] {
-    const Weights w = draw(6);
-    RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-    const Rows corners = weight_polytope(w.spans());
-    for (const auto& row : exact(w.rows)) RC_ASSERT(covers(corners, w.rows, row));
-    for (const auto& c : exact(corners)) RC_ASSERT(is_convex<Rational>(c) == Verdict::holds);
-  });
+  t.holds("every row is a convex combination of the weight vertices, exactly, and the weight vertices are convex weights",
+          options, [] {
+            const Weights w = draw(6);
+            RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
+            const Rows weight_vertices = weight_polytope(w.spans());
+            for (const auto& row : exact(w.rows)) RC_ASSERT(covers(weight_vertices, w.rows, row));
+            for (const auto& c : exact(weight_vertices)) RC_ASSERT(is_convex<Rational>(c) == Verdict::holds);
+          });
   t.holds(
-      "there are never more corners than those of the box, nor than distinct rows, of which they are for up to four "
+      "there are never more weight vertices than those of the box, nor than distinct rows, of which they are for up to four "
       "weights",
       options, [] {
         const Weights w = draw(6);
         RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-        const Rows corners = weight_polytope(w.spans()), box = box_corners(w.rows);
+        const Rows weight_vertices = weight_polytope(w.spans()), box = box_weight_vertices(w.rows);
         const std::set<std::vector<double>> distinct(w.rows.begin(), w.rows.end());
-        RC_ASSERT(corners.size() <= box.size());
-        RC_ASSERT(corners.size() <= distinct.size());
+        RC_ASSERT(weight_vertices.size() <= box.size());
+        RC_ASSERT(weight_vertices.size() <= distinct.size());
         for (const auto& c : extreme_rows(w.spans())) RC_ASSERT(distinct.count(c) == 1u);
       });
   t.holds("of up to three weights, and of four that span space, no extreme row is a combination of the others", options, [] {
@@ -132,24 +134,25 @@ PROPTEST(weight_hull) {
             std::rotate(w.rows.begin(), w.rows.begin() + 1, w.rows.end());
             RC_ASSERT(extreme_rows(w.spans()) == found);
           });
-  t.holds("the corners are the extreme rows unless the box has fewer: of as many, the extreme rows, which are tighter",
+  t.holds("the weight vertices are the extreme rows unless the box has fewer: of as many, the extreme rows, which are tighter",
           {.number_type = "double", .cases = 500, .degenerate_at_least = 0.5, .tags_at_least = {{"as many", 0.1}, {"box", 0.02}}},
           [] {
             const Weights w = draw(6);
             RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-            const Rows extreme = extreme_rows(w.spans()), box = box_corners(w.rows);
+            const Rows extreme = extreme_rows(w.spans()), box = box_weight_vertices(w.rows);
             RC_CLASSIFY(extreme.size() == box.size(), "as many");
             RC_CLASSIFY(box.size() < extreme.size(), "box");
             RC_ASSERT(weight_polytope(w.spans()) == (extreme.size() <= box.size() ? extreme : box));
           });
-  t.example("of as many corners as the box has, the rows are kept: a triangle across a box of three corners", {}, [] {
-    const Rows rows{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.375, 0.25, 0.375}};
-    const std::vector<std::span<const double>> spans(rows.begin(), rows.end());
-    const Rows corners = weight_polytope(spans), box = box_corners(rows);
-    return corners.size() == 3 && box.size() >= 3 &&
-           std::set(corners.begin(), corners.end()) == std::set(rows.begin(), rows.end());
-  });
-  t.example("a triangle inside its box keeps its three corners; a full box of rows keeps the fewer ones", {}, [] {
+  t.example("of as many weight vertices as the box has, the rows are kept: a triangle across a box of three weight vertices", {},
+            [] {
+              const Rows rows{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.375, 0.25, 0.375}};
+              const std::vector<std::span<const double>> spans(rows.begin(), rows.end());
+              const Rows weight_vertices = weight_polytope(spans), box = box_weight_vertices(rows);
+              return weight_vertices.size() == 3 && box.size() >= 3 &&
+                     std::set(weight_vertices.begin(), weight_vertices.end()) == std::set(rows.begin(), rows.end());
+            });
+  t.example("a triangle inside its box keeps its three weight vertices; a full box of rows keeps the fewer ones", {}, [] {
     const Rows triangle{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}, {0.375, 0.375, 0.25}};
     const Rows segment{{0.25, 0.75}, {0.5, 0.5}, {0.75, 0.25}};
     const std::vector<std::span<const double>> a(triangle.begin(), triangle.end()), b(segment.begin(), segment.end());

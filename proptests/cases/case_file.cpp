@@ -45,11 +45,11 @@ SyntheticSet read_set(const Fields& f, const Ball3<Rational>& reference) {
   set.bounds = f.bounds("bounds");
   if (set.bounds.low.size() != n)
     f.fail("bounds", "are of " + std::to_string(set.bounds.low.size()) + " weights, the transforms of " + std::to_string(n));
-  constexpr std::size_t most_corners = 100000;
-  auto corners = enumerate_weight_vertices(set.bounds, most_corners);
-  if (!corners) f.fail("bounds", "have more than " + std::to_string(most_corners) + " corners");
-  set.corners = std::move(*corners);
-  if (set.corners.empty()) f.fail("bounds", "let no weights through");
+  constexpr std::size_t most_weight_vertices = 100000;
+  auto weight_vertices = enumerate_weight_vertices(set.bounds, most_weight_vertices);
+  if (!weight_vertices) f.fail("bounds", "have more than " + std::to_string(most_weight_vertices) + " weight vertices");
+  set.weight_vertices = std::move(*weight_vertices);
+  if (set.weight_vertices.empty()) f.fail("bounds", "let no weights through");
   return set;
 }
 

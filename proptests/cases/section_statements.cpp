@@ -24,7 +24,7 @@ std::vector<PosedJointSet<S>> posed_joint_sets(const Fields& f) {
   for (const Fields& set : f.objects("joint_sets")) {
     const auto transforms = set.transforms("transforms");
     out.push_back(
-        {lift<S>(transforms), lift<S>(set.point<3>("rotation_center")), lift<S>(set.rows("corners", transforms.size()))});
+        {lift<S>(transforms), lift<S>(set.point<3>("rotation_center")), lift<S>(set.rows("weight_vertices", transforms.size()))});
     if (out.back().transforms.size() != out[0].transforms.size())
       set.fail("transforms", "are not as many as those of the first joint-set");
   }
@@ -40,7 +40,7 @@ Judgement joint_sets(const In& in) {
   const Fields vertex = in.fields.object("vertex");
   const Inputs<S, 3> at{vertex};
   const auto& set = sets[vertex.integer("joint_set", 0, static_cast<int>(sets.size()) - 1)];
-  const auto w = at.numbers("weights", set.transforms.size()), u = at.numbers("coefficients", set.corners.size());
+  const auto w = at.numbers("weights", set.transforms.size()), u = at.numbers("coefficients", set.weight_vertices.size());
   const auto v = at.point("position");
   const auto balls =
       repaired ? joint_set_balls_repaired<S>(sets, reference.center) : joint_set_balls_printed<S>(sets, reference.center);
@@ -61,60 +61,62 @@ Judgement rotated_vectors(const In& in) {
 
 std::vector<Statement> section_statements() {
   return {
-      in_space("s41_weight_vertices_span", "printed", "corners_exist",
+      in_space("s41_weight_vertices_span", "printed", "weight_vertices_exist",
                [](const auto& in) -> Judgement {
-                 return {Verdict::holds, corners_exist_printed(in.bounds("bounds"))};
+                 return {Verdict::holds, weight_vertices_exist_printed(in.bounds("bounds"))};
                }),
-      in_space("s41_weight_vertices_span", "repaired", "corners_exist",
+      in_space("s41_weight_vertices_span", "repaired", "weight_vertices_exist",
                [](const auto& in) -> Judgement {
-                 return {Verdict::holds, corners_exist_repaired(in.bounds("bounds"))};
+                 return {Verdict::holds, weight_vertices_exist_repaired(in.bounds("bounds"))};
                }),
       in_space("s41_weight_vertices_span", "printed", "weight_vertices_span",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
                  const auto bounds = in.bounds("bounds");
                  const std::size_t n = bounds.low.size();
-                 const auto corners = in.rows("corners", n);
+                 const auto weight_vertices = in.rows("weight_vertices", n);
                  const auto w = in.numbers("weights", n);
-                 return {weight_vertices_span_hypotheses(bounds, corners) & admits<S>(bounds, w),
-                         weight_vertices_span(bounds, corners, w).verdict};
+                 return {weight_vertices_span_hypotheses(bounds, weight_vertices) & admits<S>(bounds, w),
+                         weight_vertices_span(bounds, weight_vertices, w).verdict};
                }),
-      in_space("s41_weight_vertices_span", "printed", "corners_combine",
+      in_space("s41_weight_vertices_span", "printed", "weight_vertices_combine",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
                  const auto bounds = in.bounds("bounds");
-                 const auto corners = in.rows("corners", bounds.low.size());
-                 const auto u = in.numbers("coefficients", corners.size());
-                 return {corners_are_admissible(bounds, corners) & is_convex<S>(u), corners_combine(bounds, corners, u).verdict};
+                 const auto weight_vertices = in.rows("weight_vertices", bounds.low.size());
+                 const auto u = in.numbers("coefficients", weight_vertices.size());
+                 return {weight_vertices_are_admissible(bounds, weight_vertices) & is_convex<S>(u),
+                         weight_vertices_combine(bounds, weight_vertices, u).verdict};
                }),
-      in_space("s41_weight_vertices_span", "beyond", "corners_are_few",
+      in_space("s41_weight_vertices_span", "beyond", "weight_vertices_are_few",
                [](const auto& in) -> Judgement {
                  const auto bounds = in.bounds("bounds");
-                 const auto corners = in.rows("corners", bounds.low.size());
-                 return {corners_are_proper(bounds, corners), verdict_of(corners.size() <= most_corners(bounds.low.size()))};
+                 const auto weight_vertices = in.rows("weight_vertices", bounds.low.size());
+                 return {weight_vertices_are_proper(bounds, weight_vertices),
+                         verdict_of(weight_vertices.size() <= most_weight_vertices(bounds.low.size()))};
                }),
       in_space("s42_linear_part_hull", "printed", "linear_part_in_hull",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
                  const auto bounds = in.bounds("bounds");
                  const std::size_t n = bounds.low.size();
-                 const auto corners = in.rows("corners", n);
+                 const auto weight_vertices = in.rows("weight_vertices", n);
                  const auto points = in.points("points");
                  const auto w = in.numbers("weights", points.size());
                  if (points.size() != n) in.fields.fail("points", "are not one for each weight");
-                 return {linear_part_hull_hypotheses<S, 3>(bounds, corners, points) & admits<S>(bounds, w),
-                         linear_part_in_hull<S, 3>(bounds, corners, points, w).verdict};
+                 return {linear_part_hull_hypotheses<S, 3>(bounds, weight_vertices, points) & admits<S>(bounds, w),
+                         linear_part_in_hull<S, 3>(bounds, weight_vertices, points, w).verdict};
                }),
       in_space("s42_linear_part_hull", "printed", "hull_in_linear_part",
                [](const auto& in) -> Judgement {
                  using S = NumberOf<decltype(in)>;
                  const auto bounds = in.bounds("bounds");
-                 const auto corners = in.rows("corners", bounds.low.size());
+                 const auto weight_vertices = in.rows("weight_vertices", bounds.low.size());
                  const auto points = in.points("points");
-                 const auto u = in.numbers("coefficients", corners.size());
+                 const auto u = in.numbers("coefficients", weight_vertices.size());
                  if (points.size() != bounds.low.size()) in.fields.fail("points", "are not one for each weight");
-                 return {linear_part_hull_hypotheses<S, 3>(bounds, corners, points) & is_convex<S>(u),
-                         hull_in_linear_part<S, 3>(bounds, corners, points, u).verdict};
+                 return {linear_part_hull_hypotheses<S, 3>(bounds, weight_vertices, points) & is_convex<S>(u),
+                         hull_in_linear_part<S, 3>(bounds, weight_vertices, points, u).verdict};
                }),
       in_any_dimension("s43_distance_range", "printed", "distance_is_in_range",
                        [](const auto& in) -> Judgement {

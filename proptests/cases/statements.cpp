@@ -38,19 +38,19 @@ struct Repaired {
 
 gen::RefitCase as_refit_case(const SyntheticCase& query) {
   gen::RefitCase out{query.reference, {}};
-  for (const SyntheticSet& set : query.sets) out.sets.push_back({set.palette, {set.bounds, set.corners}});
+  for (const SyntheticSet& set : query.sets) out.sets.push_back({set.palette, {set.bounds, set.weight_vertices}});
   return out;
 }
 
-// A corner of the printed algorithm's blends to 0 (line 9), or the mean of the normalised blends is 0 (line 12).
+// A weight vertex of the printed algorithm's blends to 0 (line 9), or the mean of the normalised blends is 0 (line 12).
 template <Signs signs>
 bool divides_by_zero(const SyntheticCase& query) {
   for (const SyntheticSet& set : query.sets) {
     OwnedPaletteEntry<Rational> seen = set.palette;
     for (auto& c : seen.transforms) c = Printed<signs>::seen(c);
     Vec<ExactRoot, 4> sum = Vec<ExactRoot, 4>::Constant(ExactRoot(0));
-    for (const auto& corner : set.corners) {
-      const Quaternion blend = blend_quaternion<Rational>(seen, corner);
+    for (const auto& weight_vertex : set.weight_vertices) {
+      const Quaternion blend = blend_quaternion<Rational>(seen, weight_vertex);
       if (squared_norm(blend) == 0) return true;
       const Vec<ExactRoot, 4> lifted = lift<ExactRoot>(blend);
       sum = sum + lifted / root(squared_norm(lifted));

@@ -21,7 +21,7 @@ gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQ
   for (const auto& q : rotations) set.palette.transforms.push_back({q, RationalVec<3>::Zero()});
   place_rotation_center<Rational>(set.palette, RationalVec<3>::Zero());
   set.weights.bounds = {low, high};
-  set.weights.corners = *enumerate_weight_vertices(set.weights.bounds, std::numeric_limits<std::size_t>::max());
+  set.weights.vertices = *enumerate_weight_vertices(set.weights.bounds, std::numeric_limits<std::size_t>::max());
   return {{p, Rational(0)}, {set}};
 }
 
@@ -42,7 +42,7 @@ const std::vector<PinnedRefit>& algorithm1() {
        about_origin(y, {steep, steep, steep, q(-steep[0], steep[1], 0, 0)}, Numbers(4, Rational(0)), Numbers(4, Rational(1))),
        {Rational(0), Rational(0), Rational(0), Rational(1)},
        false},
-      {"a corner whose blend is zero divides by zero (line 9)",
+      {"a weight vertex whose blend is zero divides by zero (line 9)",
        about_origin(y, {one, q(-a, b, 0, 0), q(-a, -b, 0, 0)}, {Rational(3, 8), Rational(0), Rational(0)},
                     {Rational(1), Rational(5, 16), Rational(5, 16)}),
        {Rational(11, 16), Rational(5, 16), Rational(0)},

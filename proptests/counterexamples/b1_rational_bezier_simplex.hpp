@@ -11,7 +11,8 @@ using Q = refitlab::Rational;
 using Point = refitlab::Vec<Q, 3>;
 using Rotation = refitlab::Quaternion<Q>;
 
-// One corner that keeps x and moves the center: with the weight 2 the linear part counts twice, its control point once.
+// One weight vertex that keeps x and moves the center: with the weight 2 the linear part counts twice, its control
+// point once.
 inline const refitlab::SphericalBlend<Q> moved{{Rotation(1, 0, 0, 0)}, {Point(1, 0, 0)}, Point(0, 1, 0)};
 inline const std::vector<Q> twice{2};
 

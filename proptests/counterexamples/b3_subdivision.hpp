@@ -13,7 +13,7 @@ using Rotation = refitlab::Quaternion<Q>;
 
 inline const refitlab::SphericalBlend<Q> edge{
     {Rotation(1, 0, 0, 0), Rotation(Q(3, 5), Q(4, 5), 0, 0)}, {Point(0, 0, 0), Point(1, 0, 0)}, Point(0, 1, 0)};
-// Beyond the first corner, and so in neither half.
+// Beyond the first weight vertex, and so in neither half.
 inline const std::vector<Q> beyond_the_first{2, -1}, halves{Q(1, 2), Q(1, 2)};
 
 // What the edge is not: without any size its control points would be on the surface.

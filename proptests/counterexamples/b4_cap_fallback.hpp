@@ -20,18 +20,18 @@ inline const Rotation identity(1, 0, 0, 0), no_axis(0, 0, 0, 0);
 // kappa^2 = 1 allows no rotation but the axis itself.
 inline const Fallback too_narrow{{identity, Rotation(Q(3, 5), Q(4, 5), 0, 0)}, at_origin, identity, 1};
 
-// kappa^2 = 16/25 fits both squares, but the second corner is behind the axis; half-way the blend is far off.
+// kappa^2 = 16/25 fits both squares, but the second weight vertex is behind the axis; half-way the blend is far off.
 inline const Fallback behind{{identity, Rotation(Q(-4, 5), Q(3, 5), 0, 0)}, at_origin, identity, Q(16, 25)};
 
-// A fitting cap; weights beyond its corners turn further.
+// A fitting cap; weights beyond its weight vertices turn further.
 inline const Fallback fitting{{identity, Rotation(Q(4, 5), Q(3, 5), 0, 0)}, at_origin, identity, Q(16, 25)};
 
 // Half a turn and more apart, W < 0, and still ahead of the axis between them: the cap is a bound, the control hull is
 // none.
 inline const std::vector<Rotation> wide_pair{Rotation(Q(3, 5), Q(4, 5), 0, 0), Rotation(Q(3, 5), Q(-4, 5), 0, 0)};
 
-// 65.0 and 90.5 degrees of rotation between the corners: up to a right angle the control point of degree 2 is in the
-// cap's ball, beyond it is not. (x is across the axis of the rotations.)
+// 65.0 and 90.5 degrees of rotation between the weight vertices: up to a right angle the control point of degree 2 is
+// in the cap's ball, beyond it is not. (x is across the axis of the rotations.)
 inline const std::vector<Rotation> below_a_right_angle{Rotation(Q(24, 25), Q(7, 25), 0, 0), Rotation(Q(24, 25), Q(-7, 25), 0, 0)};
 inline const std::vector<Rotation> beyond_a_right_angle{Rotation(Q(12, 13), Q(5, 13), 0, 0),
                                                         Rotation(Q(12, 13), Q(-5, 13), 0, 0)};

@@ -22,7 +22,7 @@ inline const Point between(1, 0, 0);
 inline const Blend still{{identity, Rotation(-1, 0, 0, 0)}, {none, none}, Point(0, 0, 0)};
 inline const std::vector<Q> third{Q(2, 3), Q(1, 3)};
 
-// No motion and a turn by 74 degrees: weights beyond the first corner turn the other way, by 106 degrees.
+// No motion and a turn by 74 degrees: weights beyond the first weight vertex turn the other way, by 106 degrees.
 inline const Blend turning{{identity, Rotation(Q(4, 5), Q(3, 5), 0, 0)}, {none, none}, Point(0, 1, 0)};
 inline const std::vector<Q> beyond_the_first{5, -4};
 

@@ -17,12 +17,12 @@ inline const std::vector<Q> second{0, 1};
 // Bounds that admit no weight above 1/2.
 inline const refitlab::WeightBounds<Q> halves{{0, 0}, {Q(1, 2), Q(1, 2)}};
 
-// Without the second corner its point is beyond the hull.
-inline const refitlab::Corners<Q> first_only{{1, 0}};
+// Without the second weight vertex its point is beyond the hull.
+inline const refitlab::WeightVertices<Q> first_only{{1, 0}};
 inline const Point along_the_points(1, 0, 0);
 
-// With a corner outside W' the hull holds a point that no admissible weights make: (-1, 0, 0).
-inline const refitlab::Corners<Q> too_far{{2, -1}, {1, 0}, {0, 1}};
+// With a weight vertex outside W' the hull holds a point that no admissible weights make: (-1, 0, 0).
+inline const refitlab::WeightVertices<Q> too_far{{2, -1}, {1, 0}, {0, 1}};
 inline const std::vector<Q> only_the_first{1, 0, 0};
 
 }  // namespace proptests::s42

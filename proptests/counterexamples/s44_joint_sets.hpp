@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of s44_joint_sets: where Algorithm 1's single list of corners and single rotation center go wrong.
+// Pinned cases of s44_joint_sets: where Algorithm 1's single list of weight vertices and single rotation center go wrong.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"
@@ -31,12 +31,12 @@ inline const Case rotation_center{
     {2, 0, 0},
     {0, 2, 0}};
 
-// One list of corners for both: the first joint-set is moved by its first joint only, the second by its second.
-inline const Case corners{{{{at_rest, at_rest}, {0, 0, 0}, {{1, 0}}}, {{at_rest, moved_by_five}, {0, 0, 0}, {{0, 1}}}},
-                          {{0, 0, 0}, 0},
-                          {{0, 0, 0}, 0},
-                          {0, 1},
-                          {0, 0, 0},
-                          {5, 0, 0}};
+// One list of weight vertices for both: the first joint-set is moved by its first joint only, the second by its second.
+inline const Case weight_vertices{{{{at_rest, at_rest}, {0, 0, 0}, {{1, 0}}}, {{at_rest, moved_by_five}, {0, 0, 0}, {{0, 1}}}},
+                                  {{0, 0, 0}, 0},
+                                  {{0, 0, 0}, 0},
+                                  {0, 1},
+                                  {0, 0, 0},
+                                  {5, 0, 0}};
 
 }  // namespace proptests::s44_joints

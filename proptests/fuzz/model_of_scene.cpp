@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "algorithms/model/assimp_scene.hpp"
 #include "proptests/fuzz/scene_of_bytes.hpp"
 #include "proptests/fuzz/target.hpp"
 
@@ -22,8 +23,8 @@ bool is_rigid(const Pose& pose) {
 
 FUZZ_TARGET(model_of_scene, bytes) try {
   const auto scene = scene_of_bytes(bytes);
-  check_scene(*scene, "fuzz");
-  const Model model = refitlab::model_of_scene(*scene, "fuzz");
+  check_assimp_scene(*scene, "fuzz");
+  const Model model = refitlab::model_of_scene(convert_scene(*scene, "fuzz"));
   try {
     validate(model);
   } catch (const ModelError&) {

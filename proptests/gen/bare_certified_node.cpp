@@ -16,7 +16,7 @@ BareCertifiedNode::BareCertifiedNode(const refitlab::RefitNode<double>& node, co
   for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     const auto& set = node.pieces[i];
     for (const int far : {0, 1}) {
-      const auto first = node.corner(set, 0), other = node.corner(set, far ? set.weight_vertex_count - 1 : 0);
+      const auto first = node.weight_vertex(set, 0), other = node.weight_vertex(set, far ? set.weight_vertex_count - 1 : 0);
       auto& w = weights_.emplace_back();
       for (std::size_t k = 0; k < first.size(); ++k) w.push_back((first[k] + other[k]) / 2);
       node_.vertices.push_back({static_cast<int>(2 * i) + far, node.piece_reference(i).center, set.joint_set, w});

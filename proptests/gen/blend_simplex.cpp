@@ -9,7 +9,7 @@ namespace {
 using namespace refitlab;
 
 // A blend of unit quaternions: shorter than 1, sometimes 0.
-rc::Gen<RationalQuaternion> corner_quaternion() {
+rc::Gen<RationalQuaternion> weight_vertex_quaternion() {
   const auto blended = rc::gen::apply([](const RationalQuaternion& p, const RationalQuaternion& q,
                                          const Rational& t) { return RationalQuaternion(p * t + q * (Rational(1) - t)); },
                                       unit_quaternion(), unit_quaternion(), unit_interval_rational());
@@ -45,7 +45,7 @@ rc::Gen<BlendCase> blend_case(Spread spread, int most) {
   return rc::gen::exec([=] {
     BlendCase c;
     const int m = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, most + 1));
-    c.blend.rotations = *rc::gen::container<std::vector<RationalQuaternion>>(m, corner_quaternion());
+    c.blend.rotations = *rc::gen::container<std::vector<RationalQuaternion>>(m, weight_vertex_quaternion());
     const int relation = *rc::gen::inRange(0, 6);
     if (relation == 4 && m > 1) c.blend.rotations[1] = c.blend.rotations[0];
     if (relation == 5 && m > 1) c.blend.rotations[1] = -c.blend.rotations[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Simplices of blends in exact rationals: what is linear in the weights at each corner, with weights, made to be
+// Simplices of blends in exact rationals: what is linear in the weights at each weight vertex, with weights, made to be
 // awkward.
 #pragma once
 
@@ -10,17 +10,17 @@
 namespace proptests::gen {
 
 enum class Spread {
-  any,      // also equal and opposite corners, corners that are 0, right angles
+  any,      // also equal and opposite weight vertices, weight vertices that are 0, right angles
   positive  // all (q'_k, q'_l) > 0
 };
 
 struct BlendCase {
   refitlab::SphericalBlend<Rational> blend;
   std::vector<Rational> weights;  // u of W_m
-  bool is_degenerate() const;     // one corner, equal corners, a right angle, a corner that is 0, x = 0
+  bool is_degenerate() const;     // one weight vertex, equal weight vertices, a right angle, a weight vertex that is 0, x = 0
 };
 
-// 1 to most corners of any length (blends of unit quaternions).
+// 1 to most weight vertices of any length (blends of unit quaternions).
 rc::Gen<BlendCase> blend_case(Spread spread, int most);
 
 // Weights of sum 1 with any signs.

@@ -39,13 +39,6 @@ std::vector<BrokenRig> broken_rigs() {
        [](auto& s) { s.skins[0].inverse_bind.pop_back(); },
        {"skin", "2 inverse bind matrices for 3 joints"}},
       {"a singular inverse bind matrix", [](auto& s) { s.skins[0].inverse_bind[1] = {}; }, {"bone 'j1'", "singular"}},
-      {"a skin of another node on the same mesh",
-       [](auto& s) {
-         s.skins.push_back(s.skins[0]);
-         s.nodes.push_back({.name = "twin", .mesh = 0, .skin = 1});
-       },
-       {"node 'twin'", "another skin"}},
-      {"two nodes of one name", [](auto& s) { s.nodes[1].name = "j0"; }, {"node 'j0'", "two nodes"}},
       {"no skin",
        [](auto& s) { s.nodes.back().skin = -1, s.skins.clear(), s.meshes[0].joints.clear(), s.meshes[0].weights.clear(); },
        {"no skin"}},

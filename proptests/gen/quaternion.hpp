@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational unit quaternions q^2 / |q|^2, and lists of them as a joint-set or its corners have.
+// Rational unit quaternions q^2 / |q|^2, and lists of them as a joint-set or its weight vertices have.
 #pragma once
 
 #include "proptests/gen/vector.hpp"

@@ -85,8 +85,8 @@ Transforms generic_transforms(Turns turns) {
 }
 
 bool may_be_zero(const SetCase& set) {
-  for (const auto& corner : set.weights.corners)
-    if (squared_norm(blend_quaternion<Rational>(set.palette, corner)) == 0) return true;
+  for (const auto& weight_vertex : set.weights.vertices)
+    if (squared_norm(blend_quaternion<Rational>(set.palette, weight_vertex)) == 0) return true;
   return false;
 }
 
@@ -101,10 +101,10 @@ SetCase generic_set(Turns turns, const RationalVec<3>& p) {
     for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
   place_rotation_center<Rational>(set.palette, center);
   place_duals(set.palette);
-  set.weights = *rc::gen::suchThat(bounds_of_vertices(static_cast<int>(c.size())), [set](const BoundsWithCorners& w) {
+  set.weights = *rc::gen::suchThat(bounds_of_vertices(static_cast<int>(c.size())), [set](const WeightPolytope& w) {
     SetCase weighted = set;
     weighted.weights = w;
-    return w.corners.size() > 1 && !may_be_zero(weighted);
+    return w.vertices.size() > 1 && !may_be_zero(weighted);
   });
   return set;
 }
@@ -163,7 +163,7 @@ std::vector<std::string> degeneracies(const RefitCase& c) {
   for (const SetCase& set : c.sets) {
     const auto& joints = set.palette.transforms;
     note(joints.size() == 1, "one joint");
-    note(set.weights.corners.size() == 1, "one corner");
+    note(set.weights.vertices.size() == 1, "one weight vertex");
     note(set.palette.rotation_center == c.reference.center, "center at p");
     note(may_be_zero(set), "zero blend");
     for (std::size_t i = 0; i < joints.size(); ++i)
@@ -200,7 +200,7 @@ RefitCase rounded_to_double(const RefitCase& c) {
       s.weights.bounds.low.push_back(to_grid(set.weights.bounds.low[i], false));
       s.weights.bounds.high.push_back(to_grid(set.weights.bounds.high[i], true));
     }
-    s.weights.corners = *enumerate_weight_vertices(s.weights.bounds, std::numeric_limits<std::size_t>::max());
+    s.weights.vertices = *enumerate_weight_vertices(s.weights.bounds, std::numeric_limits<std::size_t>::max());
     out.sets.push_back(s);
   }
   return out;

@@ -11,7 +11,7 @@ namespace proptests::gen {
 
 struct SetCase {
   refitlab::OwnedPaletteEntry<Rational> palette;
-  BoundsWithCorners weights;
+  WeightPolytope weights;
 };
 
 struct RefitCase {
@@ -34,7 +34,7 @@ std::vector<std::string> degeneracies(const RefitCase& c);
 
 // The same case in doubles, and those taken as exact numbers: what a program in double is given. The rotations are of
 // unit length only nearly, the images of the rotation centers and the dual parts are those that double computes, the
-// weights are multiples of 2^-24 with all their corners.
+// weights are multiples of 2^-24 with all their weight vertices.
 RefitCase rounded_to_double(const RefitCase& c);
 
 void showValue(const RefitCase& c, std::ostream& out);
@@ -46,10 +46,10 @@ class NodeOf {
   explicit NodeOf(const RefitCase& c) : reference_(refitlab::lift<T>(c.reference)) {
     for (const SetCase& set : c.sets) {
       const int first = static_cast<int>(weights_.size());
-      for (const auto& corner : set.weights.corners)
-        for (const Rational& w : corner) weights_.push_back(refitlab::lift<T>(w));
+      for (const auto& weight_vertex : set.weights.vertices)
+        for (const Rational& w : weight_vertex) weights_.push_back(refitlab::lift<T>(w));
       sets_.push_back(
-          {static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.corners.size()), static_cast<int>(sets_.size())});
+          {static_cast<int>(sets_.size()), first, static_cast<int>(set.weights.vertices.size()), static_cast<int>(sets_.size())});
       palette_.push_back(refitlab::OwnedPaletteEntry<T>{
           refitlab::lift<T>(set.palette.transforms), refitlab::lift<T>(set.palette.rotation_center),
           refitlab::lift<T>(set.palette.center_images), refitlab::lift<T>(set.palette.duals)});

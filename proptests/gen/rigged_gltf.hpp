@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "proptests/gen/gltf_builder.hpp"
+
 namespace proptests::gen {
 
 struct GltfNode {
@@ -56,6 +58,8 @@ struct RiggedGltf {
 RiggedGltf bending_tube(int joints);
 
 std::array<float, 16> translation_matrix(float x, float y, float z);
+
+GltfBuilder built(const RiggedGltf& scene);
 
 // As one binary file; throws std::runtime_error where it cannot be written.
 void write_glb(const RiggedGltf& scene, const std::string& path);

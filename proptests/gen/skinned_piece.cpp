@@ -42,10 +42,10 @@ std::vector<double> some_weights(std::mt19937& random, std::size_t n) {
 
 }  // namespace
 
-SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_corners) : skinning(skinning) {
+SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_weight_vertices) : skinning(skinning) {
   const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
   has_relation = pick(4) == 0;
-  const int n = 1 + pick(5), kind = pick(4), m = 1 + pick(most_corners);
+  const int n = 1 + pick(5), kind = pick(4), m = 1 + pick(most_weight_vertices);
   const double spread = std::array{0., 0.1, 0.4, 0.8, 100.}[pick(5)];
   const bool has_other_signs = pick(6) == 0, has_other_duals = pick(4) == 0;
   const Quaternion<double> common = normal<4>(random, 1);
@@ -63,24 +63,24 @@ SkinnedPiece::SkinnedPiece(std::mt19937& random, Skinning skinning, int most_cor
     palette.transforms[1].rotation = pick(2) ? Quaternion<double>(-first) : multiply<double>(first, half_turn);
     if (n > 2) palette.transforms[2].rotation = -palette.transforms[1].rotation;
   }
-  for (int k = 0; k < m; ++k) corners.push_back(some_weights(random, n));
+  for (int k = 0; k < m; ++k) weight_vertices.push_back(some_weights(random, n));
   reference = {normal<3>(random, 1), pick(4) ? std::uniform_real_distribution<double>(0, 1)(random) : 0};
   store();
 }
 
-SkinnedPiece::SkinnedPiece(Skinning skinning, OwnedPaletteEntry<double> palette, std::vector<std::vector<double>> corners,
+SkinnedPiece::SkinnedPiece(Skinning skinning, OwnedPaletteEntry<double> palette, std::vector<std::vector<double>> weight_vertices,
                            const Ball3<double>& reference)
     : skinning(skinning),
       palette(std::move(palette)),
-      corners(std::move(corners)),
+      weight_vertices(std::move(weight_vertices)),
       reference(reference) {
   store();
 }
 
 void SkinnedPiece::store() {
   palette_.push_back(palette);
-  for (const auto& w : corners) weights_.insert(weights_.end(), w.begin(), w.end());
-  sets_.push_back({0, 0, static_cast<int>(corners.size())});
+  for (const auto& w : weight_vertices) weights_.insert(weights_.end(), w.begin(), w.end());
+  sets_.push_back({0, 0, static_cast<int>(weight_vertices.size())});
 }
 
 }  // namespace proptests::gen

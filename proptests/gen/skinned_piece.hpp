@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One piece of a node in doubles, drawn from all that a certificate can be about: joints off unit length, any signs, poses
-// whose corners have no axis that they are all ahead of, one corner or many.
+// whose weight vertices have no axis that they are all ahead of, one weight vertex or many.
 #pragma once
 
 #include <random>
@@ -12,16 +12,16 @@ namespace proptests::gen {
 
 class SkinnedPiece {
  public:
-  SkinnedPiece(std::mt19937& random, refitlab::Skinning skinning, int most_corners);
+  SkinnedPiece(std::mt19937& random, refitlab::Skinning skinning, int most_weight_vertices);
   // One of given joints.
-  SkinnedPiece(refitlab::Skinning skinning, refitlab::OwnedPaletteEntry<double> palette, std::vector<std::vector<double>> corners,
-               const refitlab::Ball3<double>& reference);
+  SkinnedPiece(refitlab::Skinning skinning, refitlab::OwnedPaletteEntry<double> palette,
+               std::vector<std::vector<double>> weight_vertices, const refitlab::Ball3<double>& reference);
 
   refitlab::RefitNode<double> node() const { return {reference, sets_, weights_.data(), palette_}; }
 
   refitlab::Skinning skinning;
   refitlab::OwnedPaletteEntry<double> palette;
-  std::vector<std::vector<double>> corners;  // multiples of 1/64 whose sum is 1
+  std::vector<std::vector<double>> weight_vertices;  // multiples of 1/64 whose sum is 1
   refitlab::Ball3<double> reference;
   bool has_relation = false;  // two joints are exactly opposite or a half-turn apart: blends of length 0, edges equally wide
 

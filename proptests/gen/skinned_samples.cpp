@@ -23,12 +23,12 @@ RationalVec<3> unit_near(const Point3& direction) {
   return x * Rational(sign);
 }
 
-RationalWeights blend_of_corners(const SetCase& set, const std::vector<Rational>& shares) {
+RationalWeights blend_of_weight_vertices(const SetCase& set, const std::vector<Rational>& shares) {
   RationalWeights w(set.palette.transforms.size(), Rational(0));
   Rational sum(0);
   for (const Rational& share : shares) sum += share;
   for (std::size_t k = 0; k < shares.size(); ++k)
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] += set.weights.corners[k][i] * shares[k] / sum;
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] += set.weights.vertices[k][i] * shares[k] / sum;
   return w;
 }
 
@@ -37,7 +37,7 @@ OwnedPaletteEntry<double> in_double(const OwnedPaletteEntry<Rational>& palette) 
           lift<double>(palette.duals)};
 }
 
-// The ascent, in double: shares of the corners are moved towards one corner as long as p is carried farther.
+// The ascent, in double: shares of the weight vertices are moved towards one weight vertex as long as p is carried farther.
 class Ascent {
  public:
   Ascent(const RefitCase& c, const SetCase& set, Blending blending, const Point3& far_from)
@@ -45,8 +45,8 @@ class Ascent {
         blending_(blending),
         far_from_(far_from),
         palette_(in_double(set.palette)),
-        corners_(lift<double>(set.weights.corners)),
-        shares_(corners_.size(), 1.0 / double(corners_.size())) {}
+        weight_vertices_(lift<double>(set.weights.vertices)),
+        shares_(weight_vertices_.size(), 1.0 / double(weight_vertices_.size())) {}
 
   std::vector<Rational> run() {
     double reached = distance(shares_);
@@ -69,7 +69,7 @@ class Ascent {
   double distance(const std::vector<double>& shares) const {
     std::vector<double> w(palette_.transforms.size(), 0.0);
     for (std::size_t k = 0; k < shares.size(); ++k)
-      for (std::size_t i = 0; i < w.size(); ++i) w[i] += corners_[k][i] * shares[k];
+      for (std::size_t i = 0; i < w.size(); ++i) w[i] += weight_vertices_[k][i] * shares[k];
     return (blend<double>(blending_, palette_, w, p_) - far_from_).norm();
   }
 
@@ -77,7 +77,7 @@ class Ascent {
   Blending blending_;
   Point3 far_from_;
   OwnedPaletteEntry<double> palette_;
-  std::vector<std::vector<double>> corners_;
+  std::vector<std::vector<double>> weight_vertices_;
   std::vector<double> shares_;
 };
 
@@ -107,14 +107,14 @@ std::vector<Sample> samples(const RefitCase& c, Blending blending, const Point3&
   std::vector<Sample> out;
   for (int s = 0; s < static_cast<int>(c.sets.size()); ++s) {
     const SetCase& set = c.sets[s];
-    const int m = static_cast<int>(set.weights.corners.size());
-    const auto& a = set.weights.corners[*rc::gen::inRange(0, m)];
-    const auto& b = set.weights.corners[*rc::gen::inRange(0, m)];
+    const int m = static_cast<int>(set.weights.vertices.size());
+    const auto& a = set.weights.vertices[*rc::gen::inRange(0, m)];
+    const auto& b = set.weights.vertices[*rc::gen::inRange(0, m)];
     const Rational t = *unit_interval_rational();
     RationalWeights edge = a;
     for (std::size_t i = 0; i < edge.size(); ++i) edge[i] += t * (b[i] - a[i]);
-    const auto worst = blend_of_corners(set, Ascent(c, set, blending, far_from).run());
-    const auto middle = blend_of_corners(set, std::vector<Rational>(m, Rational(1)));
+    const auto worst = blend_of_weight_vertices(set, Ascent(c, set, blending, far_from).run());
+    const auto middle = blend_of_weight_vertices(set, std::vector<Rational>(m, Rational(1)));
     const RationalVec<3> on_surface = c.reference.center + *sphere_point<3>() * c.reference.radius;
     out.push_back({s, a, c.reference.center});
     out.push_back({s, a, farthest_vertex(c, set, a, blending, far_from)});

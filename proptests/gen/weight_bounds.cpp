@@ -9,20 +9,20 @@
 namespace proptests::gen {
 namespace {
 
-BoundsWithCorners with_corners(const std::vector<RationalWeights>& vertices) {
+WeightPolytope with_weight_vertices(const std::vector<RationalWeights>& vertices) {
   RationalBounds bounds{vertices[0], vertices[0]};
   for (const auto& w : vertices)
     for (std::size_t i = 0; i < w.size(); ++i) {
       bounds.low[i] = std::min(bounds.low[i], w[i]);
       bounds.high[i] = std::max(bounds.high[i], w[i]);
     }
-  auto corners = refitlab::enumerate_weight_vertices(bounds, std::numeric_limits<std::size_t>::max());
-  return {bounds, std::move(*corners)};
+  auto weight_vertices = refitlab::enumerate_weight_vertices(bounds, std::numeric_limits<std::size_t>::max());
+  return {bounds, std::move(*weight_vertices)};
 }
 
 }  // namespace
 
-rc::Gen<BoundsWithCorners> bounds_of_vertices(int n) {
+rc::Gen<WeightPolytope> bounds_of_vertices(int n) {
   const auto vertices = rc::gen::mapcat(
       rc::gen::inRange(1, 5), [n](int t) { return rc::gen::container<std::vector<RationalWeights>>(t, convex_weights(n)); });
   const auto all_of_wn = rc::gen::map(rc::gen::just(n), [](int count) {
@@ -30,10 +30,11 @@ rc::Gen<BoundsWithCorners> bounds_of_vertices(int n) {
     for (int i = 0; i < count; ++i) axes[i][i] = 1;
     return axes;
   });
-  return rc::gen::map(rc::gen::weightedOneOf<std::vector<RationalWeights>>({{1, all_of_wn}, {6, vertices}}), with_corners);
+  return rc::gen::map(rc::gen::weightedOneOf<std::vector<RationalWeights>>({{1, all_of_wn}, {6, vertices}}),
+                      with_weight_vertices);
 }
 
-rc::Gen<BoundsWithCorners> any_bounds_of_vertices(int most) {
+rc::Gen<WeightPolytope> any_bounds_of_vertices(int most) {
   return rc::gen::mapcat(rc::gen::inRange(1, most + 1), bounds_of_vertices);
 }
 
@@ -65,10 +66,10 @@ rc::Gen<RationalWeights> admissible_weights(const RationalBounds& bounds) {
   });
 }
 
-void showValue(const BoundsWithCorners& b, std::ostream& out) {
+void showValue(const WeightPolytope& b, std::ostream& out) {
   rc::show(b.bounds, out);
-  out << " with corners ";
-  rc::show(b.corners, out);
+  out << " with weight vertices ";
+  rc::show(b.vertices, out);
 }
 
 }  // namespace proptests::gen

@@ -23,7 +23,7 @@ Quaternion<Rational> dual_part(const RigidTransform<Rational>& c) {
   return multiply(Quaternion<Rational>(0, t[0], t[1], t[2]), c.rotation) / Rational(2);
 }
 
-// The corners of the whole simplex of weights: the joints themselves.
+// The weight vertices of the whole simplex of weights: the joints themselves.
 SphericalBlend<Rational> spherical_of(const Transforms& joints, const RationalVec<3>& center, const RationalVec<3>& v) {
   SphericalBlend<Rational> blend{{}, {}, v - center};
   for (const auto& c : joints) blend.rotations.push_back(c.rotation), blend.center_images.push_back(apply(c, center));
@@ -110,7 +110,7 @@ PROPTEST(b1_rational_bezier_simplex) {
             const RationalQuaternion pure(0, x[0], x[1], x[2]);
             const RationalQuaternion both = oracle::hamilton(oracle::hamilton(a, pure), conjugate(b)) +
                                             oracle::hamilton(oracle::hamilton(b, pure), conjugate(a));
-            const MixedCorners<Rational> mixed = mix_rotations<Rational>(a, b, x);
+            const MixedPair<Rational> mixed = mix_rotations<Rational>(a, b, x);
             RC_ASSERT(mixed.weight == dot(a, b));
             RC_ASSERT(mixed.numerator * Rational(2) == imaginary(both));
             RC_ASSERT(scaled_translation<Rational>(a, b) == imaginary(oracle::hamilton<Rational>(a, conjugate(b))));
@@ -206,7 +206,7 @@ PROPTEST(b1_rational_bezier_simplex) {
       600);
   t.holds("a blend that is 0 has no image, and any other has one", {.number_type = "rational", .cases = 300}, [] {
     auto c = *gen::blend_case(gen::Spread::any, 4);
-    // One corner more, that takes the others back: half of each is 0, or what is left over.
+    // One weight vertex more, that takes the others back: half of each is 0, or what is left over.
     const bool vanishes = *rc::gen::arbitrary<bool>();
     const RationalQuaternion left = *gen::nonzero_quaternion() * *gen::excess();
     for (auto& x : c.weights) x /= 2;
@@ -244,7 +244,7 @@ PROPTEST(b1_rational_bezier_simplex) {
     assert_each_field_checked(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x}, c.weights);
     assert_each_field_checked(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });
-  reaches_share(t, "cases of several corners that differ, with none at a right angle or 0", 0.25,
+  reaches_share(t, "cases of several weight vertices that differ, with none at a right angle or 0", 0.25,
                 [] { return !(*gen::blend_case(gen::Spread::any, 4)).is_degenerate(); });
 
   t.example("with weights that do not sum to 1 the parts are scaled apart",

@@ -109,7 +109,7 @@ PROPTEST(b2_control_hull_encloses) {
           return Weakening{broken.part, control_hull_hypotheses(control_points(c.blend), u),
                            image_in_control_hull(c.blend, u).verdict};
         }
-        // One corner turned until just a part of the control points has a weight below 0.
+        // One weight vertex turned until just a part of the control points has a weight below 0.
         const std::size_t k = gen::any_place(m);
         c.blend.rotations[k] = *gen::nonzero_quaternion();
         const auto points = control_points(c.blend);
@@ -134,7 +134,7 @@ PROPTEST(b2_control_hull_encloses) {
     }
   });
   needs_each_part(
-      t, "each pair of corners, and each corner with itself, is looked at", 0.2,
+      t, "each pair of weight vertices, and each weight vertex with itself, is looked at", 0.2,
       [] {
         auto q = (*gen::blend_case(gen::Spread::positive, 4)).blend.rotations;
         RC_PRE(q.size() > 2u);
@@ -194,7 +194,7 @@ PROPTEST(b2_control_hull_encloses) {
             RC_ASSERT(control_balls_enclose(c.blend, u, ball, radius, offset) ==
                       verdict_of(!(around && short_enough && radius >= 0) || inside));
           });
-  t.example("a single corner that is 0 is refused, though it has no other to be at a right angle to", {}, [] {
+  t.example("a single weight vertex that is 0 is refused, though it has no other to be at a right angle to", {}, [] {
     const std::vector<RationalQuaternion> zero{RationalQuaternion(0, 0, 0, 0)};
     return pairs_are_positive(zero) == Verdict::fails;
   });
@@ -221,7 +221,7 @@ PROPTEST(b2_control_hull_encloses) {
       RC_ASSERT(encloses_control_balls(ball, points, radius) == Verdict::fails);
     }
   });
-  reaches_share(t, "cases of several corners that differ, at neither right angle nor 0", 0.3,
+  reaches_share(t, "cases of several weight vertices that differ, at neither right angle nor 0", 0.3,
                 [] { return !(*gen::blend_case(gen::Spread::positive, 4)).is_degenerate(); });
 
   t.example("with a negative weight the image is outside the hull", {.form = "beyond", .hypothesis = "all W_I are positive"}, [] {
@@ -231,8 +231,8 @@ PROPTEST(b2_control_hull_encloses) {
     return control_weights_are_positive(points) == Verdict::fails && found.verdict == Verdict::fails &&
            separates<Rational, 3>(b2::upwards, found.image, positions(points)) == Verdict::holds;
   });
-  t.example("weights beyond the corners make images outside the hull", {.form = "beyond", .hypothesis = "the weights are convex"},
-            [] {
+  t.example("weights beyond the weight vertices make images outside the hull",
+            {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
               const std::span<const Rational> u(b2::beyond_the_first);
               const auto points = control_points(b2::near);
               const auto found = image_in_control_hull(b2::near, u);

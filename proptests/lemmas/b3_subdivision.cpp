@@ -44,7 +44,7 @@ SimplexSizes<Rational> sizes_of(const Blend& blend) {
   return {upper_root(s), upper_root(t), upper_root(b), upper_root(squared_norm(blend.x))};
 }
 
-// The largest distance of a control point to the surface at the mean of its corners.
+// The largest distance of a control point to the surface at the mean of its weight vertices.
 double largest_distance(const SphericalBlend<double>& blend) {
   double largest = 0;
   for (const auto& p : control_points(blend)) {
@@ -265,7 +265,7 @@ PROPTEST(b3_subdivision) {
       RC_ASSERT(differs(moved) && differs(arm));
     }
   });
-  t.holds("weights of corners that count for nothing must be convex too", {.number_type = "rational", .cases = 200}, [] {
+  t.holds("weights of weight vertices that count for nothing must be convex too", {.number_type = "rational", .cases = 200}, [] {
     auto c = *gen::blend_case(gen::Spread::any, 3);
     RC_PRE(c.blend.weight_vertex_count() > 1);
     const Half edge = any_edge(c.blend);
@@ -307,10 +307,10 @@ PROPTEST(b3_subdivision) {
             RC_ASSERT(found.verdict == verdict_of(convex));
           });
   needs_each_part(
-      t, "each size of each corner and each edge is looked at, and each sign", 0.02,
+      t, "each size of each weight vertex and each edge is looked at, and each sign", 0.02,
       [] {
         auto c = *gen::blend_case(gen::Spread::any, 3);
-        // All corners alike but one, or one pair about the third, and sizes that fit the others and the rest.
+        // All weight vertices alike but one, or one pair about the third, and sizes that fit the others and the rest.
         auto& q = c.blend.rotations;
         auto& r = c.blend.center_images;
         q.assign(3, *gen::nonzero_quaternion()), r.assign(3, r[0]);
@@ -477,7 +477,7 @@ PROPTEST(b3_subdivision) {
             RC_ASSERT(is_positive_halves(p, opposite, halving_makes_positive(p, opposite)) == Verdict::fails);
           });
 
-  t.example("a blend beyond the corners is in no half", {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
+  t.example("a blend beyond the weight vertices is in no half", {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
     const Span u(b3::beyond_the_first);
     return halving_hypotheses(b3::edge, {0, 1}, u) == Verdict::fails && halves_cover(b3::edge, 0, 1, u).verdict == Verdict::fails;
   });

@@ -22,7 +22,8 @@ using Span = std::span<const Rational>;
 using Span4 = std::span<const RationalQuaternion>;
 using Fallback = CapFallback<Rational>;
 
-// The best cap about the sum of the corners, about one of them or about any axis; where there is none, all rotations.
+// The best cap about the sum of the weight vertices, about one of them or about any axis; where there is none, all
+// rotations.
 Fallback fallback_of(const SphericalBlend<Rational>& blend) {
   Fallback cap{blend.rotations, blend.center_images, Quaternion<Rational>(0, 0, 0, 0), Rational(0)};
   const int kind = *rc::gen::inRange(0, 4);
@@ -50,7 +51,7 @@ struct FallbackCase {
   bool applies() const { return cap_fallback_hypotheses(cap, u()) == Verdict::holds; }
 };
 
-// Three or four corners in a cap of kappa^2 > 1/2, which claims something: drawn together until they are.
+// Three or four weight vertices in a cap of kappa^2 > 1/2, which claims something: drawn together until they are.
 struct NarrowCap {
   Fallback cap;
   std::vector<Rational> weights;
@@ -99,13 +100,13 @@ PROPTEST(b4_cap_fallback) {
             RC_ASSERT(encloses_equal_balls(ball, bounds) == Verdict::holds);
             RC_ASSERT(encloses(inflate(ball, f.radius), steps.vertex) == Verdict::holds);
           });
-  t.holds("where all dot products are at least 0 the cap about the sum of the corners is there",
+  t.holds("where all dot products are at least 0 the cap about the sum of the weight vertices is there",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.15}, [] {
             const auto c = *gen::blend_case(*rc::gen::element(gen::Spread::any, gen::Spread::positive), 4);
             RC_CLASSIFY(c.is_degenerate(), "degenerate");
             RC_ASSERT(positive_pairs_are_ahead(c.blend.rotations) == Verdict::holds);
           });
-  t.example("the cap reaches corners that the control hull does not: dot products below 0, ahead of a common axis",
+  t.example("the cap reaches weight vertices that the control hull does not: dot products below 0, ahead of a common axis",
             {.form = "beyond"}, [] {
               return less(dot(b4::wide_pair[0], b4::wide_pair[1]), b4::Q(0)) == Verdict::holds &&
                      are_ahead<b4::Q>(b4::wide_pair, b4::identity) == Verdict::holds;
@@ -207,7 +208,7 @@ PROPTEST(b4_cap_fallback) {
     RC_ASSERT(squared_norm(all.center) == 0 && all.squared_radius == squared_norm(f.c.blend.x));
     cap.squared_cosine += excess;
     RC_ASSERT(cap_is_valid(cap) == Verdict::fails);
-    // Corners that are all 0 are in every cap, even in one of a cosine that is none.
+    // Weight vertices that are all 0 are in every cap, even in one of a cosine that is none.
     for (auto& q : cap.rotations) q.setZero();
     cap.axis = *gen::nonzero_quaternion();
     cap.squared_cosine = 1;
@@ -268,7 +269,7 @@ PROPTEST(b4_cap_fallback) {
     scaled.vertex = scaled.hull_point + scaled.rotation_step + offset;
     RC_ASSERT(rejected(same, scaled, Span(broken)));
   });
-  t.holds("a cap of less than all rotations holds every vertex, for corners of any length",
+  t.holds("a cap of less than all rotations holds every vertex, for weight vertices of any length",
           {.number_type = "rational", .cases = 300}, [] {
             const NarrowCap n;
             const Span u(n.weights);
@@ -280,7 +281,7 @@ PROPTEST(b4_cap_fallback) {
             RC_ASSERT(is_blended_image(SphericalBlend<Rational>{n.cap.rotations, n.cap.center_images, x}, u, image) ==
                       Verdict::holds);
           });
-  reaches_share(t, "cases of several corners, with a cap between the axis alone and all rotations", 0.7, [] {
+  reaches_share(t, "cases of several weight vertices, with a cap between the axis alone and all rotations", 0.7, [] {
     const NarrowCap n;
     return n.cap.squared_cosine > Rational(1, 2) && n.cap.squared_cosine < 1;
   });
@@ -293,10 +294,12 @@ PROPTEST(b4_cap_fallback) {
              cap_fallback_encloses(cap, b4::x, weights, b4::no_offset).verdict == Verdict::fails;
     });
   };
-  fails_without("kappa^2 bounds every corner", "a cap without one of the corners misses it", b4::too_narrow, b4::second);
-  fails_without("no corner is behind the axis", "half-way to a corner behind the axis the blend leaves the cap", b4::behind,
-                b4::halves);
-  fails_without("the weights are convex", "beyond the corners a blend leaves the cap", b4::fitting, b4::beyond_the_second);
+  fails_without("kappa^2 bounds every weight vertex", "a cap without one of the weight vertices misses it", b4::too_narrow,
+                b4::second);
+  fails_without("no weight vertex is behind the axis", "half-way to a weight vertex behind the axis the blend leaves the cap",
+                b4::behind, b4::halves);
+  fails_without("the weights are convex", "beyond the weight vertices a blend leaves the cap", b4::fitting,
+                b4::beyond_the_second);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using namespace refitlab;
 using gen::RationalVec;
 using Span = std::span<const Rational>;
 
-// Up to four corners that turn about one axis, a cap about the sum of them (or about one) where there is one, and
+// Up to four weight vertices that turn about one axis, a cap about the sum of them (or about one) where there is one, and
 // weights.
 struct Twist {
   RationalVec<3> axis = *gen::nonzero_vector<3>();
@@ -48,7 +48,7 @@ struct Twist {
   }
 };
 
-// Three corners in a cap of kappa^2 > 1/2, drawn together until they are, and a point that is not on the axis.
+// Three weight vertices in a cap of kappa^2 > 1/2, drawn together until they are, and a point that is not on the axis.
 struct NarrowTwist : Twist {
   NarrowTwist() {
     cap.axis = about_axis();
@@ -250,7 +250,7 @@ PROPTEST(b5_rotation_axis) {
             const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
             RC_ASSERT(found.verdict == Verdict::holds);
           });
-  reaches_share(t, "twists of several corners, with a point beside the axis and a cap of its own", 0.5, [] {
+  reaches_share(t, "twists of several weight vertices, with a point beside the axis and a cap of its own", 0.5, [] {
     const NarrowTwist w;
     return w.applies() && !w.is_degenerate() && w.cap.squared_cosine > Rational(1, 2) && w.cap.squared_cosine < 1;
   });

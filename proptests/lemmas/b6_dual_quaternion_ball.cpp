@@ -19,7 +19,8 @@ using gen::RationalVec;
 using Span = std::span<const Rational>;
 using Blend = DualQuaternionBlend<Rational>;
 
-// Corners of any length; duals of any kind, the axis the corners' sum, one of them, their nearest point to 0, or any.
+// Weight vertices of any length; duals of any kind, the axis the weight vertices' sum, one of them, their nearest point
+// to 0, or any.
 struct BallCase {
   Blend blend;
   std::vector<Rational> weights;
@@ -44,7 +45,7 @@ struct BallCase {
   bool applies() const { return dual_quaternion_ball_hypotheses(blend, axis, u()) == Verdict::holds; }
 };
 
-// The same with at least so many corners, all of them turned to the axis' side.
+// The same with at least so many weight vertices, all of them turned to the axis' side.
 struct AheadCase : BallCase {
   explicit AheadCase(std::size_t least) : BallCase(4) {
     RC_PRE(blend.weight_vertex_count() >= least && squared_norm(axis) > 0);
@@ -66,7 +67,7 @@ PROPTEST(b6_dual_quaternion_ball) {
             RC_ASSERT(reached.verdict == Verdict::holds);
             RC_ASSERT(is_reached_image(c.blend, c.axis, ball, c.u(), reached) == Verdict::holds);
           });
-  t.holds("what is measured at a corner is the distance of its image, and the part of its dual along it",
+  t.holds("what is measured at a weight vertex is the distance of its image, and the part of its dual along it",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const BallCase c(4);
             RC_CLASSIFY(c.is_degenerate, "degenerate");
@@ -136,7 +137,7 @@ PROPTEST(b6_dual_quaternion_ball) {
   });
 
   needs_each_part(
-      t, "each corner and each of the weights is looked at by itself", 0.03,
+      t, "each weight vertex and each of the weights is looked at by itself", 0.03,
       [] {
         const AheadCase c(3);
         auto blend = c.blend;
@@ -162,8 +163,8 @@ PROPTEST(b6_dual_quaternion_ball) {
         RC_PRE(squared_norm(combine<Rational, 4>(Span(u), blend.rotations)) > 0);
         return Weakening{part, hypothesis, dual_quaternion_ball_encloses(blend, c.axis, c.center, Span(u)).verdict};
       },
-      900);
-  t.holds("the ball's radius is the greatest of the corners', and its verdict is whether the image is inside",
+      3000);
+  t.holds("the ball's radius is the greatest of the weight vertices', and its verdict is whether the image is inside",
           {.number_type = "rational", .cases = 500}, [] {
             const AheadCase c(1);
             auto blend = c.blend;
@@ -224,7 +225,7 @@ PROPTEST(b6_dual_quaternion_ball) {
     return is_reached_image<b6::Q>(b6::still, b6::identity, {b6::between, 1}, Span(halves),
                                    {Verdict::holds, b6::between, b6::none}) == Verdict::fails;
   });
-  reaches_share(t, "cases of several corners ahead of the axis, that differ", 0.1, [] {
+  reaches_share(t, "cases of several weight vertices ahead of the axis, that differ", 0.1, [] {
     const BallCase c(4);
     return c.applies() && !c.is_degenerate;
   });
@@ -237,9 +238,9 @@ PROPTEST(b6_dual_quaternion_ball) {
              dual_quaternion_ball_encloses(blend, b6::identity, center, weights).verdict == Verdict::fails;
     });
   };
-  fails_without("all corners are ahead of the axis", "with a corner behind the axis a vertex leaves the ball", b6::opposite,
-                b6::between, b6::third);
-  fails_without("the weights are convex", "beyond the corners a vertex leaves the ball", b6::turning, b6::turning.point,
+  fails_without("all weight vertices are ahead of the axis", "with a weight vertex behind the axis a vertex leaves the ball",
+                b6::opposite, b6::between, b6::third);
+  fails_without("the weights are convex", "beyond the weight vertices a vertex leaves the ball", b6::turning, b6::turning.point,
                 b6::beyond_the_first);
 }
 

@@ -109,7 +109,7 @@ PROPTEST(b7_motion_bound) {
     for (const auto& y : images) sum += y - from, squares += squared_distance(y, from);
     RC_ASSERT(squared_spread_of_sums(Rational(static_cast<int>(images.size())), squares, sum) == squared_spread(images));
   });
-  t.holds("dual quaternions deviation from the linear blend by no more than the bound, and turn what is not at the point",
+  t.holds("dual quaternions deviate from the linear blend by no more than the bound, and turn what is not at the point",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const ReachCase c(4);
             RC_ASSERT(reach_hypotheses(c.transforms, c.cosine, c.u()) == Verdict::holds);
@@ -312,7 +312,7 @@ PROPTEST(b7_motion_bound) {
     auto longer = good, shorter = good;
     longer.turned *= Rational(1) + amount, shorter.turned /= Rational(1) + amount;
     if (c.vertex != c.point) RC_ASSERT(rejected(longer, c.cosine) && rejected(shorter, c.cosine));
-    // Of a cosine of 1 nothing may deviation.
+    // Of a cosine of 1 nothing may deviate.
     if (squared_norm(good.deviated) > 0) RC_ASSERT(rejected(good, Rational(1)));
     RC_ASSERT(good.verdict == Verdict::holds);
     auto none = dual_reach(c.transforms, Rational(1), c.point, c.u(), c.vertex);
@@ -391,7 +391,7 @@ PROPTEST(b7_motion_bound) {
                    b7::halves);
   deviates_without("the weights are convex", "beyond the joints a point deviates too far", b7::short_way, b7::short_cosine,
                    b7::beyond_the_first);
-  t.example("two joints at halves deviation by just the second bound", {.form = "beyond"}, [] {
+  t.example("two joints at halves deviate by just the second bound", {.form = "beyond"}, [] {
     const auto found = dual_reach(b7::short_way, b7::short_cosine, b7::y_axis, Span(b7::halves), b7::y_axis);
     const b7::Q spread = squared_spread(images_of(b7::short_way, b7::y_axis));
     return found.verdict == Verdict::holds && spread > 0 &&

@@ -22,9 +22,9 @@ Vec<Rational, D> blend(const gen::ScaledHull<D>& hull) {
 // The blend is 0 or one of the vectors, or there is but one.
 template <int D>
 bool is_degenerate(const gen::ScaledHull<D>& hull) {
-  bool corner = false;
-  for (const Rational& w : hull.weights) corner = corner || w == Rational(1);
-  return corner || squared_norm(blend(hull)) == Rational(0);
+  bool weight_vertex = false;
+  for (const Rational& w : hull.weights) weight_vertex = weight_vertex || w == Rational(1);
+  return weight_vertex || squared_norm(blend(hull)) == Rational(0);
 }
 
 const auto vanish_together = [](const auto& vectors, const auto& factors, const auto& weights) {

@@ -17,9 +17,9 @@ using namespace refitlab;
 // The blend is 0 or one of the vectors, the plane passes through 0, or the ball's radius or center is 0.
 template <int D>
 bool is_degenerate(const gen::EnclosedHull<D>& hull) {
-  bool corner = false;
-  for (const Rational& w : hull.weights) corner = corner || w == Rational(1);
-  return corner || squared_norm(combine<Rational, D>(hull.weights, hull.units)) == Rational(0) ||
+  bool weight_vertex = false;
+  for (const Rational& w : hull.weights) weight_vertex = weight_vertex || w == Rational(1);
+  return weight_vertex || squared_norm(combine<Rational, D>(hull.weights, hull.units)) == Rational(0) ||
          scaled_distance(hull.ball.center, hull.ball.squared_radius) == Rational(0) || hull.ball.squared_radius == Rational(0) ||
          squared_norm(hull.ball.center) == Rational(0);
 }

@@ -33,15 +33,15 @@ struct Node {
       bounds.push_back(limits.bounds);
       sets.push_back({*rc::gen::container<std::vector<RigidTransform<Rational>>>(joints, gen::rigid_transform()),
                       *rc::gen::weightedOneOf<Point>({{1, rc::gen::just(reference.center)}, {5, gen::rational_vector<3>()}}),
-                      limits.corners});
+                      limits.vertices});
     }
     set = *rc::gen::inRange<std::size_t>(0, count);
     weights = *gen::admissible_weights(bounds[set]);
-    coefficients = weight_vertices_span(bounds[set], sets[set].corners, weights).coefficients;
+    coefficients = weight_vertices_span(bounds[set], sets[set].weight_vertices, weights).coefficients;
   }
   const PosedJointSet<Rational>& own() const { return sets[set]; }
   bool is_degenerate() const {
-    return reference.radius == 0 || own().rotation_center == reference.center || own().corners.size() == 1;
+    return reference.radius == 0 || own().rotation_center == reference.center || own().weight_vertices.size() == 1;
   }
 };
 
@@ -92,16 +92,16 @@ void formulas_are_those_of_the_paper(Suite& t) {
             RC_ASSERT(blend_vertex<Rational>(set, n.weights, n.vertex) == deformed);
             const JointSets alone{set};
             const auto balls = joint_set_balls_repaired<Rational>(alone, n.reference.center);
-            RC_ASSERT(balls.size() == set.corners.size());
+            RC_ASSERT(balls.size() == set.weight_vertices.size());
             for (std::size_t k = 0; k < balls.size(); ++k) {
               Point center = Point::Zero();
-              for (std::size_t i = 0; i < images.size(); ++i) center += images[i] * set.corners[k][i];
+              for (std::size_t i = 0; i < images.size(); ++i) center += images[i] * set.weight_vertices[k][i];
               RC_ASSERT(balls[k].center == center);
               RC_ASSERT(balls[k].squared_radius == squared_distance(n.reference.center, set.rotation_center));
             }
             // Of several joint-sets: one after the other.
             std::size_t count = 0;
-            for (const auto& s : n.sets) count += s.corners.size();
+            for (const auto& s : n.sets) count += s.weight_vertices.size();
             RC_ASSERT(joint_set_balls_repaired<Rational>(n.sets, n.reference.center).size() == count);
           });
   t.holds("the verdict on a vertex is whether the ball, larger by r, encloses it", {.number_type = "rational", .cases = 400}, [] {
@@ -158,7 +158,7 @@ void hypotheses_need_each_part(Suite& t) {
       },
       150);
   needs_part(
-      t, "the weights are the combination of the corners",
+      t, "the weights are the combination of the weight vertices",
       [] {
         Node n;
         RC_PRE(is_vertex(n));
@@ -223,7 +223,7 @@ PROPTEST(s44_joint_sets) {
   hypotheses_need_each_part(t);
   checks_need_each_part(t);
 
-  t.refuted("a ball of the balls made with the corners and rotation center of the first joint-set encloses every vertex",
+  t.refuted("a ball of the balls made with the weight vertices and rotation center of the first joint-set encloses every vertex",
             {.form = "printed", .number_type = "rational"}, [] {
               const Node n;
               RC_PRE(is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds);
@@ -250,8 +250,8 @@ PROPTEST(s44_joint_sets) {
             RC_CLASSIFY(n.is_degenerate(), "degenerate");
             const auto parts = joint_set_balls_repaired<Rational>(n.sets, n.reference.center);
             auto first = parts.begin();
-            for (std::size_t z = 0; z < n.set; ++z) first += static_cast<std::ptrdiff_t>(n.sets[z].corners.size());
-            const auto ball = ball_around({first, first + static_cast<std::ptrdiff_t>(n.own().corners.size())});
+            for (std::size_t z = 0; z < n.set; ++z) first += static_cast<std::ptrdiff_t>(n.sets[z].weight_vertices.size());
+            const auto ball = ball_around({first, first + static_cast<std::ptrdiff_t>(n.own().weight_vertices.size())});
             RC_ASSERT(joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict == Verdict::holds);
           });
   const auto refutes = [&t](const std::string& sentence, const s44_joints::Case& c) {
@@ -267,7 +267,8 @@ PROPTEST(s44_joint_sets) {
     });
   };
   refutes("one rotation center for two joint-sets misses a vertex that the second one turns", s44_joints::rotation_center);
-  refutes("one list of corners for two joint-sets misses a vertex that the second one moves", s44_joints::corners);
+  refutes("one list of weight vertices for two joint-sets misses a vertex that the second one moves",
+          s44_joints::weight_vertices);
 
   t.holds("a vertex of one joint moves rigidly, whatever its rotation center", {.number_type = "rational"}, [] {
     const auto joint = *gen::rigid_transform();
@@ -291,10 +292,11 @@ PROPTEST(s44_joint_sets) {
                                              : joint_set_balls_repaired<Rational>(n.sets, n.reference.center));
     decide_by_all(
         []<class S>(const Ball3<S>& b, const std::vector<RigidTransform<S>>& joints, const Vec<S, 3>& center,
-                    const Corners<S>& corners, const Ball3<S>& reference, const std::vector<S>& w, const Vec<S, 3>& v) {
-          return joint_set_vertex<S>(b, {joints, center, corners}, reference, w, v).verdict;
+                    const WeightVertices<S>& weight_vertices, const Ball3<S>& reference, const std::vector<S>& w,
+                    const Vec<S, 3>& v) {
+          return joint_set_vertex<S>(b, {joints, center, weight_vertices}, reference, w, v).verdict;
         },
-        ball, n.own().transforms, n.own().rotation_center, n.own().corners, n.reference, n.weights, n.vertex);
+        ball, n.own().transforms, n.own().rotation_center, n.own().weight_vertices, n.reference, n.weights, n.vertex);
     decide_by_all(
         []<class S>(const Ball3<S>& b, const Vec<S, 3>& center, const S& squared_radius) {
           return encloses_part<S>(b, {center, squared_radius});
@@ -325,15 +327,15 @@ PROPTEST(s44_joint_sets) {
 
   const Options in_ball{.form = "repaired", .hypothesis = "the vertex is in the reference ball"};
   t.example("a vertex outside the reference ball is missed", in_ball, [] {
-    const auto& c = s44_joints::corners;
+    const auto& c = s44_joints::weight_vertices;
     const auto ball = ball_around(joint_set_balls_repaired<Rational>(c.sets, c.reference.center));
     const Point outside(6, 0, 0);
     return is_vertex_of<Rational>(c.sets[1], c.reference, c.weights, outside, {1}) == Verdict::fails &&
            joint_set_vertex<Rational>(ball, c.sets[1], c.reference, c.weights, outside).verdict == Verdict::fails;
   });
   const Options admissible{.form = "repaired", .hypothesis = "the weights are admissible"};
-  t.example("a vertex whose weights are no combination of the corners is missed", admissible, [] {
-    const auto& c = s44_joints::corners;
+  t.example("a vertex whose weights are no combination of the weight vertices is missed", admissible, [] {
+    const auto& c = s44_joints::weight_vertices;
     const auto ball = ball_around(joint_set_balls_repaired<Rational>(c.sets, c.reference.center));
     const std::vector<Rational> beyond{-1, 2};
     return is_vertex_of<Rational>(c.sets[1], c.reference, beyond, c.vertex, {1}) == Verdict::fails &&
@@ -341,7 +343,7 @@ PROPTEST(s44_joint_sets) {
   });
   const Options all_sets{.form = "repaired", .hypothesis = "the ball encloses the balls of every joint-set"};
   t.example("a ball of the first joint-set alone misses a vertex of the second", all_sets, [] {
-    const auto& c = s44_joints::corners;
+    const auto& c = s44_joints::weight_vertices;
     const JointSets first{c.sets[0]};
     const auto ball = ball_around(joint_set_balls_repaired<Rational>(first, c.reference.center));
     return encloses_parts<Rational>(ball, joint_set_balls_repaired<Rational>(c.sets, c.reference.center)) == Verdict::fails &&

@@ -167,7 +167,7 @@ PROPTEST(t3_one_cap) {
           part = broken.part;
           c.coefficients = broken.weights;
         }
-        // One of the blends that the theorem speaks of, or the corner itself.
+        // One of the blends that the theorem speaks of, or the weight vertex itself.
         if (kind < 3 && *rc::gen::arbitrary<bool>()) {
           c.coefficients.assign(m, Rational(0));
           c.coefficients[k] = 1;

@@ -236,9 +236,9 @@ PROPTEST(vocabulary) {
   t.holds("weights are convex up to the edge", {.number_type = "rational", .cases = 300}, [] {
     const auto w = *gen::convex_weights(*rc::gen::inRange(1, 6));
     RC_ASSERT(is_convex(Span(w)) == Verdict::holds);
-    std::vector<Rational> corner(w.size(), Rational(0));
-    corner[gen::any_place(w.size())] = 1;
-    RC_ASSERT(is_convex(Span(corner)) == Verdict::holds);
+    std::vector<Rational> weight_vertex(w.size(), Rational(0));
+    weight_vertex[gen::any_place(w.size())] = 1;
+    RC_ASSERT(is_convex(Span(weight_vertex)) == Verdict::holds);
     const std::vector<Rational> none;
     RC_ASSERT(is_convex(Span(none)) == Verdict::fails);
   });

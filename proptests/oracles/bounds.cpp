@@ -25,19 +25,19 @@ Point image_by(const Q& a, const Q& middle, const Q& b) {
   return imaginary<double>(multiply<double>(multiply<double>(a, middle), conjugate<double>(b)));
 }
 
-// The sum over all orders in which corners are taken of what the blend's numerator has there, and of its weight.
+// The sum over all orders in which weight vertices are taken of what the blend's numerator has there, and of its weight.
 struct Control {
   Point numerator = {0, 0, 0};
   double weight = 0;
 };
 
-void add(Control& sum, const BlendCorners& c, std::size_t k, std::size_t l) {
+void add(Control& sum, const BlendsAtWeightVertices& c, std::size_t k, std::size_t l) {
   sum.weight += along(c.rotations[k], c.rotations[l]);
   sum.numerator += image_by(c.rotations[k], pure(c.x), c.rotations[l]);
   if (!c.duals.empty()) sum.numerator += 2 * imaginary<double>(multiply<double>(c.duals[k], conjugate<double>(c.rotations[l])));
 }
 
-double needed_by_control(const BlendCorners& c, const Point& center) {
+double needed_by_control(const BlendsAtWeightVertices& c, const Point& center) {
   double needed = 0;
   const std::size_t m = c.rotations.size();
   for (std::size_t j = 0; j < m; ++j)
@@ -48,7 +48,7 @@ double needed_by_control(const BlendCorners& c, const Point& center) {
         std::array<std::size_t, 3> order{j, k, l};
         if (!c.duals.empty()) {
           add(sum, c, j, k), add(sum, c, k, j);
-        } else {  // all six orders: two quaternions, and the third corner's image
+        } else {  // all six orders: two quaternions, and the third weight vertex's image
           std::array<int, 3> at{0, 1, 2};
           do {
             const auto a = order[at[0]], b = order[at[1]];
@@ -63,7 +63,7 @@ double needed_by_control(const BlendCorners& c, const Point& center) {
 }
 
 // By cosines and sines of angles; 0 for all rotations.
-double needed_by_cap(const BlendCorners& c, const Point& center, const Q& axis) {
+double needed_by_cap(const BlendsAtWeightVertices& c, const Point& center, const Q& axis) {
   double angle = length(axis) == 0 ? std::numbers::pi : 0;
   for (const Q& q : c.rotations) {
     if (length(axis) == 0) break;
@@ -81,7 +81,7 @@ double needed_by_cap(const BlendCorners& c, const Point& center, const Q& axis) 
   return needed;
 }
 
-double needed_by_reach(const BlendCorners& c, const Point& center, const Q& axis, const Point& f) {
+double needed_by_reach(const BlendsAtWeightVertices& c, const Point& center, const Q& axis, const Point& f) {
   double reach = 0;
   for (std::size_t k = 0; k < c.rotations.size(); ++k) {
     if (!(along(c.rotations[k], axis) > 0)) return nothing;
@@ -92,7 +92,7 @@ double needed_by_reach(const BlendCorners& c, const Point& center, const Q& axis
 }
 
 // With the middle of the edge in place of its first end.
-BlendCorners half(BlendCorners c, std::size_t replaced, std::size_t other) {
+BlendsAtWeightVertices half(BlendsAtWeightVertices c, std::size_t replaced, std::size_t other) {
   c.rotations[replaced] = (c.rotations[replaced] + c.rotations[other]) / 2;
   if (c.duals.empty()) c.center_images[replaced] = (c.center_images[replaced] + c.center_images[other]) / 2;
   else c.duals[replaced] = (c.duals[replaced] + c.duals[other]) / 2;
@@ -101,12 +101,13 @@ BlendCorners half(BlendCorners c, std::size_t replaced, std::size_t other) {
 
 }  // namespace
 
-BlendCorners blend_corners(const PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners, const Point& p,
-                           Skinning skinning) {
-  BlendCorners out;
+BlendsAtWeightVertices blend_at_weight_vertices(const PaletteEntry<double>& palette,
+                                                const std::vector<std::vector<double>>& weight_vertices, const Point& p,
+                                                Skinning skinning) {
+  BlendsAtWeightVertices out;
   const bool is_dual = skinning == Skinning::dual_quaternion;
   out.x = is_dual ? p : Point(p - palette.rotation_center);
-  for (const auto& w : corners) {
+  for (const auto& w : weight_vertices) {
     Q q = {0, 0, 0, 0}, d = {0, 0, 0, 0};
     Point r = {0, 0, 0};
     for (std::size_t i = 0; i < w.size(); ++i) {
@@ -121,20 +122,20 @@ BlendCorners blend_corners(const PaletteEntry<double>& palette, const std::vecto
   return out;
 }
 
-double needed_radius(const BlendCorners& corners, const Bound& bound, const Point& center) {
+double needed_radius(const BlendsAtWeightVertices& weight_vertices, const Bound& bound, const Point& center) {
   switch (bound.by) {
-    case By::control: return needed_by_control(corners, center);
-    case By::all_rotations: return needed_by_cap(corners, center, {0, 0, 0, 0});
-    case By::cap: return needed_by_cap(corners, center, bound.axis);
-    case By::reach: return needed_by_reach(corners, center, bound.axis, bound.center);
+    case By::control: return needed_by_control(weight_vertices, center);
+    case By::all_rotations: return needed_by_cap(weight_vertices, center, {0, 0, 0, 0});
+    case By::cap: return needed_by_cap(weight_vertices, center, bound.axis);
+    case By::reach: return needed_by_reach(weight_vertices, center, bound.axis, bound.center);
     case By::halves: break;
   }
   const auto [k, l] = bound.edge;
-  return std::max(needed_radius(half(corners, k, l), bound.halves[0], center),
-                  needed_radius(half(corners, l, k), bound.halves[1], center));
+  return std::max(needed_radius(half(weight_vertices, k, l), bound.halves[0], center),
+                  needed_radius(half(weight_vertices, l, k), bound.halves[1], center));
 }
 
-std::vector<Bound> first_tried(const BlendCorners& c) {
+std::vector<Bound> first_tried(const BlendsAtWeightVertices& c) {
   if (!c.duals.empty()) {
     std::vector<BlendedDuals<double>> blends;
     Point f = {0, 0, 0};
@@ -160,26 +161,27 @@ std::vector<Bound> first_tried(const BlendCorners& c) {
   return out;
 }
 
-double least_found_radius(const BlendCorners& corners, const Point& center, int halvings) {
-  double here = needed_by_control(corners, center);
-  for (const Bound& bound : first_tried(corners)) here = std::min(here, needed_radius(corners, bound, center));
-  const std::size_t m = corners.rotations.size();
+double least_found_radius(const BlendsAtWeightVertices& weight_vertices, const Point& center, int halvings) {
+  double here = needed_by_control(weight_vertices, center);
+  for (const Bound& bound : first_tried(weight_vertices)) here = std::min(here, needed_radius(weight_vertices, bound, center));
+  const std::size_t m = weight_vertices.rotations.size();
   if (halvings == 0 || m == 1) return here;
   std::size_t k = 1, l = 0;
   const auto cosine = [&](std::size_t a, std::size_t b) {
-    return along(corners.rotations[a], corners.rotations[b]) / (length(corners.rotations[a]) * length(corners.rotations[b]));
+    return along(weight_vertices.rotations[a], weight_vertices.rotations[b]) /
+           (length(weight_vertices.rotations[a]) * length(weight_vertices.rotations[b]));
   };
   for (std::size_t a = 0; a < m; ++a)
     for (std::size_t b = 0; b < a; ++b)
       if (cosine(a, b) < cosine(k, l)) k = a, l = b;
-  const double first = least_found_radius(half(corners, k, l), center, halvings - 1);
-  return std::min(here, std::max(first, least_found_radius(half(corners, l, k), center, halvings - 1)));
+  const double first = least_found_radius(half(weight_vertices, k, l), center, halvings - 1);
+  return std::min(here, std::max(first, least_found_radius(half(weight_vertices, l, k), center, halvings - 1)));
 }
 
-double needed_radius_linear(const PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners,
+double needed_radius_linear(const PaletteEntry<double>& palette, const std::vector<std::vector<double>>& weight_vertices,
                             const Ball3<double>& reference, const Point& center) {
   double needed = 0;
-  for (const auto& w : corners) {
+  for (const auto& w : weight_vertices) {
     Point image = {0, 0, 0};
     double growth = 0;
     for (std::size_t i = 0; i < w.size(); ++i) {

@@ -9,29 +9,32 @@
 
 namespace proptests::oracle {
 
-// A piece of rigid blending: the corners' quaternions, of any length, their center images or dual parts (none of the other),
-// and x, the reference center minus the rotation center, if there is one. All bounds are of where x is carried, without the
-// reference radius.
-struct BlendCorners {
+// A piece of rigid blending: the weight vertices' quaternions, of any length, their center images or dual parts (none
+// of the other), and x, the reference center minus the rotation center, if there is one. All bounds are of where x is
+// carried, without the reference radius.
+struct BlendsAtWeightVertices {
   std::vector<refitlab::Quaternion<double>> rotations;
   std::vector<refitlab::Vec<double, 3>> center_images;
   std::vector<refitlab::Quaternion<double>> duals;
   refitlab::Vec<double, 3> x;
 };
-BlendCorners blend_corners(const refitlab::PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners,
-                           const refitlab::Vec<double, 3>& p, refitlab::Skinning skinning);
+BlendsAtWeightVertices blend_at_weight_vertices(const refitlab::PaletteEntry<double>& palette,
+                                                const std::vector<std::vector<double>>& weight_vertices,
+                                                const refitlab::Vec<double, 3>& p, refitlab::Skinning skinning);
 
 // Whatever is not proved at all needs an infinite radius.
-double needed_radius(const BlendCorners& corners, const refitlab::Bound& bound, const refitlab::Vec<double, 3>& center);
+double needed_radius(const BlendsAtWeightVertices& weight_vertices, const refitlab::Bound& bound,
+                     const refitlab::Vec<double, 3>& center);
 
 // The bounds that are tried before the control points, with the axes and centers that they are to have.
-std::vector<refitlab::Bound> first_tried(const BlendCorners& corners);
+std::vector<refitlab::Bound> first_tried(const BlendsAtWeightVertices& weight_vertices);
 
 // The least radius for which find_bound finds something: of all bounds that it is to try, halvings included, the best.
-double least_found_radius(const BlendCorners& corners, const refitlab::Vec<double, 3>& center, int halvings);
+double least_found_radius(const BlendsAtWeightVertices& weight_vertices, const refitlab::Vec<double, 3>& center, int halvings);
 
 // Of linear blending, the reference radius included.
-double needed_radius_linear(const refitlab::PaletteEntry<double>& palette, const std::vector<std::vector<double>>& corners,
-                            const refitlab::Ball3<double>& reference, const refitlab::Vec<double, 3>& center);
+double needed_radius_linear(const refitlab::PaletteEntry<double>& palette,
+                            const std::vector<std::vector<double>>& weight_vertices, const refitlab::Ball3<double>& reference,
+                            const refitlab::Vec<double, 3>& center);
 
 }  // namespace proptests::oracle

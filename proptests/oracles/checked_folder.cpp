@@ -30,15 +30,15 @@ CheckerRun run_checker(const std::string& path) {
   return run;
 }
 
-nlohmann::json with_corner_vertices(nlohmann::json document) {
+nlohmann::json with_weight_vertex_vertices(nlohmann::json document) {
   document["vertices"] = nlohmann::json::array();
   for (const nlohmann::json& piece : document["pieces"]) {
     const std::size_t i = document["vertices"].size();
     document["vertices"].push_back({{"id", i},
                                     {"piece", i},
                                     {"position", piece["reference"]["center"]},
-                                    {"weights", piece["corners"][0]},
-                                    {"corners", {0}},
+                                    {"weights", piece["weight_vertices"][0]},
+                                    {"weight_vertices", {0}},
                                     {"shares", {"1"}}});
   }
   return document;

@@ -18,8 +18,9 @@ std::string checker();  // the path of its program
 // path: a file or folder without spaces, or several, or nothing. A run of more than two minutes of processor time is ended.
 CheckerRun run_checker(const std::string& path);
 
-// The document with one vertex a piece in place of its own: at the center of the reference, with the first corner's weights.
-nlohmann::json with_corner_vertices(nlohmann::json document);
+// The document with one vertex a piece in place of its own: at the center of the reference, with the first weight
+// vertex's weights.
+nlohmann::json with_weight_vertex_vertices(nlohmann::json document);
 
 // A document as a certificate's text, with the digest that fits: a forger can do that too.
 std::string sealed(nlohmann::json document);

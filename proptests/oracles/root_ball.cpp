@@ -71,11 +71,12 @@ std::optional<RootBall> repaired_ball(const gen::RefitCase& c, Gather gather) {
   Balls balls;
   for (const auto& set : c.sets) {
     std::vector<RationalQuaternion> blends;
-    for (const auto& corner : set.weights.corners) blends.push_back(blend_quaternion<Rational>(set.palette, corner));
+    for (const auto& weight_vertex : set.weights.vertices)
+      blends.push_back(blend_quaternion<Rational>(set.palette, weight_vertex));
     const auto turned = images(blends, c.reference.center - set.palette.rotation_center, gather);
     if (!turned) return std::nullopt;
-    for (const auto& corner : set.weights.corners)
-      balls.push_back({blend_center<Rational>(set.palette, corner) + turned->center, turned->squared_radius});
+    for (const auto& weight_vertex : set.weights.vertices)
+      balls.push_back({blend_center<Rational>(set.palette, weight_vertex) + turned->center, turned->squared_radius});
   }
   return gathered(balls, gather, c.reference.radius);
 }
@@ -83,8 +84,8 @@ std::optional<RootBall> repaired_ball(const gen::RefitCase& c, Gather gather) {
 RootBall linear_ball(const gen::RefitCase& c) {
   Balls balls;
   for (const auto& set : c.sets)
-    for (const auto& corner : set.weights.corners)
-      balls.push_back({blend_linear<Rational>(set.palette, corner, c.reference.center), Rational(0)});
+    for (const auto& weight_vertex : set.weights.vertices)
+      balls.push_back({blend_linear<Rational>(set.palette, weight_vertex, c.reference.center), Rational(0)});
   return gathered(balls, Gather::at_mean, c.reference.radius);
 }
 

@@ -7,7 +7,7 @@ namespace proptests::oracle {
 
 using refitlab::Rational;
 
-std::set<ExactWeights> corners(const ExactBounds& bounds) {
+std::set<ExactWeights> weight_vertices(const ExactBounds& bounds) {
   std::set<ExactWeights> out;
   const std::size_t n = bounds.low.size();
   for (std::size_t loose = 0; loose < n; ++loose)
@@ -27,7 +27,7 @@ std::set<ExactWeights> corners(const ExactBounds& bounds) {
   return out;
 }
 
-std::map<ExactWeights, Rational> as_combination_of_corners(const ExactBounds& bounds, const ExactWeights& w) {
+std::map<ExactWeights, Rational> as_combination_of_weight_vertices(const ExactBounds& bounds, const ExactWeights& w) {
   std::vector<std::size_t> loose;
   for (std::size_t i = 0; i < w.size(); ++i)
     if (bounds.low[i] < w[i] && w[i] < bounds.high[i]) loose.push_back(i);
@@ -41,7 +41,8 @@ std::map<ExactWeights, Rational> as_combination_of_corners(const ExactBounds& bo
     ExactWeights end = w;
     end[i] += step;
     end[j] -= step;
-    for (const auto& [corner, coefficient] : as_combination_of_corners(bounds, end)) out[corner] += share * coefficient;
+    for (const auto& [weight_vertex, coefficient] : as_combination_of_weight_vertices(bounds, end))
+      out[weight_vertex] += share * coefficient;
   };
   add_end(up, down / (up + down));
   add_end(-down, up / (up + down));

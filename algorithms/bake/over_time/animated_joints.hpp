@@ -14,6 +14,7 @@ namespace refitlab {
 struct PosedJoints {
   std::vector<Eigen::Matrix4d> matrices;  // the skin matrices; on columns, from the reference pose
   Pose pose;                              // the rigid transforms nearest to them; empty where they are not asked for
+  std::vector<Eigen::VectorXd> weights;   // by target, for each of the morphed meshes of the model
 };
 
 // The side of an interval's end that belongs to it: of a moment, the later one, which the animation shows then.
@@ -33,6 +34,8 @@ class AnimatedJoints {
   // By node, over a part; against the parent and against the scene.
   const std::vector<ChainMotion<double>>& links(int part) const { return links_[part]; }
   const std::vector<ChainMotion<double>>& chains(int part) const { return chains_[part]; }
+  // By target, for each of the model's morphed meshes, over a part.
+  const std::vector<std::vector<Motion<double>>>& weights(int part) const { return weights_[part]; }
 
   // How far the linear part of a joint's skin matrix is from the rotation that its chain's quaternions make, at any time of a part,
   // at most: by the noise of scales that should be one. Infinite where a scale may vanish; 0 where no poses are asked for.
@@ -53,6 +56,8 @@ class AnimatedJoints {
   bool needs_pose_;
   std::vector<double> times_, jumps_;  // in increasing order
   std::vector<std::vector<ChainMotion<double>>> links_, chains_;
+  std::vector<const WeightTrack*> weight_tracks_;  // by morphed mesh; nullptr where weights stay
+  std::vector<std::vector<std::vector<Motion<double>>>> weights_;
   std::vector<double> defects_, roundings_;
   mutable std::mutex guard_;
   mutable std::map<std::pair<double, Side>, PosedJoints> posed_;

@@ -10,6 +10,7 @@
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
+#include "lemmas/a3_morph_displacement.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "lemmas/c5_skinned_motion.hpp"
 #include "lemmas/c6_interval_hull.hpp"
@@ -81,10 +82,21 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
   const DefaultFloatEnvironment environment;
   if (skinning == Skinning::hejl) throw std::invalid_argument("MovingVertices: there are no bounds over time of Hejl's centers");
   const BoundSkeleton& skeleton = joints.model().skeleton;
+  const std::vector<MorphedMesh>& morphs = joints.model().morphs;
+  if (!morphs.empty()) displacements_.resize(vertices_.size());
+  for (std::size_t m = 0; m < morphs.size(); ++m)
+    for (std::size_t t = 0; t < morphs[m].targets.size(); ++t)
+      for (std::size_t i = 0; i < vertices_.size(); ++i) {
+        const auto& list = morphs[m].targets[t].displacements;
+        const auto found =
+            std::lower_bound(list.begin(), list.end(), vertices_[i], [](const auto& d, int v) { return d.first < v; });
+        if (found != list.end() && found->first == vertices_[i])
+          displacements_[i].push_back({static_cast<int>(m), static_cast<int>(t), found->second});
+      }
   std::map<int, Set> by_index;
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const int index = sets.of_vertex(vertices_[i]);
-    Set& set = by_index.try_emplace(index, Set{index, {}, {}, {}, -2}).first->second;
+    Set& set = by_index.try_emplace(index, Set{index, {}, {}, {}, {}, -2}).first->second;
     set.vertices.push_back(static_cast<int>(i));
     const auto set_joints = sets.joints(index);
     set.distances.resize(set_joints.size(), 0), set.reaches.resize(set_joints.size(), 0);
@@ -96,14 +108,44 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
       set.distances[k] = std::max(set.distances[k], norm<double, 3>(image(joint.offset, v)) + rounding_of_image * reach);
       set.base = set.base == -2 ? joint.node : common_node(skeleton.nodes, set.base, joint.node);
     }
+    if (displacements_.empty()) continue;
+    for (const Displacement& d : displacements_[i]) {
+      auto morph = std::find_if(set.morphs.begin(), set.morphs.end(),
+                                [&](const Morph& known) { return known.mesh == d.mesh && known.target == d.target; });
+      if (morph == set.morphs.end())
+        morph = set.morphs.insert(morph, {d.mesh, d.target, std::vector<double>(set_joints.size(), 0)});
+      for (std::size_t k = 0; k < set_joints.size(); ++k) {
+        const Eigen::Matrix4d& offset = skeleton.joints[set_joints[k]].offset;
+        const double reach = stretch_of(offset).most * norm<double, 3>(d.by);
+        morph->lengths[k] =
+            std::max(morph->lengths[k], norm<double, 3>(offset.topLeftCorner<3, 3>() * d.by) + rounding_of_image * reach);
+      }
+    }
   }
   for (auto& [index, set] : by_index) sets_.push_back(std::move(set));
+}
+
+Point3 MovingVertices::displaced(int i, const PosedJoints& posed) const {
+  Point3 v = joints_.model().vertices[vertices_[i]];
+  if (!displacements_.empty())
+    for (const Displacement& d : displacements_[i]) v += posed.weights[d.mesh][d.target] * d.by;
+  return v;
+}
+
+Motion<double> MovingVertices::below(const Set& set, std::size_t k, int part,
+                                     const std::vector<double>& lengths_of_reference) const {
+  std::vector<double> lengths;
+  std::vector<Motion<double>> weights;
+  for (const Morph& morph : set.morphs) {
+    lengths.push_back(morph.lengths[k]);
+    weights.push_back(joints_.weights(part)[morph.mesh][morph.target]);
+  }
+  return displaced_motion<double>(lengths_of_reference[k], lengths, weights);
 }
 
 void MovingVertices::place(double time, Side side, Followed followed, std::vector<Point3>& points) const {
   const DefaultFloatEnvironment environment;
   const PosedJoints& posed = joints_.at(time, side);
-  const std::vector<Point3>& reference = joints_.model().vertices;
   const bool is_linear = skinning_ == Skinning::linear || followed == Followed::linear_blend;
   points.resize(vertices_.size());
   OwnedPaletteEntry<double> palette;
@@ -117,7 +159,7 @@ void MovingVertices::place(double time, Side side, Followed followed, std::vecto
                               rotation_center<double>(palette.transforms, center_prior(joints_.model(), joints, skinning_)));
     }
     for (const int i : set.vertices) {
-      const Point3& v = reference[vertices_[i]];
+      const Point3 v = displaced(i, posed);
       const auto weights = joint_sets_.weights(vertices_[i]);
       if (is_linear) {
         Point3 sum = image(posed.matrices[joints[0]], v) * weights[0];
@@ -153,7 +195,7 @@ Motion<double> MovingVertices::linear_motion(const Set& set, int part) const {
   std::vector<Motion<double>> images;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int node = joints_.model().skeleton.joints[joints[k]].node;
-    images.push_back(carried_motion(joints_.chains(part)[node], at_rest(set.distances[k])));
+    images.push_back(carried_motion(joints_.chains(part)[node], below(set, k, part, set.distances)));
   }
   return widest<double>(images);
 }
@@ -171,7 +213,7 @@ double MovingVertices::dual_chord(const Set& set, int part, double start, double
   std::vector<Motion<double>> images, turns;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto chain = chain_below(skeleton.nodes, joints_.links(part), set.base, skeleton.joints[joints[k]].node);
-    images.push_back(carried_motion(chain, at_rest(set.distances[k])));
+    images.push_back(carried_motion(chain, below(set, k, part, set.distances)));
     turns.push_back(chain.rotation);
   }
   Motion<double> motion = dual_motion<double>(images, turns, std::sqrt(squared_least));
@@ -226,12 +268,13 @@ bool MovingVertices::deviate(const Set& set, int part, double start, double end,
   const double tolerance = skinning_ != Skinning::spherical ? 0 : joints.size() == 2 ? 1e-4 : 1e-4 + 2e-3 * std::sqrt(pairs);
   const Point3 prior = center_prior(joints_.model(), joints, skinning_);
   for (const int i : set.vertices) {
-    const Point3& v = joints_.model().vertices[vertices_[i]];
     const double share = squared_deviation_share<double>(joint_sets_.weights(vertices_[i]), known.cosines, squared_least);
-    const double off_center = 2 * tolerance * norm<double, 3>(v - prior);
     for (const auto& [time, side] : {std::pair{start, Side::after}, {end, side_of_end(start, end)}}) {
+      const PosedJoints& posed = joints_.at(time, side);
+      const Point3 v = displaced(i, posed);
+      const double off_center = 2 * tolerance * norm<double, 3>(v - prior);
       std::vector<Point3> images;
-      for (const int j : joints) images.push_back(image(joints_.at(time, side).matrices[j], v));
+      for (const int j : joints) images.push_back(image(posed.matrices[j], v));
       beyond[i] = std::max(beyond[i], std::sqrt(share) * (std::sqrt(squared_spread<double>(images)) + apart + off_center));
     }
   }
@@ -254,7 +297,7 @@ double MovingVertices::placing_error(int part) const {
     double size = 0;  // of all that is summed up, even if most of it cancels
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const int node = joints_.model().skeleton.joints[joints[k]].node;
-      size = std::max(size, carried_motion(joints_.chains(part)[node], at_rest(set.reaches[k])).size);
+      size = std::max(size, carried_motion(joints_.chains(part)[node], below(set, k, part, set.reaches)).size);
     }
     double relative = relative_rounding(set, part);
     if (skinning_ != Skinning::linear) {

@@ -41,15 +41,26 @@ class MovingVertices {
   double placing_error(int part) const;
 
  private:
+  // A morph target of a mesh that displaces vertices of a set.
+  struct Morph {
+    int mesh, target;
+    std::vector<double> lengths;  // by joint: of the displacements in the joint's frame, at most
+  };
   // The vertices that one joint-set moves.
   struct Set {
     int index;
     std::vector<int> vertices;      // positions in vertices_
     std::vector<double> distances;  // by joint: of the vertices from the joint's origin, in its frame, at most
     std::vector<double> reaches;    // by joint: the same by what these are summed up from, for rounding
-    int base;                       // the deepest node that is above all joints' nodes, or one of them; -1 is the scene
+    std::vector<Morph> morphs;
+    int base;  // the deepest node that is above all joints' nodes, or one of them; -1 is the scene
   };
 
+  // A vertex before it is skinned, with the weights of a moment.
+  Point3 displaced(int i, const PosedJoints& posed) const;
+  // Of the set's vertices in the frame of its k-th joint, before that moves, by how far they are without displacements
+  // (a3_morph_displacement).
+  Motion<double> below(const Set& set, std::size_t k, int part, const std::vector<double>& distances) const;
   Motion<double> linear_motion(const Set& set, int part) const;
   // Of the rotations and images of the set's joints that are computed, relative to what they are summed up from.
   double relative_rounding(const Set& set, int part) const;
@@ -71,7 +82,13 @@ class MovingVertices {
   const AnimatedJoints& joints_;
   const JointSets& joint_sets_;
   Skinning skinning_;
+  struct Displacement {
+    int mesh, target;
+    Point3 by;
+  };
+
   std::vector<int> vertices_;
+  std::vector<std::vector<Displacement>> displacements_;  // by position in vertices_; empty for a model without morph targets
   std::vector<Set> sets_;
 };
 

@@ -157,9 +157,12 @@ std::vector<double> smooth_times(const std::string& file, const std::vector<Scen
 }
 
 bool jumps_at(const Animation& animation, double time) {
-  return std::any_of(animation.tracks.begin(), animation.tracks.end(), [&](const NodeTrack& track) {
-    return jumps(track.positions, time) || jumps(track.rotations, time) || jumps(track.scales, time);
-  });
+  return std::any_of(animation.tracks.begin(), animation.tracks.end(),
+                     [&](const NodeTrack& track) {
+                       return jumps(track.positions, time) || jumps(track.rotations, time) || jumps(track.scales, time);
+                     }) ||
+         std::any_of(animation.weight_tracks.begin(), animation.weight_tracks.end(),
+                     [&](const WeightTrack& track) { return jumps(track.weights, time); });
 }
 
 std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& nodes, const Animation& animation, double start,
@@ -175,6 +178,19 @@ std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& node
       link = {refitlab::at_rest(link.linear.size), refitlab::at_rest(link.offset.size), refitlab::at_rest(link.rotation.size)};
   }
   return links;
+}
+
+std::vector<Motion<double>> weight_motions(const WeightTrack& track, double start, double end) {
+  std::vector<Motion<double>> out;
+  for (Eigen::Index i = 0; i < track.weights.keys.front().value.size(); ++i) {
+    // A weight as the first coordinate of a position.
+    Channel<Eigen::Vector3d> one{{}, track.weights.interpolation, {}};
+    for (const auto& key : track.weights.keys) one.keys.push_back({key.time, key.value[i] * Point3::UnitX()});
+    for (const auto& t : track.weights.tangents)
+      one.tangents.push_back({t.into[i] * Point3::UnitX(), t.out[i] * Point3::UnitX()});
+    out.push_back(vector_motion(one, start, end, by_length));
+  }
+  return out;
 }
 
 std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animation& animation, double start, double end) {

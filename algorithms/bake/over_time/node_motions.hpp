@@ -14,7 +14,7 @@ namespace refitlab {
 // one; seconds. Throws ModelError for a spline of rotations that comes too close to zero, where it turns without a bound.
 std::vector<double> smooth_times(const std::string& file, const std::vector<SceneNode>& nodes, const Animation& animation);
 
-// Whether a node's transform jumps at this time: where two keys share it, or a step ends.
+// Whether a node's transform or a weight jumps at this time: where two keys share it, or a step ends.
 bool jumps_at(const Animation& animation, double time);
 
 // The motion of each node against its parent from start to end, two neighbours of smooth_times (c2_channel_motion,
@@ -22,6 +22,9 @@ bool jumps_at(const Animation& animation, double time);
 // second.
 std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& nodes, const Animation& animation, double start,
                                               double end);
+
+// The motion of the weights of a track's morph targets from start to end, likewise. By target, of sizes without a unit.
+std::vector<Motion<double>> weight_motions(const WeightTrack& track, double start, double end);
 
 // The motion of each node against the scene, by that of the nodes against their parents (c4_chain_motion). By node.
 std::vector<ChainMotion<double>> chain_motions(const std::vector<SceneNode>& nodes,

@@ -3,7 +3,8 @@
 //
 // Kept: the angle of line 13 and the ball of line 15 for any angle (Lemma 5 as printed), the division by norms that may be
 // zero, no case for r_E >= 1, and quaternions whose signs come from the matrices (line 3). Read for sense: i runs over
-// the joints on line 3, q_i on line 8 is that of joint j_i, and corners and rotation center belong to each joint-set.
+// the joints on line 3, q_i on line 8 is that of joint j_i, and weight vertices and rotation center belong to each
+// joint-set.
 #pragma once
 
 #include "algorithms/runtime/refit/ball_policy.hpp"
@@ -43,11 +44,11 @@ Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLi
     const PaletteEntry<S> palette = node.palette[set.joint_set];
     lists.quaternions.clear();                           // line 5
     for (int k = 0; k < set.weight_vertex_count; ++k) {  // line 6
-      const auto corner = node.corner(set, k);
+      const auto weight_vertex = node.weight_vertex(set, k);
       Quaternion<S> blend = Quaternion<S>::Constant(S(0));
-      for (std::size_t i = 0; i < corner.size(); ++i) {  // lines 3 and 8
+      for (std::size_t i = 0; i < weight_vertex.size(); ++i) {  // lines 3 and 8
         const Quaternion<S>& q = palette.transforms[i].rotation;
-        blend = blend + (signs == Signs::of_matrices ? matrix_to_quaternion(q) : q) * corner[i];
+        blend = blend + (signs == Signs::of_matrices ? matrix_to_quaternion(q) : q) * weight_vertex[i];
       }
       lists.quaternions.push_back(direction_by_root(blend));  // lines 9 and 10
     }
@@ -61,7 +62,7 @@ Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLi
     const Vec<S, 3> u = node.reference.center - palette.rotation_center;
     const Ball3<S> turned = cap_ball_printed<S, 3>(rotate(apex, u), norm(u), cos_alpha, sin_alpha);
     for (int k = 0; k < set.weight_vertex_count; ++k)  // lines 7, 14 and 15
-      lists.balls.push_back({blend_center(palette, node.corner(set, k)) + turned.center, turned.radius});
+      lists.balls.push_back({blend_center(palette, node.weight_vertex(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);  // line 16
 }

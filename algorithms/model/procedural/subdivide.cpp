@@ -39,6 +39,7 @@ Model subdivide(const Model& model) {
     return place->second;
   };
   out.triangles.clear();
+  out.sources.clear();  // of the coarser triangles
   for (const auto& [a, b, c] : model.triangles) {
     const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
     out.triangles.insert(out.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});

@@ -8,7 +8,7 @@ namespace refitlab {
 
 // Each triangle becomes four, with a vertex in the middle of each edge. The vertices of the model come first and keep
 // their influences; a middle has the mean of its ends' weights, the four largest of them if there are more. model is
-// valid.
+// valid. Its sources are left out.
 Model subdivide(const Model& model);
 
 }  // namespace refitlab

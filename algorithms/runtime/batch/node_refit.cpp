@@ -48,16 +48,16 @@ Row<float, 4> rotated(const Row<float, 4>& unit, const Row<float, 4>& x) {
 NodeRefit::NodeRefit(const SphereTree& tree, const JointSets& sets) : pieces_(tree.pieces), sets_(sets.count()) {
   const DefaultFloatEnvironment environment;
   for (const double w : tree.weight_vertices) weights_.push_back(static_cast<float>(w));  // exact
-  int most_corners = 0, most_pieces = 0;
+  int most_weight_vertices = 0, most_pieces = 0;
   for (const TreeNode& n : tree.nodes) {
     checked_single(norm(n.reference.center) + n.reference.radius);
     nodes_.push_back({four(n.reference.center), float_above(n.reference.radius), n.first_piece, n.piece_count});
-    int corners = 0;
-    for (int i = 0; i < n.piece_count; ++i) corners += pieces_[n.first_piece + i].weight_vertex_count;
-    most_corners = std::max(most_corners, corners);
+    int weight_vertices = 0;
+    for (int i = 0; i < n.piece_count; ++i) weight_vertices += pieces_[n.first_piece + i].weight_vertex_count;
+    most_weight_vertices = std::max(most_weight_vertices, weight_vertices);
     most_pieces = std::max(most_pieces, n.piece_count);
   }
-  corners_.resize(most_corners);
+  weight_vertices_.resize(most_weight_vertices);
   radii_.resize(most_pieces);
 }
 
@@ -76,7 +76,7 @@ void NodeRefit::begin(const SkinningPalette<double>& palette) {
   }
 }
 
-float NodeRefit::place_corners(const NodePiece& piece, const Row<float, 4>& p, Corner* out) const {
+float NodeRefit::place_weight_vertices(const NodePiece& piece, const Row<float, 4>& p, WeightVertex* out) const {
   const Set& set = sets_[piece.joint_set];
   const Joint* joints = joints_.data() + set.first_joint;
   const float* w = weights_.data() + piece.first_weight;
@@ -123,18 +123,18 @@ Ball3<float> NodeRefit::operator()(int node) {
   Row<float, 4> sum = {0, 0, 0, 0};
   int count = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Corner* own = corners_.data() + count;
-    radii_[i] = place_corners(pieces[i], n.center, own);
+    WeightVertex* own = weight_vertices_.data() + count;
+    radii_[i] = place_weight_vertices(pieces[i], n.center, own);
     for (int k = 0; k < pieces[i].weight_vertex_count; ++k) sum += own[k].center;
     count += pieces[i].weight_vertex_count;
   }
   const Row<float, 4> center = sum * (1 / static_cast<float>(count));
   float radius = 0;
-  const Corner* corner = corners_.data();
+  const WeightVertex* weight_vertex = weight_vertices_.data();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     float far = 0;
-    for (int k = 0; k < pieces[i].weight_vertex_count; ++k, ++corner)
-      far = std::max(far, squared_length(corner->center - center));
+    for (int k = 0; k < pieces[i].weight_vertex_count; ++k, ++weight_vertex)
+      far = std::max(far, squared_length(weight_vertex->center - center));
     radius = std::max(radius, std::sqrt(far) + radii_[i]);
   }
   return {{center[0], center[1], center[2]}, (radius + n.radius) * (1 + 8 * epsilon) + underflow_slack};

@@ -35,20 +35,20 @@ class NodeRefit {
     float radius;
     int first_piece, piece_count;
   };
-  struct Corner {
+  struct WeightVertex {
     Row<float, 4> unit, center;
   };
 
-  // Writes the piece's corners and returns the radius of their balls, without r.
-  float place_corners(const NodePiece& piece, const Row<float, 4>& p, Corner* out) const;
+  // Writes the piece's weight vertices and returns the radius of their balls, without r.
+  float place_weight_vertices(const NodePiece& piece, const Row<float, 4>& p, WeightVertex* out) const;
 
   std::vector<Node> nodes_;
   std::vector<NodePiece> pieces_;
   std::vector<float> weights_;
   std::vector<Set> sets_;
   std::vector<Joint> joints_;
-  std::vector<Corner> corners_;  // of the node in work, in all of its pieces
-  std::vector<float> radii_;     // by piece
+  std::vector<WeightVertex> weight_vertices_;  // of the node in work, in all of its pieces
+  std::vector<float> radii_;                   // by piece
 };
 
 }  // namespace refitlab

@@ -33,16 +33,16 @@ int weight_vertex_count(std::span<const NodePiece> sets) {
   return sum;
 }
 
-std::vector<int> corner_counts(std::span<const NodePiece> sets) {
+std::vector<int> weight_vertex_counts(std::span<const NodePiece> sets) {
   std::vector<int> out;
   for (const NodePiece& s : sets) out.push_back(s.weight_vertex_count);
   return out;
 }
 
-// So that the lanes of a block have about as many corners.
-constexpr auto has_fewer_corners = [](const auto& a, const auto& b) {
-  return std::pair(weight_vertex_count(a.sets), corner_counts(a.sets)) <
-         std::pair(weight_vertex_count(b.sets), corner_counts(b.sets));
+// So that the lanes of a block have about as many weight vertices.
+constexpr auto has_fewer_weight_vertices = [](const auto& a, const auto& b) {
+  return std::pair(weight_vertex_count(a.sets), weight_vertex_counts(a.sets)) <
+         std::pair(weight_vertex_count(b.sets), weight_vertex_counts(b.sets));
 };
 
 }  // namespace
@@ -56,11 +56,11 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
     by_sets[names_of(own)].push_back({&node, own, static_cast<int>(n)});
     largest_reference_ = std::max(largest_reference_, float_above(node.reference.center.norm()));
   }
-  std::map<std::pair<int, int>, std::vector<Item>> pieces;  // by joint-set and count of corners
+  std::map<std::pair<int, int>, std::vector<Item>> pieces;  // by joint-set and count of weight vertices
   std::vector<int> merged;
   for (auto& [names, items] : by_sets) {
     if (names.size() == 1 || (names.size() <= most_sets && items.size() >= fewest_nodes)) {
-      std::stable_sort(items.begin(), items.end(), has_fewer_corners);
+      std::stable_sort(items.begin(), items.end(), has_fewer_weight_vertices);
       std::vector<int> nodes;
       for (const Item& item : items) nodes.push_back(item.target);
       place(nodes);
@@ -104,7 +104,7 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
     to.data.push_back(row);
   };
   const auto share = [](const Item& it) { return 1 / static_cast<float>(weight_vertex_count(it.sets)); };
-  // Items come sorted by the number of corners.
+  // Items come sorted by the number of weight vertices.
   const bool same_share = weight_vertex_count(items.front().sets) == weight_vertex_count(items.back().sets);
   const std::size_t set_count = items[0].sets.size();
   to.blocks.push_back({static_cast<int>(to.sets.size()), static_cast<int>(set_count), static_cast<int>(to.data.size()),
@@ -112,7 +112,7 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
   for (int i = 0; i < 3; ++i) add_row([&](const Item& it) { return static_cast<float>(it.node->reference.center[i]); });
   add_row([](const Item& it) { return float_above(it.node->reference.radius); });
   if (!same_share) add_row(share);
-  int corners = 0;
+  int weight_vertices = 0;
   for (std::size_t e = 0; e < set_count; ++e) {
     const int set = items[0].sets[e].joint_set, joints = static_cast<int>(sets.joints(set).size());
     int fewest = items[0].sets[e].weight_vertex_count, most = 0;
@@ -121,7 +121,7 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
       most = std::max(most, it.sets[e].weight_vertex_count);
     }
     to.sets.push_back({set, joints, fewest, most});
-    corners += most;
+    weight_vertices += most;
     for (int k = 0; k < most; ++k) {
       if (k >= fewest) add_row([&](const Item& it) { return k < it.sets[e].weight_vertex_count ? 1.f : 0.f; });
       for (int i = 0; i + 1 < joints; ++i)
@@ -131,12 +131,12 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
         });
     }
   }
-  to.most_corners = std::max(to.most_corners, corners);
+  to.most_weight_vertices = std::max(to.most_weight_vertices, weight_vertices);
   for (int lane = 0; lane < lanes; ++lane) to.targets.push_back(item(lane).target);
 }
 
 NodeBlocks PackedNodes::Blocks::view() const {
-  return {blocks.data(), static_cast<int>(blocks.size()), sets.data(), data.data(), targets.data(), most_corners};
+  return {blocks.data(), static_cast<int>(blocks.size()), sets.data(), data.data(), targets.data(), most_weight_vertices};
 }
 
 }  // namespace refitlab

@@ -3,7 +3,7 @@
 //
 // Most nodes are moved by one to a few joint-sets, which many other nodes are moved by as well: those are refitted whole,
 // a node a lane. The others, near the root, are taken apart: their pieces of one joint-set with those of other nodes, the
-// balls of the corners merged afterwards.
+// balls of the weight vertices merged afterwards.
 #pragma once
 
 #include <limits>
@@ -35,7 +35,7 @@ class PackedNodes {
     std::vector<BlockSet> sets;
     std::vector<Lanes<float>> data;
     std::vector<int> targets;
-    int most_corners = 0;
+    int most_weight_vertices = 0;
   };
   // A node, or a piece of it, in one lane.
   struct Item {

@@ -29,20 +29,23 @@ std::vector<int> all_vertices(const SkinnedMesh& mesh) {
 
 }  // namespace
 
-PackedVertices::PackedVertices(const SkinnedMesh& mesh, const JointSets& sets, std::span<const std::vector<int>> groups) {
-  for (const auto& group : groups) add_group(mesh, sets, group);
+PackedVertices::PackedVertices(const SkinnedMesh& mesh, const JointSets& sets, std::span<const std::vector<int>> groups,
+                               int padding) {
+  for (const auto& group : groups) add_group(mesh, sets, group, padding);
 }
 
-PackedVertices::PackedVertices(const SkinnedMesh& mesh, const JointSets& sets) { add_group(mesh, sets, all_vertices(mesh)); }
+PackedVertices::PackedVertices(const SkinnedMesh& mesh, const JointSets& sets) {
+  add_group(mesh, sets, all_vertices(mesh), lanes);
+}
 
-void PackedVertices::add_group(const SkinnedMesh& mesh, const JointSets& sets, std::vector<int> group) {
+void PackedVertices::add_group(const SkinnedMesh& mesh, const JointSets& sets, std::vector<int> group, int padding) {
   const DefaultFloatEnvironment environment;
   std::stable_sort(group.begin(), group.end(), [&](int a, int b) { return sets.of_vertex(a) < sets.of_vertex(b); });
   for (std::size_t first = 0, next; first < group.size(); first = next) {
     const int set = sets.of_vertex(group[first]);
     next = first;
     while (next < group.size() && sets.of_vertex(group[next]) == set) ++next;
-    const int count = static_cast<int>(next - first), block_count = blocks_for<double>(count);
+    const int count = static_cast<int>(next - first), block_count = (count + padding - 1) / padding * (padding / lanes);
     const int joints = static_cast<int>(sets.joints(set).size());
     runs_.push_back({set, static_cast<int>(data_.size()), static_cast<int>(vertices_.size()) / lanes, block_count});
     for (int place = 0; place < lanes * block_count; ++place) {
@@ -73,6 +76,18 @@ void PackedVertices::skin_group(int group, const SkinningPalette<double>& palett
   Lanes<double>* to = out.blocks.data();
   for (int r = first_run_[group]; r < first_run_[group + 1]; to += 3 * runs_[r++].block_count)
     skin_run(runs_[r], palette, run, to);
+}
+
+void PackedVertices::skin_block(int group, int block, const SkinningPalette<double>& palette, Skinning skinning,
+                                Lanes<double>* out, Target target) const {
+  const DefaultFloatEnvironment environment;
+  const int at = runs_[first_run_[group]].first_block + block;
+  const auto after = std::upper_bound(runs_.begin() + first_run_[group], runs_.begin() + first_run_[group + 1], at,
+                                      [](int b, const Run& run) { return b < run.first_block; });
+  Run run = after[-1];
+  run.first_data += (at - run.first_block) * (3 + static_cast<int>(palette.joint_count(run.joint_set)));
+  run.block_count = 1;
+  skin_run(run, palette, kernel(skinning, target), out);
 }
 
 void PackedVertices::skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out,

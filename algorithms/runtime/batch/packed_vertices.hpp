@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // PackedVertices: groups of a model's vertices, laid out so that packs skin a group at a time, bit-identical to skin().
 //
-// Within a group vertices are sorted by joint-set; each run of one joint-set is padded to whole blocks of Lanes.
+// Within a group vertices are sorted by joint-set; each run of one joint-set is padded to whole blocks of Lanes<double>, or to
+// whole blocks of Lanes<float>, so that floats of the same vertices may have the same places (float_vertices.hpp).
 #pragma once
 
 #include "algorithms/runtime/batch/skin_kernel.hpp"
@@ -21,8 +22,10 @@ struct SkinnedVertices {
 
 class PackedVertices {
  public:
-  // A group is a list of distinct vertices, in any order; a vertex may be in several groups.
-  PackedVertices(const SkinnedMesh& mesh, const JointSets& sets, std::span<const std::vector<int>> groups);
+  // A group is a list of distinct vertices, in any order; a vertex may be in several groups. Runs are padded to multiples of
+  // padding, which is a multiple of Lanes<double>::count.
+  PackedVertices(const SkinnedMesh& mesh, const JointSets& sets, std::span<const std::vector<int>> groups,
+                 int padding = Lanes<double>::count);
   // One group of all vertices.
   PackedVertices(const SkinnedMesh& mesh, const JointSets& sets);
 
@@ -35,6 +38,10 @@ class PackedVertices {
   void skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                   Target target = best_target()) const;
 
+  // Skins a single block of a group, to its x, y, z.
+  void skin_block(int group, int block, const SkinningPalette<double>& palette, Skinning skinning, Lanes<double>* out,
+                  Target target = best_target()) const;
+
   // All groups; each vertex to out[vertex] (as many as the model's vertices; those of no group stay).
   void skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out,
                 Target target = best_target()) const;
@@ -44,7 +51,7 @@ class PackedVertices {
     int joint_set, first_data, first_block, block_count;
   };
 
-  void add_group(const SkinnedMesh& mesh, const JointSets& sets, std::vector<int> group);
+  void add_group(const SkinnedMesh& mesh, const JointSets& sets, std::vector<int> group, int padding);
   void skin_run(const Run& run, const SkinningPalette<double>& palette, SkinRun kernel, Lanes<double>* out) const;
   SkinRun kernel(Skinning skinning, Target target) const;
 

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
@@ -42,6 +43,29 @@ void to_rows(const Columns& columns, double* rows) {
   transpose<double>(from, rows, 8);
 }
 
+Vec<S, 3> load_point(const double (&numbers)[3][palette_lanes], int first) {
+  const auto load = [&](int i) { return S(numbers[i] + first, std::experimental::vector_aligned); };
+  return {load(0), load(1), load(2)};
+}
+
+// What skinning prepares of a lane's joints.
+template <int N>
+struct JointLanes {
+  RigidTransform<S> transforms[N];
+  Vec<S, 3> center, images[N];
+
+  JointLanes(const Columns (&posed)[N], const PalettePack& pack, int first, bool is_center_fixed) {
+    for (int j = 0; j < N; ++j) {
+      for (int i = 0; i < 4; ++i) transforms[j].rotation[i] = posed[j].load(i, first);
+      for (int i = 0; i < 3; ++i) transforms[j].translation[i] = posed[j].load(4 + i, first);
+    }
+    make_signs_consistent<S>(transforms);
+    center = load_point(pack.prior, first);
+    if (N > 1 && !is_center_fixed) center = rotation_center<S>(transforms, center);
+    for (int j = 0; j < N; ++j) images[j] = apply(transforms[j], center);
+  }
+};
+
 template <int N>
 void run_joints(const PalettePack* packs, int count, bool are_centers_fixed, const double* pose, const PaletteNumbers& out) {
   Columns posed[N], centers, images[N];  // images: C_j r_c, an unused one, then the dual part
@@ -50,20 +74,12 @@ void run_joints(const PalettePack* packs, int count, bool are_centers_fixed, con
   for (const PalettePack* pack = packs; pack != packs + count; ++pack) {
     for (int j = 0; j < N; ++j) gather(pose, pack->joint[j], posed[j]);
     for (int first = 0; first < palette_lanes; first += width) {
-      RigidTransform<S> transforms[N];
+      const JointLanes<N> lanes(posed, *pack, first, are_centers_fixed);
+      centers.store(0, first, lanes.center);
       for (int j = 0; j < N; ++j) {
-        for (int i = 0; i < 4; ++i) transforms[j].rotation[i] = posed[j].load(i, first);
-        for (int i = 0; i < 3; ++i) transforms[j].translation[i] = posed[j].load(4 + i, first);
-      }
-      make_signs_consistent<S>(transforms);
-      Vec<S, 3> center;
-      for (int i = 0; i < 3; ++i) center[i] = S(pack->prior[i] + first, std::experimental::vector_aligned);
-      if (N > 1 && !are_centers_fixed) center = rotation_center<S>(transforms, center);
-      centers.store(0, first, center);
-      for (int j = 0; j < N; ++j) {
-        posed[j].store(0, first, transforms[j].rotation);
-        images[j].store(0, first, apply(transforms[j], center));
-        images[j].store(4, first, dual_part(transforms[j]));
+        posed[j].store(0, first, lanes.transforms[j].rotation);
+        images[j].store(0, first, lanes.images[j]);
+        images[j].store(4, first, dual_part(lanes.transforms[j]));
       }
     }
     alignas(64) double rows[palette_lanes][8];
@@ -94,8 +110,117 @@ REFITLAB_KERNEL void run(const PalettePack* packs, int count, int joints, bool a
   }
 }
 
+// As floats, a row of eight a lane.
+void to_float_rows(const Columns& columns, float (*rows)[8]) {
+  Row<float, 8> floats[8];
+  for (int i = 0; i < 8; ++i) {
+    Row<double, 8> column;
+    read_row(columns.of[i], column);
+    floats[i] = __builtin_convertvector(column, decltype(floats[i] + floats[i]));
+  }
+  transpose<float>(floats, rows[0], 8);
+}
+
+// The slack of float_palette.hpp. offset is r, squared_image T^2.
+template <int N>
+S float_slack(const JointLanes<N>& lanes, const Vec<S, 3>& offset, const S& radius, const S& squared_image,
+              const FloatPlacement& at) {
+  constexpr double u = 0x1p-24, and_more = 1 + 0x1p-10, largest_kappa = 1.5;
+  constexpr double per_length = N == 1 ? 10 : 32 + 2 * largest_kappa * (N + 3), per_image = N == 1 ? 5 : N + 7;
+  const S length = radius + norm(offset), image = root(squared_image);
+  const S slack = (length * S(per_length * u * and_more) + image * S(per_image * u * and_more)) + length * S(2 * at.defect) +
+                  S(at.lost + least_float_slack);
+  S shortest = squared_norm(lanes.transforms[0].rotation), cosine = shortest;
+  for (int j = 1; j < N; ++j) {
+    shortest = min_of(shortest, squared_norm(lanes.transforms[j].rotation));
+    for (int i = 0; i < j; ++i) cosine = min_of(cosine, dot(lanes.transforms[i].rotation, lanes.transforms[j].rotation));
+  }
+  cosine = min_of(cosine, shortest);
+  const S squared_blend = cosine + (shortest - cosine) * S(1.0 / N);
+  const auto holds = squared_blend > S(1.000001 / (largest_kappa * largest_kappa)) && length + image <= S(largest_float_length);
+  return choose(holds, slack, S(infinite));
+}
+
+template <int N>
+void run_float_joints(const PalettePack* packs, int count, bool are_centers_fixed, const double* pose, const FloatPlacement& at,
+                      FloatPaletteEntry* out) {
+  RigidTransform<S> placement;
+  for (int i = 0; i < 4; ++i) placement.rotation[i] = S(at.rotation[i]);
+  for (int i = 0; i < 3; ++i) placement.translation[i] = S(at.translation[i]);
+  Columns posed[N], centers, placed[N];  // centers: r and the slack
+  for (int j = 0; j < N; ++j) placed[j].clear(7);
+  for (int i = 4; i < 8; ++i) centers.clear(i);
+  for (const PalettePack* pack = packs; pack != packs + count; ++pack) {
+    for (int j = 0; j < N; ++j) gather(pose, pack->joint[j], posed[j]);
+    Columns rest;  // of one joint: the last row of the matrix
+    for (int i = 4; i < 8; ++i) rest.clear(i);
+    for (int first = 0; first < palette_lanes; first += width) {
+      const JointLanes<N> lanes(posed, *pack, first, are_centers_fixed);
+      const Vec<S, 3> offset = lanes.center - load_point(pack->middle, first);
+      RigidTransform<S> of_first;  // q_0 and c_0
+      S squared_image;
+      for (int j = 0; j < N; ++j) {
+        const Quaternion<S> turn = multiply(placement.rotation, lanes.transforms[j].rotation);
+        const Vec<S, 3> image = apply(placement, lanes.images[j]);
+        const S squared = squared_norm(image);
+        if (j == 0) of_first = {turn, image}, squared_image = squared;
+        else squared_image = max_of(squared_image, squared);
+        const Quaternion<S> turn_from = turn - of_first.rotation;
+        const Vec<S, 3> image_from = image - of_first.translation;
+        placed[j].store(0, first, j == 0 ? turn : turn_from);
+        placed[j].store(4, first, j == 0 ? image : image_from);
+      }
+      if constexpr (N == 1) {
+        const S scale = S(1) / squared_norm(of_first.rotation);
+        Vec<S, 3> column[3];
+        for (int k = 0; k < 3; ++k) {
+          Vec<S, 3> unit = Vec<S, 3>::Constant(S(0));
+          unit[k] = S(1);
+          column[k] = rotate_scaled(of_first.rotation, unit) * scale;
+        }
+        const Vec<S, 3> end = of_first.translation - (column[0] * offset[0] + column[1] * offset[1] + column[2] * offset[2]);
+        for (int i = 0; i < 2; ++i) {
+          for (int k = 0; k < 3; ++k) column[k][i].copy_to(placed[0].of[4 * i + k] + first, std::experimental::vector_aligned);
+          end[i].copy_to(placed[0].of[4 * i + 3] + first, std::experimental::vector_aligned);
+        }
+        for (int k = 0; k < 3; ++k) column[k][2].copy_to(rest.of[k] + first, std::experimental::vector_aligned);
+        end[2].copy_to(rest.of[3] + first, std::experimental::vector_aligned);
+      }
+      centers.store(0, first, offset);
+      float_slack(lanes, offset, S(pack->radius + first, std::experimental::vector_aligned), squared_image, at)
+          .copy_to(centers.of[3] + first, std::experimental::vector_aligned);
+    }
+    alignas(64) float rows[palette_lanes][8];
+    to_float_rows(centers, rows);
+    for (int lane = 0; lane < palette_lanes; ++lane)
+      std::memcpy(out[pack->set[lane]].center, rows[lane], 4 * sizeof(float));
+    for (int j = 0; j < N; ++j) {
+      to_float_rows(placed[j], rows);
+      for (int lane = 0; lane < palette_lanes; ++lane) {
+        FloatPaletteEntry& entry = out[pack->set[lane]];
+        std::memcpy(N == 1 ? entry.more[0] : j == 0 ? entry.first : entry.more[j - 1], rows[lane], sizeof rows[lane]);
+      }
+    }
+    if constexpr (N == 1) {
+      to_float_rows(rest, rows);
+      for (int lane = 0; lane < palette_lanes; ++lane)
+        std::memcpy(out[pack->set[lane]].more[1], rows[lane], sizeof rows[lane]);
+    }
+  }
+}
+
+REFITLAB_KERNEL void run_float(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
+                               const FloatPlacement& at, FloatPaletteEntry* out) {
+  switch (joints) {
+    case 1: return run_float_joints<1>(packs, count, are_centers_fixed, pose, at, out);
+    case 2: return run_float_joints<2>(packs, count, are_centers_fixed, pose, at, out);
+    case 3: return run_float_joints<3>(packs, count, are_centers_fixed, pose, at, out);
+    default: return run_float_joints<4>(packs, count, are_centers_fixed, pose, at, out);
+  }
+}
+
 }  // namespace
 
-const PaletteRun palette_run = run;
+const PaletteKernels palette_kernels{run, run_float};
 
 }  // namespace refitlab::REFITLAB_TARGET

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "algorithms/runtime/batch/float_palette.hpp"
 #include "algorithms/runtime/packs/targets.hpp"
 
 namespace refitlab {
@@ -14,6 +15,8 @@ inline constexpr int most_palette_joints = 4;  // of a joint-set in a pack
 // By lane. Lanes beyond the last joint-set repeat it.
 struct PalettePack {
   alignas(64) double prior[3][palette_lanes];  // of the rotation center
+  double middle[3][palette_lanes];             // m of the joint-set, and the largest |v - m| of its vertices: float_palette.hpp
+  double radius[palette_lanes];
   std::int32_t joint[most_palette_joints][palette_lanes];
   std::int32_t set[palette_lanes], first_slot[palette_lanes];  // where its own and its joints' data go
 };
@@ -30,16 +33,25 @@ struct PaletteNumbers {
 using PaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
                             const PaletteNumbers& out);
 
+// The same for skinning in float: out is by joint-set.
+using FloatPaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
+                                 const FloatPlacement& at, FloatPaletteEntry* out);
+
+struct PaletteKernels {
+  PaletteRun run;
+  FloatPaletteRun run_float;
+};
+
 namespace baseline {
-extern const PaletteRun palette_run;
+extern const PaletteKernels palette_kernels;
 }
 namespace avx2 {
-extern const PaletteRun palette_run;
+extern const PaletteKernels palette_kernels;
 }
 namespace avx512 {
-extern const PaletteRun palette_run;
+extern const PaletteKernels palette_kernels;
 }
 
-PaletteRun palette_run(Target target);
+const PaletteKernels& palette_kernels(Target target);
 
 }  // namespace refitlab

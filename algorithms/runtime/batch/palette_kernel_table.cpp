@@ -4,6 +4,6 @@
 
 namespace refitlab {
 
-PaletteRun palette_run(Target target) { return REFITLAB_OF_TARGET(target, palette_run); }
+const PaletteKernels& palette_kernels(Target target) { return REFITLAB_OF_TARGET(target, palette_kernels); }
 
 }  // namespace refitlab

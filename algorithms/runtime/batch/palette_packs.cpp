@@ -2,7 +2,9 @@
 #include "algorithms/runtime/batch/palette_packs.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "algorithms/runtime/batch/joint_set_balls.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 
@@ -12,15 +14,16 @@ PalettePacks::PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinn
     : mesh_(mesh),
       sets_(sets),
       skinning_(skinning) {
+  const auto balls = joint_set_balls(mesh, sets);
   for (int s = 0; s < sets.count(); ++s) {
     const std::size_t joints = sets.joints(s).size();
     if (joints > most_palette_joints) part_of_.push_back(part_count()), parts_.push_back({0, s});
-    else add(s, first_slot_.back());
+    else add(s, balls[s], first_slot_.back());
     first_slot_.push_back(first_slot_.back() + joints);
   }
 }
 
-void PalettePacks::add(int joint_set, std::size_t first_slot) {
+void PalettePacks::add(int joint_set, const Ball3<double>& ball, std::size_t first_slot) {
   const DefaultFloatEnvironment environment;
   const auto joints = sets_.joints(joint_set);
   auto& packs = packs_[joints.size() - 1];
@@ -33,7 +36,8 @@ void PalettePacks::add(int joint_set, std::size_t first_slot) {
   part_of_.push_back(last_part_[joints.size() - 1]);
   const Point3 prior = center_prior(mesh_, joints, skinning_);
   for (int to = lane; to < palette_lanes; ++to) {  // the lanes behind are overwritten by the joint-sets to come
-    for (int i = 0; i < 3; ++i) packs.back().prior[i][to] = prior[i];
+    for (int i = 0; i < 3; ++i) packs.back().prior[i][to] = prior[i], packs.back().middle[i][to] = ball.center[i];
+    packs.back().radius[to] = ball.radius;
     for (std::size_t j = 0; j < joints.size(); ++j) packs.back().joint[j][to] = joints[j];
     packs.back().set[to] = joint_set;
     packs.back().first_slot[to] = static_cast<std::int32_t>(first_slot);
@@ -53,7 +57,7 @@ void PalettePacks::make_part(int part, const Pose& pose, const SkinningPalette<d
   static_assert(sizeof(RigidTransform<double>) == 8 * sizeof(double));
   const auto [joint_count, at] = parts_[part];
   if (joint_count > 0) {
-    palette_run(target)(
+    palette_kernels(target).run(
         &packs_[joint_count - 1][at], 1, joint_count, skinning_ == Skinning::hejl, pose[0].rotation.data(),
         {out.rotation_centers->data(), out.transforms->rotation.data(), out.center_images->data(), out.duals->data()});
     return;
@@ -69,6 +73,16 @@ void PalettePacks::make_part(int part, const Pose& pose, const SkinningPalette<d
   std::copy(set.transforms.begin(), set.transforms.end(), out.transforms + first_slot_[at]);
   std::copy(set.center_images.begin(), set.center_images.end(), out.center_images + first_slot_[at]);
   std::copy(set.duals.begin(), set.duals.end(), out.duals + first_slot_[at]);
+}
+
+void PalettePacks::make_float_part(int part, const Pose& pose, const FloatPlacement& at, FloatPaletteEntry* out,
+                                   Target target) const {
+  const DefaultFloatEnvironment environment;
+  const auto [joint_count, place] = parts_[part];
+  if (joint_count > 0)
+    palette_kernels(target).run_float(&packs_[joint_count - 1][place], 1, joint_count, skinning_ == Skinning::hejl,
+                                      pose[0].rotation.data(), at, out);
+  else out[place].slack = std::numeric_limits<float>::infinity();
 }
 
 }  // namespace refitlab

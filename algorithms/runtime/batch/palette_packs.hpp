@@ -4,6 +4,7 @@
 
 #include "algorithms/runtime/batch/palette_kernel.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {
 
@@ -23,11 +24,15 @@ class PalettePacks {
   SkinningPalette<double>::Arrays room(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
   void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target = best_target()) const;
 
+  // A part for skinning in float; out is by joint-set. For spherical and Hejl's skinning.
+  void make_float_part(int part, const Pose& pose, const FloatPlacement& at, FloatPaletteEntry* out,
+                       Target target = best_target()) const;
+
  private:
   struct Part {
     int joints, pack;  // or 0 and a joint-set of more joints than a pack takes
   };
-  void add(int joint_set, std::size_t first_slot);
+  void add(int joint_set, const Ball3<double>& ball, std::size_t first_slot);
 
   const SkinnedMesh& mesh_;
   const JointSets& sets_;

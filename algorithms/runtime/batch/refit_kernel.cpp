@@ -39,21 +39,21 @@ Vec<S, D> broadcast(const float*& numbers) {
   return out;
 }
 
-// The balls of one joint-set's corners: centers, all to be moved by offset, and the radius that they share, without r.
-// sum: of the moved centers, without those that repeat others.
-struct CornerBalls {
+// The balls of one joint-set's weight vertices: centers, all to be moved by offset, and the radius that they share,
+// without r. sum: of the moved centers, without those that repeat others.
+struct WeightVertexBalls {
   Vec<S, 3>* center;
   Vec<S, 3> offset, sum;
   S radius;
 };
 
 struct Scratch {
-  explicit Scratch(int corners) : centers(corners), units(corners) {}
+  explicit Scratch(int weight_vertices) : centers(weight_vertices), units(weight_vertices) {}
   std::vector<Vec<S, 3>> centers;
   std::vector<Quaternion<S>> units;
 };
 
-// The weights of one corner: the last one is what the others leave, which is exact.
+// The weights of one weight vertex: the last one is what the others leave, which is exact.
 template <int joints>
 class Weights {
  public:
@@ -73,12 +73,12 @@ class Weights {
   ByJoint<S, joints> w_;
 };
 
-// Algorithm 1 repaired. joints and corners are how many the set has, or 0 if that is only known at run time.
+// Algorithm 1 repaired. joints and weight_vertices are how many the set has, or 0 if that is only known at run time.
 struct Spherical {
-  template <int joints, int corners>
-  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S&, Reader& read,
-                           Quaternion<S>* units, CornerBalls& out) {
-    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.weight_vertex_count;
+  template <int joints, int weight_vertices>
+  static void weight_vertex_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S&, Reader& read,
+                                  Quaternion<S>* units, WeightVertexBalls& out) {
+    const int n = joints ? joints : set.joint_count, m = weight_vertices ? weight_vertices : set.weight_vertex_count;
     ByJoint<RigidTransform<S>, joints> transforms(n);
     ByJoint<Vec<S, 3>, joints> center_images(n);
     Weights<joints> weights(n);
@@ -90,7 +90,7 @@ struct Spherical {
     }
     const Vec<S, 3> x = p - rotation_center;
     const S longer = (abs(x[0]) + abs(x[1])) + abs(x[2]);  // than x
-    if (joints == 1) {                                     // one corner, and a quaternion of unit length
+    if (joints == 1) {                                     // one weight vertex, and a quaternion of unit length
       out.center[0] = center_images[0];
       out.offset = rotate(transforms[0].rotation, x);
       out.sum = center_images[0] + out.offset;
@@ -100,7 +100,7 @@ struct Spherical {
     const PaletteEntry<S> palette{transforms, rotation_center, center_images, {}};
     Quaternion<S> direction(S(0), S(0), S(0), S(0));
     Vec<S, 3> sum(S(0), S(0), S(0));
-    S longest_inverse(1), count(static_cast<float>(set.certain_corners));
+    S longest_inverse(1), count(static_cast<float>(set.certain_weight_vertices));
     const auto place = [&](int k) {
       const std::span<const S> w = weights.read(read);
       const Quaternion<S> blend = blend_quaternion(palette, w);
@@ -109,12 +109,12 @@ struct Spherical {
       units[k] = blend * inverse;
       out.center[k] = blend_center(palette, w);
     };
-    for (int k = 0; k < set.certain_corners; ++k) {
+    for (int k = 0; k < set.certain_weight_vertices; ++k) {
       place(k);
       direction = direction + units[k];
       sum = sum + out.center[k];
     }
-    for (int k = set.certain_corners; k < m; ++k) {
+    for (int k = set.certain_weight_vertices; k < m; ++k) {
       const S included = read();
       place(k);
       direction = direction + units[k] * included;
@@ -131,10 +131,10 @@ struct Spherical {
 };
 
 struct Linear {
-  template <int joints, int corners>
-  static void corner_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S& r, Reader& read,
-                           Quaternion<S>*, CornerBalls& out) {
-    const int n = joints ? joints : set.joint_count, m = corners ? corners : set.weight_vertex_count;
+  template <int joints, int weight_vertices>
+  static void weight_vertex_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S& r, Reader& read,
+                                  Quaternion<S>*, WeightVertexBalls& out) {
+    const int n = joints ? joints : set.joint_count, m = weight_vertices ? weight_vertices : set.weight_vertex_count;
     ByJoint<Vec<S, 3>, joints> images(n);
     Weights<joints> weights(n);
     const S slack(*numbers++), stretch(*numbers++);
@@ -146,7 +146,7 @@ struct Linear {
       }
     out.offset = out.sum = Vec<S, 3>(S(0), S(0), S(0));
     for (int k = 0; k < m; ++k) {
-      const S included = k < set.certain_corners ? S(1) : read();
+      const S included = k < set.certain_weight_vertices ? S(1) : read();
       out.center[k] = combine<S, 3>(weights.read(read), std::span<const Vec<S, 3>>(images.data(), n));
       out.sum = out.sum + out.center[k] * included;
     }
@@ -154,17 +154,17 @@ struct Linear {
 };
 
 template <class Blending>
-void corner_balls(const BlockSet& set, const FrameNumbers& frame, const Vec<S, 3>& p, const S& r, Reader& read,
-                  Quaternion<S>* units, CornerBalls& out) {
+void weight_vertex_balls(const BlockSet& set, const FrameNumbers& frame, const Vec<S, 3>& p, const S& r, Reader& read,
+                         Quaternion<S>* units, WeightVertexBalls& out) {
   const float* numbers = frame.numbers + frame.first[set.joint_set];
   switch (set.joint_count) {
-    case 1: return Blending::template corner_balls<1, 1>(set, numbers, p, r, read, units, out);
+    case 1: return Blending::template weight_vertex_balls<1, 1>(set, numbers, p, r, read, units, out);
     case 2:
-      if (set.weight_vertex_count == 2) return Blending::template corner_balls<2, 2>(set, numbers, p, r, read, units, out);
-      return Blending::template corner_balls<2, 1>(set, numbers, p, r, read, units, out);
-    case 3: return Blending::template corner_balls<3, 0>(set, numbers, p, r, read, units, out);
-    case 4: return Blending::template corner_balls<4, 0>(set, numbers, p, r, read, units, out);
-    default: return Blending::template corner_balls<0, 0>(set, numbers, p, r, read, units, out);
+      if (set.weight_vertex_count == 2) return Blending::template weight_vertex_balls<2, 2>(set, numbers, p, r, read, units, out);
+      return Blending::template weight_vertex_balls<2, 1>(set, numbers, p, r, read, units, out);
+    case 3: return Blending::template weight_vertex_balls<3, 0>(set, numbers, p, r, read, units, out);
+    case 4: return Blending::template weight_vertex_balls<4, 0>(set, numbers, p, r, read, units, out);
+    default: return Blending::template weight_vertex_balls<0, 0>(set, numbers, p, r, read, units, out);
   }
 }
 
@@ -176,26 +176,26 @@ void store(const Vec<S, 3>& v, Lanes<float>* to, int first) {
 
 template <class Blending>
 REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& frame, Lanes<float>* out) {
-  Scratch scratch(all.most_corners);
-  CornerBalls of_set[most_sets_of_whole_nodes];
+  Scratch scratch(all.most_weight_vertices);
+  WeightVertexBalls of_set[most_sets_of_whole_nodes];
   for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block, out += 4)
     for (int first = 0; first < Lanes<float>::count; first += pack_size) {
       Reader read(all.data + block->first_data, first);
       const S px = read(), py = read(), pz = read(), r = read(), share = block->share > 0 ? S(block->share) : read();
       const Vec<S, 3> p(px, py, pz);
       Vec<S, 3> sum(S(0), S(0), S(0));
-      int corners = 0;
+      int weight_vertices = 0;
       for (int e = 0; e < block->set_count; ++e) {
         const BlockSet& set = all.sets[block->first_set + e];
-        CornerBalls& own = of_set[e];
-        own.center = scratch.centers.data() + corners;
-        corner_balls<Blending>(set, frame, p, r, read, scratch.units.data(), own);
+        WeightVertexBalls& own = of_set[e];
+        own.center = scratch.centers.data() + weight_vertices;
+        weight_vertex_balls<Blending>(set, frame, p, r, read, scratch.units.data(), own);
         sum = sum + own.sum;
-        corners += set.weight_vertex_count;
+        weight_vertices += set.weight_vertex_count;
       }
       Vec<S, 3> center = sum;
       S radius = of_set[0].radius;
-      if (corners > 1) {
+      if (weight_vertices > 1) {
         center = sum * share;
         radius = S(0);
         for (int e = 0; e < block->set_count; ++e) {
@@ -212,15 +212,15 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
 
 template <class Blending>
 REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& frame, Row<float, 4>* records) {
-  Scratch scratch(all.most_corners);
+  Scratch scratch(all.most_weight_vertices);
   for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block) {
     const BlockSet& set = all.sets[block->first_set];
     for (int first = 0; first < Lanes<float>::count; first += pack_size) {
       Reader read(all.data + block->first_data, first);
       const S px = read(), py = read(), pz = read(), r = read();
-      CornerBalls own;
+      WeightVertexBalls own;
       own.center = scratch.centers.data();
-      corner_balls<Blending>(set, frame, {px, py, pz}, r, read, scratch.units.data(), own);
+      weight_vertex_balls<Blending>(set, frame, {px, py, pz}, r, read, scratch.units.data(), own);
       const int* targets = all.targets + block->first_target + first;
       for (int k = 0; k < set.weight_vertex_count; ++k) {
         alignas(64) float numbers[4][pack_size];

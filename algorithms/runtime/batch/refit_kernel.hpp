@@ -31,36 +31,37 @@ struct FrameNumbers {
 };
 
 // Nodes, or pieces of nodes, one a lane, moved by the same joint-sets. Its numbers are Lanes: p (3), r, 1 / (number of
-// corners) if that is not the same in all lanes, then of each joint-set and each of its corners the weights but the last
-// one, after, beyond certain_corners, a 1, or a 0 where the lane has no such corner and repeats another one.
+// weight vertices) if that is not the same in all lanes, then of each joint-set and each of its weight vertices the
+// weights but the last one, after, beyond certain_weight_vertices, a 1, or a 0 where the lane has no such weight vertex
+// and repeats another one.
 struct NodeBlock {
   int first_set, set_count;  // in NodeBlocks::sets
   int first_data;            // in NodeBlocks::data
   int first_target;          // of pieces, in NodeBlocks::targets
-  float share;               // 1 / (number of corners), or 0 if it is among the numbers
+  float share;               // 1 / (number of weight vertices), or 0 if it is among the numbers
 };
 inline constexpr int most_sets_of_whole_nodes = 3;
 struct BlockSet {
   int joint_set, joint_count;
-  int certain_corners, weight_vertex_count;  // the fewest and the most of any lane
+  int certain_weight_vertices, weight_vertex_count;  // the fewest and the most of any lane
 };
 struct NodeBlocks {
   const NodeBlock* blocks;
   int block_count;
   const BlockSet* sets;
   const Lanes<float>* data;
-  const int* targets;  // by lane, of a piece: which record is that of its first corner
-  int most_corners;    // of any block, in all of its sets
+  const int* targets;        // by lane, of a piece: which record is that of its first weight vertex
+  int most_weight_vertices;  // of any block, in all of its sets
 };
 
 // Whole nodes: out has the balls' x, y, z and radius, four Lanes a block.
 using RefitNodes = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Lanes<float>* out);
 
-// Pieces, of one joint-set: the balls of their corners, without r, to their records.
+// Pieces, of one joint-set: the balls of their weight vertices, without r, to their records.
 using RefitPieces = void (*)(const NodeBlocks& blocks, const FrameNumbers& frame, Row<float, 4>* records);
 
-// A node whose pieces' corners are merged. They are one record after the other, and some more up to a multiple of four, of
-// radius minus infinity. Its ball is the numbers x, y, z and radius, in Lanes, from place on.
+// A node whose pieces' weight vertices are merged. They are one record after the other, and some more up to a multiple
+// of four, of radius minus infinity. Its ball is the numbers x, y, z and radius, in Lanes, from place on.
 struct MergedNode {
   int first_record, weight_vertex_count;
   float radius;  // r

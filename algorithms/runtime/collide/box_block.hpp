@@ -54,4 +54,18 @@ template <class S>
   return std::bit_cast<std::uint64_t>(meets);
 }
 
+// The bytes of the first count lanes, of at most 8.
+inline std::uint64_t first_bytes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
+
+// Writes the positions of the boxes that are not apart from box, among the first count boxes in blocks, in increasing order.
+// Returns their number. A NaN is not apart from anything.
+template <class S>
+[[gnu::always_inline]] inline int find_meeting(const BoxBlock<S>* blocks, int count, const Box<S>& box, int* out) {
+  int found = 0;
+  for (int first = 0; first < count; first += 8)
+    for (std::uint64_t lanes = first_bytes(meeting(blocks[first / 8], box), count - first); lanes; lanes &= lanes - 1)
+      out[found++] = first + std::countr_zero(lanes) / 8;
+  return found;
+}
+
 }  // namespace refitlab

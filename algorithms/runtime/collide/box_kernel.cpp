@@ -36,7 +36,7 @@ class BoxKernel {
   // What float may lose, as a share of the sizes that a box is made from. With u = 2^-24 and all inputs within u:
   // a component of a blended quaternion is off by at most 8 u (three roundings a product, five in the sum), so W_kl by
   // 40 u, and a component of P_kl by 90 u |x|; one of a blended center image by 8 u |r|, r the largest of its joints'.
-  // Where corners are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8,
+  // Where weight vertices are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8,
   // |P_kl| <= 2 |x| W_kl, and a control point is off by at most (3 * 90 + 20) u |x| * 8/3 + (3 * 51 + 20) u |r| * 8/3
   // for its numerator and 120 u * 8/3 (2 |x| + |r|) for its denominator: below 1450 u |x| + 800 u |r|. Turning it adds
   // 8 u of its size, and x itself is off by 3 u (|x| + |p|). For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) >
@@ -99,9 +99,9 @@ class BoxKernel {
   }
   static Pack size(const Point& p) { return abs(p[0]) + abs(p[1]) + abs(p[2]); }
 
-  // sum low_i x_i + rest x_k for each corner k, in place.
+  // sum low_i x_i + rest x_k for each weight vertex k, in place.
   template <int N, class Value>
-  void blend_corners(Value (&x)[N]) const {
+  void blend_at_weight_vertices(Value (&x)[N]) const {
     Value low = x[0] * load(pack.low[0]);
     for (int i = 1; i < N; ++i) low = low + x[i] * load(pack.low[i]);
     const Pack rest = load(pack.rest);
@@ -118,9 +118,9 @@ class BoxKernel {
       q[i] = joint.quaternion(0), r[i] = joint.point(4);
       sizes = max(sizes, size(r[i]));
     }
-    blend_corners<N>(q), blend_corners<N>(r);
+    blend_at_weight_vertices<N>(q), blend_at_weight_vertices<N>(r);
     const Point p0 = reference_center(), x = p0 - gather(centers, pack.set).point(0);
-    MixedCorners<Pack> mixed[N][N];
+    MixedPair<Pack> mixed[N][N];
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_rotations(q[k], q[l], x);
     const Mask near = are_near<N>(mixed, 4);
@@ -152,7 +152,7 @@ class BoxKernel {
       r[i] = rotate(joint.quaternion(0), p) + at;
       sizes = max(sizes, size(p) + size(at));
     }
-    blend_corners<N>(r);
+    blend_at_weight_vertices<N>(r);
     Box<Pack> box = Box<Pack>::empty();
     for (int k = 0; k < N; ++k) box.merge(turned(r[k]));
     const Pack radius = load(pack.radius);
@@ -170,8 +170,8 @@ class BoxKernel {
       q[i] = joint.quaternion(0), d[i] = joint.quaternion(4);
       sizes = max(sizes, size(point) + (abs(d[i][0]) + abs(d[i][1]) + abs(d[i][2]) + abs(d[i][3])) * 2);
     }
-    blend_corners<N>(q), blend_corners<N>(d);
-    MixedCorners<Pack> mixed[N][N];
+    blend_at_weight_vertices<N>(q), blend_at_weight_vertices<N>(d);
+    MixedPair<Pack> mixed[N][N];
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_motions<Pack>({q[k], d[k]}, {q[l], d[l]}, point);
     const Mask near = are_near<N>(mixed, 2);
@@ -183,9 +183,9 @@ class BoxKernel {
     return choose(near, box, Box<Pack>::everything());
   }
 
-  // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no corner is short.
+  // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no weight vertex is short.
   template <int N>
-  static Mask are_near(const MixedCorners<Pack> (&mixed)[N][N], float near) {
+  static Mask are_near(const MixedPair<Pack> (&mixed)[N][N], float near) {
     Mask all(true);
     for (int k = 0; k < N; ++k) {
       const Pack& own = mixed[k][k].weight;
@@ -215,21 +215,14 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
   BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
 }
 
-// The bytes of the first count lanes, of at most 8.
-std::uint64_t first_lanes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
-
 REFITLAB_KERNEL int overlaps(const BoxBlock<double>* blocks, int count, const Box<double>& box, int* out) {
-  int found = 0;
-  for (int first = 0; first < count; first += 8)
-    for (std::uint64_t lanes = first_lanes(meeting(blocks[first / 8], box), count - first); lanes; lanes &= lanes - 1)
-      out[found++] = first + std::countr_zero(lanes) / 8;
-  return found;
+  return find_meeting(blocks, count, box, out);
 }
 
 REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b, int count_b) {
   std::uint64_t pairs = 0;
   for (int i = 0; i < count_a; ++i) {
-    const std::uint64_t lanes = first_lanes(meeting(b, a.get(i)), count_b);
+    const std::uint64_t lanes = first_bytes(meeting(b, a.get(i)), count_b);
     pairs |= (lanes * 0x0102040810204080 >> 56) << 8 * i;  // gathers the bytes' lowest bits
   }
   return pairs;
@@ -256,15 +249,10 @@ REFITLAB_KERNEL void filter_pairs(const PaddedVertex* corners_a, const PaddedVer
         corners_a, [](const TrianglePairCandidate& p) { return p.a; }, a);
     load(
         corners_b, [](const TrianglePairCandidate& p) { return p.b; }, b);
-    const PlaneSides<S> of_b(a, b), of_a(b, a);
-    const auto are_apart = of_a.are_one() || of_b.are_one(), cross = !are_apart && of_a.are_certain() && of_b.are_certain();
-    bool apart[width], meet[width] = {};
-    are_apart.copy_to(apart, std::experimental::element_aligned);
-    if (any_of(cross)) {
-      const auto gap = sign_of_gap(of_a, of_b, a, b);
-      (are_apart || (cross && gap.is_positive)).copy_to(apart, std::experimental::element_aligned);
-      (cross && gap.is_negative).copy_to(meet, std::experimental::element_aligned);
-    }
+    const auto filtered = filter_lanes<S>(a, b);
+    bool apart[width], meet[width];
+    filtered.are_apart.copy_to(apart, std::experimental::element_aligned);
+    filtered.meet.copy_to(meet, std::experimental::element_aligned);
     for (int lane = 0; lane < lanes; ++lane)
       answers[first + lane] = apart[lane] ? Filtered::apart : meet[lane] ? Filtered::meet : Filtered::unknown;
   }

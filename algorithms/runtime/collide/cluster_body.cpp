@@ -50,12 +50,12 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   const SkinnedMesh& mesh = tree_.character().mesh;
   bool is_rigid = pose.size() == mesh.joints.size();
   are_joints_placed_ = false;  // if this throws, motion_bound_ is no longer the frame's
-  const Box<double> reach = is_rigid ? motion_bound_.box(pose, placement, is_rigid) : Box<double>::empty();
+  const Box<double> bound = is_rigid ? motion_bound_.box(pose, placement, is_rigid) : Box<double>::empty();
   if (!is_rigid) check_pose(mesh, pose);
   pose_ = pose;
   placement_ = placement;
-  motion_bound_box_ = reach;
-  are_joints_placed_ = std::isfinite(reach.low[0]);
+  motion_bound_box_ = bound;
+  are_joints_placed_ = std::isfinite(bound.low[0]);
   are_floats_filled_ = false;
   palettes_made_.begin(), wide_nodes_made_.begin(), clusters_made_.begin(), groups_made_.begin();
   nodes_bounded_ = clusters_skinned_ = corners_skinned_ = 0;
@@ -81,8 +81,8 @@ void ClusterBody::bound_wide_node(int f) {
   const WideNode& wide_node = tree_.wide_nodes()[f];
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
-  if (wide_node.reach.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
-      !motion_bound_.boxes(wide_node.reach, pose_, placement_, flipped, boxes))
+  if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
+      !motion_bound_.boxes(wide_node.motion_bounds, pose_, placement_, flipped, boxes))
     bound_by_control_points(wide_node, flipped, boxes);
   BoxBlock<double>* blocks = &wide_node_blocks_[first_block_of_wide_node_[f]];
   Box<double>& whole = wide_node_boxes_[f] = Box<double>::empty();

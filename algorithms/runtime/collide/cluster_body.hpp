@@ -25,7 +25,7 @@ class ClusterBody {
   const ClusterTree& tree() const { return tree_; }
 
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound.
-  const Box<double>& reach() const { return motion_bound_box_; }
+  const Box<double>& motion_bound() const { return motion_bound_box_; }
 
   // These are boxes in the world around all vertices below: those of a wide node's children, in blocks, and that of one
   // child.

@@ -148,7 +148,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     }
   if (!memory || !memory->are_near) {  // near bodies are told apart by their wide nodes, if at all
     ++counts.ball_tests;
-    if (are_apart(first.reach(), second.reach())) return {};
+    if (are_apart(first.motion_bound(), second.motion_bound())) return {};
   }
   auto pairs = ClusterTraversal(first, second, query, counts).run();
   if (memory) {

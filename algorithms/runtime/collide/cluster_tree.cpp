@@ -22,7 +22,8 @@ void check(const ClusterOptions& o) {
 ClusterTree::ClusterTree(const Character& character, const ClusterOptions& options)
     : character_(&character),
       options_(options),
-      vertices_(character.mesh, character.sets, {}) {
+      vertices_(character.mesh, character.sets, {}),
+      floats_(character.mesh, character.sets, vertices_) {
   const DefaultFloatEnvironment environment;
   check(options);
   add_wide_node(part_of_node(0));
@@ -88,7 +89,8 @@ int ClusterTree::add_wide_node(const Part& part) {
 }
 
 int ClusterTree::add_cluster(const Part& part) {
-  clusters_.push_back({0, static_cast<int>(groups_.size()), (part.triangle_count + group_size - 1) / group_size});
+  const int first_triangle = clusters_.empty() ? 0 : clusters_.back().first_triangle + clusters_.back().triangle_count;
+  clusters_.push_back({0, 0, first_triangle, part.triangle_count, static_cast<int>(groups_.size()), (part.triangle_count + group_size - 1) / group_size});
   groups_.resize(groups_.size() + clusters_.back().group_count);
   cluster_parts_.push_back(part);
   return static_cast<int>(clusters_.size()) - 1;
@@ -98,12 +100,16 @@ void ClusterTree::pack_clusters() {
   const SkinnedMesh& mesh = character_->mesh;
   std::vector<std::vector<int>> vertices;
   for (const Part& part : cluster_parts_) vertices.push_back(vertices_of(part));
-  vertices_ = PackedVertices(mesh, character_->sets, vertices);
+  vertices_ = PackedVertices(mesh, character_->sets, vertices, Lanes<float>::count);
+  floats_ = FloatVertices(mesh, character_->sets, vertices_);
   std::vector<std::uint16_t> place_of(mesh.vertices.size());
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     Cluster& cluster = clusters_[c];
     const auto places = vertices_.vertices(static_cast<int>(c));
     cluster.padded_vertex_count = static_cast<int>(places.size());
+    cluster.first_vertex = c == 0 ? 0 : clusters_[c - 1].first_vertex + clusters_[c - 1].padded_vertex_count;
+    most_vertices_ = std::max(most_vertices_, cluster.padded_vertex_count);
+    most_triangles_ = std::max(most_triangles_, cluster.triangle_count);
     for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
 
     const Part& part = cluster_parts_[c];
@@ -113,6 +119,8 @@ void ClusterTree::pack_clusters() {
       group.count = t % group_size + 1;
       group.triangles[t % group_size] = triangle;
       for (int i = 0; i < 3; ++i) group.corners[t % group_size][i] = place_of[mesh.triangles[triangle][i]];
+      triangles_.push_back(triangle);
+      for (int i = 0; i < 3; ++i) corners_[i].push_back(place_of[mesh.triangles[triangle][i]]);
     }
   }
 }

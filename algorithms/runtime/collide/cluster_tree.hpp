@@ -7,15 +7,16 @@
 // bounded many at a time: a wide node is the set of descendants that one node is opened into, all refitted together.
 #pragma once
 
-#include "algorithms/runtime/batch/packed_vertices.hpp"
+#include "algorithms/runtime/batch/float_vertices.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
+#include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 #include "algorithms/runtime/collide/triangle_group.hpp"
 
 namespace refitlab {
 
-// With this limit, positions fit 16 bits even if each corner is alone in its joint-set, and so in eight lanes.
-inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<double>::count);
+// With this limit, positions fit 16 bits even if each corner is alone in its joint-set, and so in sixteen lanes.
+inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<float>::count);
 
 struct ClusterOptions {
   int most_triangles = 256;  // triangles of a cluster; from 1 to most_cluster_triangles
@@ -24,6 +25,8 @@ struct ClusterOptions {
 
 struct Cluster {
   int padded_vertex_count;  // the positions of its group of vertices()
+  int first_vertex;         // how many positions the clusters before it have
+  int first_triangle, triangle_count;
   int first_group, group_count;
 };
 
@@ -33,9 +36,9 @@ struct WideNodeChild {
 };
 
 struct WideNode {
-  int first_child, child_count;             // all children in one list
-  BoxPieces pieces;                         // the pieces that bound the children, by position in the wide node
-  std::vector<MotionBoundPiecePack> reach;  // the motion bounds of the children; empty where they do not apply
+  int first_child, child_count;                     // all children in one list
+  BoxPieces pieces;                                 // the pieces that bound the children, by position in the wide node
+  std::vector<MotionBoundPiecePack> motion_bounds;  // the motion bounds of the children; empty where they do not apply
 };
 
 class ClusterTree {
@@ -53,6 +56,18 @@ class ClusterTree {
   // Returns a group by its position in the cluster. The groups behind it follow in memory.
   const TriangleGroup& group(int cluster, int i) const { return groups_[clusters_[cluster].first_group + i]; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
+  const FloatVertices& floats() const { return floats_; }       // the same
+
+  // The triangles of a cluster: their corners by position in it, and their indices in the model.
+  ClusterTriangles corners(int cluster) const {
+    const Cluster& c = clusters_[cluster];
+    const auto of = [&](int i) { return corners_[i].data() + c.first_triangle; };
+    return {c.triangle_count, {of(0), of(1), of(2)}};
+  }
+  const int* triangles(int cluster) const { return triangles_.data() + clusters_[cluster].first_triangle; }
+  // The largest cluster's.
+  int most_triangles() const { return most_triangles_; }
+  int most_vertices() const { return most_vertices_; }
 
  private:
   // A range of triangles side by side in SphereTree::triangle_order. They are those of a node, or some of a leaf's; a leaf
@@ -76,7 +91,11 @@ class ClusterTree {
   std::vector<Cluster> clusters_;
   std::vector<TriangleGroup> groups_;
   std::vector<Part> cluster_parts_;
+  std::vector<std::uint16_t> corners_[3];
+  std::vector<int> triangles_;
+  int most_triangles_ = 0, most_vertices_ = 0;
   PackedVertices vertices_;
+  FloatVertices floats_;
 };
 
 }  // namespace refitlab

@@ -69,7 +69,7 @@ Workers one_worker() {
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts, const Workers& workers) {
   const DefaultFloatEnvironment environment;
   std::vector<Box<double>> boxes(bodies.size());
-  for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->reach(); });
+  for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->motion_bound(); });
   const auto pairs = meeting(boxes);
   counts.pairs_of_boxes += static_cast<long>(pairs.size());
 

@@ -87,14 +87,14 @@ std::vector<MotionBound::Group> MotionBound::make_groups() const {
 
 bool MotionBound::deviates() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion; }
 
-// What does not deviation is in the hull of its joints' images, a few joints at a time.
+// What does not deviate is in the hull of its joints' images, a few joints at a time.
 void MotionBound::pack() {
   int lane = 0;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
     const std::span<const int> joints = g.joints;
     most_joints_ = std::max(most_joints_, static_cast<int>(joints.size()));
-    is_bounded_ = is_bounded_ && can_be_reached(g.reference);
+    is_bounded_ = is_bounded_ && can_be_bounded(g.reference);
     if (deviates() && joints.size() > most_motion_bound_joints) {
       others_.push_back(static_cast<int>(i));
       continue;
@@ -119,10 +119,10 @@ void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quat
     const Point3 center = rotation_center<double>(transforms, center_prior(mesh_, sets_.joints(s), skinning_));
     for (const auto& t : transforms) {
       const Point3 image = apply(t, center), at = rotate(rotation, image);
-      const double reach = (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost_of_motion_bound) +
-                           lost_of_motion_bound * norm(image);
+      const double radius = (norm<double, 3>(center - g.reference.center) + g.radius) * (1 + lost_of_motion_bound) +
+                            lost_of_motion_bound * norm(image);
       Box<double> about{at, at};
-      about.grow(reach);
+      about.grow(radius);
       box.merge(about);
     }
   }
@@ -131,7 +131,7 @@ void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quat
 Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
   const DefaultFloatEnvironment environment;
   defect_.reset();
-  ReachBounds bounds;
+  MotionBoundBox bounds;
   motion_bound_kernels(target).bound(pose[0].rotation.data(), static_cast<int>(pose.size()), placement.rotation.data(),
                                      packs_.data(), static_cast<int>(packs_.size()), deviates(), numbers_.data()->lane.data(),
                                      padded_joints_, bounds, unbounded_.data());
@@ -156,7 +156,7 @@ void MotionBound::move(Box<double>& box, const Point3& by) const {
   for (int i = 0; i < 3; ++i) {
     double &low = box.low[i], &high = box.high[i];
     const double at = by[i];
-    const double off = least_reach + lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
+    const double off = least_length + lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
     low += at - off, high += at + off;
   }
 }
@@ -170,7 +170,7 @@ bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose&
     for (const auto& joint : pose) defect_ = std::max(*defect_, std::abs(squared_norm(joint.rotation) - 1));
   }
   if (!bound_motion_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_, packs.data(),
-                                   static_cast<int>(packs.size()), deviates(), off_of_reach(*defect_), scratch.data()))
+                                   static_cast<int>(packs.size()), deviates(), error_share(*defect_), scratch.data()))
     return false;
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] = scratch[i].box();

@@ -41,14 +41,14 @@ template <int slots, bool deviates, bool few, class Merge>
     images.add(k, at, {at, at});
     if constexpr (deviates) rotations.add(k, joint.rotation);
   }
-  S reach = load(pack.radius + first);
+  S radius = load(pack.radius + first);
   const auto is_unbounded = rotations.are_far();
   if constexpr (deviates) {
     const S a = images.spread(load(pack.joint_count + first)) + load(pack.unsolved + first);
-    reach = reach + choose(is_unbounded, S(-infinity), (deviation_share(rotations.cosine()) + S(off)) * a);
+    radius = radius + choose(is_unbounded, S(-infinity), (deviation_share(rotations.cosine()) + S(off)) * a);
   }
   Box<S> box = images.box();
-  box.grow(reach);
+  box.grow(radius);
   merge(box, is_unbounded);
 }
 
@@ -66,8 +66,8 @@ void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_c
           for (int lane = 0; lane < width; ++lane)
             unbounded[p] |= static_cast<std::uint32_t>(is_unbounded[lane]) << (first + lane);
       };
-      if (packs[p].slot_count <= 4) bound_lanes<4, deviates>(packs[p], first, joints, off_of_reach(1e-6), merge);
-      else bound_lanes<most_motion_bound_joints, deviates>(packs[p], first, joints, off_of_reach(1e-6), merge);
+      if (packs[p].slot_count <= 4) bound_lanes<4, deviates>(packs[p], first, joints, error_share(1e-6), merge);
+      else bound_lanes<most_motion_bound_joints, deviates>(packs[p], first, joints, error_share(1e-6), merge);
     }
   }
 }
@@ -97,7 +97,7 @@ void fold(const S (&rows)[4], float* out) {
 
 template <bool few>
 void bound(const double* pose, const double* rotation, const MotionBoundPack* packs, int pack_count, bool deviates,
-           const Joints<few>& joints, ReachBounds& out, std::uint32_t* unbounded) {
+           const Joints<few>& joints, MotionBoundBox& out, std::uint32_t* unbounded) {
   joints.read(pose);
   Bounds bounds;
   place(joints, rotation, bounds);
@@ -108,7 +108,7 @@ void bound(const double* pose, const double* rotation, const MotionBoundPack* pa
 }
 
 REFITLAB_KERNEL void bound_any(const double* pose, int joint_count, const double* rotation, const MotionBoundPack* packs,
-                               int pack_count, bool deviates, float* numbers, int joint_room, ReachBounds& out,
+                               int pack_count, bool deviates, float* numbers, int joint_room, MotionBoundBox& out,
                                std::uint32_t* unbounded) {
   if (joint_room == 32)
     bound<true>(pose, rotation, packs, pack_count, deviates, {numbers, joint_count, joint_room}, out, unbounded);

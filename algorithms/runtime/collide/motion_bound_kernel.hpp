@@ -10,7 +10,7 @@
 // at most sqrt(n (n - 1) / 2) 2 e, and its factor is less than 0.82. So the total error of a bound is below (1 + 1.16 n [n
 // > 1]) e < 512 u n (||f|| + ||t||) = lost n (||f|| + ||t||). A^2 = n sum ||y_k||^2 - ||sum y_k||^2, where y_k = x_k - x_1
 // are the images seen from the first. n sum ||y_k||^2 is at most n A^2, because these squares are among the summands of
-// A^2. So A is computed within n (n + 8) u / 2 of itself, a small part of off_of_reach A. A dot product has an error of 64
+// A^2. So A is computed within n (n + 8) u / 2 of itself, a small part of error_share A. A dot product has an error of 64
 // u, including that of lengths, and c is lowered by `positive`, which is more. Products and sums that are fused
 // (CMakeLists.txt) lose less.
 #pragma once
@@ -28,7 +28,7 @@ inline constexpr int most_motion_bound_joints = 8;  // of a group in a pack
 // rotation_center takes a direction as undetermined, A lacks up to 2e-3 of the distance from f to the prior for each joint.
 // A single joint, about the prior, turns f by up to 2 defect of that distance away from its image. The center itself may be
 // 3e4 A away, and 2 defect of that distance is the largest part of this share of A.
-constexpr float off_of_reach(double defect) { return static_cast<float>(0x1p-8 + 6e4 * defect); }
+constexpr float error_share(double defect) { return static_cast<float>(0x1p-8 + 6e4 * defect); }
 
 // These are plain arrays by lane. Lanes beyond the last group repeat it, and slots beyond a group's last joint repeat its
 // first one.
@@ -42,7 +42,7 @@ struct MotionBoundPack {
   int slot_count;                           // the most joints of any lane
 };
 
-struct ReachBounds {
+struct MotionBoundBox {
   float low[4];   // the low x, y, z of all bounded groups, turned by the placement but not moved; then minus the largest
                   // ||t||^2 of the joints' translations, or minus infinity if one is beyond 1e30 or no number
   float high[4];  // the high x, y, z; then the largest | ||q||^2 - 1 | of the quaternions, or 1 if that is greater or no number
@@ -54,7 +54,7 @@ struct MotionBoundKernels {
   // number of joints). unbounded has, for each pack, a bit for each lane without a known bound, the first lowest. deviates
   // says whether blends deviate from linear ones.
   void (*bound)(const double* pose, int joint_count, const double* rotation, const MotionBoundPack* packs, int pack_count,
-                bool deviates, float* numbers, int joint_room, ReachBounds& out, std::uint32_t* unbounded);
+                bool deviates, float* numbers, int joint_room, MotionBoundBox& out, std::uint32_t* unbounded);
 };
 
 namespace baseline {

@@ -46,7 +46,7 @@ std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& c, st
   const DefaultFloatEnvironment environment;
   std::vector<const SimplexPiece*> sorted;
   for (const SimplexPiece& p : pieces) {
-    if (p.low.size() > most_motion_bound_joints || !can_be_reached(p.reference)) return {};
+    if (p.low.size() > most_motion_bound_joints || !can_be_bounded(p.reference)) return {};
     sorted.push_back(&p);
   }
   std::stable_sort(sorted.begin(), sorted.end(), [](auto* a, auto* b) { return a->low.size() > b->low.size(); });

@@ -10,10 +10,10 @@ namespace refitlab {
 // The share of all lengths that is lost by rounding, for each joint; see motion_bound_kernel.hpp.
 inline constexpr float lost_of_motion_bound = 0x1p-15;
 // Squares of larger numbers may overflow, and squares of smaller numbers may underflow.
-inline constexpr double largest_reach = 1e15, least_reach = 1e-18;
+inline constexpr double largest_length = 1e15, least_length = 1e-18;
 
-inline bool can_be_reached(const Ball3<double>& ball) {
-  return ball.center.cwiseAbs().maxCoeff() < largest_reach && ball.radius < largest_reach;
+inline bool can_be_bounded(const Ball3<double>& ball) {
+  return ball.center.cwiseAbs().maxCoeff() < largest_length && ball.radius < largest_length;
 }
 
 // Puts a ball in the reference pose, moved by at most most_motion_bound_joints joints, into a lane and into all lanes

@@ -43,18 +43,18 @@ template <int slots, bool deviates, bool few, class Merge>
     of_box.add(k, at_middle, box);
     if constexpr (deviates) rotations.add(k, joint.rotation);
   }
-  S reach = load(pack.ball.radius + first), margin = load(pack.lost + first);
+  S radius = load(pack.ball.radius + first), margin = load(pack.lost + first);
   bool is_known = true;
   if constexpr (deviates) {
     is_known = none_of(rotations.are_far());
     const S c = rotations.cosine(), share = deviation_share(c) + S(off), n = load(pack.ball.joint_count + first);
-    reach = reach + share * (of_ball.spread(n) + load(pack.ball.unsolved + first));
+    radius = radius + share * (of_ball.spread(n) + load(pack.ball.unsolved + first));
     // A of a vertex is at most that of the middle and what the turns add.
     const S turned = load(pack.spin + first) * root(max_of((S(1) - c) * (S(1) + c), S(0)));
     margin = margin + share * (of_box.spread(n) + load(pack.box_unsolved + first) + turned);
   }
   Box<S> cut = of_ball.box(), box = of_box.box();
-  cut.grow(reach), box.grow(margin);
+  cut.grow(radius), box.grow(margin);
   for (int i = 0; i < 3; ++i) cut.low[i] = max_of(cut.low[i], box.low[i]), cut.high[i] = min_of(cut.high[i], box.high[i]);
   merge(cut);
   return is_known;

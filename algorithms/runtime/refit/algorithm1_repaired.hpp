@@ -19,7 +19,7 @@ template <class Policy, class S>
 RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodePiece& set, std::vector<Quaternion<S>>& unit) {
   unit.clear();
   for (int k = 0; k < set.weight_vertex_count; ++k) {
-    const Quaternion<S> blend = blend_quaternion(node.palette[set.joint_set], node.corner(set, k));
+    const Quaternion<S> blend = blend_quaternion(node.palette[set.joint_set], node.weight_vertex(set, k));
     const S squared_length = squared_norm(blend);
     if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
     unit.push_back(blend / root(squared_length));
@@ -37,7 +37,7 @@ Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& list
     const Vec<S, 3> u = node.reference.center - palette.rotation_center;
     const Ball3<S> turned = rotated_ball(bound, u);  // lines 14 and 15
     for (int k = 0; k < set.weight_vertex_count; ++k)
-      lists.balls.push_back({blend_center(palette, node.corner(set, k)) + turned.center, turned.radius});
+      lists.balls.push_back({blend_center(palette, node.weight_vertex(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);
 }

@@ -24,25 +24,26 @@ namespace refitlab {
 
 inline constexpr int most_halvings = 4;  // in a row: 16 sub-simplices at most
 
-// Blend is the blend of one piece. It has the types Number and Corner; a Corner is the data at a weight vertex, and its
-// rotation is a quaternion. mix(a, b) makes the values above for two corners, and middle(a, b) the corner half-way. near is
-// a constant: corners are near if (q'_k, q'_l) > 0 and its square times near is above ||q'_k||^2 ||q'_l||^2. For a given
-// simplex, emit (for near corners) and fall_back (for others) append balls to lists.cap.balls.
+// Blend is the blend of one piece. It has the types Number and WeightVertex; a WeightVertex is the data at a weight vertex,
+// and its rotation is a quaternion. mix(a, b) makes the values above for two weight vertices, and
+// middle(a, b) the weight vertex half-way. near is a constant: weight vertices are near if (q'_k, q'_l) > 0 and its
+// square times near is above ||q'_k||^2 ||q'_l||^2. For a given simplex, emit (for near weight vertices) and fall_back
+// (for others) append balls to lists.cap.balls.
 template <class Blend>
 class ControlHull {
   using S = typename Blend::Number;
-  using Corner = typename Blend::Corner;
+  using WeightVertex = typename Blend::WeightVertex;
 
  public:
-  // corners is a list of lists.
-  ControlHull(Blend& blend, std::vector<Corner>& corners, ControlLists<S>& lists)
+  // weight_vertices is a list of lists.
+  ControlHull(Blend& blend, std::vector<WeightVertex>& weight_vertices, ControlLists<S>& lists)
       : blend_(blend),
-        corners_(corners),
+        weight_vertices_(weight_vertices),
         lists_(lists) {}
 
-  // Bounds the simplex whose m corners are the last ones in the list, and removes them from it.
+  // Bounds the simplex whose m weight vertices are the last ones in the list, and removes them from it.
   void cover(std::size_t m, int halvings_left) {
-    const std::size_t first = corners_.size() - m;
+    const std::size_t first = weight_vertices_.size() - m;
     mix_all(first, m);
     const auto [k, l] = widest_edge<S>(m, [&](std::size_t a, std::size_t b) -> const S& { return dots(m, a, b); });
     if (is_near(m, k, l)) {
@@ -52,11 +53,11 @@ class ControlHull {
     } else {
       blend_.fall_back(simplex(first, m), lists_);
     }
-    corners_.resize(first);
+    weight_vertices_.resize(first);
   }
 
  private:
-  std::span<const Corner> simplex(std::size_t first, std::size_t m) const { return {corners_.data() + first, m}; }
+  std::span<const WeightVertex> simplex(std::size_t first, std::size_t m) const { return {weight_vertices_.data() + first, m}; }
   S& dots(std::size_t m, std::size_t k, std::size_t l) { return lists_.dots[k * m + l]; }
 
   // Computes W and N of every pair.
@@ -65,13 +66,13 @@ class ControlHull {
     lists_.products.resize(m * m);
     for (std::size_t k = 0; k < m; ++k)
       for (std::size_t l = 0; l <= k; ++l) {
-        const MixedCorners<S> mixed = blend_.mix(corners_[first + k], corners_[first + l]);
+        const MixedPair<S> mixed = blend_.mix(weight_vertices_[first + k], weight_vertices_[first + l]);
         dots(m, k, l) = dots(m, l, k) = mixed.weight;
         lists_.products[k * m + l] = lists_.products[l * m + k] = mixed.numerator;
       }
   }
 
-  // Says whether the corners are as near as the blend requires, and certainly not 0.
+  // Says whether the weight vertices are as near as the blend requires, and certainly not 0.
   bool is_near(std::size_t m, std::size_t k, std::size_t l) {
     const S& w = dots(m, k, l);
     return is_certainly_nonzero(dots(m, k, k)) && is_certainly_nonzero(dots(m, l, l)) && certainly_less(S(0), w) &&
@@ -80,17 +81,17 @@ class ControlHull {
 
   // Makes the two simplices that share the middle of the edge (k, l).
   void halve(std::size_t first, std::size_t m, std::size_t k, std::size_t l, int halvings_left) {
-    const Corner middle = blend_.middle(corners_[first + k], corners_[first + l]);
+    const WeightVertex middle = blend_.middle(weight_vertices_[first + k], weight_vertices_[first + l]);
     for (const std::size_t replaced : {k, l}) {
-      const std::size_t own = corners_.size();
-      for (std::size_t i = 0; i < m; ++i) corners_.push_back(Corner(corners_[first + i]));
-      corners_[own + replaced] = middle;
+      const std::size_t own = weight_vertices_.size();
+      for (std::size_t i = 0; i < m; ++i) weight_vertices_.push_back(WeightVertex(weight_vertices_[first + i]));
+      weight_vertices_[own + replaced] = middle;
       cover(m, halvings_left - 1);
     }
   }
 
   Blend& blend_;
-  std::vector<Corner>& corners_;
+  std::vector<WeightVertex>& weight_vertices_;
   ControlLists<S>& lists_;
 };
 
@@ -99,48 +100,49 @@ template <class S>
 class SphericalPiece {
  public:
   using Number = S;
-  using Corner = BlendedJoints<S>;
+  using WeightVertex = BlendedJoints<S>;
   static constexpr double near = 4;  // less than 120 degrees of rotation apart, 60 degrees between the quaternions
 
   // x is p - r_c, and radius is that of the reference ball.
   SphericalPiece(const Vec<S, 3>& x, const S& radius) : x_(x), radius_(radius) {}
 
-  MixedCorners<S> mix(const Corner& a, const Corner& b) const { return mix_rotations(a.rotation, b.rotation, x_); }
-  static Corner middle(const Corner& a, const Corner& b) {
+  MixedPair<S> mix(const WeightVertex& a, const WeightVertex& b) const { return mix_rotations(a.rotation, b.rotation, x_); }
+  static WeightVertex middle(const WeightVertex& a, const WeightVertex& b) {
     return {middle_of(a.rotation, b.rotation), middle_of(a.center_image, b.center_image)};
   }
 
-  void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
-    const std::size_t m = corner.size();
+  void emit(std::span<const WeightVertex> weight_vertex, ControlLists<S>& lists) const {
+    const std::size_t m = weight_vertex.size();
     const auto mixed = [&](std::size_t k, std::size_t l) {
-      return MixedCorners<S>{lists.dots[k * m + l], lists.products[k * m + l]};
+      return MixedPair<S>{lists.dots[k * m + l], lists.products[k * m + l]};
     };
     for (std::size_t j = 0; j < m; ++j)
       for (std::size_t k = j; k < m; ++k)
         for (std::size_t l = k; l < m; ++l) {
-          const ScaledPoint<S> point = spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), corner[j].center_image,
-                                                               corner[k].center_image, corner[l].center_image);
+          const ScaledPoint<S> point =
+              spherical_control_point(mixed(j, k), mixed(k, l), mixed(j, l), weight_vertex[j].center_image,
+                                      weight_vertex[k].center_image, weight_vertex[l].center_image);
           const S scale = S(1) / point.denominator;
           lists.cap.balls.push_back({point.numerator * scale, radius_});
         }
   }
 
   // Bounds the rotations by a cap, and the linear part by its values at the weight vertices.
-  void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) const {
+  void fall_back(std::span<const WeightVertex> weight_vertex, ControlLists<S>& lists) const {
     auto& unit = lists.cap.quaternions;
     unit.clear();
     RotationBound<S> bound = all_rotations<S>();
-    for (const Corner& c : corner) {
+    for (const WeightVertex& c : weight_vertex) {
       const S squared_length = squared_norm(c.rotation);
       if (is_certainly_nonzero(squared_length)) unit.push_back(c.rotation / root(squared_length));
     }
-    if (unit.size() == corner.size()) {
+    if (unit.size() == weight_vertex.size()) {
       const std::span<const Quaternion<S>> points(unit);
       bound = bound_rotations(points, mean_center(points));
     }
     const Ball3<S> turned = rotated_ball(bound, x_);
     const S radius = radius_ + turned.radius;
-    for (const Corner& c : corner) lists.cap.balls.push_back({c.center_image + turned.center, radius});
+    for (const WeightVertex& c : weight_vertex) lists.cap.balls.push_back({c.center_image + turned.center, radius});
   }
 
  private:
@@ -158,17 +160,19 @@ std::span<const Ball3<S>> control_balls(const RefitNode<S>& node, ControlLists<S
     const PaletteEntry<S> palette = node.palette[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
     const Vec<S, 3> x = reference.center - palette.rotation_center;
-    lists.corners.clear();
+    lists.weight_vertices.clear();
     if (set.weight_vertex_count == 1) {  // one rotation, unless its blend may be zero: the whole piece moves rigidly
-      const BlendedJoints<S> only = blend_joints(palette, node.corner(set, 0));
+      const BlendedJoints<S> only = blend_joints(palette, node.weight_vertex(set, 0));
       if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
         lists.cap.balls.push_back({turn_and_place(only, squared_length, x), reference.radius});
         continue;
       }
     }
-    for (int k = 0; k < set.weight_vertex_count; ++k) lists.corners.push_back(blend_joints(palette, node.corner(set, k)));
+    for (int k = 0; k < set.weight_vertex_count; ++k)
+      lists.weight_vertices.push_back(blend_joints(palette, node.weight_vertex(set, k)));
     SphericalPiece<S> piece(x, reference.radius);
-    ControlHull(piece, lists.corners, lists).cover(lists.corners.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
+    ControlHull(piece, lists.weight_vertices, lists)
+        .cover(lists.weight_vertices.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
   }
   return lists.cap.balls;
 }

@@ -12,11 +12,11 @@ namespace refitlab {
 // The lists are reused between calls, so that a refit does not allocate.
 template <class S>
 struct ControlLists {
-  RefitLists<S> cap;                          // balls (the result) and the quaternions of the fallback
-  std::vector<BlendedJoints<S>> corners;      // of the simplices in progress, one after another: q'_k and r'_k
-  std::vector<BlendedDuals<S>> dual_corners;  // the same for dual quaternions: q'_k and d'_k
-  std::vector<S> dots;                        // W_kl, m x m
-  std::vector<Vec<S, 3>> products;            // N_kl of degree 2, m x m
+  RefitLists<S> cap;                                  // balls (the result) and the quaternions of the fallback
+  std::vector<BlendedJoints<S>> weight_vertices;      // of the simplices in progress, one after another: q'_k and r'_k
+  std::vector<BlendedDuals<S>> dual_weight_vertices;  // the same for dual quaternions: q'_k and d'_k
+  std::vector<S> dots;                                // W_kl, m x m
+  std::vector<Vec<S, 3>> products;                    // N_kl of degree 2, m x m
 };
 
 }  // namespace refitlab

@@ -32,7 +32,7 @@ template <class S>
 class DualQuaternionPiece {
  public:
   using Number = S;
-  using Corner = BlendedDuals<S>;
+  using WeightVertex = BlendedDuals<S>;
   static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
 
   // point is p, radius is that of the reference ball, and translation is at least the length of every joint's translation
@@ -42,31 +42,31 @@ class DualQuaternionPiece {
         radius_(radius),
         translation_(translation) {}
 
-  MixedCorners<S> mix(const Corner& a, const Corner& b) const { return mix_motions(a, b, point_); }
-  static Corner middle(const Corner& a, const Corner& b) {
+  MixedPair<S> mix(const WeightVertex& a, const WeightVertex& b) const { return mix_motions(a, b, point_); }
+  static WeightVertex middle(const WeightVertex& a, const WeightVertex& b) {
     return {middle_of(a.rotation, b.rotation), middle_of(a.dual, b.dual)};
   }
 
-  void emit(std::span<const Corner> corner, ControlLists<S>& lists) const {
-    const std::size_t m = corner.size();
+  void emit(std::span<const WeightVertex> weight_vertex, ControlLists<S>& lists) const {
+    const std::size_t m = weight_vertex.size();
     for (std::size_t k = 0; k < m; ++k)
       for (std::size_t l = k; l < m; ++l) lists.cap.balls.push_back({lists.products[k * m + l] / lists.dots[k * m + l], radius_});
   }
 
   // Makes the ball about the mean f of the images at the weight vertices, with radius max ||2 d'_k + q'_k p - f q'_k||
   // ||a|| / (q'_k, a), for an axis a with all (q'_k, a) > 0. If it finds no such axis, there is no bound.
-  void fall_back(std::span<const Corner> corner, ControlLists<S>& lists) {
-    const Quaternion<S> axis = axis_of(corner);
-    if (!is_ahead(corner, axis)) {
+  void fall_back(std::span<const WeightVertex> weight_vertex, ControlLists<S>& lists) {
+    const Quaternion<S> axis = axis_of(weight_vertex);
+    if (!is_ahead(weight_vertex, axis)) {
       is_bounded_ = false;
       return;
     }
-    const std::size_t m = corner.size();
+    const std::size_t m = weight_vertex.size();
     Vec<S, 3> middle = Vec<S, 3>::Constant(S(0));
     for (std::size_t k = 0; k < m; ++k) middle = middle + lists.products[k * m + k] / lists.dots[k * m + k];
     middle = middle / S(static_cast<double>(m));
     S greatest(0);
-    for (const Corner& c : corner) greatest = max_of(greatest, squared_reach(c, point_, axis, middle));
+    for (const WeightVertex& c : weight_vertex) greatest = max_of(greatest, squared_reach(c, point_, axis, middle));
     const S reach = root(S(greatest * squared_norm(axis)));
     lists.cap.balls.push_back({middle, radius_ + reach + rounding_of(middle, reach)});
   }
@@ -75,13 +75,13 @@ class DualQuaternionPiece {
 
   // The axis is the mean of the q'_k. While some q'_k is behind it, it takes a few steps towards the point of their hull
   // that is nearest to 0 [Gilbert 1966]. All q'_k are ahead of that point unless it is 0.
-  static Quaternion<S> axis_of(std::span<const Corner> corner) {
+  static Quaternion<S> axis_of(std::span<const WeightVertex> weight_vertex) {
     Quaternion<S> axis = Quaternion<S>::Constant(S(0));
-    for (const Corner& c : corner) axis = axis + c.rotation;
-    axis = axis / S(static_cast<double>(corner.size()));
-    for (int step = 0; step < axis_steps && !is_ahead(corner, axis); ++step) {
-      const Corner* last = &corner[0];
-      for (const Corner& c : corner)
+    for (const WeightVertex& c : weight_vertex) axis = axis + c.rotation;
+    axis = axis / S(static_cast<double>(weight_vertex.size()));
+    for (int step = 0; step < axis_steps && !is_ahead(weight_vertex, axis); ++step) {
+      const WeightVertex* last = &weight_vertex[0];
+      for (const WeightVertex& c : weight_vertex)
         if (prefer_less(S(dot(c.rotation, axis)), S(dot(last->rotation, axis)))) last = &c;
       const Quaternion<S> edge = last->rotation - axis;
       const S squared_length = squared_norm(edge);
@@ -96,7 +96,7 @@ class DualQuaternionPiece {
   // The least squared cosine of an angle to the axis, and the least squared length of a q'_k. Smaller values may come from
   // rounding.
   static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
-  static constexpr double least_squared_corner = std::is_floating_point_v<S> ? 1e-4 : 0;
+  static constexpr double least_squared_weight_vertex = std::is_floating_point_v<S> ? 1e-4 : 0;
 
   // The errors of the q'_k and d'_k, and of what is computed from them, are at most (n + 16) u of (t + ||p|| + ||f||) for n
   // joints, divided by (q'_k, a) / ||a||. This divisor is at least 1e-2 times 1e-4. So up to 500 joints, the error is less
@@ -106,12 +106,12 @@ class DualQuaternionPiece {
     else return S(0x1p-24) * (reach + translation_ + norm(point_) + norm(middle));
   }
 
-  static bool is_ahead(std::span<const Corner> corner, const Quaternion<S>& axis) {
-    for (const Corner& c : corner) {
+  static bool is_ahead(std::span<const WeightVertex> weight_vertex, const Quaternion<S>& axis) {
+    for (const WeightVertex& c : weight_vertex) {
       const S along = dot(c.rotation, axis), lengths = squared_norm(c.rotation) * squared_norm(axis);
       const S least = S(least_squared_cosine) * lengths;
       if (!certainly_less(S(0), along) || !certainly_less(least, sq(along))) return false;
-      if (!certainly_less(S(least_squared_corner), squared_norm(c.rotation))) return false;
+      if (!certainly_less(S(least_squared_weight_vertex), squared_norm(c.rotation))) return false;
     }
     return true;
   }
@@ -132,19 +132,20 @@ std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node
     const PaletteEntry<S> palette = node.palette[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
     if (set.weight_vertex_count == 1) {  // one rigid transform, unless its blend may be zero
-      const BlendedDuals<S> only = blend_duals(palette, node.corner(set, 0));
+      const BlendedDuals<S> only = blend_duals(palette, node.weight_vertex(set, 0));
       if (const S squared_length = squared_norm(only.rotation); is_certainly_nonzero(squared_length)) {
         balls.push_back({move_rigidly(only, squared_length, reference.center), reference.radius});
         continue;
       }
     }
-    lists.dual_corners.clear();
-    for (int k = 0; k < set.weight_vertex_count; ++k) lists.dual_corners.push_back(blend_duals(palette, node.corner(set, k)));
+    lists.dual_weight_vertices.clear();
+    for (int k = 0; k < set.weight_vertex_count; ++k)
+      lists.dual_weight_vertices.push_back(blend_duals(palette, node.weight_vertex(set, k)));
     S translation(0);
     if constexpr (std::is_floating_point_v<S>) translation = node.palette.scales(set.joint_set).translation;
     DualQuaternionPiece<S> piece(reference.center, reference.radius, translation);
-    ControlHull(piece, lists.dual_corners, lists)
-        .cover(lists.dual_corners.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
+    ControlHull(piece, lists.dual_weight_vertices, lists)
+        .cover(lists.dual_weight_vertices.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
     if (!piece.is_bounded()) {
       balls.assign(1, all_of_space(reference.center));
       break;

@@ -21,7 +21,7 @@ std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, Control
     const PaletteEntry<S> palette = node.palette[set.joint_set];
     const Ball3<S>& reference = node.piece_reference(i);
     for (int k = 0; k < set.weight_vertex_count; ++k)
-      lists.cap.balls.push_back({blend_linear(palette, node.corner(set, k), reference.center), reference.radius});
+      lists.cap.balls.push_back({blend_linear(palette, node.weight_vertex(set, k), reference.center), reference.radius});
   }
   return lists.cap.balls;
 }

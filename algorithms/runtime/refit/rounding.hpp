@@ -18,7 +18,7 @@ S rounding_of_pieces(const RefitNode<S>& node) {
   S worst(0);
   for (const NodePiece& set : node.pieces) {
     const PaletteRounding<S>& rounding = node.palette.rounding(set.joint_set, skinning);
-    const RoundingRates<S>& rates = node.is_vertex(set) ? rounding.vertex : rounding.corners;
+    const RoundingRates<S>& rates = node.is_vertex(set) ? rounding.vertex : rounding.weight_vertices;
     const S reach = twice_r + (skinning == Skinning::spherical ? upper_norm<S>(p - node.palette.rotation_center(set.joint_set))
                                                                : length);  // at least ||x|| + r of the piece
     worst = max_of(worst, S(rates.per_length * reach + rates.per_radius * node.reference.radius + rates.offset));

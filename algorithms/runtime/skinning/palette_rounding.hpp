@@ -108,8 +108,8 @@ struct RoundingRates {
 // The rates for one kind of skinning.
 template <class S>
 struct PaletteRounding {
-  RoundingRates<S> vertex;   // for a skinned vertex, and for a vertex that is a piece of its own
-  RoundingRates<S> corners;  // for a piece's control balls, and for its skinned vertices
+  RoundingRates<S> vertex;           // for a skinned vertex, and for a vertex that is a piece of its own
+  RoundingRates<S> weight_vertices;  // for a piece's control balls, and for its skinned vertices
 };
 
 template <class S>

@@ -17,6 +17,7 @@
 #include <span>
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
+#include "algorithms/runtime/packs/pack.hpp"
 
 namespace refitlab {
 namespace rotation_centers {
@@ -76,17 +77,31 @@ class NormalEquations {
     const Point regular = adjugate * half_g_ / (determinant * S(2));
     // Where the smallest eigenvalue is small, the other two are about t.
     const S smallest = determinant / (t * t);
-    const auto has_full_rank = smallest > max_of(S(squared_angle / 4), S(t * S(squared_ratio)));
-    // The eigenvector of the smallest eigenvalue is that of the largest one of the adjugate. Nothing moves along it. So g
-    // gets no component along it, and m gets one that makes it regular.
-    const Symmetric<S> power = adjugate.scaled_square().scaled_square().scaled_square();
-    const Point column = power.longest_column(), axis = column / norm<S, 3>(column);
-    const Point g = half_g_ - axis * dot<S, 3>(axis, half_g_);
-    m.add_product(axis, t);
-    const Symmetric<S> inverse = m.adjugate();
-    const Point singular = inverse * g / (m.determinant(inverse) * S(2));
+    const auto has_full_rank = smallest > S(squared_angle / 4) && smallest > t * S(squared_ratio);
+    const auto is_determined = t * S(4) > S(squared_angle);
+    const auto is_singular = is_determined && !has_full_rank;
+    Point x = regular;
+    using std::experimental::any_of;
+    if (any_of(is_singular)) {
+      // The eigenvector of the smallest eigenvalue is that of the largest one of the adjugate. Nothing moves along it. So g
+      // gets no component along it, and m gets one that makes it regular.
+      const Symmetric<S> power = adjugate.scaled_square().scaled_square().scaled_square();
+      const Point column = power.longest_column(), axis = column / norm<S, 3>(column);
+      const Point g = half_g_ - axis * dot<S, 3>(axis, half_g_);
+      m.add_product(axis, t);
+      const Symmetric<S> inverse = m.adjugate();
+      const Point singular = inverse * g / (m.determinant(inverse) * S(2));
+      x = choose(is_singular, singular, regular);
+    }
     const Point zero(S(0), S(0), S(0));
-    return choose(t * S(4) > S(squared_angle), choose(has_full_rank, regular, singular), zero);
+    return choose(is_determined, x, zero);
+  }
+
+  // The same for one pair, whose V is v v^T and whose g is at right angles to v.
+  Point solve_pair() const {
+    const S t = v_.trace();
+    const Point x = half_g_ / (t * S(2)), zero(S(0), S(0), S(0));
+    return choose(t * S(4) > S(squared_angle), x, zero);
   }
 
  private:
@@ -111,7 +126,7 @@ Vec<S, 3> rotation_center(std::span<const RigidTransform<S>> transforms, const V
   rotation_centers::NormalEquations<S> equations(prior);
   for (std::size_t a = 0; a < transforms.size(); ++a)
     for (std::size_t b = a + 1; b < transforms.size(); ++b) equations.add_pair(transforms[a], transforms[b]);
-  const Vec<S, 3> offset = equations.solve();
+  const Vec<S, 3> offset = transforms.size() == 2 ? equations.solve_pair() : equations.solve();
   return prior + offset;
 }
 

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/character_file.hpp"
 
-#include <bit>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/tree/binary.hpp"
 #include "algorithms/runtime/tree/check_character.hpp"
-#include "algorithms/runtime/tree/fingerprint.hpp"
 
 namespace refitlab {
 namespace {
 
 constexpr std::string_view magic = "refitlab";
 constexpr std::uint32_t version = 1;
-
-std::uint64_t checksum_of(std::string_view bytes) {
-  Fingerprint of_bytes;
-  of_bytes.add_bytes(bytes);
-  return of_bytes.value();
-}
 
 // The fields of all that is in a file, once for writing and once for reading: `io` has a function for each kind of number.
 void transfer(auto& io, auto& x);
@@ -66,81 +58,24 @@ void transfer(auto& io, auto& x) {
   }
 }
 
-template <class T>
-using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t>>;
-
-struct Writer {
-  template <class T>
-  void number(const T& x) {
-    const auto bits = std::bit_cast<Bits<T>>(x);
-    for (std::size_t i = 0; i < sizeof(T); ++i) bytes.push_back(static_cast<char>(bits >> (8 * i) & 0xff));
-  }
-  std::string bytes;
-};
-
-class Reader {
- public:
-  Reader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
-
-  template <class T>
-  void number(T& x) {
-    if (bytes_.size() < sizeof(T)) throw ModelError(file_, "file", "ends early");
-    Bits<T> bits = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-      bits = static_cast<Bits<T>>(bits | static_cast<Bits<T>>(static_cast<unsigned char>(bytes_[i])) << (8 * i));
-    x = std::bit_cast<T>(bits);
-    bytes_.remove_prefix(sizeof(T));
-  }
-  // A member of a list takes a byte at least: what a count makes room for is no more than what the file could have.
-  std::size_t checked_count(std::uint64_t count) const {
-    if (count > bytes_.size()) throw ModelError(file_, "file", "ends early");
-    return static_cast<std::size_t>(count);
-  }
-  std::string_view take(std::size_t count) {
-    if (bytes_.size() < count) throw ModelError(file_, "file", "ends early");
-    const std::string_view taken = bytes_.substr(0, count);
-    bytes_.remove_prefix(count);
-    return taken;
-  }
-  std::string_view rest() const { return bytes_; }
-
- private:
-  std::string_view bytes_;
-  const std::string& file_;
-};
-
 }  // namespace
 
 std::string bytes_of(const Character& character) {
-  Writer body;
+  BinaryWriter body;
   transfer(body, character.mesh), transfer(body, character.tree);
   for (const PieceTable& table : character.pieces) transfer(body, table);
-  Writer out{std::string(magic)};
-  out.number(version), out.number(std::uint64_t(body.bytes.size())), out.number(checksum_of(body.bytes));
-  return out.bytes + body.bytes;
+  return sealed(magic, version, body.bytes);
 }
 
 Character character_of(std::string_view bytes, const std::string& file) {
   const DefaultFloatEnvironment environment;
-  Reader in(bytes, file);
-  if (bytes.substr(0, magic.size()) != magic) throw ModelError(file, "file", "is no baked character");
-  in.take(magic.size());
-  std::uint32_t of_file = 0;
-  in.number(of_file);
-  if (of_file != version)
-    throw ModelError(file, "file", "is of version " + std::to_string(of_file) + ", not " + std::to_string(version));
-  std::uint64_t size = 0, checksum = 0;
-  in.number(size), in.number(checksum);
-  if (size > in.rest().size()) throw ModelError(file, "file", "ends early");
-  if (size < in.rest().size()) throw ModelError(file, "file", "goes on after its end");
-  if (checksum_of(in.rest()) != checksum) throw ModelError(file, "file", "its checksum is not that of its bytes");
-
+  BinaryReader in = opened(bytes, magic, version, "baked character", file);
   SkinnedMesh mesh;
   SphereTree tree;
   std::array<PieceTable, piece_kinds> pieces;
   transfer(in, mesh), transfer(in, tree);
   for (PieceTable& table : pieces) transfer(in, table);
-  if (!in.rest().empty()) throw ModelError(file, "file", "goes on after its end");
+  in.end();
   mesh.name = mesh.name.empty() ? file : mesh.name;
   validate(mesh);
   JointSets sets(mesh);

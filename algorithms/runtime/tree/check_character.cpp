@@ -21,15 +21,15 @@ std::string fault_of(const NodePiece& piece, const JointSets& sets, const std::v
   if (piece.joint_set < 0 || piece.joint_set >= sets.count()) return "names a joint-set out of range";
   const auto joints = static_cast<long>(sets.joints(piece.joint_set).size());
   if (piece.weight_vertex_count < 1 || !is_range(piece.first_weight, piece.weight_vertex_count * joints, weights.size()))
-    return "names corners out of range";
+    return "names weight vertices out of range";
   for (long k = 0; k < piece.weight_vertex_count; ++k) {
     double sum = 0;
     for (long i = 0; i < joints; ++i) {
       const double weight = weights[piece.first_weight + k * joints + i];
-      if (!(weight >= 0 && weight <= 1)) return "has a corner with a weight that is not in [0, 1]";
+      if (!(weight >= 0 && weight <= 1)) return "has a weight vertex with a weight that is not in [0, 1]";
       sum += weight;
     }
-    if (sum != 1) return "has a corner whose weights do not sum to 1";
+    if (sum != 1) return "has a weight vertex whose weights do not sum to 1";
   }
   return "";
 }

@@ -29,7 +29,7 @@ struct RefitNode {
   std::span<const Ball3<S>> piece_references = {};
 
   // Returns the weight vertex c_k of one of the node's pieces, by position in the joint-set.
-  std::span<const S> corner(const NodePiece& set, int k) const {
+  std::span<const S> weight_vertex(const NodePiece& set, int k) const {
     const std::size_t n = palette.joint_count(set.joint_set);
     return {weight_vertices + set.first_weight + k * n, n};
   }

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* Over the reals: what is checked of the corners of a piece holds all of their blends. *)
+(* Over the reals: what is checked of the weight vertices of a piece holds all of their blends. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.b3_subdivision.
@@ -7,7 +7,7 @@ Require Import Refitlab.b4_cap_fallback Refitlab.b6_dual_quaternion_ball Refitla
 Require Import Refitlab.checker.certificate.
 Import ListNotations.
 
-(* All blends of the corners are good. *)
+(* All blends of the weight vertices are good. *)
 Definition all_blends {X} {l : Lin R X} (good : X -> Prop) (xs : list X) := forall z, in_hull xs z -> good z.
 
 (* Where the blend (q, r) or (q, d) is not 0, it carries x into the ball [c, s]. *)

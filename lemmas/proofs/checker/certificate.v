@@ -7,7 +7,7 @@ Import ListNotations.
 
 (* --- The document, with numbers of any type T --- *)
 
-(* Why a ball holds a piece. The halves have the middle of an edge in place of its first corner, and of its second. *)
+(* Why a ball holds a piece. The halves have the middle of an edge in place of its first weight vertex, and of its second. *)
 Inductive bound T := Control | Cap (axis : quat T) | All_rotations | MotionBound (axis : quat T) (center : vec T)
   | Halves (k l : nat) (first second : bound T).
 Arguments Control {T}. Arguments Cap {T}. Arguments All_rotations {T}. Arguments MotionBound {T}. Arguments Halves {T}.
@@ -22,10 +22,10 @@ Arguments Spherical {T}. Arguments Dual_quaternion {T}. Arguments Linear {T}.
 Record sphere T := Sphere { middle : vec T; reach : T }.
 Arguments Sphere {T}. Arguments middle {T}. Arguments reach {T}.
 
-Record piece T := Piece { set_of_piece : nat; reference : sphere T; corners : list (list T); why : bound T }.
-Arguments Piece {T}. Arguments set_of_piece {T}. Arguments reference {T}. Arguments corners {T}. Arguments why {T}.
+Record piece T := Piece { set_of_piece : nat; reference : sphere T; weight_vertices : list (list T); why : bound T }.
+Arguments Piece {T}. Arguments set_of_piece {T}. Arguments reference {T}. Arguments weight_vertices {T}. Arguments why {T}.
 
-(* The weights are the corners of these places, each times its share, divided by the sum of the shares. *)
+(* The weights are the weight vertices of these places, each times its share, divided by the sum of the shares. *)
 Record vertex T := Vertex { piece_of_vertex : nat; position : vec T; weights : list T; places : list nat; shares : list T }.
 Arguments Vertex {T}. Arguments piece_of_vertex {T}. Arguments position {T}. Arguments weights {T}. Arguments places {T}.
 Arguments shares {T}.
@@ -67,10 +67,10 @@ Definition set_at {T} (c : certificate T) (place : nat) : option (joint_set T) :
 Definition vertex_is_held (c : certificate R) (v : vertex R) : Prop :=
   exists js, set_at c (piece_of_vertex v) = Some js /\
   (is_skinned js (weights v) -> in_ball (as_ball (enclosing c)) (skin js (weights v) (position v))).
-(* Of a piece: the ball holds whatever is in its reference ball and has weights in the hull of its corners. *)
+(* Of a piece: the ball holds whatever is in its reference ball and has weights in the hull of its weight vertices. *)
 Definition piece_is_held (c : certificate R) (p : piece R) : Prop :=
   exists js, nth_error (joint_sets c) (set_of_piece p) = Some js /\
-  forall w v, is_corner_combination (corners p) w -> in_ball (as_ball (reference p)) v -> is_skinned js w ->
+  forall w v, is_weight_vertex_combination (weight_vertices p) w -> in_ball (as_ball (reference p)) v -> is_skinned js w ->
   in_ball (as_ball (enclosing c)) (skin js w v).
 Definition claim (c : certificate R) : Prop :=
   (forall v, In v (vertices c) -> vertex_is_held c v) /\ (forall p, In p (pieces c) -> piece_is_held c p).

@@ -7,12 +7,12 @@ Import ListNotations.
 (* What the checker computes with. There is no division: below a b is at most a / b, for 0 <= a and 0 < b. *)
 Class Num (T : Type) := { num_ops :> Ops T; half_of_one : T; below : T -> T -> T; leb : T -> T -> bool }.
 
-(* --- Pairs and triples of corners. What is made of a pair is made once: it stands in tables. --- *)
+(* --- Pairs and triples of weight vertices. What is made of a pair is made once: it stands in tables. --- *)
 
 Section Tables.
 Context {X Y Z : Type} (pair : X -> X -> Y) (triple : X -> X -> X -> Y -> Y -> Y -> Z).
 
-(* A row for each corner: itself and those that follow it, with what is made of the pairs. *)
+(* A row for each weight vertex: itself and those that follow it, with what is made of the pairs. *)
 Definition row (a : X) (xs : list X) : list (X * Y) := map (fun b => (b, pair a b)) xs.
 Fixpoint rows (xs : list X) : list (list (X * Y)) :=
   match xs with [] => [] | a :: t => row a xs :: rows t end.
@@ -54,7 +54,7 @@ Definition check_ball_inside (f : vec T) (r2 : T) (c : vec T) (s : T) : bool :=
   let rest := sub (sub (mul s s) apart) r2 in
   leb zero s && leb zero rest && leb (mul (mul (mul two two) apart) r2) (mul rest rest).
 
-(* --- Bounds: all blends of the corners carry a point x into the ball [c, s] --- *)
+(* --- Bounds: all blends of the weight vertices carry a point x into the ball [c, s] --- *)
 
 (* Control points, times 3 where the degree is 3. *)
 Definition dual_control_point (x : vec T) (a b : quat T * quat T) : vec T * T :=
@@ -130,7 +130,7 @@ Definition check_linear (qs : list (quat T)) (ts : list (vec T)) (p : vec T) (r 
 Definition sum_of (ws : list T) : T := fold_right add zero ws.
 Definition check_weights (joints : nat) (w : list T) : bool :=
   (length w =? joints) && forallb (leb zero) w && eqb (sum_of w) one.
-Definition check_corners (joints data : nat) (ws : list (list T)) : bool :=
+Definition check_weight_vertices (joints data : nat) (ws : list (list T)) : bool :=
   (data =? joints) && forallb (check_weights joints) ws.
 
 Definition check_piece (sets : list (joint_set T)) (b : sphere T) (p : piece T) : bool :=
@@ -142,27 +142,27 @@ Definition check_piece (sets : list (joint_set T)) (b : sphere T) (p : piece T) 
   match nth_error sets (set_of_piece p) with
   | None => false
   | Some (Spherical qs images rotation_center) =>
-      check_corners (length qs) (length images) (corners p) && leb zero s &&
+      check_weight_vertices (length qs) (length images) (weight_vertices p) && leb zero s &&
       check_bound (check_spherical (lsub v rotation_center) c s) (why p)
-        (map (fun w => (comb w qs, comb w images)) (corners p))
+        (map (fun w => (comb w qs, comb w images)) (weight_vertices p))
   | Some (Dual_quaternion qs ds) =>
-      check_corners (length qs) (length ds) (corners p) && leb zero s &&
-      check_bound (check_dual v c s) (why p) (map (fun w => (comb w qs, comb w ds)) (corners p))
+      check_weight_vertices (length qs) (length ds) (weight_vertices p) && leb zero s &&
+      check_bound (check_dual v c s) (why p) (map (fun w => (comb w qs, comb w ds)) (weight_vertices p))
   | Some (Linear qs ts) =>
-      check_corners (length qs) (length ts) (corners p) &&
-      match why p with Control => check_linear qs ts v r c (reach b) (corners p) | _ => false end
+      check_weight_vertices (length qs) (length ts) (weight_vertices p) &&
+      match why p with Control => check_linear qs ts v r c (reach b) (weight_vertices p) | _ => false end
   end.
 
-(* The vertex is in the reference ball, and its weights in the hull of the corners. *)
+(* The vertex is in the reference ball, and its weights in the hull of the weight vertices. *)
 Definition check_vertex (ps : list (piece T)) (v : vertex T) : bool :=
   match nth_error ps (piece_of_vertex v) with
   | None => false
   | Some p =>
       let r := reach (reference p) in
-      let chosen := map (fun k => nth k (corners p) []) (places v) in
+      let chosen := map (fun k => nth k (weight_vertices p) []) (places v) in
       let total := sum_of (shares v) in
       leb (vnorm2 (lsub (position v) (middle (reference p)))) (mul r r)
-      && forallb (fun k => k <? length (corners p)) (places v)
+      && forallb (fun k => k <? length (weight_vertices p)) (places v)
       && (length (shares v) =? length (places v)) && forallb (leb zero) (shares v) && ltb zero total
       && forallb (fun w => length w =? length (weights v)) chosen
       && forallb (fun i => eqb (mul total (nth i (weights v) zero)) (comb (shares v) (map (fun w => nth i w zero) chosen)))

@@ -32,7 +32,7 @@ Definition joint_set_map (js : joint_set T) : joint_set R :=
   | Linear qs ts => Linear (map qmap qs) (map vmap ts)
   end.
 Definition piece_map (p : piece T) : piece R :=
-  Piece (set_of_piece p) (sphere_map (reference p)) (map (map value) (corners p)) (bound_map (why p)).
+  Piece (set_of_piece p) (sphere_map (reference p)) (map (map value) (weight_vertices p)) (bound_map (why p)).
 Definition vertex_map (v : vertex T) : vertex R :=
   Vertex (piece_of_vertex v) (vmap (position v)) (map value (weights v)) (places v) (map value (shares v)).
 Definition certificate_map (c : certificate T) : certificate R :=

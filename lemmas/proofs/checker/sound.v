@@ -211,10 +211,11 @@ Qed.
 
 (* --- Pieces --- *)
 
-Lemma check_corners_sound joints data ws : check_corners joints data ws = true ->
+Lemma check_weight_vertices_sound joints data ws : check_weight_vertices joints data ws = true ->
   data = joints /\ forall w, In w ws -> Forall (Rle 0) (map value w).
 Proof.
-  unfold check_corners. rewrite andb_true_iff, Nat.eqb_eq, forallb_forall. intros [D W]. split; [exact D|]. intros w I.
+  unfold check_weight_vertices. rewrite andb_true_iff, Nat.eqb_eq, forallb_forall. intros [D W]. split; [exact D|].
+    intros w I.
   apply W in I. unfold check_weights in I. rewrite !andb_true_iff, forallb_forall in I. destruct I as [[_ I] _].
   apply Forall_map, Forall_forall. intros x X. apply I, (leb_sound value) in X. now rewrite (value_zero (Exact := ex)) in X.
 Qed.
@@ -232,7 +233,7 @@ Proof.
   rewrite !map_map. apply map_ext. intros q. unfold growth, linear_growth. cbv zeta. autorewrite with values. reflexivity.
 Qed.
 
-(* Corners that are chosen, and what they make of something that is combined. *)
+(* Weight vertices that are chosen, and what they make of something that is combined. *)
 Lemma chosen_in_hull {X} {l : Lin R X} {e : Euclid X} (f : list R -> X) (all chosen : list (list R)) u :
   (forall w, In w chosen -> In w all) -> convex (length chosen) u -> in_hull (map f all) (comb u (map f chosen)).
 Proof.
@@ -240,10 +241,10 @@ Proof.
   apply Forall_map, Forall_forall. intros w W. apply hull_point, in_map, I, W.
 Qed.
 
-(* What a piece that is checked says of weights that are a combination of some of its corners. *)
+(* What a piece that is checked says of weights that are a combination of some of its weight vertices. *)
 Lemma check_piece_sound sets b p : check_piece sets b p = true ->
   exists js, nth_error sets (set_of_piece p) = Some js /\
-  forall chosen u w v, (forall c, In c chosen -> In c (map (map value) (corners p))) -> convex (length chosen) u ->
+  forall chosen u w v, (forall c, In c chosen -> In c (map (map value) (weight_vertices p))) -> convex (length chosen) u ->
   (forall i, nth i w 0 = comb u (map (fun c => nth i c 0) chosen)) ->
   in_ball (as_ball (sphere_map value (reference p))) v -> is_skinned (joint_set_map value js) w ->
   in_ball (as_ball (sphere_map value b)) (skin (joint_set_map value js) w v).
@@ -255,7 +256,8 @@ Proof.
   destruct js as [qs images rotation_center|qs ds|qs ts]; cbn [joint_set_map skin is_skinned] in *; rewrite !andb_true_iff in H.
   - destruct H as [_ H]. apply spherical_sound in H. rewrite (vmap_sub value), Sub in H.
     set (f := fun w => (comb w (map qmap qs), comb w (map vmap images)) : quat R * vec R).
-    assert (E : map smap (map (fun w => (comb w qs, comb w images)) (corners p)) = map f (map (map value) (corners p))).
+    assert (E : map smap (map (fun w => (comb w qs, comb w images)) (weight_vertices p)) = map f
+      (map (map value) (weight_vertices p))).
     { rewrite !map_map. apply map_ext. intros c. unfold smap, f. cbn [fst snd].
       now rewrite (comb_map value _ c qs (qmap_keeps_sums value)), (comb_map value _ c images (vmap_keeps_sums value)). }
     rewrite E in H.
@@ -265,7 +267,8 @@ Proof.
     unfold skin_spherical. exact (spherical_ball _ _ _ _ _ v (f w) Z V S).
   - destruct H as [_ H]. apply dual_sound in H. rewrite Sub in H.
     set (f := fun w => (comb w (map qmap qs), comb w (map qmap ds)) : quat R * quat R).
-    assert (E : map dmap (map (fun w => (comb w qs, comb w ds)) (corners p)) = map f (map (map value) (corners p))).
+    assert (E : map dmap (map (fun w => (comb w qs, comb w ds)) (weight_vertices p)) = map f
+      (map (map value) (weight_vertices p))).
     { rewrite !map_map. apply map_ext. intros c. unfold dmap, f. cbn [fst snd].
       now rewrite !(comb_map value _ c _ (qmap_keeps_sums value)). }
     rewrite E in H.
@@ -273,8 +276,8 @@ Proof.
     { rewrite comb_pair, !map_map. unfold f. cbn [fst snd]. now rewrite !(swap_sums u chosen w). }
     pose proof (chosen_in_hull f _ chosen u Ch U) as Z. rewrite B in Z. apply H in Z.
     unfold skin_dual. exact (dual_ball _ _ _ _ v (f w) Z V S).
-  - destruct H as [C H]. apply check_corners_sound in C as [L W]. destruct (why p); try discriminate.
-    rewrite (swap_sums u chosen w _ Q). unfold corner_images.
+  - destruct H as [C H]. apply check_weight_vertices_sound in C as [L W]. destruct (why p); try discriminate.
+    rewrite (swap_sums u chosen w _ Q). unfold weight_vertex_images.
     apply (convex_set_comb (in_ball (Ball (vmap (middle b)) (value (reach b))))); [apply ball_convex|now rewrite map_length|].
     apply Forall_map, Forall_forall. intros c I. apply Ch, in_map_iff in I as (c' & <- & I).
     unfold check_linear in H. rewrite forallb_forall in H. specialize (H c' I). specialize (W c' I).
@@ -302,12 +305,12 @@ Proof. rewrite <- (value_zero (Exact := ex)). now rewrite map_nth. Qed.
 
 Lemma check_vertex_sound ps v : check_vertex ps v = true ->
   exists p chosen u, nth_error ps (piece_of_vertex v) = Some p /\
-  (forall c, In c chosen -> In c (map (map value) (corners p))) /\ convex (length chosen) u /\
+  (forall c, In c chosen -> In c (map (map value) (weight_vertices p))) /\ convex (length chosen) u /\
   (forall i, nth i (map value (weights v)) 0 = comb u (map (fun c => nth i c 0) chosen)) /\
   (0 <= value (reach (reference p)) -> in_ball (as_ball (sphere_map value (reference p))) (vmap (position v))).
 Proof.
   unfold check_vertex. destruct (nth_error ps (piece_of_vertex v)) as [p|]; [|discriminate]. cbv zeta.
-  set (chosen := map (fun k => nth k (corners p) []) (places v)). set (total := sum_of (shares v)).
+  set (chosen := map (fun k => nth k (weight_vertices p) []) (places v)). set (total := sum_of (shares v)).
   rewrite !andb_true_iff, !forallb_forall, Nat.eqb_eq. intros [[[[[[B K] L] P] S] C] Q].
   apply (ltb_sound value) in S. rewrite (value_zero (Exact := ex)) in S. pose proof (inv_pos _ S) as I.
   exists p, (map (map value) chosen), (map (Rmult (/ value total)) (map value (shares v))). split; [reflexivity|].
@@ -353,6 +356,6 @@ Proof.
       apply (leb_sound value) in P. now rewrite (value_zero (Exact := ex)) in P.
   - specialize (P x I). destruct (check_piece_sound (joint_sets c) (enclosing c) x P) as (js & J & H).
     exists (joint_set_map value js). split; [now apply map_nth_error|].
-    intros w v (u & U & Q) B S. apply (H (map (map value) (corners x)) u); auto.
+    intros w v (u & U & Q) B S. apply (H (map (map value) (weight_vertices x)) u); auto.
 Qed.
 End Soundness.

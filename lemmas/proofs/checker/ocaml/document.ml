@@ -77,7 +77,7 @@ let terms m d =
   | 2 -> Integer.(div (mul m (up 1)) (of_int 2))
   | _ -> Integer.(div (mul (mul m (up 1)) (up 2)) (of_int 6))
 
-(* The bound, and the terms that it has for m corners. *)
+(* The bound, and the terms that it has for m weight vertices. *)
 let rec bound n skinning m halvings v =
   let by = match v with `Assoc l -> (match List.assoc_opt "by" l with Some b -> text b | None -> "") | _ -> "" in
   let alone b d = ignore (members [ "by" ] v); b, terms m d in
@@ -105,19 +105,20 @@ type certificate_file = {
   about : string; of_model : string; of_pose : string; skinning : string; number_of_node : int; ids : int list;
   sets_of_joints : int list list; document : number certificate }
 
-let piece n skinning v = match members [ "bound"; "corners"; "joint_set"; "reference" ] v with
-  | [ b; c; s; r ] ->
-      let corners = list (list (number n)) c in
-      let m = List.length corners in
+let piece n skinning v = match members [ "bound"; "joint_set"; "reference"; "weight_vertices" ] v with
+  | [ b; s; r; c ] ->
+      let weight_vertices = list (list (number n)) c in
+      let m = List.length weight_vertices in
       let why, cost = bound n skinning m 0 b in
-      { set_of_piece = index s; reference = sphere n r; corners; why },
-      Integer.(add cost (mul (of_int m) (of_int (List.length (List.hd corners)))))
+      { set_of_piece = index s; reference = sphere n r; weight_vertices; why },
+      Integer.(add cost (mul (of_int m) (of_int (List.length (List.hd weight_vertices)))))
   | _ -> assert false
 
-let vertex n v = match members [ "corners"; "id"; "piece"; "position"; "shares"; "weights" ] v with
-  | [ corners; id; piece; position; shares; weights ] ->
+let vertex n v = match members [ "id"; "piece"; "position"; "shares"; "weight_vertices"; "weights" ] v with
+  | [ id; piece; position; shares; weight_vertices; weights ] ->
       let shares = list (number n) shares and weights = list (number n) weights in
-      (int id, { piece_of_vertex = index piece; position = vec n position; weights; places = list index corners; shares }),
+      (int id, { piece_of_vertex = index piece; position = vec n position; weights; places = list index weight_vertices;
+        shares }),
       Integer.of_int (1 + (List.length shares * List.length weights))
   | _ -> assert false
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Generated queries and their scoring, which the experiment of that name rests on.
+// Synthetic cases and their scoring, which the experiment of that name rests on.
+#include "algorithms/verification/synthetic_case.hpp"
+
 #include <fstream>
 #include <iterator>
 
@@ -7,12 +9,11 @@
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "algorithms/verification/portable_random.hpp"
 #include "algorithms/verification/score.hpp"
-#include "algorithms/verification/synthetic_case.hpp"
 #include "proptests/cases/statements.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
-namespace proptests::suite_queries {
+namespace proptests::suite_synthetic_case {
 namespace {
 
 using namespace refitlab;
@@ -27,13 +28,13 @@ std::string text_of(const char* file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// What a query promises; empty if it keeps it.
-std::string complaint(const SyntheticCase& query) {
-  if (query.sets.empty() || query.sets.size() > 3) return "the number of joint-sets; ";
-  for (const SyntheticSet& set : query.sets) {
+// What a synthetic case promises; empty if it keeps it.
+std::string complaint(const SyntheticCase& synthetic) {
+  if (synthetic.sets.empty() || synthetic.sets.size() > 3) return "the number of joint-sets; ";
+  for (const SyntheticSet& set : synthetic.sets) {
     const std::size_t n = set.palette.transforms.size();
     if (n < 1 || n > 5) return "the number of joints; ";
-    if (encloses(query.reference, set.reference) != Verdict::holds) return "a joint-set outside the reference ball; ";
+    if (encloses(synthetic.reference, set.reference) != Verdict::holds) return "a joint-set outside the reference ball; ";
     for (std::size_t i = 0; i < n; ++i) {
       const auto& c = set.palette.transforms[i];
       if (squared_norm(c.rotation) != 1) return "a quaternion that is not of unit length; ";
@@ -41,9 +42,9 @@ std::string complaint(const SyntheticCase& query) {
       for (const Rational& x : {set.bounds.low[i], set.bounds.high[i]})
         if ((x * Rational(1 << 24)).denominator() != 1) return "a bound that is no multiple of 2^-24; ";
     }
-    if (corners_are_admissible(set.bounds, set.corners) != Verdict::holds ||
-        corners_are_complete(set.bounds, set.corners) != Verdict::holds || set.corners.empty())
-      return "the corners; ";
+    if (weight_vertices_are_admissible(set.bounds, set.weight_vertices) != Verdict::holds ||
+        weight_vertices_are_complete(set.bounds, set.weight_vertices) != Verdict::holds || set.weight_vertices.empty())
+      return "the weight vertices; ";
     const auto weights = sampled_weights(set);
     if (weights.empty()) return "no weights; ";
     for (const auto& w : weights)
@@ -58,7 +59,7 @@ struct ByMatrices {
   bool misses = false;
   double worst = 0;
 };
-ByMatrices by_matrices(const SyntheticCase& query, Skinning skinning, const Ball3<double>& ball) {
+ByMatrices by_matrices(const SyntheticCase& synthetic, Skinning skinning, const Ball3<double>& ball) {
   const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
   ByMatrices out;
   const auto see = [&](const Vec<Rational, 3>& center, const Rational& radius) {
@@ -66,7 +67,7 @@ ByMatrices by_matrices(const SyntheticCase& query, Skinning skinning, const Ball
     const double distance = std::sqrt(CGAL::to_double(squared_distance<Rational, 3>(center, exact.center)));
     out.worst = std::max(out.worst, distance + CGAL::to_double(radius) - ball.radius);
   };
-  for (const SyntheticSet& set : query.sets)
+  for (const SyntheticSet& set : synthetic.sets)
     for (const auto& w : sampled_weights(set)) {
       const auto& c = set.palette.transforms;
       const auto& [p, r] = set.reference;
@@ -80,9 +81,9 @@ ByMatrices by_matrices(const SyntheticCase& query, Skinning skinning, const Ball
   return out;
 }
 
-double size_of(const SyntheticCase& query, const Ball3<double>& ball) {
+double size_of(const SyntheticCase& synthetic, const Ball3<double>& ball) {
   double size = 0;
-  for (const SyntheticSet& set : query.sets) {
+  for (const SyntheticSet& set : synthetic.sets) {
     size = std::max(size, norm(lift<double>(set.palette.rotation_center)));
     for (const auto& image : set.palette.center_images) size = std::max(size, norm(lift<double>(image)));
   }
@@ -96,7 +97,7 @@ Ball3<double> scaled(Ball3<double> ball, double factor) {
 
 }  // namespace
 
-PROPTEST(queries) {
+PROPTEST(synthetic_case) {
   t.example("the stored sample is what the generator makes of its seed, to the letter", {.number_type = "rational"},
             [] { return Checked(text_of(sample_file) == synthetic_cases_as_case_file(seed, sample_count), sample_count); });
   t.example("each case of the sample is read, and its vertex enclosed by the repaired Algorithm 1",
@@ -108,27 +109,27 @@ PROPTEST(queries) {
                   wrong += c.name + " is decided as " + j.decided + "; ";
               return Checked(wrong.empty() && list.size() == sample_count, static_cast<long>(list.size()), wrong);
             });
-  t.example("queries keep what they promise, and a quarter of them is degenerate in one of 8 ways", {.number_type = "rational"},
-            [] {
+  t.example("synthetic cases keep what they promise, and a quarter of them is degenerate in one of 8 ways",
+            {.number_type = "rational"}, [] {
               std::string wrong;
               std::map<std::string, long> kinds;
               constexpr int count = 1000;
               for (int number = 0; number < count; ++number) {
-                const SyntheticCase query = make_synthetic_case(seed, number);
-                wrong += complaint(query);
-                ++kinds[query.degeneracy];
+                const SyntheticCase synthetic = make_synthetic_case(seed, number);
+                wrong += complaint(synthetic);
+                ++kinds[synthetic.degeneracy];
               }
-              if (kinds[""] < count * 2 / 3 || kinds[""] > count * 5 / 6) wrong += "the share of degenerate queries; ";
+              if (kinds[""] < count * 2 / 3 || kinds[""] > count * 5 / 6) wrong += "the share of degenerate cases; ";
               if (kinds.size() != 9) wrong += std::to_string(kinds.size() - 1) + " ways; ";
               return Checked(wrong.empty(), count, wrong);
             });
   t.holds("a ball is scored as missing exactly if matrices in rationals say so",
           {.number_type = "double against rational", .cases = 300}, [] {
-            const SyntheticCase query = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
-            const CaseNodes nodes(query);
+            const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+            const CaseNodes nodes(synthetic);
             const RefitVariant& variant = compared_variant(*rc::gen::element<std::string>(
                 "spherical_printed_signed", "spherical_repaired", "control_mean", "dual_quaternion_control_mean", "linear"));
-            SkinnedCase skinned(query, variant.skinning);
+            SkinnedCase skinned(synthetic, variant.skinning);
             const Ball3<double> ball =
                 scaled(variant.refit(nodes.node(variant.pieces)), *rc::gen::element(1.0, 0.97, 0.9, 1.0000001));
             const CaseScore score = skinned.score(ball);
@@ -140,31 +141,32 @@ PROPTEST(queries) {
               RC_ASSERT(score.misses && score.worst_miss == 1);
               return;
             }
-            const ByMatrices expected = by_matrices(query, variant.skinning, ball);
+            const ByMatrices expected = by_matrices(synthetic, variant.skinning, ball);
             RC_ASSERT(score.misses == expected.misses);
-            RC_ASSERT(std::abs(score.worst_miss - expected.worst / size_of(query, ball)) <= 1e-13);
+            RC_ASSERT(std::abs(score.worst_miss - expected.worst / size_of(synthetic, ball)) <= 1e-13);
           });
-  t.holds("a query's node has the joint-sets' own balls as its pieces', and its own ball about them", {.cases = 100}, [] {
-    const SyntheticCase query = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
-    const CaseNodes nodes(query);
-    for (const Pieces pieces : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::many}) {
-      const auto node = nodes.node(pieces);
-      RC_ASSERT(node.reference.radius == lift<double>(query.reference).radius);
-      RC_ASSERT(node.pieces.size() >= query.sets.size());
-      for (std::size_t i = 0; i < node.pieces.size(); ++i) {
-        const auto& set = query.sets[node.pieces[i].joint_set];
-        const Ball3<double> expected = lift<double>(pieces == Pieces::node ? query.reference : set.reference);
-        RC_ASSERT(node.piece_reference(i).center == expected.center && node.piece_reference(i).radius == expected.radius);
-      }
-    }
-  });
+  t.holds("a synthetic case's node has the joint-sets' own balls as its pieces', and its own ball about them", {.cases = 100},
+          [] {
+            const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+            const CaseNodes nodes(synthetic);
+            for (const Pieces pieces : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::many}) {
+              const auto node = nodes.node(pieces);
+              RC_ASSERT(node.reference.radius == lift<double>(synthetic.reference).radius);
+              RC_ASSERT(node.pieces.size() >= synthetic.sets.size());
+              for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+                const auto& set = synthetic.sets[node.pieces[i].joint_set];
+                const Ball3<double> expected = lift<double>(pieces == Pieces::node ? synthetic.reference : set.reference);
+                RC_ASSERT(node.piece_reference(i).center == expected.center && node.piece_reference(i).radius == expected.radius);
+              }
+            }
+          });
   t.holds("a ball that is too small by a share is scored as missing by that share, and the smallest ball as 1",
           {.number_type = "double", .cases = 300}, [] {
-            const SyntheticCase query = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
-            SkinnedCase skinned(query, Skinning::spherical);
+            const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+            SkinnedCase skinned(synthetic, Skinning::spherical);
             std::vector<Ball3<double>> images;
             double size = 0;
-            for (const SyntheticSet& set : query.sets) {
+            for (const SyntheticSet& set : synthetic.sets) {
               size = std::max(size, norm(lift<double>(set.palette.rotation_center)));
               for (const auto& image : set.palette.center_images) size = std::max(size, norm(lift<double>(image)));
               for (const auto& w : sampled_weights(set))
@@ -181,28 +183,28 @@ PROPTEST(queries) {
             if (smallest.radius > 1e-6) RC_ASSERT(score.misses && std::abs(score.worst_miss - expected) <= 1e-6 * expected);
           });
   t.example("a ball that is not a number, or of negative radius, is undefined and misses", {.number_type = "double"}, [] {
-    const SyntheticCase query = make_synthetic_case(seed, 0);
-    SkinnedCase skinned(query, Skinning::spherical);
+    const SyntheticCase synthetic = make_synthetic_case(seed, 0);
+    SkinnedCase skinned(synthetic, Skinning::spherical);
     const auto is_undefined = [&](const Ball3<double>& ball) {
       const CaseScore s = skinned.score(ball);
       return s.undefined && s.misses && s.misses_beyond_tolerance();
     };
     const Ball3<double> all_of_space{{0, 0, 0}, INFINITY};
-    const CaseScore dual = SkinnedCase(query, Skinning::dual_quaternion).score(all_of_space);
+    const CaseScore dual = SkinnedCase(synthetic, Skinning::dual_quaternion).score(all_of_space);
     return dual.unbounded && !dual.undefined && !dual.misses && is_undefined({{0, 0, 0}, -1}) && is_undefined({{0, 0, 0}, NAN}) &&
            is_undefined({{NAN, 0, 0}, 1}) && is_undefined({{0, 0, 0}, INFINITY}) && !is_undefined({{0, 0, 0}, 1e6}) &&
            !skinned.score({{0, 0, 0}, 1e6}).misses;
   });
-  t.example("every sound variant holds every query up to rounding; each printed form misses some",
+  t.example("every sound variant holds every synthetic case up to rounding; each printed form misses some",
             {.number_type = "double against rational"}, [] {
               constexpr int count = 300;
               std::map<std::string, long> missed, unbounded;
               for (int number = 0; number < count; ++number) {
-                const SyntheticCase query = make_synthetic_case(seed, number);
-                const CaseNodes nodes(query);
+                const SyntheticCase synthetic = make_synthetic_case(seed, number);
+                const CaseNodes nodes(synthetic);
                 std::map<Skinning, SkinnedCase> skinned;
                 for (const Skinning s : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
-                  skinned.emplace(s, SkinnedCase(query, s));
+                  skinned.emplace(s, SkinnedCase(synthetic, s));
                 for (const RefitVariant& v : compared_variants()) {
                   const auto ball = v.refit(nodes.node(v.pieces));
                   const CaseScore score = skinned.at(v.skinning).score(ball);
@@ -219,4 +221,4 @@ PROPTEST(queries) {
             });
 }
 
-}  // namespace proptests::suite_queries
+}  // namespace proptests::suite_synthetic_case

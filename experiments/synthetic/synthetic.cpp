@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/synthetic/queries.hpp"
+#include "experiments/synthetic/synthetic.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,38 +9,38 @@
 #include <limits>
 #include <map>
 
+#include "algorithms/bake/parallel.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/verification/score.hpp"
-#include "experiments/threads/parallel.hpp"
 
 namespace refitlab {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int sample_count = 100;  // queries written as a file of cases
-constexpr int timed_queries = 500, passes = 3;
+constexpr int sample_count = 100;  // cases written as a file of cases
+constexpr int timed_cases = 500, passes = 3;
 
 struct Measured {
   CaseScore score;
   double looseness = std::numeric_limits<double>::quiet_NaN();  // not a number: no ball, or nothing to enclose
 };
 
-struct MeasuredQuery {
+struct MeasuredCase {
   bool is_degenerate;
   std::vector<Measured> variants;
 };
 
-MeasuredQuery measure(const QuerySettings& settings, std::size_t number) {
-  const SyntheticCase query = make_synthetic_case(settings.seed, number);
-  const CaseNodes nodes(query);
+MeasuredCase measure(const SyntheticSettings& settings, std::size_t number) {
+  const SyntheticCase synthetic = make_synthetic_case(settings.seed, number);
+  const CaseNodes nodes(synthetic);
   std::map<Skinning, std::pair<SkinnedCase, double>> skinned;  // with the radius of the smallest ball
   for (const Skinning s : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-    SkinnedCase images(query, s);
+    SkinnedCase images(synthetic, s);
     const double smallest = images.smallest_radius();
     skinned.emplace(s, std::pair(std::move(images), smallest));
   }
-  MeasuredQuery out{!query.degeneracy.empty(), {}};
+  MeasuredCase out{!synthetic.degeneracy.empty(), {}};
   for (const RefitVariant& variant : compared_variants()) {
     auto& [images, smallest] = skinned.at(variant.skinning);
     const Ball3<double> ball = variant.refit(nodes.node(variant.pieces));
@@ -52,13 +52,13 @@ MeasuredQuery measure(const QuerySettings& settings, std::size_t number) {
   return out;
 }
 
-QueryResult summary(const std::vector<MeasuredQuery>& queries, std::size_t variant, const std::string& share) {
-  QueryResult out{compared_variants()[variant].name, share};
+SyntheticResult summary(const std::vector<MeasuredCase>& cases, std::size_t variant, const std::string& share) {
+  SyntheticResult out{compared_variants()[variant].name, share};
   std::vector<double> looseness;
-  for (const MeasuredQuery& q : queries) {
+  for (const MeasuredCase& q : cases) {
     if (share != "all" && q.is_degenerate != (share == "degenerate")) continue;
     const Measured& m = q.variants[variant];
-    ++out.queries;
+    ++out.cases;
     out.undefined += m.score.undefined;
     out.unbounded += m.score.unbounded;
     out.misses += m.score.misses;
@@ -74,9 +74,9 @@ QueryResult summary(const std::vector<MeasuredQuery>& queries, std::size_t varia
   return out;
 }
 
-// Rough: the clock's and the call's own cost is in it. The best of a few passes over all queries.
-std::vector<double> nanoseconds(const QuerySettings& settings) {
-  const int count = std::min(settings.count, timed_queries);
+// Rough: the clock's and the call's own cost is in it. The best of a few passes over all cases.
+std::vector<double> nanoseconds(const SyntheticSettings& settings) {
+  const int count = std::min(settings.count, timed_cases);
   std::vector<CaseNodes> nodes;
   for (int number = 0; number < count; ++number) nodes.emplace_back(make_synthetic_case(settings.seed, number));
   std::vector<double> out;
@@ -95,15 +95,15 @@ std::vector<double> nanoseconds(const QuerySettings& settings) {
   return out;
 }
 
-void print_table(const std::vector<QueryResult>& results) {
-  std::printf("  %-30s %9s %9s %12s %9s | %8s %8s %8s | %9s\n", "all queries", "undefined", "missed", "> tolerance", "worst",
+void print_table(const std::vector<SyntheticResult>& results) {
+  std::printf("  %-30s %9s %9s %12s %9s | %8s %8s %8s | %9s\n", "all cases", "undefined", "missed", "> tolerance", "worst",
               "mean", "median", "max", "ns, rough");
-  for (const QueryResult& r : results)
+  for (const SyntheticResult& r : results)
     if (r.share == "all")
       std::printf("  %-30s %9ld %9ld %12ld %9.1e | %8.3f %8.3f %8.3g | %9.0f\n", r.variant.c_str(), r.undefined, r.misses,
                   r.misses_beyond_tolerance, r.worst_miss, r.looseness_mean, r.looseness_median, r.looseness_max, r.ns_per_refit);
   std::printf(
-      "  missed: queries with a vertex outside, decided exactly; beyond the tolerance of %.0e of the coordinates' size "
+      "  missed: cases with a vertex outside, decided exactly; beyond the tolerance of %.0e of the coordinates' size "
       "it is not "
       "by rounding. mean, median, max: radius / smallest ball of sampled true positions.\n",
       synthetic_tolerance);
@@ -111,34 +111,34 @@ void print_table(const std::vector<QueryResult>& results) {
 
 }  // namespace
 
-std::vector<QueryResult> run_queries(const QuerySettings& settings) {
-  std::cout << "== " << settings.count << " generated queries, seed " << settings.seed << std::endl;
-  std::vector<MeasuredQuery> queries(static_cast<std::size_t>(settings.count));
+std::vector<SyntheticResult> run_synthetic(const SyntheticSettings& settings) {
+  std::cout << "== " << settings.count << " synthetic cases, seed " << settings.seed << std::endl;
+  std::vector<MeasuredCase> cases(static_cast<std::size_t>(settings.count));
   std::atomic<std::size_t> done{0};
-  const std::size_t tenth = std::max<std::size_t>(1, queries.size() / 10);
-  parallel_for(queries.size(), [&](std::size_t i) {
-    queries[i] = measure(settings, i);
+  const std::size_t tenth = std::max<std::size_t>(1, cases.size() / 10);
+  parallel_for(cases.size(), [&](std::size_t i) {
+    cases[i] = measure(settings, i);
     if (const std::size_t n = ++done; n % tenth == 0)
-      std::printf("[queries] %zu of %zu\n", n, queries.size()), std::fflush(stdout);
+      std::printf("[synthetic] %zu of %zu\n", n, cases.size()), std::fflush(stdout);
   });
   const std::vector<double> ns = nanoseconds(settings);
-  std::vector<QueryResult> results;
+  std::vector<SyntheticResult> results;
   for (std::size_t v = 0; v < compared_variants().size(); ++v)
     for (const char* share : {"all", "general", "degenerate"}) {
-      results.push_back(summary(queries, v, share));
+      results.push_back(summary(cases, v, share));
       if (results.back().share == "all") results.back().ns_per_refit = ns[v];
     }
   print_table(results);
   return results;
 }
 
-void write_queries(const std::vector<QueryResult>& results, const QuerySettings& settings, const std::string& path) {
+void write_synthetic(const std::vector<SyntheticResult>& results, const SyntheticSettings& settings, const std::string& path) {
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit"});
-  for (const QueryResult& r : results) {
+  for (const SyntheticResult& r : results) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"queries", "generated", r.share, r.variant, "all", quantity, format_number(value), unit}, settings.seed);
+      file.add({"synthetic", "synthetic", r.share, r.variant, "all", quantity, format_number(value), unit}, settings.seed);
     };
-    add("queries", static_cast<double>(r.queries), "1");
+    add("cases", static_cast<double>(r.cases), "1");
     add("undefined", static_cast<double>(r.undefined), "1");
     add("unbounded", static_cast<double>(r.unbounded), "1");
     add("misses", static_cast<double>(r.misses), "1");

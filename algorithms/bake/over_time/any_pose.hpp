@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where vertices can be in any pose whatever: a ball about a joint, from bone lengths and scales alone (c8_any_pose).
+#pragma once
+
+#include <span>
+
+#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/mesh/joint_sets.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
+
+namespace refitlab {
+
+// All vertices are within the radius of the node's origin, wherever that is.
+struct AnyPoseBound {
+  int node;       // of the model's skeleton: the deepest one that is above all of the vertices' joints, or one of them
+  double radius;  // in the scene's units
+};
+
+// Of some vertices, at least one, whatever the rotations of all nodes. Nodes are translated and scaled as in the rest pose or in
+// one of the model's clips, and morph targets have weights as there; but these may come from different clips.
+// skinning: linear; or dual_quaternion or spherical, where any two joints of a vertex must be so posed that their quaternions'
+// dot product is not negative, as it always is for two. Throws ModelError for a model without a skeleton of keys.
+AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices, Skinning skinning);
+
+}  // namespace refitlab

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/bake/over_time/model_bounds.hpp"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <stdexcept>
+
+#include "algorithms/bake/parallel.hpp"
+#include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr int most_meshlet_vertices = 255, most_meshlet_triangles = 512;
+
+std::vector<int> in_order(std::vector<int> vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+std::vector<int> vertices_of(const Model& model, std::span<const int> triangles) {
+  std::vector<int> vertices;
+  for (const int t : triangles) vertices.insert(vertices.end(), model.triangles[t].begin(), model.triangles[t].end());
+  return in_order(std::move(vertices));
+}
+
+// The triangles as meshlets, each a list of them.
+std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int>& triangles, int most_triangles) {
+  std::vector<unsigned> indices;
+  std::map<Triangle, std::vector<int>> triangle_of;  // meshlets name vertices, whose triangles may be there twice
+  for (const int t : triangles) {
+    indices.insert(indices.end(), model.triangles[t].begin(), model.triangles[t].end());
+    Triangle key = model.triangles[t];
+    std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
+    triangle_of[key].push_back(t);
+  }
+  std::vector<float> positions;
+  for (const Point3& v : model.vertices)
+    for (const double x : v) positions.push_back(static_cast<float>(x));
+  const auto triangle_limit = static_cast<std::size_t>(most_triangles);
+  std::vector<meshopt_Meshlet> found(meshopt_buildMeshletsBound(indices.size(), most_meshlet_vertices, triangle_limit));
+  std::vector<unsigned> vertices(found.size() * most_meshlet_vertices);
+  std::vector<unsigned char> weight_vertices(found.size() * triangle_limit * 3);
+  found.resize(meshopt_buildMeshlets(found.data(), vertices.data(), weight_vertices.data(), indices.data(), indices.size(),
+                                     positions.data(), model.vertices.size(), 3 * sizeof(float), most_meshlet_vertices,
+                                     triangle_limit, 0));
+  std::vector<std::vector<int>> out;
+  for (const meshopt_Meshlet& meshlet : found) {
+    auto& list = out.emplace_back();
+    for (unsigned t = 0; t < meshlet.triangle_count; ++t) {
+      Triangle key;
+      for (int k = 0; k < 3; ++k)
+        key[k] = static_cast<int>(vertices[meshlet.vertex_offset + weight_vertices[meshlet.triangle_offset + 3 * t + k]]);
+      std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
+      auto& left = triangle_of.at(key);
+      list.push_back(left.back());
+      left.pop_back();
+    }
+    std::sort(list.begin(), list.end());
+  }
+  return out;
+}
+
+// Parts of the same vertices have the same bounds: the first of them, by part.
+std::vector<std::size_t> firsts_of(const std::vector<ModelPart>& parts) {
+  std::map<std::vector<int>, std::size_t> known;
+  std::vector<std::size_t> first;
+  for (std::size_t p = 0; p < parts.size(); ++p) first.push_back(known.try_emplace(parts[p].vertices, p).first->second);
+  return first;
+}
+
+BoundedPart outward(const BoundOverTime& bound, double renderer_rounding) {
+  Box<double> box = box_of(bound.slabs);
+  double farthest = 0;
+  for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
+  const double more = renderer_rounding * 2 * farthest;  // no less than the share of the farthest vertex's distance
+  box.grow(more);
+  return {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
+}
+
+class ProgressCount {
+ public:
+  ProgressCount(std::size_t total, const std::function<void(double)>& tell) : total_(total), tell_(tell) {}
+  void add(std::size_t done) {
+    if (!tell_) return;
+    const std::lock_guard lock(guard_);
+    tell_(static_cast<double>(done_ += done) / static_cast<double>(total_));
+  }
+
+ private:
+  std::size_t total_, done_ = 0;
+  const std::function<void(double)>& tell_;
+  std::mutex guard_;
+};
+
+}  // namespace
+
+const char* name_of(PartKind kind) {
+  switch (kind) {
+    case PartKind::whole: return "whole";
+    case PartKind::skin: return "skin";
+    case PartKind::mesh: return "mesh";
+    case PartKind::primitive: return "primitive";
+    case PartKind::cluster: break;
+  }
+  return "cluster";
+}
+
+std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
+  if (cluster_triangles != 0 &&
+      (cluster_triangles < 4 || cluster_triangles > most_meshlet_triangles || cluster_triangles % 4 != 0))
+    throw std::invalid_argument("parts_of: clusters have a multiple of 4 triangles, from 4 to 512");
+  std::vector<int> all(model.vertices.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<ModelPart> parts = {{PartKind::whole, -1, all, {}}}, primitives, clusters;
+  std::map<std::pair<PartKind, int>, std::vector<int>> joined;  // vertices of skins and meshes
+  const auto add = [&](int source, const std::vector<int>& triangles) {
+    if (triangles.empty()) return;
+    primitives.push_back({PartKind::primitive, source, vertices_of(model, triangles), {}});
+    if (source >= 0) {
+      const SourcePrimitive& from = model.sources[source];
+      for (const auto& key : {std::pair{PartKind::skin, from.skin}, {PartKind::mesh, from.mesh}})
+        if (key.second >= 0) {
+          auto& list = joined[key];
+          list.insert(list.end(), primitives.back().vertices.begin(), primitives.back().vertices.end());
+        }
+    }
+    if (cluster_triangles != 0)
+      for (auto& list : meshlets(model, triangles, cluster_triangles))
+        clusters.push_back({PartKind::cluster, source, vertices_of(model, list), list});
+  };
+  for (std::size_t s = 0; s < model.sources.size(); ++s) {
+    std::vector<int> triangles;
+    for (const int t : model.sources[s].triangles)
+      if (t >= 0) triangles.push_back(t);
+    add(static_cast<int>(s), triangles);
+  }
+  if (model.sources.empty()) {
+    std::vector<int> triangles(model.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    add(-1, triangles);
+  }
+  for (auto& [key, vertices] : joined) parts.push_back({key.first, key.second, in_order(std::move(vertices)), {}});
+  for (auto* more : {&primitives, &clusters}) std::move(more->begin(), more->end(), std::back_inserter(parts));
+  return parts;
+}
+
+ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
+  const DefaultFloatEnvironment environment;
+  const JointSets sets(model);
+  ModelBounds out{options.skinning, parts_of(model, options.cluster_triangles)};
+  const Animation none;
+  std::deque<AnimatedJoints> clips;  // the last one rests
+  const bool needs_pose = options.skinning != Skinning::linear;
+  for (const Clip& clip : model.clips) clips.emplace_back(model, clip.animation, needs_pose);
+  clips.emplace_back(model, none, needs_pose);
+
+  const std::vector<std::size_t> first = firsts_of(out.parts);
+  struct Task {
+    std::size_t clip, part, cost;
+  };
+  std::vector<Task> tasks;
+  std::size_t cost = 0;
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    for (std::size_t p = 0; p < out.parts.size(); ++p)
+      if (first[p] == p) {
+        tasks.push_back({c, p, out.parts[p].vertices.size() * clips[c].times().size()});
+        cost += tasks.back().cost;
+      }
+  // The largest first, so that no processor is left with one at the end.
+  std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
+
+  std::vector<std::vector<BoundedPart>> bounded(clips.size(), std::vector<BoundedPart>(out.parts.size()));
+  std::atomic<long> moments = 0;
+  ProgressCount progress(cost, options.progress);
+  parallel_for(tasks.size(), [&](std::size_t t) {
+    const DefaultFloatEnvironment own_environment;
+    const Task& task = tasks[t];
+    const MovingVertices vertices(clips[task.clip], sets, options.skinning, out.parts[task.part].vertices);
+    const BoundOverTime bound = bound_over_time(clips[task.clip], vertices, {.tolerance = options.tolerance});
+    bounded[task.clip][task.part] = outward(bound, options.renderer_rounding);
+    moments += bound.moments;
+    progress.add(task.cost);
+  });
+  for (auto& parts : bounded)
+    for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
+  for (std::size_t c = 0; c < model.clips.size(); ++c)
+    out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c])});
+  out.rest = std::move(bounded.back());
+  out.moments = moments;
+  if (options.any_pose)
+    for (const ModelPart& part : out.parts)
+      if (part.kind != PartKind::cluster) {
+        out.any_pose.push_back(bound_any_pose(model, sets, part.vertices, options.skinning));
+        out.any_pose.back().radius *= 1 + options.renderer_rounding;
+      }
+  return out;
+}
+
+BoundedPart around(std::span<const BoundedPart> parts) {
+  BoundedPart out = parts[0];
+  std::vector<Ball3<double>> balls;
+  for (const BoundedPart& part : parts) {
+    out.box.merge(part.box);
+    balls.push_back({part.ball.center.cast<double>(), part.ball.radius});
+  }
+  if (parts.size() > 1) out.ball = rounded_outward(smallest_ball_of_balls(balls));
+  return out;
+}
+
+std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds) {
+  std::vector<BoundedPart> out;
+  for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
+    std::vector<BoundedPart> of_clips = {bounds.rest[p]};
+    for (const BoundedClip& clip : bounds.clips) of_clips.push_back(clip.parts[p]);
+    out.push_back(around(of_clips));
+  }
+  return out;
+}
+
+ClusterBounds clusters_of(const Model& model, const ModelBounds& bounds) {
+  ClusterBounds out;
+  std::vector<int> in_source(model.triangles.size(), -1);  // by triangle of the model; its own where there are no sources
+  std::iota(in_source.begin(), in_source.end(), 0);
+  for (const SourcePrimitive& s : model.sources) out.primitives.push_back({s.node, s.mesh, s.primitive, s.skin});
+  if (model.sources.empty()) out.primitives.push_back({-1, -1, -1, -1});
+  std::vector<std::size_t> parts;
+  int current = -2;
+  for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
+    const ModelPart& part = bounds.parts[p];
+    if (part.kind != PartKind::cluster) continue;
+    if (part.index != current && part.index >= 0) {
+      const std::vector<int>& triangles = model.sources[part.index].triangles;
+      for (std::size_t t = 0; t < triangles.size(); ++t)
+        if (triangles[t] >= 0) in_source[triangles[t]] = static_cast<int>(t);
+    }
+    current = part.index;
+    ClusterBounds::Cluster cluster{std::max(part.index, 0), {}};
+    for (const int t : part.triangles) cluster.triangles.push_back(in_source[t]);
+    out.clusters.push_back(std::move(cluster));
+    parts.push_back(p);
+  }
+  const auto add = [&](const std::string& name, double duration, const std::vector<BoundedPart>& of_parts) {
+    ClusterBounds::Clip clip{name, duration, {}};
+    for (const std::size_t p : parts) clip.clusters.push_back(of_parts[p]);
+    out.clips.push_back(std::move(clip));
+  };
+  for (const BoundedClip& clip : bounds.clips) add(clip.name, clip.duration, clip.parts);
+  add("", 0, bounds.rest);
+  return out;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bounds over time of everything in a model: its clusters of triangles, the file's primitives, meshes and skins, and the whole,
+// in every clip and in the rest pose.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "algorithms/bake/over_time/any_pose.hpp"
+#include "algorithms/bake/over_time/bound_over_time.hpp"
+#include "algorithms/runtime/tree/cluster_bounds.hpp"
+
+namespace refitlab {
+
+// What a bound is of.
+enum class PartKind { whole, skin, mesh, primitive, cluster };
+const char* name_of(PartKind kind);
+
+struct ModelPart {
+  PartKind kind;
+  // The file's skin or mesh; of a primitive and a cluster, the position in Model::sources; of the whole, and of models that
+  // are not from glTF, -1.
+  int index;
+  std::vector<int> vertices;   // the model's, in increasing order
+  std::vector<int> triangles;  // of a cluster; the model's
+};
+
+struct BoundedClip {
+  std::string name;
+  double duration;                 // seconds
+  std::vector<BoundedPart> parts;  // by part
+};
+
+struct ModelBounds {
+  Skinning skinning;
+  std::vector<ModelPart> parts;        // the whole first, clusters last
+  std::vector<BoundedClip> clips;      // those of the model, in order
+  std::vector<AnyPoseBound> any_pose;  // by part, clusters left out; empty unless asked for
+  std::vector<BoundedPart> rest;       // by part: the joints where the file's nodes leave them without a clip
+  long moments = 0;                    // at which some part's vertices were skinned
+};
+
+struct ModelBoundsOptions {
+  Skinning skinning = Skinning::linear;
+  double tolerance = 0.01;      // as in OverTimeOptions
+  int cluster_triangles = 128;  // of a cluster at most, a multiple of 4 from 4 to 512; 0 for no clusters
+  bool any_pose = false;        // bound what poses of code could do, too
+  // Beyond what is computed: a renderer skins in float and is off by as much, as a share of the farthest vertex's distance
+  // from the scene's origin.
+  double renderer_rounding = 0x1p-20;
+  // Told how much is done, as a share, by any thread but one at a time.
+  std::function<void(double)> progress = {};
+};
+
+// Parts of a model: of each source primitive the meshlets of its triangles. Throws std::invalid_argument for cluster_triangles
+// out of range.
+std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles);
+
+// On all processors. Throws ModelError where there is no bound, and for a model without keys.
+ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options = {});
+
+// What encloses all of them, at least one: the smallest box, and the smallest ball rounded outward.
+BoundedPart around(std::span<const BoundedPart> parts);
+
+// What holds in all clips and in the rest pose; by part.
+std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds);
+
+// The clusters, for a file. Triangles are those of the file's primitives.
+ClusterBounds clusters_of(const Model& model, const ModelBounds& bounds);
+
+}  // namespace refitlab

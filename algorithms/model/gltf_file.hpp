@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A glTF 2.0 file in tinygltf's types.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <string>
+
+namespace refitlab {
+
+// Geometry only (see gltf_description.hpp), with the bytes of all buffers. Indices are not checked: they may be out of
+// range. path: for errors, and where other files that it refers to are.
+// Throws ModelError that names the file and says what tinygltf says.
+tinygltf::Model read_gltf(const std::string& bytes, const std::string& path);
+
+}  // namespace refitlab

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <chrono>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/bake/over_time/model_bounds.hpp"
+#include "algorithms/model/load.hpp"
+#include "algorithms/program/baked_file.hpp"
+#include "algorithms/program/command.hpp"
+#include "algorithms/program/extras.hpp"
+#include "algorithms/program/glb_file.hpp"
+#include "algorithms/results/write_whole.hpp"
+
+namespace refitlab {
+namespace {
+
+namespace po = boost::program_options;
+
+struct BakeCall {
+  std::string in, out, json;
+  ModelBoundsOptions bounds;
+};
+
+po::options_description options() {
+  po::options_description description("options");
+  description.add_options()("help", "this text")("for", po::value<std::string>()->default_value("clip"),
+                                                 "clip: the file's animations; any: whatever code does with the joints, too")(
+      "skinning", po::value<std::string>()->default_value("linear"), "linear, as glTF says; dual-quaternion; or spherical")(
+      "clusters", po::value<int>()->default_value(128),
+      "most triangles of a cluster, a multiple of 4 up to 512; 0 bakes no clusters")(
+      "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
+      "json", po::value<std::string>(), "write what was measured to this file too")("quiet", "show no progress");
+  return description;
+}
+
+BakeCall parse(const po::variables_map& map) {
+  BakeCall call{map["IN.glb"].as<std::string>(), map["OUT.glb"].as<std::string>(), "", {}};
+  if (map.count("json")) call.json = map["json"].as<std::string>();
+  call.bounds.skinning = skinning_of(map["skinning"].as<std::string>());
+  const std::string purpose = map["for"].as<std::string>();
+  if (purpose != "clip" && purpose != "any") throw UsageError("--for " + purpose + ": there are clip and any");
+  call.bounds.any_pose = purpose == "any";
+  call.bounds.cluster_triangles = map["clusters"].as<int>();
+  const int c = call.bounds.cluster_triangles;
+  if (c != 0 && (c < 4 || c > 512 || c % 4 != 0)) throw UsageError("--clusters takes a multiple of 4 from 4 to 512, or 0");
+  call.bounds.tolerance = map["tolerance"].as<double>();
+  if (!(call.bounds.tolerance > 0 && call.bounds.tolerance <= 1))
+    throw UsageError("--tolerance takes a number above 0, and up to 1");
+  return call;
+}
+
+std::string summary_json(const Model& model, const ModelBounds& bounds, const BakeCall& call, double seconds) {
+  nlohmann::ordered_json out = {{"file", call.in},
+                                {"skinning", name_of(bounds.skinning)},
+                                {"tolerance", call.bounds.tolerance},
+                                {"triangles", model.triangles.size()},
+                                {"vertices", model.vertices.size()},
+                                {"seconds", seconds},
+                                {"moments", bounds.moments}};
+  for (const BoundedClip& clip : bounds.clips) {
+    nlohmann::ordered_json of_clip = {{"name", clip.name}, {"duration", clip.duration}};
+    for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
+      nlohmann::ordered_json part = {{"kind", name_of(bounds.parts[p].kind)}, {"index", bounds.parts[p].index}};
+      for (const auto* point : {&clip.parts[p].box.low, &clip.parts[p].box.high})
+        for (const float x : *point) part["box"].push_back(static_cast<double>(x));
+      for (const float x : clip.parts[p].ball.center) part["ball"].push_back(static_cast<double>(x));
+      part["ball"].push_back(static_cast<double>(clip.parts[p].ball.radius));
+      of_clip["parts"].push_back(part);
+    }
+    out["clips"].push_back(of_clip);
+  }
+  return out.dump(1) + "\n";
+}
+
+int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
+  const po::variables_map map = parse_arguments(arguments, options(), {"IN.glb", "OUT.glb"});
+  if (map.count("help")) {
+    out << "usage: refitlab bake [OPTION...] IN.glb OUT.glb\n\n"
+           "Writes IN.glb again with bounds that hold at every time of its animations: boxes and balls as extras of its\n"
+           "skins, meshes, primitives and animations, and clusters of triangles with their bounds in a chunk of its own.\n"
+           "Nothing else in the file changes. Bounds are in the frame of the scene, in the units of the file.\n\n"
+        << options();
+    return exit_done;
+  }
+  const BakeCall call = parse(map);
+  const std::string bytes = read_whole(call.in);
+  std::vector<GlbChunk> chunks = read_glb(bytes, call.in);
+  const bool is_linear = call.bounds.skinning == Skinning::linear;
+  const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
+
+  const auto start = std::chrono::steady_clock::now();
+  ModelBounds bounds;
+  {
+    ProgressBar bar(errors, !map.count("quiet") && isatty(STDERR_FILENO) != 0);
+    ModelBoundsOptions bounded = call.bounds;
+    bounded.progress = [&](double share) { bar.show(share); };
+    bounds = bound_model(model, bounded);
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds.tolerance, call.in);
+  std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
+  chunks.push_back(
+      {refitlab_chunk, chunk_of({bounds.skinning, bake(SkinnedMesh(model), {}, {Pieces::mixed}), clusters_of(model, bounds)})});
+  write_whole(call.out, glb_of(chunks, call.out));
+  if (!call.json.empty()) write_whole(call.json, summary_json(model, bounds, call, seconds));
+
+  long clusters = 0;
+  for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;
+  out << call.out << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, " << bounds.clips.size()
+      << " clips, " << name_of(bounds.skinning) << " skinning; " << std::fixed << std::setprecision(2) << seconds << " s\n";
+  return exit_done;
+}
+
+}  // namespace
+
+const Command bake_command = {"bake", "writes bounds over time into a glTF file", run_bake};
+
+}  // namespace refitlab

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/program/baked_file.hpp"
+
+#include <algorithm>
+
+#include "algorithms/program/glb_file.hpp"
+#include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/tree/binary.hpp"
+#include "algorithms/runtime/tree/character_file.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr std::string_view chunk_magic = "rflbaked";
+constexpr std::uint32_t chunk_version = 1;
+constexpr Skinning chunk_skinnings[] = {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical};
+
+}  // namespace
+
+std::string chunk_of(const BakedFile& baked) {
+  BinaryWriter body;
+  const auto* skinning = std::find(std::begin(chunk_skinnings), std::end(chunk_skinnings), baked.skinning);
+  body.number(static_cast<std::uint32_t>(skinning - chunk_skinnings));
+  for (const std::string& part : {bytes_of(baked.character), bytes_of(baked.clusters)})
+    body.number(static_cast<std::uint64_t>(part.size())), body.bytes += part;
+  return sealed(chunk_magic, chunk_version, body.bytes);
+}
+
+BakedFile read_baked(const std::string& path) {
+  const std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
+  const auto found =
+      std::find_if(chunks.begin(), chunks.end(), [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
+  if (found == chunks.end()) throw ModelError(path, "file", "it was not baked: refitlab bake writes a chunk that is not there");
+  // The chunk is padded with up to three zeros, which its size does not count.
+  std::string_view bytes = found->data;
+  constexpr std::size_t size_at = 12, header = 28;
+  if (bytes.size() >= header) {
+    std::uint64_t size = 0;
+    BinaryReader(bytes.substr(size_at), path).number(size);
+    if (size <= bytes.size() - header && bytes.size() - header - size < 4) bytes = bytes.substr(0, header + size);
+  }
+  BinaryReader in = opened(bytes, chunk_magic, chunk_version, "chunk of refitlab", path);
+  std::uint32_t skinning = 0;
+  in.number(skinning);
+  if (skinning >= std::size(chunk_skinnings)) throw ModelError(path, "chunk of refitlab", "there is no such skinning");
+  const auto part = [&] {
+    std::uint64_t size = 0;
+    in.number(size);
+    return in.take(in.checked_count(size));
+  };
+  const std::string_view character = part(), clusters = part();
+  in.end();
+  return {chunk_skinnings[skinning], character_of(character, path), cluster_bounds_of(clusters, path)};
+}
+
+}  // namespace refitlab

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `refitlab bake` wrote into a glTF file, read back.
+#pragma once
+
+#include <string>
+
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
+#include "algorithms/runtime/tree/character.hpp"
+#include "algorithms/runtime/tree/cluster_bounds.hpp"
+
+namespace refitlab {
+
+struct BakedFile {
+  Skinning skinning;
+  Character character;
+  ClusterBounds clusters;
+};
+
+// The chunk of refitlab: the skinning, the baked character and the clusters.
+std::string chunk_of(const BakedFile& baked);
+
+// Throws ModelError for a file that is no binary glTF, has no such chunk, or one that is damaged.
+BakedFile read_baked(const std::string& path);
+
+}  // namespace refitlab

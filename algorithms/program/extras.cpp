@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/program/extras.hpp"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "algorithms/program/command.hpp"
+#include "algorithms/program/json_splice.hpp"
+#include "algorithms/runtime/packs/float_above.hpp"
+
+namespace refitlab {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int extras_version = 1;
+
+// Numbers are floats, written with all the digits of a double: a reader of either kind reads just these.
+Json json_of(const BoundedPart& part) {
+  Json box = Json::array(), ball = Json::array();
+  for (const auto* weight_vertex : {&part.box.low, &part.box.high})
+    for (const float x : *weight_vertex) box.push_back(static_cast<double>(x));
+  for (const float x : part.ball.center) ball.push_back(static_cast<double>(x));
+  ball.push_back(static_cast<double>(part.ball.radius));
+  return {{"box", box}, {"ball", ball}};
+}
+
+Json header(const ModelBounds& bounds, double tolerance) {
+  return {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", tolerance}};
+}
+
+// Of an animation: its bound of the whole, and those of skins, meshes and primitives.
+Json json_of_clip(const Model& model, const ModelBounds& bounds, const BoundedClip& clip) {
+  Json skins = Json::array(), meshes = Json::array(), primitives = Json::array();
+  Json out = Json::object();
+  for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
+    const ModelPart& part = bounds.parts[p];
+    Json bound = json_of(clip.parts[p]);
+    const auto with = [&](Json of) { return of.update(bound), of; };
+    if (part.kind == PartKind::whole) out = bound;
+    if (part.kind == PartKind::skin) skins.push_back(with({{"skin", part.index}}));
+    if (part.kind == PartKind::mesh) meshes.push_back(with({{"mesh", part.index}}));
+    if (part.kind == PartKind::primitive && part.index >= 0) {
+      const SourcePrimitive& source = model.sources[part.index];
+      primitives.push_back(with({{"node", source.node}, {"mesh", source.mesh}, {"primitive", source.primitive}}));
+    }
+  }
+  out["skins"] = skins, out["meshes"] = meshes, out["primitives"] = primitives;
+  return out;
+}
+
+}  // namespace
+
+std::string with_extras(const std::string& json, const Model& model, const ModelBounds& bounds, double tolerance,
+                        const std::string& file) {
+  std::string text = json;
+  const auto add = [&](JsonPath path, const std::string& thing, const Json& value) {
+    Json whole = header(bounds, tolerance);
+    whole.update(value);
+    path.push_back("extras");
+    try {
+      text = with_member(text, path, "refitlab", whole.dump());
+    } catch (const std::invalid_argument&) {
+      throw ModelError(file, thing, "its extras are no object, and nothing can be added to them");
+    }
+  };
+  const std::vector<BoundedPart> all = bounds_of_all(bounds);
+  const auto json_of_part = [&](std::size_t p) {
+    Json json = json_of(all[p]);
+    if (!bounds.any_pose.empty()) {
+      const AnyPoseBound& any = bounds.any_pose[p];
+      json["any_pose"] = {{"node", model.skeleton.nodes[any.node].source},
+                          {"radius", static_cast<double>(float_above(any.radius))}};
+    }
+    return json;
+  };
+  // A primitive that several nodes show has one place in the file: what holds for all of them.
+  std::map<std::pair<int, int>, std::vector<BoundedPart>> primitives;
+  for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
+    const ModelPart& part = bounds.parts[p];
+    const auto index = static_cast<std::size_t>(part.index);
+    if (part.kind == PartKind::skin) add({"skins", index}, "skin " + std::to_string(index), json_of_part(p));
+    if (part.kind == PartKind::mesh) add({"meshes", index}, "mesh " + std::to_string(index), json_of_part(p));
+    if (part.kind == PartKind::primitive && part.index >= 0) {
+      const SourcePrimitive& source = model.sources[index];
+      primitives[{source.mesh, source.primitive}].push_back(all[p]);
+    }
+  }
+  for (const auto& [key, bounds_of_nodes] : primitives)
+    add({"meshes", static_cast<std::size_t>(key.first), "primitives", static_cast<std::size_t>(key.second)},
+        "mesh " + std::to_string(key.first) + ", primitive " + std::to_string(key.second), json_of(around(bounds_of_nodes)));
+  for (std::size_t c = 0; c < bounds.clips.size(); ++c)
+    add({"animations", c}, "animation " + std::to_string(c), json_of_clip(model, bounds, bounds.clips[c]));
+  return text;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <ostream>
+
+#include "algorithms/model/guarded_load.hpp"
+#include "algorithms/program/command.hpp"
+#include "algorithms/runtime/mesh/joint_sets.hpp"
+
+namespace refitlab {
+namespace {
+
+namespace po = boost::program_options;
+
+// Whether every pose that a clip's sampling shows is rigid, as refits on demand want it; else why not.
+std::string rigid_or_why(const Clip& clip) {
+  try {
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) clip.sample(clip.duration * share);
+    return "rigid";
+  } catch (const ModelError& e) {
+    return std::string("not rigid: ") + e.what();
+  }
+}
+
+int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::ostream&) {
+  po::options_description options("options");
+  options.add_options()("help", "this text");
+  const po::variables_map map = parse_arguments(arguments, options, {"FILE"});
+  if (map.count("help")) {
+    out << "usage: refitlab info FILE\n\nSays what is in a rigged model: glTF, or whatever assimp reads. Of a file that cannot "
+           "be\n"
+           "used, it says why.\n\n"
+        << options;
+    return exit_done;
+  }
+  const std::string file = map["FILE"].as<std::string>();
+  const Model model = load_model_guarded(file, {.joints = Joints::affine, .morphs = Morphs::moving});
+  const JointSets sets(model);
+  std::size_t most = 0;
+  for (const auto& influences : model.influences) most = std::max(most, influences.size());
+  out << file << '\n'
+      << "  triangles     " << model.triangles.size() << '\n'
+      << "  vertices      " << model.vertices.size() << ", of different positions and weights\n"
+      << "  joints        " << model.joints.size() << '\n'
+      << "  joint-sets    " << sets.count() << ", of " << most << " joints at most\n"
+      << "  primitives    " << model.sources.size() << '\n'
+      << "  clips         " << model.clips.size() << '\n';
+  for (const Clip& clip : model.clips) {
+    std::size_t keys = 0;
+    for (const NodeTrack& track : clip.animation.tracks)
+      keys += track.positions.keys.size() + track.rotations.keys.size() + track.scales.keys.size();
+    out << "    " << clip.name << ": " << clip.duration << " s, " << keys << " keys, " << rigid_or_why(clip) << '\n';
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+const Command info_command = {"info", "says what is in a model, or why it cannot be used", run_info};
+
+}  // namespace refitlab

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/batch/float_vertices.hpp"
+
+#include "algorithms/runtime/batch/joint_set_balls.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+
+FloatVertices::FloatVertices(const SkinnedMesh& mesh, const JointSets& sets, const PackedVertices& groups) {
+  const DefaultFloatEnvironment environment;
+  constexpr int lanes = Lanes<float>::count;
+  const auto balls = joint_set_balls(mesh, sets);
+  for (int group = 0; group < groups.group_count(); ++group) {
+    const auto vertices = groups.vertices(group);
+    for (std::size_t first = 0; first < vertices.size(); first += lanes) {
+      const int set = sets.of_vertex(vertices[first]), joints = static_cast<int>(sets.joints(set).size());
+      if (first == 0 || runs_.back().joint_set != set) runs_.push_back({set, joints, 0, static_cast<int>(data_.size())});
+      ++runs_.back().block_count;
+      data_.resize(data_.size() + 2 + joints);
+      Lanes<float>* const block = data_.data() + data_.size() - 2 - joints;
+      for (int lane = 0; lane < lanes; ++lane) {
+        const int v = vertices[first + lane];
+        const Point3 p = mesh.vertices[v] - balls[set].center;
+        for (int i = 0; i < 3; ++i) block[i].lane[lane] = static_cast<float>(p[i]);
+        for (int j = 1; j < joints; ++j) block[2 + j].lane[lane] = static_cast<float>(sets.weights(v)[j]);
+      }
+    }
+    first_run_.push_back(static_cast<int>(runs_.size()));
+    block_count_.push_back(static_cast<int>(vertices.size()) / lanes);
+  }
+}
+
+float FloatVertices::skin(int group, const FloatPaletteEntry* palette, Lanes<float>* out, Box<float>& box,
+                          Target target) const {
+  const DefaultFloatEnvironment environment;
+  const auto own = runs(group);
+  return float_skin(target)(own.data(), static_cast<int>(own.size()), data_.data(), palette, block_count(group), out, box);
+}
+
+}  // namespace refitlab

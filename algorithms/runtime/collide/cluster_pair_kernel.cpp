@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
+
+#include <bit>
+
+#include "algorithms/runtime/collide/triangles_filter.hpp"
+#include "algorithms/runtime/packs/lane_bits.hpp"
+#include "algorithms/runtime/packs/transpose.hpp"
+
+namespace refitlab::REFITLAB_TARGET {
+namespace {
+
+using S = Pack<float>;
+constexpr int width = static_cast<int>(S::size());
+constexpr int record = Lanes<float>::count;  // of a candidate's corners
+static_assert(Lanes<float>::count % width == 0);
+
+S load(const float* numbers) { return S(numbers, std::experimental::vector_aligned); }
+
+// The bits of the lanes in front of count.
+std::uint32_t first_lanes(int count) { return (1u << (count < width ? count : width)) - 1; }
+
+REFITLAB_KERNEL int overlaps(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out) {
+  return find_meeting(blocks, count, box, out);
+}
+
+// By place a bit for each side of the box that it is beyond.
+void find_outcodes(const float* xyz, int place_count, const Box<float>& box, std::uint8_t* outcodes) {
+  using Floats = Row<float, width>;
+  using Bytes = Row<std::uint8_t, width>;
+  for (int place = 0; place < place_count; place += width) {
+    Row<std::int32_t, width> code{};
+    for (int i = 0; i < 3; ++i) {
+      Floats x;
+      read_row(xyz + i * place_count + place, x);
+      code |= (x < box.low[i]) & (1 << i);
+      code |= (x > box.high[i]) & (8 << i);
+    }
+    write_row(__builtin_convertvector(code, Bytes), outcodes + place);
+  }
+}
+
+REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
+                         const CandidateArrays& out) {
+  find_outcodes(xyz, place_count, box, out.outcodes);
+  const std::uint8_t* const codes = out.outcodes;
+  int found = 0;
+  for (int t = 0; t < triangles.count; ++t) {
+    out.triangle[found] = t;
+    found += (codes[triangles.corner[0][t]] & codes[triangles.corner[1][t]] & codes[triangles.corner[2][t]]) == 0;
+  }
+  return found;
+}
+
+REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
+                           const CandidateArrays& out, Box<float>& all) {
+  for (int k = 0; k < count; ++k) {
+    float* const corners = out.corners + record * k;
+    for (int c = 0; c < 3; ++c) {
+      const int at = triangles.corner[c][out.triangle[k]];
+      for (int i = 0; i < 3; ++i) corners[3 * c + i] = xyz[i * place_count + at] + offset[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+      const float a = corners[i], b = corners[3 + i], c = corners[6 + i];
+      out.box[i][k] = min_of(min_of(a, b), c), out.box[3 + i][k] = max_of(max_of(a, b), c);
+    }
+  }
+  Box<S> whole = Box<S>::empty();
+  for (int end = (count + width - 1) / width * width, k = count; k < end; ++k)  // the last pack's other lanes repeat the first
+    for (int i = 0; i < 6; ++i) out.box[i][k] = out.box[i][0];
+  for (int k = 0; k < count; k += width) {
+    const auto side = [&](int i) { return load(out.box[i] + k); };
+    whole.merge(Box<S>{{side(0), side(1), side(2)}, {side(3), side(4), side(5)}});
+  }
+  for (int i = 0; i < 3; ++i)
+    all.low[i] = std::experimental::hmin(whole.low[i]), all.high[i] = std::experimental::hmax(whole.high[i]);
+}
+
+// Lanes whose boxes are not apart from the given one.
+std::uint32_t meeting_lanes(const float* const (&sides)[6], int first, const Box<S>& box) {
+  const auto side = [&](int i) { return load(sides[i] + first); };
+  return lane_bits(!are_apart(Box<S>{{side(0), side(1), side(2)}, {side(3), side(4), side(5)}}, box));
+}
+
+Box<S> broadcast(const Box<float>& box) {
+  Box<S> out;
+  for (int i = 0; i < 3; ++i) out.low[i] = S(box.low[i]), out.high[i] = S(box.high[i]);
+  return out;
+}
+
+REFITLAB_KERNEL int keep(int count, const Box<float>& box, const CandidateArrays& candidates) {
+  const float* const sides[6] = {candidates.box[0], candidates.box[1], candidates.box[2],
+                                 candidates.box[3], candidates.box[4], candidates.box[5]};
+  const Box<S> all = broadcast(box);
+  int kept = 0;
+  for (int first = 0; first < count; first += width)
+    for (std::uint32_t lanes = meeting_lanes(sides, first, all) & first_lanes(count - first); lanes; lanes &= lanes - 1) {
+      const int from = first + std::countr_zero(lanes);
+      if (from != kept) {
+        candidates.triangle[kept] = candidates.triangle[from];
+        for (float* side : candidates.box) side[kept] = side[from];
+        Row<float, 8> corners;
+        read_row(candidates.corners + record * from, corners);
+        write_row(corners, candidates.corners + record * kept);
+        candidates.corners[record * kept + 8] = candidates.corners[record * from + 8];
+      }
+      ++kept;
+    }
+  return kept;
+}
+
+REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
+                            std::int32_t* first, std::int32_t* second) {
+  int found = 0;
+  for (int block = begin; block < end; block += width) {
+    Box<S> own;
+    for (int i = 0; i < 3; ++i) own.low[i] = load(b.box[i] + block) - S(margin), own.high[i] = load(b.box[3 + i] + block) + S(margin);
+    const std::uint32_t valid = first_lanes(end - block);
+    for (int k = 0; k < count_a; ++k) {
+      const Box<S> other{{S(a.box[0][k]), S(a.box[1][k]), S(a.box[2][k])}, {S(a.box[3][k]), S(a.box[4][k]), S(a.box[5][k])}};
+      for (std::uint32_t lanes = lane_bits(!are_apart(own, other)) & valid; lanes; lanes &= lanes - 1) {
+        first[found] = k;
+        second[found++] = block + std::countr_zero(lanes);
+      }
+    }
+  }
+  return found;
+}
+
+// The corners of a candidate a lane. Those behind the last pair repeat it.
+TriangleOf<S> corners_of(const CandidateArrays& candidates, const std::int32_t* which, int count) {
+  alignas(64) float numbers[9][width];
+  const float* rows[8];
+  for (int block = 0; block < width; block += 8) {
+    for (int i = 0; i < 8; ++i) {
+      const int lane = block + i < count ? block + i : count - 1;
+      rows[i] = candidates.corners + record * which[lane];
+      if (block + i < width) numbers[8][block + i] = rows[i][8];
+    }
+    if constexpr (width >= 8) {
+      transpose<float>(rows, numbers[0] + block, width);
+    } else {
+      for (int i = 0; i < 8; ++i)
+        for (int lane = 0; lane < width; ++lane) numbers[i][lane] = rows[lane][i];
+    }
+  }
+  TriangleOf<S> out;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 3; ++i) out[c][i] = load(numbers[3 * c + i]);
+  return out;
+}
+
+REFITLAB_KERNEL void filter(const CandidateArrays& a, const CandidateArrays& b, const std::int32_t* first,
+                            const std::int32_t* second, int count, float slack, std::int32_t* meet, int& meet_count,
+                            std::int32_t* unknown, int& unknown_count) {
+  const NearCorners<S> corners{S(2 * slack)};
+  for (int from = 0; from < count; from += width) {
+    const auto filtered = filter_lanes<S, NearCorners<S>>(corners_of(a, first + from, count - from),
+                                                          corners_of(b, second + from, count - from), corners);
+    const std::uint32_t valid = first_lanes(count - from), apart = lane_bits(filtered.are_apart);
+    const std::uint32_t meeting = lane_bits(filtered.meet) & ~apart & valid, open = ~(meeting | apart) & valid;
+    for (std::uint32_t lanes = meeting; lanes; lanes &= lanes - 1) meet[meet_count++] = from + std::countr_zero(lanes);
+    for (std::uint32_t lanes = open; lanes; lanes &= lanes - 1)
+      unknown[unknown_count++] = from + std::countr_zero(lanes);
+  }
+}
+
+}  // namespace
+
+const ClusterPairKernels cluster_pair_kernels{overlaps, cull, place, keep, meeting, filter};
+
+}  // namespace refitlab::REFITLAB_TARGET

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/collide/cluster_pairs.hpp"
+
+#include <algorithm>
+
+#include "algorithms/runtime/collide/triangles_meet.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+namespace {
+
+// Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones.
+constexpr int pairs_at_once = 1 << 14, open_at_once = 1 << 12;
+
+CandidateArrays arrays_of(Candidates& c) {
+  CandidateArrays out{c.triangle.data(), c.outcodes.data(), {}, c.corners.data()->lane.data()};
+  for (int i = 0; i < 6; ++i) out.box[i] = c.box[i].data()->lane.data();
+  return out;
+}
+
+TrianglePoints points_of(const PaddedVertex* corners, const std::array<std::uint16_t, 3>& places) {
+  const auto point = [&](int i) {
+    return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]);
+  };
+  return {point(0), point(1), point(2)};
+}
+
+template <class T>
+void reserve_at_least(std::vector<T>& list, std::size_t size) {
+  if (list.size() < size) list.resize(size);
+}
+
+}  // namespace
+
+void Candidates::reserve(int triangles, int places) {
+  const std::size_t blocks = blocks_for<float>(triangles);
+  reserve_at_least(triangle, triangles + 1);
+  reserve_at_least(outcodes, places);
+  for (auto& side : box) reserve_at_least(side, blocks);
+  reserve_at_least(corners, triangles);
+}
+
+ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairRoom& room)
+    : first_(first),
+      second_(second),
+      counts_(counts),
+      room_(room) {
+  const DefaultFloatEnvironment environment;
+  double largest = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double offset = second.origin()[i] - first.origin()[i];
+    offset_[i] = static_cast<float>(offset);
+    largest = std::max(largest, std::abs(offset));
+  }
+  lost_ = 0x1p-22f * static_cast<float>(largest);
+  room.first.reserve(first.tree().most_triangles(), first.tree().most_vertices());
+  room.second.reserve(second.tree().most_triangles(), second.tree().most_vertices());
+  const std::size_t pairs = std::max(pairs_at_once, Lanes<float>::count * first.tree().most_triangles());
+  for (auto* list : {&room.of_first, &room.of_second, &room.meet, &room.unknown}) reserve_at_least(*list, pairs);
+}
+
+void ClusterPairs::add(int a, int b) {
+  const DefaultFloatEnvironment environment;
+  const FloatCluster &of_a = first_.cluster(a), &of_b = second_.cluster(b);
+  const Box<float> box_b = moved(of_b.box);
+  if (are_apart(of_a.box, box_b)) return;
+  const float slack = std::max(of_a.slack, of_b.slack + lost_);
+  // A point of both is in both boxes.
+  Box<float> common = of_a.box;
+  for (int i = 0; i < 3; ++i) {
+    common.low[i] = max_of(common.low[i], box_b.low[i]), common.high[i] = min_of(common.high[i], box_b.high[i]);
+  }
+  Box<float> common_of_b = moved_back(common);
+  common.grow(slack), common_of_b.grow(slack);
+  const ClusterTriangles triangles_a = first_.tree().corners(a), triangles_b = second_.tree().corners(b);
+  const int places_a = first_.tree().clusters()[a].padded_vertex_count,
+            places_b = second_.tree().clusters()[b].padded_vertex_count;
+  const CandidateArrays candidates_a = arrays_of(room_.first), candidates_b = arrays_of(room_.second);
+  int count_a = kernels_.cull(triangles_a, of_a.xyz(), places_a, common, candidates_a);
+  if (count_a == 0) return;
+  int count_b = kernels_.cull(triangles_b, of_b.xyz(), places_b, common_of_b, candidates_b);
+  if (count_b == 0) return;
+  // Of each body those whose boxes meet that around the other's.
+  constexpr float none[3] = {};
+  Box<float> all_a, all_b;
+  kernels_.place(triangles_a, of_a.xyz(), places_a, none, count_a, candidates_a, all_a);
+  kernels_.place(triangles_b, of_b.xyz(), places_b, offset_, count_b, candidates_b, all_b);
+  all_a.grow(2 * slack), all_b.grow(2 * slack);
+  count_b = kernels_.keep(count_b, all_a, candidates_b);
+  count_a = kernels_.keep(count_a, all_b, candidates_a);
+  if (count_a == 0 || count_b == 0) return;
+  constexpr int block = Lanes<float>::count;
+  const int blocks_at_once = std::max(1, pairs_at_once / (block * count_a));
+  for (int begin = 0; begin < count_b; begin += block * blocks_at_once) {
+    const int end = std::min(count_b, begin + block * blocks_at_once);
+    const int count = kernels_.meeting(candidates_a, count_a, candidates_b, begin, end, 2 * slack, room_.of_first.data(),
+                                       room_.of_second.data());
+    filter(a, b, count, slack);
+  }
+}
+
+void ClusterPairs::filter(int a, int b, int count, float slack) {
+  if (count == 0) return;
+  counts_.triangle_tests += count;
+  int meet_count = 0, unknown_count = 0;
+  const CandidateArrays candidates_a = arrays_of(room_.first), candidates_b = arrays_of(room_.second);
+  kernels_.filter(candidates_a, candidates_b, room_.of_first.data(), room_.of_second.data(), count, slack, room_.meet.data(),
+                  meet_count, room_.unknown.data(), unknown_count);
+  const int *const triangles_a = first_.tree().triangles(a), *const triangles_b = second_.tree().triangles(b);
+  const auto first_of = [&](int pair) { return room_.first.triangle[room_.of_first[pair]]; };
+  const auto second_of = [&](int pair) { return room_.second.triangle[room_.of_second[pair]]; };
+  for (int m = 0; m < meet_count; ++m)
+    found_.push_back({triangles_a[first_of(room_.meet[m])], triangles_b[second_of(room_.meet[m])]});
+  const ClusterTriangles corners_a = first_.tree().corners(a), corners_b = second_.tree().corners(b);
+  for (int m = 0; m < unknown_count; ++m) {
+    const int i = first_of(room_.unknown[m]), j = second_of(room_.unknown[m]);
+    room_.open.push_back({a,
+                          b,
+                          {corners_a.corner[0][i], corners_a.corner[1][i], corners_a.corner[2][i]},
+                          {corners_b.corner[0][j], corners_b.corner[1][j], corners_b.corner[2][j]},
+                          {triangles_a[i], triangles_b[j]}});
+  }
+  if (room_.open.size() >= open_at_once) decide();
+}
+
+void ClusterPairs::decide() {
+  const DefaultFloatEnvironment environment;
+  auto &pairs = room_.pairs;
+  auto &corners_a = room_.corners_a, &corners_b = room_.corners_b;
+  for (std::size_t from = 0; from < room_.open.size(); from += open_at_once) {
+    const std::size_t end = std::min<std::size_t>(room_.open.size(), from + open_at_once);
+    pairs.clear(), corners_a.clear(), corners_b.clear();
+    for (std::size_t p = from; p < end; ++p) {
+      const ClusterPairRoom::Open& open = room_.open[p];
+      TrianglePairCandidate pair;
+      for (int i = 0; i < 3; ++i) {
+        pair.a[i] = pair.b[i] = static_cast<std::uint16_t>(corners_a.size());
+        corners_a.push_back(first_.corner(open.cluster_a, open.a[i]));
+        corners_b.push_back(second_.corner(open.cluster_b, open.b[i]));
+      }
+      pair.first = open.pair.first, pair.second = open.pair.second;
+      pairs.push_back(pair);
+    }
+    room_.answers.resize(pairs.size());
+    box_kernels(best_target())
+        .filter_pairs(corners_a.data(), corners_b.data(), pairs.data(), static_cast<int>(pairs.size()), room_.answers.data());
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      const bool meet = room_.answers[p] == Filtered::unknown
+                            ? triangles_meet(points_of(corners_a.data(), pairs[p].a), points_of(corners_b.data(), pairs[p].b))
+                            : room_.answers[p] == Filtered::meet;
+      if (meet) found_.push_back({pairs[p].first, pairs[p].second});
+    }
+  }
+  room_.open.clear();
+}
+
+}  // namespace refitlab

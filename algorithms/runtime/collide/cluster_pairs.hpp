@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// ClusterPairs: the pairs of triangles that touch, of pairs of clusters. Floats decide what they can
+// (cluster_pair_kernel.hpp), and the corners in double decide the rest.
+#pragma once
+
+#include "algorithms/runtime/collide/collide.hpp"
+#include "algorithms/runtime/collide/skinned_clusters.hpp"
+
+namespace refitlab {
+
+// Working storage, which may be used again for any bodies.
+struct ClusterPairRoom {
+  struct Open {  // a pair that floats leave unknown: its corners by position in their clusters, and triangles of the models
+    int cluster_a, cluster_b;
+    std::array<int, 3> a, b;
+    TrianglePair pair;
+  };
+  Candidates first, second;
+  std::vector<std::int32_t> of_first, of_second, meet, unknown;  // of pairs of candidates
+  std::vector<Open> open;
+  std::vector<PaddedVertex> corners_a, corners_b;
+  std::vector<TrianglePairCandidate> pairs;
+  std::vector<Filtered> answers;
+};
+
+class ClusterPairs {
+ public:
+  // All of these must outlive this.
+  ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairRoom& room);
+
+  // A box of the second body, seen from the first one's origin, and a box of the first one, seen from the second one's. Both
+  // have four roundings of their coordinates to spare, of which this takes one.
+  Box<float> moved(const Box<float>& of_second) const { return moved(of_second, 1); }
+  Box<float> moved_back(const Box<float>& of_first) const { return moved(of_first, -1); }
+
+  // Looks into a pair of clusters. Their pairs are found at once, or by decide().
+  void add(int a, int b);
+  // Decides what is still open.
+  void decide();
+
+  std::vector<TrianglePair>& found() { return found_; }
+
+ private:
+  Box<float> moved(const Box<float>& box, float sign) const {
+    Box<float> out;
+    for (int i = 0; i < 3; ++i)
+      out.low[i] = box.low[i] + sign * offset_[i] - lost_, out.high[i] = box.high[i] + sign * offset_[i] + lost_;
+    return out;
+  }
+  void filter(int a, int b, int count, float slack);
+
+  SkinnedClusters &first_, &second_;
+  QueryCounts& counts_;
+  ClusterPairRoom& room_;
+  const ClusterPairKernels& kernels_ = cluster_pair_kernels(best_target());
+  float offset_[3], lost_;  // from the first origin to the second one, and four roundings of it
+  std::vector<TrianglePair> found_;
+};
+
+}  // namespace refitlab

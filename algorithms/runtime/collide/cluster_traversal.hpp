@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// ClusterTraversal: goes down the wide nodes of two bodies, to the pairs of clusters whose boxes meet.
+#pragma once
+
+#include "algorithms/runtime/collide/cluster_pairs.hpp"
+
+namespace refitlab {
+
+// A Body has a tree(), and boxes in float around the vertices below, seen from the origin of its SkinnedClusters and with four
+// roundings of their coordinates to spare: wide_node_boxes(n), which are those of a wide node's children, in blocks, and
+// wide_node_box(n), which is that around all of them.
+template <class Body>
+class ClusterTraversal {
+ public:
+  // All of these must outlive this. hits is working storage.
+  ClusterTraversal(Body& first, Body& second, ClusterPairs& pairs, Query query, QueryCounts& counts, std::vector<int>& hits)
+      : first_(first),
+        second_(second),
+        pairs_(pairs),
+        query_(query),
+        counts_(counts),
+        hits_(hits) {}
+
+  // For yes/no, all pairs of the first clusters that have any, or none.
+  std::vector<TrianglePair> run() {
+    const Box<float> whole = pairs_.moved(second_.wide_node_box(0));
+    const Hits tops(*this, first_, 0, whole);
+    for (std::size_t i = 0; i < tops.count() && !is_done(); ++i)
+      below_second(first_.tree().child(0, tops[i]), child_box(first_, 0, tops[i]), 0);
+    if (!is_done()) pairs_.decide();
+    return std::move(pairs_.found());
+  }
+
+ private:
+  // Which boxes of a wide node are not apart from a box. The list is on top of a common stack as long as this lives.
+  class Hits {
+   public:
+    Hits(ClusterTraversal& traversal, Body& body, int wide_node, const Box<float>& box)
+        : stack_(traversal.hits_),
+          first_(stack_.size()) {
+      const int count = body.tree().wide_nodes()[wide_node].child_count;
+      traversal.counts_.ball_tests += count;
+      stack_.resize(first_ + count);
+      count_ = traversal.kernels_.overlaps(body.wide_node_boxes(wide_node), count, box, stack_.data() + first_);
+      stack_.resize(first_ + count_);
+    }
+    ~Hits() { stack_.resize(first_); }
+    Hits(const Hits&) = delete;
+    std::size_t count() const { return count_; }
+    int operator[](std::size_t i) const { return stack_[first_ + i]; }
+
+   private:
+    std::vector<int>& stack_;
+    const std::size_t first_;
+    std::size_t count_;
+  };
+
+  static Box<float> child_box(Body& body, int wide_node, int i) { return get_box(body.wide_node_boxes(wide_node), i); }
+  bool is_done() const { return query_ == Query::yes_no && !pairs_.found().empty(); }
+
+  // One node of the first body against those in a wide node of the second, and the other way round.
+  void below_second(const WideNodeChild& a, const Box<float>& box, int wide_node) {
+    const Hits hits(*this, second_, wide_node, pairs_.moved_back(box));
+    for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
+      nodes(a, box, second_.tree().child(wide_node, hits[i]), child_box(second_, wide_node, hits[i]));
+  }
+  void below_first(int wide_node, const WideNodeChild& b, const Box<float>& box) {
+    const Hits hits(*this, first_, wide_node, pairs_.moved(box));
+    for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
+      nodes(first_.tree().child(wide_node, hits[i]), child_box(first_, wide_node, hits[i]), b, box);
+  }
+
+  // Two nodes whose boxes meet: the larger one is opened. Each box is seen from its own body's origin.
+  void nodes(const WideNodeChild& a, const Box<float>& box_a, const WideNodeChild& b, const Box<float>& box_b) {
+    if (a.wide_node < 0 && b.wide_node < 0) return pairs_.add(a.cluster, b.cluster);
+    if (b.wide_node < 0 || (a.wide_node >= 0 && box_a.extent() >= box_b.extent())) below_first(a.wide_node, b, box_b);
+    else below_second(a, box_a, b.wide_node);
+  }
+
+  Body &first_, &second_;
+  ClusterPairs& pairs_;
+  const Query query_;
+  QueryCounts& counts_;
+  std::vector<int>& hits_;
+  const ClusterPairKernels& kernels_ = cluster_pair_kernels(best_target());
+};
+
+}  // namespace refitlab

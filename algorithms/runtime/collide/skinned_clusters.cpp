@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/collide/skinned_clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/runtime/packs/float_above.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// Four roundings of what is in a box.
+float roundings(const Box<float>& box) {
+  return 0x1p-22f * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+
+SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
+    : tree_(tree),
+      skinning_(skinning),
+      palette_packs_(tree.character().mesh, tree.character().sets, skinning),
+      float_palettes_made_(palette_packs_.part_count()),
+      palettes_made_(palette_packs_.part_count()),
+      float_palette_(tree.character().sets.count()),
+      palette_arrays_(palette_packs_.room(palette_)),
+      clusters_made_(tree.clusters().size()),
+      blocks_made_((tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count) / Lanes<double>::count),
+      clusters_(tree.clusters().size()) {}
+
+void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin) {
+  const DefaultFloatEnvironment environment;
+  pose_ = &pose;
+  placement_ = placement;
+  origin_ = origin;
+  for (int i = 0; i < 4; ++i) float_placement_.rotation[i] = placement.rotation[i];
+  for (int i = 0; i < 3; ++i) float_placement_.translation[i] = placement.translation[i] - origin[i];
+  float_placement_.defect = std::abs(squared_norm(placement.rotation) - 1);
+  // The world's doubles are the sum of a turned vertex and the translation, and the origin is subtracted from both.
+  float_placement_.lost = 0x1p-51 * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
+  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
+  clusters_skinned_ = corners_skinned_ = 0;
+}
+
+void SkinnedClusters::make_all_palettes() {
+  const DefaultFloatEnvironment environment;
+  for (int part = 0; part < palette_packs_.part_count(); ++part) {
+    palette_packs_.make_float_part(part, *pose_, float_placement_, float_palette_.data());
+    float_palettes_made_.mark(part);
+  }
+}
+
+void SkinnedClusters::skin_all() {
+  for (int c = 0; c < static_cast<int>(clusters_.size()); ++c) cluster(c);
+}
+
+void SkinnedClusters::skin_cluster(int n) {
+  const DefaultFloatEnvironment environment;
+  FloatCluster& out = clusters_[n];
+  out.blocks.resize(3 * tree_.floats().block_count(n));
+  if (can_skin_in_float(n)) skin_in_float(n, out);
+  else skin_in_double(n, out);
+  clusters_made_.mark(n);
+  ++clusters_skinned_;
+  corners_skinned_ += tree_.clusters()[n].padded_vertex_count;
+}
+
+// Makes the palettes for it, too.
+bool SkinnedClusters::can_skin_in_float(int n) {
+  if (skinning_ != Skinning::spherical && skinning_ != Skinning::hejl) return false;
+  bool can = true;
+  for (const FloatRun& run : tree_.floats().runs(n)) {
+    const int part = palette_packs_.part_of(run.joint_set);
+    if (!float_palettes_made_.is_made(part)) {
+      palette_packs_.make_float_part(part, *pose_, float_placement_, float_palette_.data());
+      float_palettes_made_.mark(part);
+    }
+    can = can && float_palette_[run.joint_set].slack < infinity;
+  }
+  return can;
+}
+
+void SkinnedClusters::skin_in_float(int n, FloatCluster& out) {
+  const float slack = tree_.floats().skin(n, float_palette_.data(), out.blocks.data(), out.box);
+  out.slack = slack + 2 * roundings(out.box);
+  out.box.grow(out.slack);
+}
+
+// Rounded to floats, doubles are off by half of a rounding.
+void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
+  const int count = tree_.clusters()[n].padded_vertex_count;
+  float* const xyz = out.blocks.data()->lane.data();
+  out.box = Box<float>::empty();
+  bool are_finite = true;
+  for (int p = 0; p < count; ++p) {
+    const PaddedVertex& v = corner(n, p);
+    Vec<float, 3> x;
+    for (int i = 0; i < 3; ++i) {
+      const double seen = v.of[i] - origin_[i];
+      are_finite = are_finite && std::abs(seen) <= largest_float_length;
+      xyz[i * count + p] = x[i] = static_cast<float>(seen);
+    }
+    out.box.merge(x);
+  }
+  out.slack = are_finite ? 2 * roundings(out.box) + float_above(float_placement_.lost + least_float_slack) : infinity;
+  if (out.slack < infinity) out.box.grow(out.slack);
+  else out.box = Box<float>::everything();
+}
+
+void SkinnedClusters::make_palette(int joint_set) {
+  const int part = palette_packs_.part_of(joint_set);
+  if (palettes_made_.is_made(part)) return;
+  palette_packs_.make_part(part, *pose_, palette_arrays_);
+  palettes_made_.mark(part);
+}
+
+void SkinnedClusters::skin_block(int n, int block) {
+  const DefaultFloatEnvironment environment;
+  constexpr int lanes = Lanes<double>::count;
+  const Cluster& cluster = tree_.clusters()[n];
+  if (corners_.empty()) corners_.resize(tree_.clusters().back().first_vertex + tree_.clusters().back().padded_vertex_count);
+  make_palette(tree_.character().sets.of_vertex(tree_.vertices().vertices(n)[lanes * block]));
+  Lanes<double> skinned[3];
+  tree_.vertices().skin_block(n, block, palette_, skinning_, skinned);
+  const double placement[] = {placement_.rotation[0],   placement_.rotation[1],    placement_.rotation[2],
+                              placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
+                              placement_.translation[2]};
+  box_kernels(best_target()).place(skinned, 1, placement, &corners_[cluster.first_vertex + lanes * block]);
+  blocks_made_.mark(cluster.first_vertex / lanes + block);
+}
+
+TrianglePoints SkinnedClusters::triangle(int triangle) {
+  const DefaultFloatEnvironment environment;
+  const Character& c = tree_.character();
+  TrianglePoints out;
+  for (int i = 0; i < 3; ++i) {
+    const int v = c.mesh.triangles[triangle][i], set = c.sets.of_vertex(v);
+    make_palette(set);
+    out[i] = apply(placement_, blend<double>(skinning_, palette_[set], c.sets.weights(v), c.mesh.vertices[v]));
+  }
+  return out;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// SkinnedClusters: the clusters of a placed character in one frame, skinned in float where they are asked for, and corners in
+// double where floats leave something open.
+#pragma once
+
+#include "algorithms/runtime/batch/palette_packs.hpp"
+#include "algorithms/runtime/collide/box_kernel.hpp"
+#include "algorithms/runtime/collide/cluster_tree.hpp"
+#include "algorithms/runtime/refit/frame_stamps.hpp"
+
+namespace refitlab {
+
+// A cluster's vertices in float. Coordinates are those of the world, seen from SkinnedClusters::origin().
+struct FloatCluster {
+  // Of each coordinate: what it is off by against the doubles of apply(placement, skin()), less the origin, and four roundings
+  // more. It is infinite where floats say nothing; then so is the box.
+  float slack;
+  Box<float> box;                   // around the doubles, less the origin
+  std::vector<Lanes<float>> blocks;  // x of all positions, then y, then z
+
+  const float* xyz() const { return blocks.data()->lane.data(); }
+};
+
+class SkinnedClusters {
+ public:
+  // tree must outlive this.
+  SkinnedClusters(const ClusterTree& tree, Skinning skinning);
+  SkinnedClusters(const SkinnedClusters&) = delete;  // a copy would write into the arrays of this one
+
+  // Starts a frame, of which nothing is computed yet. pose and placement must be as check_pose and check_placement require,
+  // and stay until the next frame. Floats are coordinates seen from origin, and the more exact the nearer that is.
+  void begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin);
+
+  const ClusterTree& tree() const { return tree_; }
+  const Point3& origin() const { return origin_; }
+
+  // All joint-sets and all clusters at once, for those who need them all.
+  void make_all_palettes();
+  void skin_all();
+
+  const FloatCluster& cluster(int cluster) {
+    if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
+    return clusters_[cluster];
+  }
+
+  // A cluster's corner in the world, by position: the very doubles that apply(placement, skin()) yields.
+  const PaddedVertex& corner(int cluster, int position) {
+    const int at = tree_.clusters()[cluster].first_vertex + position;
+    if (!blocks_made_.is_made(at / Lanes<double>::count)) skin_block(cluster, position / Lanes<double>::count);
+    return corners_[at];
+  }
+  // The corners of a single triangle of the model in the world: the same doubles.
+  TrianglePoints triangle(int triangle);
+
+  // These counts are since begin.
+  long clusters_skinned() const { return clusters_skinned_; }
+  long corners_skinned() const { return corners_skinned_; }  // in float or in double
+
+ private:
+  bool can_skin_in_float(int cluster);
+  void skin_cluster(int cluster);
+  void skin_in_float(int cluster, FloatCluster& out);
+  void skin_in_double(int cluster, FloatCluster& out);
+  void skin_block(int cluster, int block);
+  void make_palette(int joint_set);
+
+  const ClusterTree& tree_;
+  const Skinning skinning_;
+  const PalettePacks palette_packs_;
+  const Pose* pose_ = nullptr;
+  RigidTransform<double> placement_;
+  Point3 origin_ = Point3::Zero();
+  FloatPlacement float_placement_;
+  FrameStamps float_palettes_made_, palettes_made_;  // by part of palette_packs_
+  std::vector<FloatPaletteEntry> float_palette_;     // of what parts were made, by joint-set
+  SkinningPalette<double> palette_;                  // likewise
+  const SkinningPalette<double>::Arrays palette_arrays_;
+  FrameStamps clusters_made_, blocks_made_;
+  std::vector<FloatCluster> clusters_;  // their storage is allocated when a query first reaches them
+  std::vector<PaddedVertex> corners_;   // by position, cluster after cluster, when the first is asked for
+  long clusters_skinned_ = 0, corners_skinned_ = 0;
+};
+
+}  // namespace refitlab

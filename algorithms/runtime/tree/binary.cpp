@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/tree/binary.hpp"
+
+#include "algorithms/runtime/tree/fingerprint.hpp"
+
+namespace refitlab {
+namespace {
+
+std::uint64_t checksum_of(std::string_view bytes) {
+  Fingerprint of_bytes;
+  of_bytes.add_bytes(bytes);
+  return of_bytes.value();
+}
+
+}  // namespace
+
+std::string sealed(std::string_view magic, std::uint32_t version, std::string_view body) {
+  BinaryWriter out{std::string(magic)};
+  out.number(version), out.number(std::uint64_t(body.size())), out.number(checksum_of(body));
+  return out.bytes.append(body);
+}
+
+BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_t version, const std::string& what,
+                    const std::string& file) {
+  BinaryReader in(bytes, file);
+  if (bytes.substr(0, magic.size()) != magic) throw ModelError(file, "file", "is no " + what);
+  in.take(magic.size());
+  std::uint32_t of_file = 0;
+  in.number(of_file);
+  if (of_file != version)
+    throw ModelError(file, "file", "is of version " + std::to_string(of_file) + ", not " + std::to_string(version));
+  std::uint64_t size = 0, checksum = 0;
+  in.number(size), in.number(checksum);
+  if (size > in.rest().size()) throw ModelError(file, "file", "ends early");
+  if (size < in.rest().size()) throw ModelError(file, "file", "goes on after its end");
+  if (checksum_of(in.rest()) != checksum) throw ModelError(file, "file", "its checksum is not that of its bytes");
+  return in;
+}
+
+}  // namespace refitlab

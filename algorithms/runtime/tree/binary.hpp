@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Numbers as little-endian bytes, and the envelope of refitlab's binary files: a magic, a version, a size and a checksum.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+
+namespace refitlab {
+namespace binary {
+template <class T>
+using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t>>;
+}
+
+struct BinaryWriter {
+  template <class T>
+  void number(const T& x) {
+    const auto bits = std::bit_cast<binary::Bits<T>>(x);
+    for (std::size_t i = 0; i < sizeof(T); ++i) bytes.push_back(static_cast<char>(bits >> (8 * i) & 0xff));
+  }
+  std::string bytes;
+};
+
+// Throws ModelError, which names the file, for bytes that end early.
+class BinaryReader {
+ public:
+  // bytes and file outlive this.
+  BinaryReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+
+  template <class T>
+  void number(T& x) {
+    const std::string_view taken = take(sizeof(T));
+    binary::Bits<T> bits = 0;
+    for (std::size_t i = 0; i < sizeof(T); ++i)
+      bits = static_cast<binary::Bits<T>>(bits | static_cast<binary::Bits<T>>(static_cast<unsigned char>(taken[i])) << (8 * i));
+    x = std::bit_cast<T>(bits);
+  }
+  // A member of a list takes a byte at least: what a count makes room for is no more than what the file could have.
+  std::size_t checked_count(std::uint64_t count) const {
+    if (count > bytes_.size()) throw ModelError(file_, "file", "ends early");
+    return static_cast<std::size_t>(count);
+  }
+  std::string_view take(std::size_t count) {
+    if (bytes_.size() < count) throw ModelError(file_, "file", "ends early");
+    const std::string_view taken = bytes_.substr(0, count);
+    bytes_.remove_prefix(count);
+    return taken;
+  }
+  std::string_view rest() const { return bytes_; }
+  // Throws ModelError if there is more.
+  void end() const {
+    if (!bytes_.empty()) throw ModelError(file_, "file", "goes on after its end");
+  }
+
+ private:
+  std::string_view bytes_;
+  const std::string& file_;
+};
+
+// The magic, the version, the body's size and checksum (FNV-1a of 64 bits), and the body.
+std::string sealed(std::string_view magic, std::uint32_t version, std::string_view body);
+
+// The body of such bytes. what: what they should be, for errors. Throws ModelError unless all is as stated.
+BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_t version, const std::string& what,
+                    const std::string& file);
+
+}  // namespace refitlab

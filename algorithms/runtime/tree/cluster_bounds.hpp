@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Clusters of a model's triangles with bounds that hold at every time of a clip, as bytes that the runtime reads.
+//
+// Format, version 1, as in character_file.hpp: numbers are little-endian, a list is a count (8 bytes) and its members.
+//   "rfltimes"                 8 bytes
+//   version, size, checksum    4 + 8 + 8 bytes
+//   primitives                 a list of node, mesh, primitive, skin: 4 bytes each; glTF's indices, or -1
+//   clusters                   a list of the primitive's position in that list (4 bytes), and a list of its triangles (4 bytes)
+//   clips                      a list of a name (a list of bytes), the duration in seconds (8 bytes), and for each cluster
+//                              the box (six floats of 4 bytes: least x, y, z, greatest x, y, z) and the ball (x, y, z, radius);
+//                              the last clip, whose duration is 0, is the rest pose
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "algorithms/runtime/balls/box.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
+
+namespace refitlab {
+
+// Both enclose. In the scene's frame, units of the file.
+struct BoundedPart {
+  Box<float> box;
+  Ball3<float> ball;
+};
+
+struct ClusterBounds {
+  struct Primitive {
+    int node, mesh, primitive, skin;  // indices of glTF; -1 for none
+  };
+  struct Cluster {
+    int primitive;               // position in primitives
+    std::vector<int> triangles;  // of the primitive, in its own order
+  };
+  struct Clip {
+    std::string name;
+    double duration;
+    std::vector<BoundedPart> clusters;  // by cluster
+  };
+  std::vector<Primitive> primitives;
+  std::vector<Cluster> clusters;
+  std::vector<Clip> clips;  // the last one is the rest pose
+};
+
+std::string bytes_of(const ClusterBounds& bounds);
+
+// file is for error messages. Throws ModelError for bytes that are no such list, end early, have another checksum, or have
+// indices out of range, a box whose sides are reversed or a number that is not finite.
+ClusterBounds cluster_bounds_of(std::string_view bytes, const std::string& file);
+
+}  // namespace refitlab

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What stands behind each statement: its tests, what of it is proved in Coq or why not, and the programs that run it; summed up here for
+README, the reference and the paper.
+
+The tests' part is the run's (verdicts.csv). The proofs' part is lemmas/proofs/status.csv, which lemmas/proofs/check compares with the
+compiled library. The programs' part is the last lines of the lemmas, which proptests/architecture compares with the include directives;
+a statement about a program, which has no lemma, is run by that program.
+"""
+import csv
+import pathlib
+import re
+from dataclasses import dataclass
+
+from .tables import ResultError
+from .verdicts import Verdict, said_of_claims
+
+OPENING, CLOSING = "<!-- statements -->\n", "<!-- /statements -->"  # around the table in README
+USED_BY = re.compile(r"// Used by: (.*(?:\n// .*)*)\n\Z")
+
+
+@dataclass
+class Statement:
+    """Of one statement. Names are those of the statements in Coq; that of the theorem has an ending."""
+    verdict: Verdict
+    suite: str      # the file of its tests
+    proved: list
+    refuted: list   # proved false
+    unproved: list  # sentences that say what is not proved, and why
+    programs: list  # folders of algorithms/ and experiments/ that run it
+    through: list   # lemmas that use it, where no program does by itself
+
+
+def users(root, stem):
+    """(folders of programs, lemmas that use it). Raises ResultError if there is neither a lemma nor a program of this name."""
+    lemma = root / "lemmas" / f"{stem}.hpp"
+    if not lemma.exists():
+        found = sorted(p for name in {stem, stem.removeprefix("refit_")} for p in (root / "algorithms").rglob(f"{name}.hpp"))
+        if not found:
+            raise ResultError(f"{root / 'algorithms'}: there is no program of the name {stem}, and no lemma either")
+        return [str(p.relative_to(root)) for p in found], []
+    last = USED_BY.search(lemma.read_text())
+    if last is None:
+        raise ResultError(f"{lemma}: its last lines do not say by what it is used")
+    names = re.split(r"[,;] ", re.sub(r"\n// ", " ", last[1]).rstrip("."))
+    files = [name for name in names if "/" in name]
+    return sorted({str(pathlib.PurePosixPath(name).parent) for name in files}), [name for name in names if re.fullmatch(r"\w+", name)]
+
+
+def suite_of(root, stem):
+    for folder in ("lemmas", "algorithms"):
+        if (root / "proptests" / folder / f"{stem}.cpp").exists():
+            return f"proptests/{folder}/{stem}.cpp"
+    raise ResultError(f"{root / 'proptests'}: there is no suite of the name {stem}")
+
+
+def read_status(path):
+    """{stem: the rows of status.csv}"""
+    out = {}
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                out.setdefault(row["stem"], []).append(row)
+    except (OSError, KeyError) as error:
+        raise ResultError(f"{path}: cannot be read: {error}") from error
+    return out
+
+
+def statements(root, verdicts):
+    """Of each verdict. Raises ResultError if a statement is neither proved nor has a sentence that says why not."""
+    path = root / "lemmas/proofs/status.csv"
+    status, out = read_status(path), []
+    for verdict in verdicts:
+        rows = status.get(verdict.lemma, [])
+        if not rows or any(row["status"] == "not proved" and not row["note"] for row in rows):
+            raise ResultError(f"{path}: {verdict.lemma} is not proved, and no sentence says why")
+        programs, through = users(root, verdict.lemma)
+
+        def those(outcome, column):
+            return [row[column] for row in rows if row["status"] == outcome]
+        out.append(Statement(verdict, suite_of(root, verdict.lemma), those("proved", "statement"), those("refuted", "statement"),
+                             those("not proved", "note"), programs, [] if programs else through))
+    return out
+
+
+def said_of_tests(statement):
+    v = statement.verdict
+    if v.failed:
+        return "TEST FAILED"
+    claims = [c for c in (f"refuted after {v.refuted_after}" if v.refuted_after else "", said_of_claims(v.printed_claims + v.claims)) if c]
+    return "; ".join(claims)
+
+
+def cells(statement, code, plain):
+    """How it is tested, what is proved of it (a list of lines), and what runs it. code and plain: what makes a name of code, and a
+    sentence, of a text."""
+    def names(found):
+        return ", ".join(code(name) for name in found)
+    proofs = [names(statement.proved)] if statement.proved else []
+    proofs += ["Proved false: " + names(statement.refuted) + "."] if statement.refuted else []
+    proofs += ["Not proved: " + plain(note) for note in statement.unproved]
+    run_by = names(name.removeprefix("algorithms/") for name in statement.programs)
+    if not run_by:
+        run_by = "by way of " + names(statement.through) if statement.through else "no program"
+    return said_of_tests(statement), proofs, run_by
+
+
+HEAD = ["statement", "tested in exact arithmetic", "proved in Coq", "run by"]
+
+
+def markdown(found):
+    """The table as it stands in README."""
+    rows = [HEAD, ["---"] * 4]
+    for s in found:
+        tests, proofs, run_by = cells(s, lambda name: f"`{name}`", str)
+        rows.append([f"[{s.verdict.lemma}]({s.suite})", tests, "<br>".join(proofs), run_by])
+    return "".join("| " + " | ".join(row).replace("||", "\\|\\|") + " |\n" for row in rows)

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// glTF files: where the vertices of one with all features go, by its own formulas, and what is refused, by changes of the
+// description of one that is read.
+#include "algorithms/model/gltf_scene.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "algorithms/model/channel_value.hpp"
+#include "algorithms/model/model_of_scene.hpp"
+#include "proptests/gen/rich_gltf.hpp"
+#include "proptests/gen/rigged_gltf.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests::suite_gltf_scene {
+namespace {
+
+using namespace refitlab;
+using nlohmann::json;
+
+std::string refusal(const std::string& bytes) {
+  try {
+    model_of_scene(gltf_scene(bytes, "file.gltf"));
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+json& primitive(json& g) { return g["meshes"][0]["primitives"][0]; }
+json& sampler(json& g, int index) { return g["animations"][0]["samplers"][index]; }
+json& channel(json& g, int index) { return g["animations"][0]["channels"][index]; }
+json& attribute_accessor(json& g, const char* name) { return g["accessors"][std::size_t(primitive(g)["attributes"][name])]; }
+json& attribute_view(json& g, const char* name) {
+  return g["bufferViews"][std::size_t(attribute_accessor(g, name)["bufferView"])];
+}
+
+// A second buffer with these numbers; returns the index of a view of all of them.
+template <class T>
+std::size_t add_bytes(json& g, const std::vector<T>& numbers) {
+  const std::string bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
+  g["buffers"].push_back({{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + gen::base64(bytes)}});
+  g["bufferViews"].push_back({{"buffer", g["buffers"].size() - 1}, {"byteLength", bytes.size()}});
+  return g["bufferViews"].size() - 1;
+}
+
+void make_sparse(json& g, const std::vector<std::uint16_t>& indices, std::size_t values) {
+  const std::size_t index_view = add_bytes(g, indices), value_view = add_bytes(g, std::vector<float>(3 * values, 1.0f));
+  attribute_accessor(g, "POSITION")["sparse"] = {{"count", indices.size()},
+                                                 {"indices", {{"bufferView", index_view}, {"componentType", 5123}}},
+                                                 {"values", {{"bufferView", value_view}}}};
+}
+
+// A cubic spline in place of the rotations of the joint 1, each of whose two keys has these in-tangent, value and out-tangent.
+void make_spline(json& g, const std::vector<float>& rows) {
+  std::vector<float> numbers = rows;
+  numbers.insert(numbers.end(), rows.begin(), rows.end());
+  const std::size_t view = add_bytes(g, numbers);
+  g["accessors"].push_back({{"bufferView", view}, {"componentType", 5126}, {"count", 6}, {"type", "VEC4"}});
+  sampler(g, 1)["output"] = g["accessors"].size() - 1;
+  sampler(g, 1)["interpolation"] = "CUBICSPLINE";
+}
+
+// A morph target of the mesh, of which the vertex 2 goes to this place in x.
+void add_target(json& g, float x, std::size_t vertices = 28) {
+  std::vector<float> numbers(3 * vertices, 0.0f);
+  numbers[6] = x;
+  const std::size_t view = add_bytes(g, numbers);
+  g["accessors"].push_back({{"bufferView", view}, {"componentType", 5126}, {"count", vertices}, {"type", "VEC3"}});
+  primitive(g)["targets"].push_back({{"POSITION", g["accessors"].size() - 1}});
+}
+
+// The weight of the one morph target of the node "skin" at 0 and 1 s.
+void move_weight(json& g, float from, float to) {
+  const std::size_t view = add_bytes(g, std::vector<float>{0, 1, from, to});
+  for (const int offset : {0, 8})
+    g["accessors"].push_back(
+        {{"bufferView", view}, {"byteOffset", offset}, {"componentType", 5126}, {"count", 2}, {"type", "SCALAR"}});
+  json& animation = g["animations"][0];
+  animation["channels"].push_back({{"sampler", animation["samplers"].size()}, {"target", {{"node", 3}, {"path", "weights"}}}});
+  animation["samplers"].push_back({{"input", g["accessors"].size() - 2}, {"output", g["accessors"].size() - 1}});
+}
+
+struct Change {
+  std::function<void(json&)> change;
+  const char* reason;
+};
+
+// Of bending_tube(3): nodes j0 to j2 and "skin", one mesh, one skin, one clip "bend".
+std::vector<Change> refused_changes() {
+  return {
+      {[](json& g) { g["asset"].erase("version"); }, "file: says no version of glTF"},
+      {[](json& g) { g = json::array(); }, "file: says no version of glTF"},
+      {[](json& g) { g["extensionsRequired"] = {7}; }, "file: 'extensionsRequired' is not a list of names"},
+      {[](json& g) {
+         g["extensionsRequired"] = {"KHR_texture_transform", "KHR_draco_mesh_compression"};
+       },
+       "file: needs the extension KHR_draco_mesh_compression, which is not read"},
+      {[](json& g) { g["extensionsRequired"] = {"EXT_meshopt_compression"}; },
+       "file: needs the extension EXT_meshopt_compression, which is not read"},
+      {[](json& g) {
+         primitive(g)["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
+       },
+       "mesh 0, primitive 0: is compressed by KHR_draco_mesh_compression, which is not read"},
+      {[](json& g) {
+         channel(g, 1)["target"]["extensions"]["KHR_animation_pointer"] = {{"pointer", "/nodes/0/scale"}};
+       },
+       "clip 0, channel 1: moves what KHR_animation_pointer says, which is not read"},
+      {[](json& g) { channel(g, 1).erase("target"); }, "clip 0, channel 1: has no target"},
+      {[](json& g) {
+         g["buffers"].push_back({{"byteLength", 4}});
+       },
+       "buffer 1: has no bytes"},
+      {[](json& g) { g["buffers"][0]["byteLength"] = 0; }, "buffer 0: has no bytes"},
+      {[](json& g) {
+         g["accessors"][0]["sparse"] = {{"count", 1}, {"indices", json::object()}};
+       },
+       "accessor 0: is sparse without values"},
+      {[](json& g) { g["nodes"][1] = 3; }, "node 1: is not an object of the description"},
+      {[](json& g) { g["nodes"] = 3; }, "file: 'nodes' is not a list"},
+      {[](json& g) { g["nodes"][1]["name"] = 3; }, "node 1: 'name' is not a text"},
+      {[](json& g) { g["accessors"][2]["normalized"] = 1; }, "accessor 2: 'normalized' is not true or false"},
+      {[](json& g) { g["nodes"][1]["scale"] = 1; }, "node 1: 'scale' is not a list of numbers"},
+      {[](json& g) {
+         g["nodes"][1]["scale"] = {1, "1", 1};
+       },
+       "node 1: 'scale' is not a list of numbers"},
+      {[](json& g) { g["nodes"][1]["children"] = 2; }, "node 1: 'children' is not a list of indices"},
+      {[](json& g) { primitive(g)["attributes"] = 1; }, "mesh 0, primitive 0: 'attributes' is not an object"},
+      {[](json& g) { g["nodes"][3]["mesh"] = "0"; }, "node 3: 'mesh' is not an integer from 0 to 2147483647"},
+      {[](json& g) { g["nodes"][3]["mesh"] = 4294967296; }, "node 3: 'mesh' is not an integer from 0 to 2147483647"},
+      {[](json& g) { g["nodes"][3]["mesh"] = -1; }, "node 3: 'mesh' is not an integer from 0 to 2147483647"},
+      {[](json& g) { g["nodes"][3]["mesh"] = 0.5; }, "node 3: 'mesh' is not an integer from 0 to 2147483647"},
+      {[](json& g) {
+         g["nodes"][0]["children"] = {1, 2.5};
+       },
+       "node 0: 'children' is not an integer from 0 to 2147483647"},
+      {[](json& g) { g["accessors"][0].erase("type"); }, "glTF description: tinygltf cannot read it: "},
+      {[](json& g) { g["buffers"][0]["uri"] = "data:text/html;base64,AAAA"; }, "glTF description: tinygltf cannot read it: "},
+      {[](json& g) { primitive(g)["indices"] = 99; }, "glTF description: tinygltf cannot read it: "},
+
+      {[](json& g) { primitive(g)["attributes"]["POSITION"] = 99; }, "mesh 0, accessor 99: there is none"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["componentType"] = 5130; },
+       "mesh 0, accessor 0: glTF has no component type 5130"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["type"] = "VEC4"; },
+       "mesh 0, accessor 0: is of another type than it has to be here"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["componentType"] = 5123; }, "mesh 0, accessor 0: is not of floats"},
+      {[](json& g) { attribute_accessor(g, "JOINTS_0")["componentType"] = 5122; },
+       "mesh 0, accessor 1: is not of unsigned integers"},
+      {[](json& g) { attribute_accessor(g, "JOINTS_0")["normalized"] = true; },
+       "mesh 0, accessor 1: is not of unsigned integers"},
+      {[](json& g) { attribute_accessor(g, "WEIGHTS_0")["componentType"] = 5123; },
+       "mesh 0, accessor 2: is not of floats or normalised integers"},
+      {[](json& g) {
+         attribute_accessor(g, "POSITION").erase("bufferView"), attribute_accessor(g, "POSITION")["count"] = 2000000000;
+       },
+       "mesh 0, accessor 0: has more elements than there are bytes in the file"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["bufferView"] = 99; },
+       "mesh 0, accessor 0: is in a buffer view that there is not"},
+      {[](json& g) { attribute_view(g, "POSITION")["buffer"] = 1; }, "mesh 0, accessor 0: is in a buffer that there is not"},
+      {[](json& g) { attribute_view(g, "POSITION")["byteLength"] = 999999; },
+       "mesh 0, accessor 0: is in a buffer view that reaches past the end of its buffer"},
+      {[](json& g) { attribute_view(g, "POSITION")["byteOffset"] = 999999; },
+       "mesh 0, accessor 0: is in a buffer view that reaches past the end of its buffer"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["byteOffset"] = 4; },
+       "mesh 0, accessor 0: reaches past the end of its buffer view"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["byteOffset"] = 99999; },
+       "mesh 0, accessor 0: reaches past the end of its buffer view"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["count"] = 1 + int(attribute_accessor(g, "POSITION")["count"]); },
+       "mesh 0, accessor 0: reaches past the end of its buffer view"},
+      {[](json& g) { attribute_view(g, "POSITION")["byteStride"] = 16; },
+       "mesh 0, accessor 0: reaches past the end of its buffer view"},
+      {[](json& g) { make_sparse(g, {0}, 1), attribute_accessor(g, "POSITION")["sparse"]["indices"]["componentType"] = 5126; },
+       "mesh 0, accessor 0: has sparse indices that are not unsigned integers"},
+      {[](json& g) {
+         make_sparse(g, {0, 28}, 2);
+       },
+       "mesh 0, accessor 0: has sparse indices that are out of range or order"},
+      {[](json& g) {
+         make_sparse(g, {3, 3}, 2);
+       },
+       "mesh 0, accessor 0: has sparse indices that are out of range or order"},
+      {[](json& g) {
+         make_sparse(g, {0, 3}, 1);
+       },
+       "mesh 0, accessor 0: reaches past the end of its buffer view"},
+
+      {[](json& g) {
+         g["nodes"][1]["translation"] = {1, 2};
+       },
+       "node 1 'j1': a translation or scale does not have 3 numbers"},
+      {[](json& g) {
+         g["nodes"][1]["rotation"] = {1, 2};
+       },
+       "node 1 'j1': its rotation does not have 4 numbers"},
+      {[](json& g) {
+         g["nodes"][1]["rotation"] = {0, 0, 0, 0};
+       },
+       "node 1 'j1': its rotation is by a zero quaternion"},
+      {[](json& g) {
+         g["nodes"][1]["matrix"] = {1, 2};
+       },
+       "node 1 'j1': its matrix does not have 16 numbers"},
+      {[](json& g) { g["nodes"][1]["matrix"] = std::vector<int>(16, 1); }, "node 1 'j1': its matrix is no affine map"},
+      {[](json& g) { g["nodes"][1]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1}; },
+       "clip 'bend', joint 'j1': is moved by a clip, but has a matrix"},
+      {[](json& g) { g["nodes"][1]["children"].push_back(99); }, "node 1 'j1': has a child that there is not"},
+      {[](json& g) { g["nodes"][0]["children"].push_back(2); }, "node 2 'j2': is the child of two nodes, or twice of one"},
+      {[](json& g) { g["nodes"][0]["children"].push_back(1); }, "node 1 'j1': is the child of two nodes, or twice of one"},
+      {[](json& g) { g["scenes"][0]["nodes"] = {3}, g["nodes"][2]["children"] = {0}; }, "node 0 'j0': is below itself"},
+      {[](json& g) { g["scenes"][0]["nodes"].push_back(0); }, "node 0 'j0': is in the scene twice"},
+      {[](json& g) { g["scenes"][0]["nodes"].push_back(1); }, "scene 0: names node 1, which is below another or not there"},
+      {[](json& g) { g["scenes"][0]["nodes"].push_back(4); }, "scene 0: names node 4, which is below another or not there"},
+      {[](json& g) { g["scene"] = 1; }, "file: its default scene is one that there is not"},
+      {[](json& g) { g.erase("scenes"); }, "file: its default scene is one that there is not"},
+
+      {[](json& g) { primitive(g)["attributes"].erase("POSITION"); }, "mesh 0: has no positions"},
+      {[](json& g) { attribute_accessor(g, "POSITION")["count"] = 0; }, "mesh 0: is empty"},
+      {[](json& g) { g["accessors"][std::size_t(primitive(g)["indices"])]["count"] = 143; },
+       "mesh 0: its triangles have 143 weight vertices in all"},
+      {[](json& g) { primitive(g)["mode"] = 7; }, "mesh 0: is of mode 7, which glTF has not"},
+      {[](json& g) { primitive(g)["attributes"].erase("WEIGHTS_0"); }, "mesh 0: joints and weights of set 0 do not go together"},
+      {[](json& g) { attribute_accessor(g, "JOINTS_0")["count"] = 27; },
+       "mesh 0: joints and weights of set 0 do not fit the vertices"},
+      {[](json& g) { primitive(g)["attributes"].erase("WEIGHTS_0"), primitive(g)["attributes"].erase("JOINTS_0"); },
+       "mesh 0: is shown with a skin, but has no joints and weights"},
+      {[](json& g) { add_target(g, 1, 27); }, "mesh 0, morph target 0: does not fit the vertices"},
+      {[](json& g) { add_target(g, NAN); }, "mesh 0, morph target 0: the displacement of vertex 2 is not finite"},
+      {[](json& g) { g["meshes"][0]["primitives"].push_back(primitive(g)), add_target(g, 1); },
+       "mesh 0, primitive 1: has another number of morph targets than the mesh's first primitive"},
+      {[](json& g) {
+         add_target(g, 1), g["meshes"][0]["weights"] = {0, 1};
+       },
+       "node 3 'skin': has 2 weights for 1 morph targets"},
+      {[](json& g) { add_target(g, 1), move_weight(g, 0, 1); },
+       "clip 'bend', node 'skin': moves the weights of morph targets, which this program does not bound"},
+      {[](json& g) { g["skins"][0]["joints"] = json::array(); }, "skin 0: has no joints"},
+      {[](json& g) { g["skins"][0]["joints"][1] = 99; }, "skin 0: has a joint that there is not"},
+      {[](json& g) { g["nodes"][3]["mesh"] = 1; }, "node 3 'skin': shows a mesh that there is not"},
+      {[](json& g) { g["nodes"][3]["skin"] = 1; }, "node 3 'skin': has a skin that there is not"},
+
+      {[](json& g) { channel(g, 1)["target"]["node"] = 99; }, "clip 'bend': moves a node that there is not"},
+      {[](json& g) { channel(g, 1)["target"]["path"] = "colour"; },
+       "clip 'bend', joint 'j1': a channel moves 'colour', which glTF has not"},
+      {[](json& g) { channel(g, 1)["target"]["node"] = 2; }, "clip 'bend', joint 'j2': two channels move its rotation"},
+      {[](json& g) { sampler(g, 1)["interpolation"] = "QUADRATIC"; },
+       "clip 'bend', joint 'j1': interpolates by 'QUADRATIC', which glTF has not"},
+      {[](json& g) { channel(g, 1)["sampler"] = 99; }, "clip 'bend', joint 'j1': a channel has a sampler that there is not"},
+      {[](json& g) {
+         make_spline(g, {0, 0, 0, 0, 0, 0, 0, 1.1f, 0, 0, 0, 0});
+       },
+       "clip 'bend', joint 'j1', key 0 at 0.000000 s: a spline's rotation by a quaternion that is not of unit length"},
+      {[](json& g) {
+         make_spline(g, {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, INFINITY, 0});
+       },
+       "clip 'bend', joint 'j1', key 0 at 0.000000 s: a tangent is not finite"},
+  };
+}
+
+// The vertices of the model at a time, each moved by its morph targets and then by the matrices of its joints.
+std::vector<Eigen::Vector3d> posed_vertices(const Model& model, const Clip& clip, double time) {
+  std::vector<Eigen::Vector3d> places(model.vertices.begin(), model.vertices.end());
+  for (const MorphedMesh& mesh : model.morphs) {
+    const std::vector<double> weights = morph_weights(mesh.node, mesh.weights, clip.animation, time);
+    for (std::size_t t = 0; t < mesh.targets.size(); ++t)
+      for (const auto& [vertex, by] : mesh.targets[t].displacements) places[vertex] += weights[t] * by;
+  }
+  const auto matrices = skin_matrices(model.skeleton, clip.animation, time);
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Influence& i : model.influences[v]) sum += i.weight * (matrices[i.joint] * places[v].homogeneous()).head<3>();
+    places[v] = sum;
+  }
+  return places;
+}
+
+const SourcePrimitive* source_of(const Model& model, const gen::RichPrimitive& p) {
+  for (const SourcePrimitive& source : model.sources)
+    if (source.node == p.node && source.mesh == p.mesh && source.primitive == p.primitive && source.skin == p.skin)
+      return &source;
+  return nullptr;
+}
+
+// What is wrong about the model of a rich file; empty if it has each primitive where it has to be at all times.
+std::string complaint(const gen::RichGltf& rich, const Model& model) {
+  if (model.sources.size() != rich.primitives().size()) return "there are " + std::to_string(model.sources.size()) + " sources; ";
+  std::string out;
+  for (const gen::RichPrimitive& p : rich.primitives()) {
+    const std::string label = "node " + std::to_string(p.node) + ", primitive " + std::to_string(p.primitive);
+    const SourcePrimitive* source = source_of(model, p);
+    if (!source || source->vertices.size() != p.positions.size() || source->triangles.size() != p.triangles.size())
+      return label + " has no source that fits; ";
+    for (std::size_t t = 0; t < p.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (model.triangles[source->triangles[t]][k] != source->vertices[p.triangles[t][k]])
+          out += label + ": a corner differs; ";
+    for (const double time : {0.0, 0.25, 0.5, 0.9, 1.0, 1.4, 1.5, 2.0}) {
+      const auto expected = rich.posed(p, time), places = posed_vertices(model, model.clips[0], time);
+      double worst = 0;
+      for (std::size_t v = 0; v < expected.size(); ++v)
+        worst = std::max(worst, (places[source->vertices[v]] - expected[v]).norm());
+      if (!(worst < 2e-6)) out += label + " at " + std::to_string(time) + " s is off by " + std::to_string(worst) + "; ";
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+PROPTEST(gltf_scene) {
+  t.example(
+      "a file of all features has each vertex where its formulas have it: rigid or not, with weights of targets that move or not",
+      {}, [] {
+        std::string wrong;
+        for (const bool uneven : {false, true})
+          for (const bool moving : {false, true}) {
+            const gen::RichGltf rich(uneven, moving);
+            const LoadOptions options{uneven ? Joints::affine : Joints::rigid, moving ? Morphs::moving : Morphs::constant};
+            for (const std::string& bytes : {rich.file.text_file(), rich.file.binary_file()})
+              wrong += complaint(rich, model_of_scene(gltf_scene(bytes, "rich"), options));
+          }
+        return Checked(wrong.empty(), 8, wrong);
+      });
+  t.example("a skin that scales unevenly is refused, or has its clip's sample refused where it is not rigid", {}, [] {
+    const gen::RichGltf rich(true, false);
+    const Scene scene = gltf_scene(rich.file.text_file(), "rich");
+    const auto refused = [](const auto& action) -> std::string {
+      try {
+        action();
+      } catch (const ModelError& e) {
+        return e.what();
+      }
+      return "";
+    };
+    const std::string at_once = refused([&] { model_of_scene(scene); });
+    const Model model = model_of_scene(scene, {Joints::affine});
+    const std::string later = refused([&] { model.clips[0].sample(1); });
+    const std::string expected = "rich: clip 'move', joint 'tip', time ";
+    return Checked(at_once.starts_with(expected) && later.starts_with("rich: clip 'move', joint '") &&
+                       refused([&] {
+                         model_of_scene(gltf_scene(gen::RichGltf(false, false).file.text_file(), "rich")).clips[0].sample(1);
+                       }).empty() &&
+                       model.rigidity_defect > 1,
+                   4, at_once + "; " + later + "; " + std::to_string(model.rigidity_defect));
+  });
+  t.example("where all joints are rigid an affine model is the rigid one, to the bit", {}, [] {
+    const Scene scene = gltf_scene(gen::RichGltf(false, false).file.text_file(), "rich");
+    const Model rigid = model_of_scene(scene), affine = model_of_scene(scene, {Joints::affine});
+    return Checked(rigid.vertices == affine.vertices && rigid.rigidity_defect == affine.rigidity_defect);
+  });
+  t.example("a mesh that two nodes show with the same skin is there once, and twice where its weights move with one of them", {},
+            [] {
+              const auto count = [](bool moving) {
+                return model_of_scene(gltf_scene(gen::RichGltf(false, moving).file.text_file(), "rich"),
+                                      {Joints::rigid, Morphs::moving})
+                    .triangles.size();
+              };
+              return Checked(count(false) == 18 && count(true) == 32, 2,
+                             std::to_string(count(false)) + ", " + std::to_string(count(true)));
+            });
+  const json tube = json::parse(gen::built(gen::bending_tube(3)).text_file());
+  t.example("a description with one thing wrong is refused with the file, the thing and the reason", {}, [&] {
+    std::string wrong = refusal(tube.dump());
+    for (const Change& change : refused_changes()) {
+      json changed = tube;
+      change.change(changed);
+      const std::string message = refusal(changed.dump()), expected = std::string("file.gltf: ") + change.reason;
+      if (!(expected.ends_with(": ") ? message.starts_with(expected) : message == expected))
+        wrong += "'" + message + "', not '" + expected + "'; ";
+    }
+    return Checked(wrong.empty(), static_cast<long>(refused_changes().size()), wrong);
+  });
+  t.example("what is no JSON is refused with what the parser says", {}, [&] {
+    bool good = true;
+    for (const char* text : {"", "{", "{\"asset\": {\"version\": 1e999}}", "\xff\xfe"})
+      good = good && refusal(text).starts_with("file.gltf: glTF description: ");
+    // Nested far deeper than a stack is: nothing descends into extras.
+    std::string deep = tube.dump();
+    deep.insert(1, "\"extras\":" + std::string(1000000, '[') + std::string(1000000, ']') + ",");
+    return Checked(good && refusal(deep).empty(), 5);
+  });
+}
+
+}  // namespace proptests::suite_gltf_scene

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Models that are written as glTF files load back as they were, up to the rounding of floats.
+#include "algorithms/model/write_gltf.hpp"
+
+#include "algorithms/model/gltf_scene.hpp"
+#include "algorithms/model/keyed.hpp"
+#include "algorithms/model/load.hpp"
+#include "algorithms/model/model_of_scene.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "proptests/gen/rich_gltf.hpp"
+#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests::suite_write_gltf {
+namespace {
+
+using namespace refitlab;
+
+std::vector<Point3> posed_vertices(const Model& model, const Pose& pose) {
+  std::vector<Point3> out;
+  for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+    Point3 sum(0, 0, 0);
+    for (const Influence& i : model.influences[v]) sum += i.weight * apply(pose[i.joint], model.vertices[v]);
+    out.push_back(sum);
+  }
+  return out;
+}
+
+// What differs of a model and what was read of its file, where vertices are in another order; empty if nothing does.
+std::string difference(const Model& model, const Model& read) {
+  if (read.sources.size() != 1 || read.triangles.size() != model.triangles.size() || read.clips.size() != model.clips.size() ||
+      read.joints.size() != model.joints.size())
+    return "it has another number of triangles, joints or clips";
+  const std::vector<int>& places = read.sources[0].vertices;
+  for (std::size_t t = 0; t < model.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (read.triangles[t][k] != places[model.triangles[t][k]]) return "a corner differs";
+  for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+    const auto &a = model.influences[v], &b = read.influences[places[v]];
+    bool same = a.size() == b.size();
+    for (std::size_t i = 0; same && i < a.size(); ++i) same = a[i].joint == b[i].joint && a[i].weight == b[i].weight;
+    if (!same) return "the weights of a vertex differ";
+  }
+  for (std::size_t j = 0; j < model.joints.size(); ++j)
+    if (read.joints[j].name != model.joints[j].name || read.joints[j].parent != model.joints[j].parent) return "a joint differs";
+  double worst = 0;
+  for (std::size_t c = 0; c < model.clips.size(); ++c) {
+    if (read.clips[c].name != model.clips[c].name) return "a clip has another name";
+    if (std::abs(read.clips[c].duration - model.clips[c].duration) > 1e-6) return "a clip has another duration";
+    for (const double share : {0.0, 0.31, 0.77, 1.0}) {
+      const double time = share * std::min(model.clips[c].duration, read.clips[c].duration);
+      const auto a = posed_vertices(model, model.clips[c].sample(time)), b = posed_vertices(read, read.clips[c].sample(time));
+      for (std::size_t v = 0; v < a.size(); ++v) worst = std::max(worst, (a[v] - b[places[v]]).norm());
+    }
+  }
+  return worst < 1e-5 ? "" : "a vertex is off by " + std::to_string(worst);
+}
+
+std::string refusal(const Model& model) {
+  try {
+    gltf_bytes(model);
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+PROPTEST(write_gltf) {
+  t.example("the man, the creature and a snake load back from their files", {}, [] {
+    const gen::TemporaryFolder folder;
+    std::string wrong;
+    for (const Model& made : {make_man(), make_creature(), make_snake(40)}) {
+      const Model model = keyed(made, 30);
+      write_gltf(model, folder.file("model.glb"));
+      const std::string different = difference(model, load_model(folder.file("model.glb")));
+      if (!different.empty()) wrong += made.name + ": " + different + "; ";
+    }
+    return Checked(wrong.empty(), 3, wrong);
+  });
+  t.example("a model of a file loads back too, with splines, steps, a scale, and two joints of one node", {}, [] {
+    const Model model = model_of_scene(gltf_scene(gen::RichGltf(false, false).file.text_file(), "rich"));
+    const std::string different = difference(model, model_of_scene(gltf_scene(gltf_bytes(model), "again.glb")));
+    return Checked(different.empty(), 1, different);
+  });
+  t.example(
+      "refused: a model without a skeleton, with morph targets, with too many joints, with a sheared node, an unwritable file",
+      {}, [] {
+        std::string wrong;
+        const auto expect = [&](const std::string& message, const std::string& words) {
+          if (message.find(words) == std::string::npos) wrong += "'" + message + "', not '" + words + "'; ";
+        };
+        expect(refusal(make_snake(2)), "skeleton: there is none to write: see keyed");
+        Model model = keyed(make_snake(2), 2);
+        model.morphs.push_back({0, {0}, {{}}});
+        expect(refusal(model), "morph targets: are not written");
+        model = keyed(make_snake(2), 2);
+        model.skeleton.nodes[1].local(0, 1) = 0.5;
+        expect(refusal(model), "node 'spine_1': its transform is no translation, rotation and scale");
+        model.skeleton.joints.resize(65536, model.skeleton.joints[0]);
+        expect(refusal(model), "skeleton: has more joints than glTF can name");
+        try {
+          write_gltf(keyed(make_snake(2), 2), "/no such folder/model.glb");
+          wrong += "it is written";
+        } catch (const ModelError& e) {
+          expect(e.what(), "/no such folder/model.glb: file: cannot be written");
+        }
+        return Checked(wrong.empty(), 5, wrong);
+      });
+}
+
+}  // namespace proptests::suite_write_gltf
