@@ -11,9 +11,7 @@ namespace {
 // All of one body in a frame.
 class SkinnedBody {
  public:
-  explicit SkinnedBody(const ClusterTree& tree)
-      : clusters_(tree, Skinning::spherical),
-        own_(tree.wide_nodes().size()) {
+  explicit SkinnedBody(const ClusterTree& tree) : clusters_(tree, Skinning::spherical), own_(tree.wide_nodes().size()) {
     int blocks = 0;
     for (const WideNode& n : tree.wide_nodes()) first_block_.push_back(blocks), blocks += (n.child_count + 7) / 8;
     boxes_.resize(blocks);
@@ -45,10 +43,7 @@ class SkinnedBody {
 
 class SkinAllFloat : public Detector {
  public:
-  explicit SkinAllFloat(const Character& character)
-      : tree_(character),
-        first_(tree_),
-        second_(tree_) {}
+  explicit SkinAllFloat(const Character& character) : tree_(character), first_(tree_), second_(tree_) {}
 
   void palette(const ScenarioFrame& frame) override {
     check_pose(tree_.character().mesh, frame.first), check_pose(tree_.character().mesh, frame.second);

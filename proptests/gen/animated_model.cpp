@@ -179,7 +179,7 @@ class ModelMaker {
     int root = node;
     while (model_.skeleton.nodes[root].parent >= 0) root = model_.skeleton.nodes[root].parent;
     if (root == 0) offset.topRows<3>() /= plan_.root_scale;
-    if (plan_.far > 0) offset.topRightCorner<3, 1>() -= offset.topLeftCorner<3, 3>() * away();
+    if (plan_.away > 0) offset.topRightCorner<3, 1>() -= offset.topLeftCorner<3, 3>() * away();
     model_.skeleton.joints.push_back({"joint " + std::to_string(j), node, pick(-1, j - 1), offset});
     const Eigen::Matrix3d m = offset.topLeftCorner<3, 3>();
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -188,12 +188,11 @@ class ModelMaker {
   }
 
   // Where the reference pose is.
-  Eigen::Vector3d away() const { return plan_.far * plan_.unit * Eigen::Vector3d(0.6, 0, 0.8); }
+  Eigen::Vector3d away() const { return plan_.away * plan_.unit * Eigen::Vector3d(0.6, 0, 0.8); }
 
   void add_vertex() {
     const int near = pick(0, plan_.joints - 1);
-    model_.vertices.push_back(chance(0.15) ? model_.joints[near].origin
-                                           : Point3(plan_.far > 0 ? Point3(away() + position()) : position()));
+    model_.vertices.push_back(chance(0.15) ? model_.joints[near].origin : Point3(away() + position()));
     std::vector<int> all;
     for (int j = 0; j < plan_.joints; ++j) all.push_back(j);
     std::shuffle(all.begin(), all.end(), random_);
@@ -225,28 +224,29 @@ AnimatedPlan draw_animated_plan(bool rigid) {
   plan.near_zero = plan.cubic && full(0, 4) == 0;
   plan.noise = rigid ? *rc::gen::element(0.0, 0.0, 1e-9, 1e-4, 2e-4) : 0;
   plan.root_scale = *rc::gen::element(1.0, 1.0, 1.0, 0.01, 100.0, -1.0, -3.0);
-  plan.far = *rc::gen::element(0.0, 0.0, 0.0, 1e6);
+  plan.far = *rc::gen::element(0.0, 0.0, 0.0, 1e6), plan.away = *rc::gen::element(0.0, 0.0, 0.0, 1e6);
   plan.seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<unsigned>());
   return plan;
 }
 
 AnimatedPlan draw_smooth_plan(bool rigid) {
   AnimatedPlan plan = draw_animated_plan(rigid);
-  plan.smooth = true, plan.near_zero = false, plan.far = 0, plan.noise = 0;
+  plan.smooth = true, plan.near_zero = false, plan.far = plan.away = 0, plan.noise = 0;
   plan.nodes = std::min(plan.nodes, 4);
   if (plan.duration == 0) plan.duration = 1;
   return plan;
 }
 
 bool is_degenerate(const AnimatedPlan& plan) {
-  return plan.duration == 0 || plan.far > 0 || plan.near_zero || plan.nodes == 1 || plan.joints == 1;
+  return plan.duration == 0 || plan.far > 0 || plan.away > 0 || plan.near_zero || plan.nodes == 1 || plan.joints == 1;
 }
 
 std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan) {
   return out << (plan.rigid ? "rigid" : "affine") << ", " << plan.nodes << " nodes, " << plan.joints << " joints, "
              << plan.vertices << " vertices, unit " << plan.unit << ", duration " << plan.duration
              << (plan.smooth ? ", smooth" : "") << (plan.cubic ? ", cubic" : "") << (plan.near_zero ? ", near zero" : "")
-             << ", noise " << plan.noise << ", root scale " << plan.root_scale << ", far " << plan.far << ", seed " << plan.seed;
+             << ", noise " << plan.noise << ", root scale " << plan.root_scale << ", far " << plan.far << ", away " << plan.away
+             << ", seed " << plan.seed;
 }
 
 }  // namespace proptests::gen

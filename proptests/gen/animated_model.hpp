@@ -20,6 +20,7 @@ struct AnimatedPlan {
   bool cubic = false;      // splines of rotations, too
   double noise = 0;        // of the scales of a rigid model
   double root_scale = 1;   // of the first node, which offsets undo; negative for a mirror
+  double away = 0;         // how far the reference pose is from the origin, which offsets undo; in units
   double far = 0;          // how far things are moved there and back, in units
   bool near_zero = false;  // some spline of rotations passes near zero
   unsigned seed = 0;

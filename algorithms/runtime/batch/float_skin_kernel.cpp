@@ -72,8 +72,7 @@ void skin_run(const FloatRun& run, const Lanes<float>* data, const FloatPaletteE
   for (int block = 0; block < run.block_count; ++block, data += 2 + N, ++out)
     for (int first = 0; first < Lanes<float>::count; first += width) {
       const Point image = joints.skin({load(data[0], first), load(data[1], first), load(data[2], first)}, data + 3, first);
-      for (int i = 0; i < 3; ++i)
-        image[i].copy_to(out[i * stride].lane.data() + first, std::experimental::vector_aligned);
+      for (int i = 0; i < 3; ++i) image[i].copy_to(out[i * stride].lane.data() + first, std::experimental::vector_aligned);
       box.merge(image);
     }
 }

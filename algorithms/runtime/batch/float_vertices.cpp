@@ -30,8 +30,7 @@ FloatVertices::FloatVertices(const SkinnedMesh& mesh, const JointSets& sets, con
   }
 }
 
-float FloatVertices::skin(int group, const FloatPaletteEntry* palette, Lanes<float>* out, Box<float>& box,
-                          Target target) const {
+float FloatVertices::skin(int group, const FloatPaletteEntry* palette, Lanes<float>* out, Box<float>& box, Target target) const {
   const DefaultFloatEnvironment environment;
   const auto own = runs(group);
   return float_skin(target)(own.data(), static_cast<int>(own.size()), data_.data(), palette, block_count(group), out, box);

@@ -192,8 +192,7 @@ void run_float_joints(const PalettePack* packs, int count, bool are_centers_fixe
     }
     alignas(64) float rows[palette_lanes][8];
     to_float_rows(centers, rows);
-    for (int lane = 0; lane < palette_lanes; ++lane)
-      std::memcpy(out[pack->set[lane]].center, rows[lane], 4 * sizeof(float));
+    for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack->set[lane]].center, rows[lane], 4 * sizeof(float));
     for (int j = 0; j < N; ++j) {
       to_float_rows(placed[j], rows);
       for (int lane = 0; lane < palette_lanes; ++lane) {
@@ -203,8 +202,7 @@ void run_float_joints(const PalettePack* packs, int count, bool are_centers_fixe
     }
     if constexpr (N == 1) {
       to_float_rows(rest, rows);
-      for (int lane = 0; lane < palette_lanes; ++lane)
-        std::memcpy(out[pack->set[lane]].more[1], rows[lane], sizeof rows[lane]);
+      for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack->set[lane]].more[1], rows[lane], sizeof rows[lane]);
     }
   }
 }

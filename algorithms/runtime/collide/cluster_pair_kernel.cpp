@@ -114,7 +114,8 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
   int found = 0;
   for (int block = begin; block < end; block += width) {
     Box<S> own;
-    for (int i = 0; i < 3; ++i) own.low[i] = load(b.box[i] + block) - S(margin), own.high[i] = load(b.box[3 + i] + block) + S(margin);
+    for (int i = 0; i < 3; ++i)
+      own.low[i] = load(b.box[i] + block) - S(margin), own.high[i] = load(b.box[3 + i] + block) + S(margin);
     const std::uint32_t valid = first_lanes(end - block);
     for (int k = 0; k < count_a; ++k) {
       const Box<S> other{{S(a.box[0][k]), S(a.box[1][k]), S(a.box[2][k])}, {S(a.box[3][k]), S(a.box[4][k]), S(a.box[5][k])}};
@@ -160,8 +161,7 @@ REFITLAB_KERNEL void filter(const CandidateArrays& a, const CandidateArrays& b, 
     const std::uint32_t valid = first_lanes(count - from), apart = lane_bits(filtered.are_apart);
     const std::uint32_t meeting = lane_bits(filtered.meet) & ~apart & valid, open = ~(meeting | apart) & valid;
     for (std::uint32_t lanes = meeting; lanes; lanes &= lanes - 1) meet[meet_count++] = from + std::countr_zero(lanes);
-    for (std::uint32_t lanes = open; lanes; lanes &= lanes - 1)
-      unknown[unknown_count++] = from + std::countr_zero(lanes);
+    for (std::uint32_t lanes = open; lanes; lanes &= lanes - 1) unknown[unknown_count++] = from + std::countr_zero(lanes);
   }
 }
 

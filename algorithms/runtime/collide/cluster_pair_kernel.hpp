@@ -24,10 +24,10 @@ struct ClusterTriangles {
 // Triangles of a cluster that are left. The arrays have room for all triangles of the cluster, and for one block more.
 struct Candidates {
   int count = 0;
-  std::vector<int> triangle;            // in the cluster
-  std::vector<std::uint8_t> outcodes;   // by place, while culling
-  std::vector<Lanes<float>> box[6];     // low x, y, z, high x, y, z
-  std::vector<Lanes<float>> corners;    // a record a candidate: its corners' coordinates, 9 numbers, and unused ones
+  std::vector<int> triangle;           // in the cluster
+  std::vector<std::uint8_t> outcodes;  // by place, while culling
+  std::vector<Lanes<float>> box[6];    // low x, y, z, high x, y, z
+  std::vector<Lanes<float>> corners;   // a record a candidate: its corners' coordinates, 9 numbers, and unused ones
 
   // For so many triangles and places.
   void reserve(int triangles, int places);

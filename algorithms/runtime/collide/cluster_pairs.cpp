@@ -19,9 +19,7 @@ CandidateArrays arrays_of(Candidates& c) {
 }
 
 TrianglePoints points_of(const PaddedVertex* corners, const std::array<std::uint16_t, 3>& places) {
-  const auto point = [&](int i) {
-    return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]);
-  };
+  const auto point = [&](int i) { return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]); };
   return {point(0), point(1), point(2)};
 }
 
@@ -125,7 +123,7 @@ void ClusterPairs::filter(int a, int b, int count, float slack) {
 
 void ClusterPairs::decide() {
   const DefaultFloatEnvironment environment;
-  auto &pairs = room_.pairs;
+  auto& pairs = room_.pairs;
   auto &corners_a = room_.corners_a, &corners_b = room_.corners_b;
   for (std::size_t from = 0; from < room_.open.size(); from += open_at_once) {
     const std::size_t end = std::min<std::size_t>(room_.open.size(), from + open_at_once);

@@ -15,7 +15,7 @@ struct FloatCluster {
   // Of each coordinate: what it is off by against the doubles of apply(placement, skin()), less the origin, and four roundings
   // more. It is infinite where floats say nothing; then so is the box.
   float slack;
-  Box<float> box;                   // around the doubles, less the origin
+  Box<float> box;                    // around the doubles, less the origin
   std::vector<Lanes<float>> blocks;  // x of all positions, then y, then z
 
   const float* xyz() const { return blocks.data()->lane.data(); }
