@@ -159,6 +159,7 @@ void tag_channels(const Animation& animation) {
     };
     look(track.positions, "positions"), look(track.rotations, "rotations"), look(track.scales, "scales");
   }
+  if (!animation.weight_tracks.empty()) RC_TAG("morph targets");
   for (const auto& [tag, is_seen] : seen) RC_TAG(tag);
 }
 

@@ -211,6 +211,21 @@ PROPTEST(moving_vertices) {
            must.followed == Followed::linear_blend && must.chord < 0.3 && must.beyond[0] > 0.5 && must.beyond[0] < unknown &&
            after.chord < 0.01;
   });
+  t.example("the shorter a blend is, the more it bends, and one that is too short is not followed", {}, [] {
+    const double unknown = std::numeric_limits<double>::infinity();
+    const Model two = turning(170), three = turning(190, 2);
+    const JointSets sets_of_two(two), sets_of_three(three);
+    const AnimatedJoints turning_two(two, two.clips[0].animation, true), turning_three(three, three.clips[0].animation, true);
+    const MovingVertices of_two(turning_two, sets_of_two, Skinning::dual_quaternion, {0}),
+        of_three(turning_three, sets_of_three, Skinning::dual_quaternion, {0});
+    // At 176 degrees, where signs stay.
+    const double shorter = of_two.slack(3, 0.95, 0.951, false).chord, longer = of_two.slack(0, 0.05, 0.051, false).chord,
+                 too_short = of_three.slack(3, 0.9263, 0.92631, false).chord,
+                 long_enough = of_three.slack(3, 0.8, 0.80001, false).chord;
+    return Checked(shorter > 1.3 * longer && shorter < 1e-3 && too_short == unknown && long_enough < 1e-3, 4,
+                   std::to_string(shorter) + " " + std::to_string(longer) + " " + std::to_string(too_short) + " " +
+                       std::to_string(long_enough));
+  });
   t.example("a blend of three joints that may vanish is refused by name", {}, [] {
     const Model model = turning(235, 2);
     const JointSets sets(model);

@@ -25,6 +25,7 @@ class ModelMaker {
     for (int j = 0; j < plan_.joints; ++j) add_joint(j);
     for (int v = 0; v < plan_.vertices; ++v) add_vertex();
     model_.triangles.push_back({0, plan_.vertices / 2, plan_.vertices - 1});
+    if (plan_.targets > 0) add_morphs(animation);
     validate(model_);
     model_.clips.push_back({"clip", plan_.duration, {}, animation});
     return model_;
@@ -204,6 +205,33 @@ class ModelMaker {
     for (const auto& [joint, weight] : quantize_weights(weights)) model_.influences.back().push_back({joint, weight});
   }
 
+  // The first vertices are of one mesh, and the others perhaps of another, whose weights move or stay.
+  void add_morphs(Animation& animation) {
+    const int first = plan_.nodes == 1 || chance(0.5) ? plan_.vertices : pick(0, plan_.vertices);
+    for (int mesh = 0; mesh < (first < plan_.vertices ? 2 : 1); ++mesh) {
+      MorphedMesh morph{mesh, {}, {}};
+      for (int t = 0; t < plan_.targets; ++t) {
+        morph.weights.push_back(real());
+        morph.targets.emplace_back();
+        for (int v = mesh == 0 ? 0 : first; v < (mesh == 0 ? first : plan_.vertices); ++v)
+          if (chance(0.8)) morph.targets.back().displacements.push_back({v, position()});
+      }
+      model_.morphs.push_back(morph);
+      if (chance(0.2)) continue;
+      WeightTrack track{mesh, {{}, interpolation(false), {}}};
+      const auto any = [&](double size) {
+        Eigen::VectorXd out(plan_.targets);
+        for (double& w : out) w = size * real();
+        return out;
+      };
+      for (const double time : times()) {
+        track.weights.keys.push_back({time, any(plan_.smooth ? 0.3 : 1.5)});
+        if (track.weights.interpolation == Interpolation::cubic) track.weights.tangents.push_back({any(rate()), any(rate())});
+      }
+      animation.weight_tracks.push_back(track);
+    }
+  }
+
   const AnimatedPlan& plan_;
   std::mt19937 random_;
   Model model_;
@@ -218,6 +246,7 @@ AnimatedPlan draw_animated_plan(bool rigid) {
   AnimatedPlan plan;
   plan.rigid = rigid;
   plan.nodes = full(1, 8), plan.joints = full(1, 7), plan.vertices = full(1, 6);
+  plan.targets = std::max(0, full(-3, 4));
   plan.unit = *rc::gen::element(1.0, 1.0, 1e-6, 1e6);
   plan.duration = *rc::gen::element(1.0, 1.0, 2.5, 1e-6, 1e6, 0.0);
   plan.cubic = full(0, 2) == 1;
@@ -243,7 +272,7 @@ bool is_degenerate(const AnimatedPlan& plan) {
 
 std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan) {
   return out << (plan.rigid ? "rigid" : "affine") << ", " << plan.nodes << " nodes, " << plan.joints << " joints, "
-             << plan.vertices << " vertices, unit " << plan.unit << ", duration " << plan.duration
+             << plan.vertices << " vertices, " << plan.targets << " targets, unit " << plan.unit << ", duration " << plan.duration
              << (plan.smooth ? ", smooth" : "") << (plan.cubic ? ", cubic" : "") << (plan.near_zero ? ", near zero" : "")
              << ", noise " << plan.noise << ", root scale " << plan.root_scale << ", far " << plan.far << ", away " << plan.away
              << ", seed " << plan.seed;

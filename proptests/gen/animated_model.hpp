@@ -14,6 +14,7 @@ struct AnimatedPlan {
   int nodes = 1;           // 1 to 7, in any tree or trees
   int joints = 1;          // 1 to 6, several on a node perhaps
   int vertices = 1;        // 1 to 5
+  int targets = 0;         // 0 to 3 morph targets, of one mesh or of two
   double unit = 1;         // 1e-6 to 1e6
   double duration = 1;     // 0 to 1e6
   bool smooth = false;     // turns are small, nothing jumps, tangents are moderate

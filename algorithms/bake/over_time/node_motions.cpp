@@ -128,6 +128,11 @@ bool jumps(const Channel<Value>& channel, double time) {
   return is_step || (first + 1 != channel.keys.end() && (first + 1)->time == time);
 }
 
+// At a moment nothing moves.
+Motion<double> during(double start, double end, const Motion<double>& motion) {
+  return start < end ? motion : refitlab::at_rest(motion.size);
+}
+
 ChainMotion<double> at_rest(const Eigen::Matrix4d& local) {
   const AffineMap<double> map{{local.col(0).head<3>(), local.col(1).head<3>(), local.col(2).head<3>()}, local.col(3).head<3>()};
   return {refitlab::at_rest(std::sqrt(squared_stretch(map))), refitlab::at_rest(norm<double, 3>(map.offset)),
@@ -174,8 +179,7 @@ std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& node
     ChainMotion<double>& link = links[track.node];
     link = chain_of<double>({vector_motion(track.positions, start, end, by_length), rotation_motion(track.rotations, start, end),
                              vector_motion(track.scales, start, end, by_greatest_factor)});
-    if (!(start < end))
-      link = {refitlab::at_rest(link.linear.size), refitlab::at_rest(link.offset.size), refitlab::at_rest(link.rotation.size)};
+    link = {during(start, end, link.linear), during(start, end, link.offset), during(start, end, link.rotation)};
   }
   return links;
 }
@@ -188,7 +192,7 @@ std::vector<Motion<double>> weight_motions(const WeightTrack& track, double star
     for (const auto& key : track.weights.keys) one.keys.push_back({key.time, key.value[i] * Point3::UnitX()});
     for (const auto& t : track.weights.tangents)
       one.tangents.push_back({t.into[i] * Point3::UnitX(), t.out[i] * Point3::UnitX()});
-    out.push_back(vector_motion(one, start, end, by_length));
+    out.push_back(during(start, end, vector_motion(one, start, end, by_length)));
   }
   return out;
 }
