@@ -152,8 +152,13 @@ class Search {
     vertices_.place(time, side, slack.followed, points_);
     ++moments_;
     const Values values = functions_.greatest(points_, slack.beyond);
-    if (is_shared) raise(seen_, values), known_.emplace(std::pair{time, side}, values);
-    else raise(seen_, functions_.greatest(points_, {}));
+    if (is_shared) {
+      known_.emplace(std::pair{time, side}, values);
+      raise(seen_, values);
+    } else {
+      vertices_.place(time, side, Followed::skinned, points_);
+      raise(seen_, functions_.greatest(points_, {}));
+    }
     return values;
   }
 
@@ -240,6 +245,7 @@ Box<float> rounded_outward(const Box<double>& box) {
 }
 
 Ball3<float> rounded_outward(const Ball3<double>& ball) {
+  const DefaultFloatEnvironment environment;
   constexpr double largest = std::numeric_limits<float>::max();
   const Vec<float, 3> center = ball.center.cwiseMax(-largest).cwiseMin(largest).cast<float>();
   const Point3 way = center.cast<double>() - ball.center;
