@@ -15,8 +15,8 @@
 namespace refitlab {
 namespace {
 
-constexpr int frames_shown = 32;    // of a clip
-constexpr int moments_between = 8;  // looked at between two sampled times
+constexpr int frames_shown = 32;       // of a clip
+constexpr int moments_between = 8;     // looked at between two sampled times
 constexpr int moments_on_chart = 100;  // or more
 constexpr double least_miss = 1e-6;    // as a share of a side: less is rounding
 

@@ -59,7 +59,8 @@ PROPTEST(cluster_bounds) {
                   again.clips[k].clusters[c].ball.center == bounds.clips[k].clusters[c].ball.center &&
                   again.clips[k].clusters[c].ball.radius == bounds.clips[k].clusters[c].ball.radius);
     }
-    for (std::size_t c = 0; c < bounds.clusters.size(); ++c) RC_ASSERT(again.clusters[c].triangles == bounds.clusters[c].triangles);
+    for (std::size_t c = 0; c < bounds.clusters.size(); ++c)
+      RC_ASSERT(again.clusters[c].triangles == bounds.clusters[c].triangles);
   });
   t.holds("a file that ends anywhere, or has another byte, is refused", {.number_type = "float", .cases = 50}, [] {
     const std::string bytes = bytes_of(drawn_bounds());
@@ -78,30 +79,34 @@ PROPTEST(cluster_bounds) {
     const std::string sealed_again = sealed("rfltimes", 1, std::string_view(bytes).substr(28));
     reason_against(sealed_again);
   });
-  t.example("indices out of range, reversed boxes, numbers that are none, and a list without a rest pose are refused by name", {}, [] {
-    ClusterBounds good;
-    good.primitives = {{0, 0, 0, 0}}, good.clusters = {{0, {0, 1}}};
-    good.clips = {{"", 0, {{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, 2}}}}};
-    const auto reason = [&](auto&& change) {
-      ClusterBounds bad = good;
-      change(bad);
-      return reason_against(bytes_of(bad));
-    };
-    const float nan = std::nanf("");
-    return Checked(
-        reason_against(bytes_of(good)).empty() &&
-            reason([](auto& b) { b.clusters[0].primitive = 1; }) == "test: cluster 0: its primitive is out of range" &&
-            reason([](auto& b) { b.clusters[0].primitive = -1; }) == "test: cluster 0: its primitive is out of range" &&
-            reason([](auto& b) { b.clusters[0].triangles[1] = -1; }) == "test: cluster 0: a triangle is out of range" &&
-            reason([](auto& b) { b.clips.clear(); }) == "test: clips: the rest pose is missing" &&
-            reason([](auto& b) { b.clips[0].duration = -1; }) == "test: clip '': its duration is not a time" &&
-            reason([](auto& b) { b.clips[0].clusters.clear(); }) == "test: clip '': it does not have a bound for each cluster" &&
-            reason([](auto& b) { b.clips[0].clusters[0].box.low[1] = 2; }) == "test: clip '', cluster 0: its bound is none" &&
-            reason([&](auto& b) { b.clips[0].clusters[0].box.high[2] = nan; }) == "test: clip '', cluster 0: its bound is none" &&
-            reason([&](auto& b) { b.clips[0].clusters[0].ball.center[0] = nan; }) == "test: clip '', cluster 0: its bound is none" &&
-            reason([](auto& b) { b.clips[0].clusters[0].ball.radius = -1; }) == "test: clip '', cluster 0: its bound is none",
-        11);
-  });
+  t.example(
+      "indices out of range, reversed boxes, numbers that are none, and a list without a rest pose are refused by name", {}, [] {
+        ClusterBounds good;
+        good.primitives = {{0, 0, 0, 0}}, good.clusters = {{0, {0, 1}}};
+        good.clips = {{"", 0, {{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, 2}}}}};
+        const auto reason = [&](auto&& change) {
+          ClusterBounds bad = good;
+          change(bad);
+          return reason_against(bytes_of(bad));
+        };
+        const float nan = std::nanf("");
+        return Checked(
+            reason_against(bytes_of(good)).empty() &&
+                reason([](auto& b) { b.clusters[0].primitive = 1; }) == "test: cluster 0: its primitive is out of range" &&
+                reason([](auto& b) { b.clusters[0].primitive = -1; }) == "test: cluster 0: its primitive is out of range" &&
+                reason([](auto& b) { b.clusters[0].triangles[1] = -1; }) == "test: cluster 0: a triangle is out of range" &&
+                reason([](auto& b) { b.clips.clear(); }) == "test: clips: the rest pose is missing" &&
+                reason([](auto& b) { b.clips[0].duration = -1; }) == "test: clip '': its duration is not a time" &&
+                reason([](auto& b) { b.clips[0].clusters.clear(); }) ==
+                    "test: clip '': it does not have a bound for each cluster" &&
+                reason([](auto& b) { b.clips[0].clusters[0].box.low[1] = 2; }) == "test: clip '', cluster 0: its bound is none" &&
+                reason([&](auto& b) { b.clips[0].clusters[0].box.high[2] = nan; }) ==
+                    "test: clip '', cluster 0: its bound is none" &&
+                reason([&](auto& b) { b.clips[0].clusters[0].ball.center[0] = nan; }) ==
+                    "test: clip '', cluster 0: its bound is none" &&
+                reason([](auto& b) { b.clips[0].clusters[0].ball.radius = -1; }) == "test: clip '', cluster 0: its bound is none",
+            11);
+      });
 }
 
 }  // namespace proptests::suite_cluster_bounds

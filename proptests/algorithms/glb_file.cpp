@@ -37,8 +37,7 @@ PROPTEST(glb_file) {
     const auto chunks = drawn_chunks();
     const auto again = read_glb(glb_of(chunks, "test.glb"), "test.glb");
     RC_ASSERT(again.size() == chunks.size());
-    for (std::size_t i = 0; i < chunks.size(); ++i)
-      RC_ASSERT(again[i].type == chunks[i].type && again[i].data == chunks[i].data);
+    for (std::size_t i = 0; i < chunks.size(); ++i) RC_ASSERT(again[i].type == chunks[i].type && again[i].data == chunks[i].data);
   });
   t.holds("a file that ends anywhere, or goes on, is refused", {.number_type = "bytes", .cases = 100}, [] {
     const std::string bytes = glb_of(drawn_chunks(), "test.glb");

@@ -82,7 +82,8 @@ PROPTEST(json_splice) {
             Json expected = root;
             Json* at = &expected;
             for (const auto& step : path)
-              at = std::holds_alternative<std::string>(step) ? &(*at)[std::get<std::string>(step)] : &(*at)[std::get<std::size_t>(step)];
+              at = std::holds_alternative<std::string>(step) ? &(*at)[std::get<std::string>(step)]
+                                                             : &(*at)[std::get<std::size_t>(step)];
             if (at->is_null()) *at = Json::object();
             const bool is_replaced = at->contains(name);
             (*at)[name] = Json::parse(value);

@@ -68,8 +68,8 @@ void tamper(const std::string& path, const std::string& to) {
 }  // namespace
 
 PROPTEST(program) {
-  t.example("every vertex of a file of all features is inside of its bounds, by the file's own formulas, at 400 times", {.number_type = "double"},
-            [] {
+  t.example("every vertex of a file of all features is inside of its bounds, by the file's own formulas, at 400 times",
+            {.number_type = "double"}, [] {
               long looked_at = 0, missed = 0;
               for (const bool uneven : {false, true})
                 for (const bool moving : {false, true}) {
@@ -104,7 +104,8 @@ PROPTEST(program) {
             });
   t.example("a baked file is checked, read and baked again; a box that is half as high is found", {}, [] {
     const Rich rich(true, true, {"--for", "any", "--json", "/dev/null", "--quiet"});
-    const std::string baked = rich.folder.file("out.glb"), again = rich.folder.file("again.glb"), bad = rich.folder.file("bad.glb");
+    const std::string baked = rich.folder.file("out.glb"), again = rich.folder.file("again.glb"),
+                      bad = rich.folder.file("bad.glb");
     const Called checked = call({"check", "--samples", "50", baked});
     const Called twice = call({"bake", "--clusters", "4", "--for", "any", baked, again});
     tamper(baked, bad);
@@ -117,11 +118,12 @@ PROPTEST(program) {
   t.example("info, collide and report say what they should of a file, and help what a command takes", {}, [] {
     const Rich rich(false, false, {"--report", "report.html"});
     const std::string in = rich.folder.file("in.glb");
-    const Called info = call({"info", in}), collide = call({"collide", "--pairs", in, in}), apart = call({"collide", in, in, "--at", "1000", "0", "0"});
+    const Called info = call({"info", in}), collide = call({"collide", "--pairs", in, in}),
+                 apart = call({"collide", in, in, "--at", "1000", "0", "0"});
     const std::string page = read_whole("report.html");
     std::filesystem::remove("report.html");
-    bool good = rich.called.code == 0 && info.code == 0 && info.out.find("clips         1\n") != std::string::npos && collide.code == 0 &&
-                !collide.out.starts_with("0 ") && apart.out == "0 pairs of triangles touch\n" &&
+    bool good = rich.called.code == 0 && info.code == 0 && info.out.find("clips         1\n") != std::string::npos &&
+                collide.code == 0 && !collide.out.starts_with("0 ") && apart.out == "0 pairs of triangles touch\n" &&
                 page.find("\"file\":\"in.glb\"") != std::string::npos && page.find("/*DATA*/") == std::string::npos;
     for (const char* command : {"bake", "info", "check", "collide"}) {
       const Called help = call({command, "--help"});
@@ -129,40 +131,43 @@ PROPTEST(program) {
     }
     return Checked(good && call({"--help"}).code == 0 && call({}).code == 2, 10, info.errors + collide.errors + apart.errors);
   });
-  t.example("wrong calls exit with 2, files that cannot be used with 3, each with a line that says why, and nothing is written", {}, [] {
-    const Rich rich(true, false);
-    const gen::TemporaryFolder& folder = rich.folder;
-    const std::string in = folder.file("in.glb"), out = folder.file("never.glb"), broken = folder.file("broken.glb");
-    const std::string bytes = read_whole(in);
-    const auto fails = [&](int code, const std::vector<std::string>& arguments, const std::string& reason) {
-      const Called called = call(arguments);
-      return called.code == code && called.errors.find(reason) != std::string::npos && !std::filesystem::exists(out);
-    };
-    bool good = fails(2, {"bake", in}, "it takes a file more: OUT.glb") && fails(2, {"frob"}, "there is no command frob") &&
-                fails(2, {"bake", "--skinning", "cubic", in, out}, "there is no such skinning") &&
-                fails(2, {"bake", "--clusters", "5", in, out}, "a multiple of 4") &&
-                fails(2, {"bake", "--tolerance", "0", in, out}, "a number above 0") &&
-                fails(2, {"bake", "--for", "ever", in, out}, "there are clip and any") &&
-                fails(2, {"bake", "--nonsense", in, out}, "nonsense") && fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
-                fails(2, {"collide", in, in, "--at", "1", "2"}, "three numbers") &&
-                fails(3, {"bake", folder.file("none.glb"), out}, "none.glb") && fails(3, {"check", in}, "it was not baked") &&
-                fails(3, {"collide", "--clip-a", "none", in, in}, "clip 'none'") &&
-                fails(3, {"bake", "--skinning", "dual-quaternion", in, out}, "skin matrix") &&  // its joints scale unevenly
-                fails(3, {"bake", in, folder.file("no/such") + std::string("\0", 1) + "x"}, "");
-    for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
-      write_whole(broken, bytes.substr(0, size));
-      good = good && fails(3, {"bake", broken, out}, "broken.glb");
-    }
-    std::string extras = bytes;  // extras that are no object
-    const std::vector<GlbChunk> chunks = read_glb(bytes, in);
-    json description = json::parse(chunks[0].data);
-    description["meshes"][0]["extras"] = 7;
-    std::vector<GlbChunk> other = chunks;
-    other[0].data = description.dump();
-    write_whole(broken, glb_of(other, broken));
-    good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
-    return Checked(good, 110);
-  });
+  t.example("wrong calls exit with 2, files that cannot be used with 3, each with a line that says why, and nothing is written",
+            {}, [] {
+              const Rich rich(true, false);
+              const gen::TemporaryFolder& folder = rich.folder;
+              const std::string in = folder.file("in.glb"), out = folder.file("never.glb"), broken = folder.file("broken.glb");
+              const std::string bytes = read_whole(in);
+              const auto fails = [&](int code, const std::vector<std::string>& arguments, const std::string& reason) {
+                const Called called = call(arguments);
+                return called.code == code && called.errors.find(reason) != std::string::npos && !std::filesystem::exists(out);
+              };
+              bool good =
+                  fails(2, {"bake", in}, "it takes a file more: OUT.glb") && fails(2, {"frob"}, "there is no command frob") &&
+                  fails(2, {"bake", "--skinning", "cubic", in, out}, "there is no such skinning") &&
+                  fails(2, {"bake", "--clusters", "5", in, out}, "a multiple of 4") &&
+                  fails(2, {"bake", "--tolerance", "0", in, out}, "a number above 0") &&
+                  fails(2, {"bake", "--for", "ever", in, out}, "there are clip and any") &&
+                  fails(2, {"bake", "--nonsense", in, out}, "nonsense") &&
+                  fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
+                  fails(2, {"collide", in, in, "--at", "1", "2"}, "three numbers") &&
+                  fails(3, {"bake", folder.file("none.glb"), out}, "none.glb") && fails(3, {"check", in}, "it was not baked") &&
+                  fails(3, {"collide", "--clip-a", "none", in, in}, "clip 'none'") &&
+                  fails(3, {"bake", "--skinning", "dual-quaternion", in, out}, "skin matrix") &&  // its joints scale unevenly
+                  fails(3, {"bake", in, folder.file("no/such") + std::string("\0", 1) + "x"}, "");
+              for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
+                write_whole(broken, bytes.substr(0, size));
+                good = good && fails(3, {"bake", broken, out}, "broken.glb");
+              }
+              std::string extras = bytes;  // extras that are no object
+              const std::vector<GlbChunk> chunks = read_glb(bytes, in);
+              json description = json::parse(chunks[0].data);
+              description["meshes"][0]["extras"] = 7;
+              std::vector<GlbChunk> other = chunks;
+              other[0].data = description.dump();
+              write_whole(broken, glb_of(other, broken));
+              good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
+              return Checked(good, 110);
+            });
 }
 
 }  // namespace proptests::suite_program
