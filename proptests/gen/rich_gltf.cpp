@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix4d, Eigen::Vector3d;
 using nlohmann::json;
 
-enum : int { root, armature, body_node, bone, between, second_bone, fan_node, tip, again, loose };
+enum : int { root, armature, body_node, bone, node_between, second_bone, fan_node, tip, again, loose };
 
 const double half = std::sqrt(0.5);
 const std::vector<double> default_weights = {0.5, 0.25}, last_weights = {1, -0.5};
@@ -95,7 +95,7 @@ void RichGltf::add_nodes() {
                {"scale", {0.5, 0.5, 0.5}}});
   add("", {{"children", {body_node, bone}}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 1, 0, 1}}});
   add("skin", {{"mesh", 0}, {"skin", 0}, {"translation", {9, 9, 9}}, {"scale", {7, 8, 9}}});
-  add("bone", {{"children", {between}}, {"translation", {0, 1, 0}}});
+  add("bone", {{"children", {node_between}}, {"translation", {0, 1, 0}}});
   add("between", {{"children", {second_bone}}, {"rotation", {half, 0, 0, half}}});
   add("bone", {{"children", {tip, loose}}, {"translation", {0, 1, 0}}});
   add("skin", {{"mesh", 1}, {"skin", 1}});
@@ -117,7 +117,7 @@ Matrix4d RichGltf::local(int node, double t) const {
                            (3 * s * s - 2 * s * s * s) * to + 2 * (s * s * s - s * s) * into,
                        still, ones);
     }
-    case between: return transform(Vector3d::Zero(), about(Vector3d::UnitX(), 90), ones);
+    case node_between: return transform(Vector3d::Zero(), about(Vector3d::UnitX(), 90), ones);
     case second_bone: return transform(up, about(Vector3d::UnitZ(), 90 * std::min(t, 2 - t)), ones);
     case tip: return transform(up, about(Vector3d::UnitX(), t >= 0.5 && t < 1.5 ? 60 : 0), {1, uneven_ ? 1 + t / 4 : 1, 1});
     case loose: return transform({0.25, 0, 0}, still, 3 * ones);
@@ -126,7 +126,7 @@ Matrix4d RichGltf::local(int node, double t) const {
 }
 
 Matrix4d RichGltf::global(int node, double time) const {
-  constexpr int parents[] = {-1, root, armature, armature, bone, between, root, second_bone, root, second_bone};
+  constexpr int parents[] = {-1, root, armature, armature, bone, node_between, root, second_bone, root, second_bone};
   Matrix4d out = local(node, time);
   for (int n = parents[node]; n >= 0; n = parents[n]) out = local(n, time) * out;
   return out;
