@@ -90,14 +90,14 @@ def numbers(results):
     out["batch.least"], out["batch.most"] = (digits(v, 2) for v in span(batch_gains(results)))
     for scene in SCENES:
         out[f"engine.{scene}"] = digits(fastest_engine(results, scene) / time_of(results, scene, "clusters"), 2)
-        out[f"skinall.{scene}"] = digits(time_of(results, scene, "skin_all_simd") / time_of(results, scene, "clusters"), 2)
+        out[f"skinall.{scene}"] = digits(time_of(results, scene, "skin_all_float") / time_of(results, scene, "clusters"), 2)
         out[f"repaired.{scene}"] = digits(time_of(results, scene, "spherical_repaired") / time_of(results, scene, "clusters"), 2)
     most = largest_growth(results)
     out["growth.triangles"] = whole_number(most)
     for scene in GROWN_SCENES:
         out[f"growth.engine.{scene}"] = digits(
             grown_time(results, most, scene, "embree") / grown_time(results, most, scene, "clusters"), 2)
-    for detector in ["clusters", "skin_all_simd", "embree"]:
+    for detector in ["clusters", "skin_all_float", "embree"]:
         for scene in GROWN_SCENES:
             out[f"exponent.{detector}.{scene}"] = f"${digits(growth.triangle_exponent(results, scene, detector), 2)}$"
     joints, sets = max(results.distinct("joint_growth", "joints")), results.values("joint_growth", variant="own", quantity="joint_sets")
@@ -200,7 +200,7 @@ def rounding_table(results):
 
 def collision_table(results):
     names = [("clusters", "clusters (ours)"), ("spherical_repaired", "spheres on demand, repaired"),
-             ("control_mixed", "spheres on demand, default"), None, ("skin_all_simd", "skin all in SIMD, boxes"),
+             ("control_mixed", "spheres on demand, default"), None, ("skin_all_float", "skin all in float, boxes"),
              ("aabb_tree", "skin all, boxes bottom-up"), ("brown", "skin all, spheres bottom-up \\cite{Brown2001}"),
              ("embree", "Embree"), ("bullet_gimpact", "Bullet GImpact"), ("fcl_aabb", "FCL, boxes"),
              ("fcl_obbrss", "FCL, OBB-RSS"), None]
@@ -262,7 +262,7 @@ def tightness_plot(results, model, pose):
 
 
 def growth_plot(results, scene):
-    detectors = ["clusters", "spherical_repaired", "control_mixed_through_descendants", "skin_all_simd", "embree"]
+    detectors = ["clusters", "spherical_repaired", "control_mixed_through_descendants", "skin_all_float", "embree"]
     sizes = sorted(results.distinct("triangle_growth", "triangles"))
     lines = ["triangles " + " ".join(detectors)]
     lines += [f"{n} " + " ".join(str(grown_time(results, n, scene, d)) for d in detectors) for n in sizes]

@@ -44,7 +44,7 @@ def queries_block(results):
     most = content.largest_growth(results)
     cpu = results.provenance["collision"]["cpu"]
     rows = []
-    for name, detector in [("`collide(ClusterBody, …)`", "clusters"), ("skin everything in SIMD, refit boxes bottom-up", "skin_all_simd"),
+    for name, detector in [("`collide(ClusterBody, …)`", "clusters"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
                            ("the fastest of Embree, FCL and Bullet", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
         times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
         times += [content.grown_time(results, most, s, detector or "embree") for s in content.GROWN_SCENES]

@@ -10,11 +10,13 @@ namespace refitlab {
 std::vector<DetectorKind> baseline_kinds();
 // Those that were found when this was configured.
 std::vector<DetectorKind> engine_kinds();
+// Another kind behind a first test of boxes (bounded_detector.cpp). The kind's name gets "_bounded".
+DetectorKind bounded_kind(const DetectorKind& kind);
 // The engines that were not.
 std::vector<std::string> absent_engines();
 
 using Maker = std::unique_ptr<Detector>(const Character& character);
-Maker make_brown, make_aabb_tree, make_skin_all_simd, make_skin_all_float, make_cgal_aabb;
+Maker make_brown, make_aabb_tree, make_skin_all_float, make_cgal_aabb, make_spatial_hash;
 Maker make_fcl_aabb, make_fcl_kdop16, make_fcl_obbrss;
 Maker make_bullet_dbvt, make_bullet_gimpact;
 Maker make_embree;

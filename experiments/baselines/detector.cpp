@@ -8,6 +8,7 @@ const char* name_of(Origin origin) {
     case Origin::own: return "own";
     case Origin::baseline: return "baseline";
     case Origin::engine: return "engine";
+    case Origin::bounded: return "bounded";
     case Origin::oracle: break;
   }
   return "oracle";

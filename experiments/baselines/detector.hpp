@@ -67,6 +67,7 @@ enum class Origin {
   own,       // ours, on demand
   baseline,  // skins everything; written here
   engine,    // skins everything for a general-purpose engine
+  bounded,   // a baseline or an engine that is asked only where the characters' bounds meet
   oracle     // tries all pairs; no detector, but a row of results
 };
 

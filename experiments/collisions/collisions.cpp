@@ -112,7 +112,7 @@ void print(const std::vector<CollisionResult>& results) {
   for (const CollisionResult& r : results)
     std::printf(
         "  %-32s %7.1f pairs %9.1f us (palette %6.1f skinning %6.1f refit %8.1f query %8.1f) %7.3f of the fastest engine "
-        "%7.3f of skin_all_simd "
+        "%7.3f of skin_all_float "
         "%10.1f volume tests %8.1f nodes refitted %8.1f triangle tests\n",
         r.detector.c_str(), r.pairs, r.us_per_frame, r.stages_us[0], r.stages_us[1], r.stages_us[2], r.stages_us[3],
         r.ratio_to_engine, r.ratio_to_skin_all, r.volume_tests, r.nodes_refitted, r.triangle_tests);
@@ -146,7 +146,7 @@ std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Scenario&
     };
     r.us_per_frame = median(times.at(r.detector)) / 1000;
     r.ratio_to_engine = ratio_to(engine);
-    r.ratio_to_skin_all = ratio_to("skin_all_simd");
+    r.ratio_to_skin_all = ratio_to("skin_all_float");
     r.ratio_to_repaired = ratio_to("spherical_repaired");
   }
   return results;

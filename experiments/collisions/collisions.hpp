@@ -30,7 +30,7 @@ struct CollisionResult {
   std::vector<double> share_refitted;  // by level - 1, of both trees' balls; where the detector refits on demand
   double us_per_frame = 0;             // from poses to pairs
   StageTimes stages_us{};              // the same in stages, of passes by themselves
-  // Of the time, to: the fastest engine here, skin_all_simd, spherical_repaired.
+  // Of the time, to: the fastest engine here, skin_all_float, spherical_repaired.
   double ratio_to_engine = 0, ratio_to_skin_all = 0, ratio_to_repaired = 0;
 };
 

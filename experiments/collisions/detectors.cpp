@@ -12,7 +12,10 @@ namespace refitlab {
 const std::vector<DetectorKind>& detector_kinds() {
   static const std::vector<DetectorKind> all = [] {
     std::vector<DetectorKind> kinds = on_demand_kinds();
-    for (const auto& more : {cluster_kinds(), baseline_kinds(), engine_kinds()})
+    std::vector<DetectorKind> bounded;
+    for (const auto& others : {baseline_kinds(), engine_kinds()})
+      for (const DetectorKind& kind : others) bounded.push_back(bounded_kind(kind));
+    for (const auto& more : {cluster_kinds(), baseline_kinds(), engine_kinds(), bounded})
       kinds.insert(kinds.end(), more.begin(), more.end());
     return kinds;
   }();

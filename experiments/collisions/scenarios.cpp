@@ -31,7 +31,7 @@ Point3 deformed_center(const AnimatedCharacter& c, const Pose& pose) {
 
 class PairCounter {
  public:
-  explicit PairCounter(const AnimatedCharacter& c) : detector_(detector_kind("skin_all_simd").make(c)) {}
+  explicit PairCounter(const AnimatedCharacter& c) : detector_(detector_kind("skin_all_float").make(c)) {}
 
   // By frame, in increasing order.
   std::vector<long> pairs(const std::vector<ScenarioFrame>& frames) {

@@ -15,7 +15,7 @@ namespace refitlab {
 namespace {
 
 constexpr const char* scene_names[] = {"near", "light", "heavy"};
-constexpr const char* reference = "skin_all_simd";
+constexpr const char* reference = "skin_all_float";
 constexpr const char* detectors[] = {
     "clusters", "spherical_repaired", "control_mixed", "control_mixed_through_descendants", reference, "embree"};
 

@@ -20,7 +20,7 @@ struct TriangleGrowth {
   CollisionResult result;  // of a full query in the scene near, light or heavy
 };
 
-// By scene, number and detector: clusters, on demand by three variants, skin_all_simd, which the others must agree with,
+// By scene, number and detector: clusters, on demand by three variants, skin_all_float, which the others must agree with,
 // and Embree.
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings);
 

@@ -23,9 +23,7 @@ struct Extreme {
 class Scene {
  public:
   Scene(const Model& model, Skinning skinning, std::vector<Point3> directions)
-      : model_(model),
-        animation_(model.clips[0].animation),
-        skinning_(skinning),
+      : animation_(model.clips[0].animation),
         sets_(model),
         joints_(model, animation_, skinning != Skinning::linear),
         vertices_(joints_, sets_, skinning, all_vertices(model)),
@@ -126,9 +124,7 @@ class Scene {
     return v;
   }
 
-  const Model& model_;
   const Animation& animation_;
-  Skinning skinning_;
   JointSets sets_;
   AnimatedJoints joints_;
   MovingVertices vertices_;

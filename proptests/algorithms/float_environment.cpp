@@ -216,11 +216,13 @@ std::vector<Entry> query_entries() {
            ClusterBody a(tree, skinning), b(tree, skinning);
            a.begin(w.pose, {}), b.begin(w.pose, w.near);
            out.add(a.motion_bound());
-           for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f) out.add(a.wide_node_box(static_cast<int>(f)));
+           for (std::size_t f = 0; f < tree.wide_nodes().size(); ++f)
+             out.add(box_of<double>(a.wide_node_box(static_cast<int>(f))));
            for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
              const int cluster = static_cast<int>(c);
-             out.add(a.cluster_box(cluster));
-             for (const auto& side : a.triangle_boxes(cluster, 0).side) out.add(side[0]);
+             out.add(box_of<double>(a.clusters().cluster(cluster).box));
+             out.add(a.clusters().cluster(cluster).xyz()[0]);
+             for (const double x : a.clusters().corner(cluster, 0).of) out.add(x);
            }
            for (const Point3& p : b.triangle(5)) out.add(p);
            QueryCounts counts;

@@ -11,6 +11,7 @@
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/oracles/placed_box.hpp"
 
 namespace proptests::suite_motion_bound_packs {
 namespace {
@@ -180,7 +181,8 @@ PROPTEST(motion_bound_packs) {
                 for (int wide_node = 0; wide_node < static_cast<int>(tree.wide_nodes().size()); ++wide_node)
                   for (int i = 0; i < tree.wide_nodes()[wide_node].child_count; ++i) {
                     if (tree.child(wide_node, i).cluster < 0) continue;
-                    const Box<double> box = body.child_box(wide_node, i), whole = body.wide_node_box(wide_node);
+                    const Box<double> box = oracle::in_world(body, get_box(body.wide_node_boxes(wide_node), i)),
+                                      whole = oracle::in_world(body, body.wide_node_box(wide_node));
                     RC_ASSERT(holds(box, points, tree.vertices().vertices(tree.child(wide_node, i).cluster)));
                     for (int k = 0; k < 3; ++k) RC_ASSERT(whole.low[k] <= box.low[k] && box.high[k] <= whole.high[k]);
                   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/box_kernel.hpp"
 
-#include <bit>
 #include <limits>
 
 #include "algorithms/runtime/packs/pack.hpp"
@@ -215,19 +214,6 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
   BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
 }
 
-REFITLAB_KERNEL int overlaps(const BoxBlock<double>* blocks, int count, const Box<double>& box, int* out) {
-  return find_meeting(blocks, count, box, out);
-}
-
-REFITLAB_KERNEL std::uint64_t overlapping_pairs(const BoxBlock<double>& a, int count_a, const BoxBlock<double>& b, int count_b) {
-  std::uint64_t pairs = 0;
-  for (int i = 0; i < count_a; ++i) {
-    const std::uint64_t lanes = first_bytes(meeting(b, a.get(i)), count_b);
-    pairs |= (lanes * 0x0102040810204080 >> 56) << 8 * i;  // gathers the bytes' lowest bits
-  }
-  return pairs;
-}
-
 REFITLAB_KERNEL void filter_pairs(const PaddedVertex* corners_a, const PaddedVertex* corners_b,
                                   const TrianglePairCandidate* pairs, int count, Filtered* answers) {
   using S = refitlab::Pack<double>;
@@ -272,37 +258,8 @@ REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const 
     }
 }
 
-RowBox<double> box_at(const PaddedVertex& corner) {
-  RowBox<double> out;
-  read_row(corner.of, out.low);
-  out.high = out.low;
-  return out;
-}
-
-REFITLAB_KERNEL void box_groups(const TriangleGroup* groups, int count, const PaddedVertex* corners, BoxBlock<double>* out,
-                                Box<double>& all) {
-  RowBox<double> whole = box_at(corners[groups[0].corners[0][0]]);
-  for (int g = 0; g < count; ++g) {
-    RowBox<double> box = box_at(corners[groups[g].corners[0][0]]);
-    for (int t = 0; t < groups[g].count; ++t)
-      for (const std::uint16_t place : groups[g].corners[t]) box.merge(box_at(corners[place]));
-    whole.merge(box);
-    out[g / 8].put(g % 8, box);
-  }
-  all = box_of<double>(whole);
-}
-
-REFITLAB_KERNEL void box_triangles(const TriangleGroup& group, const PaddedVertex* corners, BoxBlock<double>& out) {
-  for (int t = 0; t < group.count; ++t) {
-    RowBox<double> box = box_at(corners[group.corners[t][0]]);
-    box.merge(box_at(corners[group.corners[t][1]]));
-    box.merge(box_at(corners[group.corners[t][2]]));
-    out.put(t, box);
-  }
-}
-
 }  // namespace
 
-const BoxKernels box_kernels{bound, overlaps, overlapping_pairs, filter_pairs, place, box_groups, box_triangles};
+const BoxKernels box_kernels{bound, filter_pairs, place};
 
 }  // namespace refitlab::REFITLAB_TARGET

@@ -3,12 +3,8 @@
 // wide nodes are bounded and clusters are skinned where a query reaches them.
 #pragma once
 
-#include "algorithms/runtime/batch/palette_packs.hpp"
-#include "algorithms/runtime/collide/box_kernel.hpp"
-#include "algorithms/runtime/collide/cluster_tree.hpp"
+#include "algorithms/runtime/collide/cluster_pairs.hpp"
 #include "algorithms/runtime/collide/motion_bound.hpp"
-#include "algorithms/runtime/collide/triangles_filter.hpp"
-#include "algorithms/runtime/refit/frame_stamps.hpp"
 
 namespace refitlab {
 
@@ -27,83 +23,62 @@ class ClusterBody {
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound.
   const Box<double>& motion_bound() const { return motion_bound_box_; }
 
-  // These are boxes in the world around all vertices below: those of a wide node's children, in blocks, and that of one
-  // child.
-  const BoxBlock<double>* wide_node_boxes(int wide_node);
-  Box<double> child_box(int wide_node, int child) { return get_box(wide_node_boxes(wide_node), child); }
-  // Returns the box around all of a wide node.
-  const Box<double>& wide_node_box(int wide_node);
+  // These are boxes around all vertices below: those of a wide node's children, in blocks, and that around all of them. They
+  // are seen from clusters().origin(), as ClusterTraversal takes them.
+  const BoxBlock<float>* wide_node_boxes(int wide_node) {
+    if (!wide_nodes_made_.is_made(wide_node)) bound_wide_node(wide_node);
+    return &wide_node_blocks_[first_block_of_wide_node_[wide_node]];
+  }
+  const Box<float>& wide_node_box(int wide_node) {
+    if (!wide_nodes_made_.is_made(wide_node)) bound_wide_node(wide_node);
+    return wide_node_boxes_[wide_node];
+  }
 
-  // These are boxes in the world around the skinned vertices of a cluster's groups, in blocks, and of the whole cluster.
-  const BoxBlock<double>* group_boxes(int cluster) { return skinned(cluster).groups.data(); }
-  const Box<double>& cluster_box(int cluster) { return skinned(cluster).box; }
-  // Returns the boxes around the triangles of a group.
-  const BoxBlock<double>& triangle_boxes(int cluster, int group);
+  // Skins everything. Boxes that are not made yet are those of skinned vertices then.
+  void skin_all();
+  bool is_all_skinned() const { return is_all_skinned_; }
 
-  // Returns a cluster's skinned corners in the world, by position in the cluster: the very doubles that apply(placement,
-  // skin()) yields.
-  const PaddedVertex* corners(int cluster) { return skinned(cluster).corners.data(); }
+  // The clusters, seen from where the placement puts the model's origin.
+  SkinnedClusters& clusters() { return clusters_; }
 
-  // Returns the corners of a single triangle of the model in the world: the same doubles, but without its cluster.
-  TrianglePoints triangle(int triangle);
+  // Returns the corners of a single triangle of the model in the world, without its cluster: the very doubles that
+  // apply(placement, skin()) yields.
+  TrianglePoints triangle(int triangle) { return clusters_.triangle(triangle); }
 
-  // Working storage for one query at a time, so that the query need not allocate its own: positions of boxes, pairs of
-  // triangles whose boxes meet, and the filter's answers.
+  // Working storage for one query at a time, so that the query need not allocate its own.
   struct QueryScratch {
     std::vector<int> hits;
-    std::vector<TrianglePairCandidate> pairs;
-    std::vector<Filtered> answers;
+    ClusterPairRoom pairs;
   };
   QueryScratch& query_scratch() { return query_scratch_; }
 
   // These counts are since begin.
   long nodes_bounded() const { return nodes_bounded_; }
-  long clusters_skinned() const { return clusters_skinned_; }
-  long corners_skinned() const { return corners_skinned_; }
+  long clusters_skinned() const { return clusters_.clusters_skinned(); }
+  long corners_skinned() const { return clusters_.corners_skinned(); }
 
  private:
-  // The skinned part of a cluster. Its storage is allocated when a query first reaches the cluster.
-  struct Skinned {
-    std::vector<PaddedVertex> corners;        // by place
-    std::vector<BoxBlock<double>> groups;     // their boxes, in blocks
-    std::vector<BoxBlock<double>> triangles;  // by group
-    Box<double> box;
-  };
-
-  void make_palettes(std::span<const int> parts);
   void bound_wide_node(int wide_node);
   void bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
-  void skin_cluster(int cluster);
-  const Skinned& skinned(int cluster) {
-    if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
-    return skinned_[cluster];
-  }
+  void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
 
   const ClusterTree& tree_;
   const Skinning skinning_;
-  const BoxKernels& kernels_;
   MotionBound motion_bound_;
-  const PalettePacks palette_packs_;
+  SkinnedClusters clusters_;
   Pose pose_;
   RigidTransform<double> placement_;
   Box<double> motion_bound_box_;
-  SkinningPalette<double> palette_;  // of what parts were made
-  const SkinningPalette<double>::Arrays palette_arrays_;
-  FrameStamps palettes_made_;                       // by part of palette_packs_
-  std::vector<std::vector<int>> parts_of_cluster_;  // of palette_packs_
-  std::vector<int> all_parts_;
   JointFloats joints_;
-  bool are_joints_placed_ = false, are_floats_filled_ = false;
-  FrameStamps wide_nodes_made_, clusters_made_, groups_made_;
+  bool are_joints_placed_ = false, are_floats_filled_ = false, is_all_skinned_ = false;
+  FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;
-  std::vector<BoxBlock<double>> wide_node_blocks_;
-  std::vector<Box<double>> wide_node_boxes_;
-  SkinnedVertices unplaced_;         // of the cluster in work, in model space
-  std::vector<Skinned> skinned_;     // by cluster
+  std::vector<BoxBlock<float>> wide_node_blocks_;
+  std::vector<Box<float>> wide_node_boxes_;
   std::vector<FlippedBox> flipped_;  // of the wide node in work, and its boxes
   std::vector<Box<double>> boxes_;
   QueryScratch query_scratch_;
-  long nodes_bounded_ = 0, clusters_skinned_ = 0, corners_skinned_ = 0;
+  long nodes_bounded_ = 0;
 };
 
 }  // namespace refitlab

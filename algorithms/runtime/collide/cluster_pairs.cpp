@@ -44,6 +44,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
       counts_(counts),
       room_(room) {
   const DefaultFloatEnvironment environment;
+  room.open.clear();  // a query that ends early leaves what it need not know
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
     const double offset = second.origin()[i] - first.origin()[i];
@@ -53,7 +54,8 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
   lost_ = 0x1p-22f * static_cast<float>(largest);
   room.first.reserve(first.tree().most_triangles(), first.tree().most_vertices());
   room.second.reserve(second.tree().most_triangles(), second.tree().most_vertices());
-  const std::size_t pairs = std::max(pairs_at_once, Lanes<float>::count * first.tree().most_triangles());
+  const std::size_t pairs =
+      std::max(pairs_at_once, Lanes<float>::count * std::max(first.tree().most_triangles(), second.tree().most_triangles()));
   for (auto* list : {&room.of_first, &room.of_second, &room.meet, &room.unknown}) reserve_at_least(*list, pairs);
 }
 
@@ -62,6 +64,7 @@ void ClusterPairs::add(int a, int b) {
   const FloatCluster &of_a = first_.cluster(a), &of_b = second_.cluster(b);
   const Box<float> box_b = moved(of_b.box);
   if (are_apart(of_a.box, box_b)) return;
+  first_.reach(a), second_.reach(b);
   const float slack = std::max(of_a.slack, of_b.slack + lost_);
   // A point of both is in both boxes.
   Box<float> common = of_a.box;
@@ -87,12 +90,17 @@ void ClusterPairs::add(int a, int b) {
   count_b = kernels_.keep(count_b, all_a, candidates_b);
   count_a = kernels_.keep(count_a, all_b, candidates_a);
   if (count_a == 0 || count_b == 0) return;
+  // Those of one body are gone through one by one, and those of the other in whole blocks: the way that has less to compare.
   constexpr int block = Lanes<float>::count;
-  const int blocks_at_once = std::max(1, pairs_at_once / (block * count_a));
-  for (int begin = 0; begin < count_b; begin += block * blocks_at_once) {
-    const int end = std::min(count_b, begin + block * blocks_at_once);
-    const int count = kernels_.meeting(candidates_a, count_a, candidates_b, begin, end, 2 * slack, room_.of_first.data(),
-                                       room_.of_second.data());
+  const bool is_first_in_blocks = count_b * blocks_for<float>(count_a) < count_a * blocks_for<float>(count_b);
+  const int single = is_first_in_blocks ? count_b : count_a, in_blocks = is_first_in_blocks ? count_a : count_b;
+  const int step = block * std::max(1, pairs_at_once / (block * single));
+  for (int begin = 0; begin < in_blocks; begin += step) {
+    const int end = std::min(in_blocks, begin + step);
+    const int count = is_first_in_blocks ? kernels_.meeting(candidates_b, count_b, candidates_a, begin, end, 2 * slack,
+                                                            room_.of_second.data(), room_.of_first.data())
+                                         : kernels_.meeting(candidates_a, count_a, candidates_b, begin, end, 2 * slack,
+                                                            room_.of_first.data(), room_.of_second.data());
     filter(a, b, count, slack);
   }
 }

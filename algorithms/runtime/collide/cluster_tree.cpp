@@ -90,9 +90,7 @@ int ClusterTree::add_wide_node(const Part& part) {
 
 int ClusterTree::add_cluster(const Part& part) {
   const int first_triangle = clusters_.empty() ? 0 : clusters_.back().first_triangle + clusters_.back().triangle_count;
-  clusters_.push_back({0, 0, first_triangle, part.triangle_count, static_cast<int>(groups_.size()),
-                       (part.triangle_count + group_size - 1) / group_size});
-  groups_.resize(groups_.size() + clusters_.back().group_count);
+  clusters_.push_back({0, 0, first_triangle, part.triangle_count});
   cluster_parts_.push_back(part);
   return static_cast<int>(clusters_.size()) - 1;
 }
@@ -115,11 +113,7 @@ void ClusterTree::pack_clusters() {
 
     const Part& part = cluster_parts_[c];
     for (int t = 0; t < part.triangle_count; ++t) {
-      TriangleGroup& group = groups_[cluster.first_group + t / group_size];
       const int triangle = character_->tree.triangle_order[part.first_triangle + t];
-      group.count = t % group_size + 1;
-      group.triangles[t % group_size] = triangle;
-      for (int i = 0; i < 3; ++i) group.corners[t % group_size][i] = place_of[mesh.triangles[triangle][i]];
       triangles_.push_back(triangle);
       for (int i = 0; i < 3; ++i) corners_[i].push_back(place_of[mesh.triangles[triangle][i]]);
     }

@@ -11,7 +11,6 @@
 #include "algorithms/runtime/collide/box_packs.hpp"
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
-#include "algorithms/runtime/collide/triangle_group.hpp"
 
 namespace refitlab {
 
@@ -27,7 +26,6 @@ struct Cluster {
   int padded_vertex_count;  // the positions of its group of vertices()
   int first_vertex;         // how many positions the clusters before it have
   int first_triangle, triangle_count;
-  int first_group, group_count;
 };
 
 // A node in a wide node. It is a cluster, or it is opened into a wide node of its own.
@@ -52,9 +50,6 @@ class ClusterTree {
   }  // the root's first; its children are wide nodes with larger indices
   const WideNodeChild& child(int wide_node, int i) const { return children_[wide_nodes_[wide_node].first_child + i]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
-  int group_count() const { return static_cast<int>(groups_.size()); }
-  // Returns a group by its position in the cluster. The groups behind it follow in memory.
-  const TriangleGroup& group(int cluster, int i) const { return groups_[clusters_[cluster].first_group + i]; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
   const FloatVertices& floats() const { return floats_; }       // the same
 
@@ -89,7 +84,6 @@ class ClusterTree {
   std::vector<WideNode> wide_nodes_;
   std::vector<WideNodeChild> children_;
   std::vector<Cluster> clusters_;
-  std::vector<TriangleGroup> groups_;
   std::vector<Part> cluster_parts_;
   std::vector<std::uint16_t> corners_[3];
   std::vector<int> triangles_;

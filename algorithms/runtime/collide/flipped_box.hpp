@@ -21,11 +21,12 @@ struct alignas(32) FlippedBox {
 template <class Pack>
 [[gnu::always_inline]] inline void merge_lanes(const Box<Pack>& lanes, const int* target, FlippedBox* boxes) {
   constexpr int width = static_cast<int>(Pack::size());
-  alignas(64) float sides[8][width] = {}, rows[8 * width];
+  alignas(64) float sides[8][width], rows[8 * width];
   for (int i = 0; i < 3; ++i) {
     lanes.low[i].copy_to(sides[i], std::experimental::vector_aligned);
     Pack(-lanes.high[i]).copy_to(sides[4 + i], std::experimental::vector_aligned);
   }
+  for (const int unused : {3, 7}) Pack(0.f).copy_to(sides[unused], std::experimental::vector_aligned);
   if constexpr (width >= 8) {
     for (int block = 0; block < width; block += 8) {
       const float* from[8];

@@ -31,6 +31,8 @@ class PairMemory {
 
   // Whether the bounds of the two bodies met when they were last compared.
   bool are_near = false;
+  // Whether the last full query reached most of their clusters. Then bounding them costs more than it saves.
+  bool are_entangled = false;
 
  private:
   std::vector<TrianglePair> pairs_;

@@ -30,6 +30,7 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
       palette_arrays_(palette_packs_.room(palette_)),
       clusters_made_(tree.clusters().size()),
       blocks_made_((tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count) / Lanes<double>::count),
+      reached_(tree.clusters().size()),
       clusters_(tree.clusters().size()) {}
 
 void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin) {
@@ -42,19 +43,23 @@ void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& plac
   float_placement_.defect = std::abs(squared_norm(placement.rotation) - 1);
   // The world's doubles are the sum of a turned vertex and the translation, and the origin is subtracted from both.
   float_placement_.lost = 0x1p-51 * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
-  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
-  clusters_skinned_ = corners_skinned_ = 0;
+  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin(), reached_.begin();
+  clusters_skinned_ = corners_skinned_ = clusters_reached_ = 0;
 }
 
 void SkinnedClusters::make_all_palettes() {
   const DefaultFloatEnvironment environment;
-  for (int part = 0; part < palette_packs_.part_count(); ++part) {
-    palette_packs_.make_float_part(part, *pose_, float_placement_, float_palette_.data());
-    float_palettes_made_.mark(part);
-  }
+  for (int part = 0; part < palette_packs_.part_count(); ++part) make_float_palette(part);
+}
+
+void SkinnedClusters::make_float_palette(int part) {
+  if (float_palettes_made_.is_made(part)) return;
+  palette_packs_.make_float_part(part, *pose_, float_placement_, float_palette_.data());
+  float_palettes_made_.mark(part);
 }
 
 void SkinnedClusters::skin_all() {
+  if (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl) make_all_palettes();
   for (int c = 0; c < static_cast<int>(clusters_.size()); ++c) cluster(c);
 }
 
@@ -74,11 +79,7 @@ bool SkinnedClusters::can_skin_in_float(int n) {
   if (skinning_ != Skinning::spherical && skinning_ != Skinning::hejl) return false;
   bool can = true;
   for (const FloatRun& run : tree_.floats().runs(n)) {
-    const int part = palette_packs_.part_of(run.joint_set);
-    if (!float_palettes_made_.is_made(part)) {
-      palette_packs_.make_float_part(part, *pose_, float_placement_, float_palette_.data());
-      float_palettes_made_.mark(part);
-    }
+    make_float_palette(palette_packs_.part_of(run.joint_set));
     can = can && float_palette_[run.joint_set].slack < infinity;
   }
   return can;
@@ -109,6 +110,11 @@ void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
   out.slack = are_finite ? 2 * roundings(out.box) + float_above(float_placement_.lost + least_float_slack) : infinity;
   if (out.slack < infinity) out.box.grow(out.slack);
   else out.box = Box<float>::everything();
+}
+
+const SkinningPalette<double>& SkinnedClusters::whole_palette() {
+  for (int set = 0; set < tree_.character().sets.count(); ++set) make_palette(set);
+  return palette_;
 }
 
 void SkinnedClusters::make_palette(int joint_set) {

@@ -52,11 +52,24 @@ class SkinnedClusters {
   // The corners of a single triangle of the model in the world: the same doubles.
   TrianglePoints triangle(int triangle);
 
+  // Of each coordinate in the world, in double.
+  double lost() const { return float_placement_.lost; }
+  // The palette of all joint-sets in double.
+  const SkinningPalette<double>& whole_palette();
+
+  // Marks a cluster as one that a query looked into; how many were, since begin.
+  void reach(int cluster) {
+    clusters_reached_ += !reached_.is_made(cluster);
+    reached_.mark(cluster);
+  }
+  long clusters_reached() const { return clusters_reached_; }
+
   // These counts are since begin.
   long clusters_skinned() const { return clusters_skinned_; }
   long corners_skinned() const { return corners_skinned_; }  // in float or in double
 
  private:
+  void make_float_palette(int part);
   bool can_skin_in_float(int cluster);
   void skin_cluster(int cluster);
   void skin_in_float(int cluster, FloatCluster& out);
@@ -75,10 +88,10 @@ class SkinnedClusters {
   std::vector<FloatPaletteEntry> float_palette_;     // of what parts were made, by joint-set
   SkinningPalette<double> palette_;                  // likewise
   const SkinningPalette<double>::Arrays palette_arrays_;
-  FrameStamps clusters_made_, blocks_made_;
+  FrameStamps clusters_made_, blocks_made_, reached_;
   std::vector<FloatCluster> clusters_;  // their storage is allocated when a query first reaches them
   std::vector<PaddedVertex> corners_;   // by position, cluster after cluster, when the first is asked for
-  long clusters_skinned_ = 0, corners_skinned_ = 0;
+  long clusters_skinned_ = 0, corners_skinned_ = 0, clusters_reached_ = 0;
 };
 
 }  // namespace refitlab

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/runtime/collide/cluster_pairs.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "algorithms/bake/bake.hpp"
+#include "proptests/gen/accepted.hpp"
+#include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/gen/wide_models.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/all_pairs.hpp"
+#include "proptests/oracles/triangles_meet.hpp"
+
+namespace proptests::suite_cluster_pairs {
+namespace {
+
+using namespace refitlab;
+using oracle::sorted;
+
+// Looks into every pair of clusters.
+std::vector<TrianglePair> pairs_of(SkinnedClusters& a, SkinnedClusters& b, QueryCounts& counts, ClusterPairRoom& room) {
+  ClusterPairs pairs(a, b, counts, room);
+  for (int i = 0; i < static_cast<int>(a.tree().clusters().size()); ++i)
+    for (int j = 0; j < static_cast<int>(b.tree().clusters().size()); ++j) pairs.add(i, j);
+  pairs.decide();
+  return sorted(pairs.found());
+}
+
+}  // namespace
+
+PROPTEST(cluster_pairs) {
+  t.holds("the pairs of all pairs of clusters are those of testing all pairs of triangles, from any two origins",
+          {.number_type = "double", .cases = 200, .degenerate_at_least = 0.3, .tags_at_least = {{"in contact", 0.3}}}, [] {
+            const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
+            RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
+            const Character a = bake(gen::make_mesh(plan_a)), b = bake(gen::make_mesh(plan_b));
+            const auto most = [] {
+              return ClusterOptions{.most_triangles = *rc::gen::element(1, 10, 100, most_cluster_triangles)};
+            };
+            const ClusterTree tree_a(a, most()), tree_b(b, most());
+            const Skinning skinning =
+                *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+            SkinnedClusters first(tree_a, skinning), second(tree_b, skinning);
+            ClusterPairRoom room;
+            std::mt19937 random(plan_b.seed);
+            std::normal_distribution<double> normal;
+            for (int frame = 0; frame < 2; ++frame) {
+              const double spread = *rc::gen::element(1e-4, 0.1, 0.5, 3.0), far = *rc::gen::element(0.0, 1.0, 1e4, 1e8);
+              const Pose pose_a = gen::random_pose(a.mesh, random, spread), pose_b = gen::random_pose(b.mesh, random, spread);
+              const Point3 around(far, -far, far / 3);
+              const RigidTransform<double> at_a{gen::random_rotation(random, 1), around + Point3(normal(random), 0, 0)},
+                  at_b{gen::random_rotation(random, 1), around + Point3(0, normal(random), 0) * 0.5};
+              const Point3 common = *rc::gen::element<Point3>(Point3::Zero(), around);
+              const bool is_common = *rc::gen::arbitrary<bool>();
+              first.begin(pose_a, at_a, is_common ? common : at_a.translation);
+              second.begin(pose_b, at_b, is_common ? common : at_b.translation);
+              const auto expected = oracle::all_pairs({a, pose_a, at_a}, {b, pose_b, at_b}, skinning);
+              QueryCounts counts;
+              RC_ASSERT(pairs_of(first, second, counts, room) == expected);
+              RC_ASSERT(counts.triangle_tests >= static_cast<long>(expected.size()));
+              RC_TAG(expected.empty() ? "apart" : "in contact");
+            }
+          });
+  t.holds("so they are of models at the ends of what is accepted, whose floats may overflow, underflow or say nothing",
+          {.number_type = "double", .cases = 400}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const gen::WideModel wide = gen::wide_model(random, *rc::gen::element(2, 4, 20));
+            const Character a = bake(wide.mesh);
+            const ClusterTree tree(a, {.most_triangles = *rc::gen::element(2, 256)});
+            SkinnedClusters first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+            const RigidTransform<double> at, other{gen::random_rotation(random, 1), Point3::Zero()};
+            first.begin(wide.pose, at, Point3::Zero()), second.begin(wide.pose, other, Point3::Zero());
+            QueryCounts counts;
+            ClusterPairRoom room;
+            RC_LOG() << wide.what;
+            RC_ASSERT(pairs_of(first, second, counts, room) ==
+                      oracle::all_pairs({a, wide.pose, at}, {a, wide.pose, other}, Skinning::spherical));
+          });
+  t.holds("on every target the filter never contradicts exact arithmetic on corners within the slack of its floats",
+          {.number_type = "rational", .cases = 400, .tags_at_least = {{"decided", 0.2}, {"unknown", 0.1}}}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            std::uniform_real_distribution<double> u(-1, 1);
+            const double unit = *rc::gen::element(1.0, 1.0, 1.0, 1e-8, 1e-10, 1e-12, 1e-20, 1e11, 1e12, 1e20),
+                         slack = unit * *rc::gen::element(0.0, 1e-7, 1e-5, 1e-3, 0.1);
+            const auto drawn = [&](double size) -> Point3 { return Point3(u(random), u(random), u(random)) * size; };
+            constexpr int count = 40;
+            Candidates room_a, room_b;
+            room_a.reserve(count, 16), room_b.reserve(count, 16);
+            std::vector<std::int32_t> first(count), second(count), meet(count), unknown(count);
+            std::vector<bool> truth;
+            const auto put = [&](Candidates& c, int k, const TrianglePoints& t) {
+              for (int i = 0; i < 9; ++i) {
+                const double x = t[i / 3][i % 3] + slack * 0.9 * u(random);
+                c.corners[k].lane[i] = static_cast<float>(x);
+              }
+            };
+            for (int k = 0; k < count; ++k) {
+              const TrianglePoints a{drawn(unit), drawn(unit), drawn(unit)};
+              TrianglePoints b{drawn(unit), drawn(unit), drawn(unit)};
+              if (random() % 2) b[0] = a[0] * 0.5 + a[1] * 0.25 + a[2] * 0.25 + drawn(slack + 1e-6 * unit);
+              if (random() % 4 == 0) b[1] = a[1] * 0.5 + a[2] * 0.5 + drawn(slack);
+              put(room_a, k, a), put(room_b, k, b);
+              truth.push_back(oracle::triangles_meet(a, b));
+              first[k] = second[k] = k;
+            }
+            const auto arrays = [](Candidates& c) {
+              return CandidateArrays{nullptr, nullptr, {}, c.corners.data()->lane.data()};
+            };
+            // Rounding to float is off by another 2^-24 of the size.
+            const auto of_floats = static_cast<float>(slack + unit * 1.5 * 0x1p-24);
+            for (const Target target : available_targets()) {
+              int meets = 0, unknowns = 0;
+              cluster_pair_kernels(target).filter(arrays(room_a), arrays(room_b), first.data(), second.data(), count, of_floats,
+                                                  meet.data(), meets, unknown.data(), unknowns);
+              std::vector<int> answer(count, 0);
+              for (int m = 0; m < meets; ++m) answer[meet[m]] += 1;
+              for (int m = 0; m < unknowns; ++m) answer[unknown[m]] += 2;
+              for (int k = 0; k < count; ++k) RC_ASSERT(answer[k] == 2 || answer[k] == (truth[k] ? 1 : 0));
+              RC_TAG(unknowns == count ? "unknown" : "decided");
+              if (unit == 1 && slack < 1e-6) RC_ASSERT(unknowns < count);
+            }
+          });
+  t.holds("on every target candidates are those that are not apart for certain", {.number_type = "float", .cases = 300}, [] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    std::uniform_real_distribution<float> u(-1, 1);
+    const int places = 16 * *rc::gen::inRange(1, 5), count = *rc::gen::inRange(1, 70);
+    std::vector<Lanes<float>> blocks(3 * places / 16);
+    float* const xyz = blocks.data()->lane.data();
+    for (int i = 0; i < 3 * places; ++i)
+      xyz[i] = random() % 50 ? u(random) : random() % 2 ? 0.5f : std::numeric_limits<float>::quiet_NaN();
+    std::vector<std::uint16_t> corner[3];
+    for (auto& list : corner)
+      for (int t = 0; t < count; ++t) list.push_back(static_cast<std::uint16_t>(random() % places));
+    const ClusterTriangles triangles{count, {corner[0].data(), corner[1].data(), corner[2].data()}};
+    Box<float> box;
+    for (int i = 0; i < 3; ++i) {
+      const float a = u(random), b = random() % 4 ? u(random) : 0.5f;
+      box.low[i] = std::min(a, b), box.high[i] = std::max(a, b);
+    }
+    const auto at = [&](int t, int c, int i) { return xyz[i * places + corner[c][t]]; };
+    std::vector<int> expected;
+    for (int t = 0; t < count; ++t) {
+      bool apart = false;
+      for (int i = 0; i < 3; ++i) {
+        apart = apart || (at(t, 0, i) < box.low[i] && at(t, 1, i) < box.low[i] && at(t, 2, i) < box.low[i]);
+        apart = apart || (at(t, 0, i) > box.high[i] && at(t, 1, i) > box.high[i] && at(t, 2, i) > box.high[i]);
+      }
+      if (!apart) expected.push_back(t);
+    }
+    const float offset[] = {0.25f, -0.5f, 1};
+    for (const Target target : available_targets()) {
+      const ClusterPairKernels& kernels = cluster_pair_kernels(target);
+      Candidates room;
+      room.reserve(count, places);
+      CandidateArrays out{room.triangle.data(), room.outcodes.data(), {}, room.corners.data()->lane.data()};
+      for (int i = 0; i < 6; ++i) out.box[i] = room.box[i].data()->lane.data();
+      const int found = kernels.cull(triangles, xyz, places, box, out);
+      RC_ASSERT(std::vector<int>(out.triangle, out.triangle + found) == expected);
+      if (found == 0) continue;
+      Box<float> all;
+      kernels.place(triangles, xyz, places, offset, found, out, all);
+      const auto side = [&](int k, int i) {
+        const float a = at(expected[k], 0, i) + offset[i], b = at(expected[k], 1, i) + offset[i],
+                    c = at(expected[k], 2, i) + offset[i];
+        return std::pair(std::min({a, b, c}), std::max({a, b, c}));
+      };
+      bool has_nan = false;
+      for (int k = 0; k < found; ++k)
+        for (int i = 0; i < 9; ++i) {
+          const float x = at(expected[k], i / 3, i % 3) + offset[i % 3];
+          has_nan = has_nan || std::isnan(x);
+          RC_ASSERT(out.corners[16 * k + i] == x || std::isnan(x));
+        }
+      if (has_nan) continue;
+      Box<float> around = Box<float>::empty();
+      for (int k = 0; k < found; ++k)
+        for (int i = 0; i < 3; ++i) {
+          RC_ASSERT(out.box[i][k] == side(k, i).first && out.box[3 + i][k] == side(k, i).second);
+          around.low[i] = std::min(around.low[i], side(k, i).first), around.high[i] = std::max(around.high[i], side(k, i).second);
+        }
+      RC_ASSERT(all.low == around.low && all.high == around.high);
+      Box<float> part = box;
+      for (int i = 0; i < 3; ++i) part.low[i] += offset[i] + 0.1f, part.high[i] += offset[i] - 0.1f;
+      std::vector<int> kept;
+      for (int k = 0; k < found; ++k) {
+        bool apart = false;
+        for (int i = 0; i < 3; ++i) apart = apart || side(k, i).first > part.high[i] || side(k, i).second < part.low[i];
+        if (!apart) kept.push_back(k);
+      }
+      const int left = kernels.keep(found, part, out);
+      RC_ASSERT(left == static_cast<int>(kept.size()));
+      for (int k = 0; k < left; ++k) {
+        RC_ASSERT(out.triangle[k] == expected[kept[k]]);
+        for (int i = 0; i < 9; ++i) RC_ASSERT(out.corners[16 * k + i] == at(expected[kept[k]], i / 3, i % 3) + offset[i % 3]);
+        for (int i = 0; i < 3; ++i)
+          RC_ASSERT(out.box[i][k] == side(kept[k], i).first && out.box[3 + i][k] == side(kept[k], i).second);
+      }
+      // All with all of themselves, in one part or from the second block on.
+      const float margin = 0.05f;
+      std::vector<std::int32_t> first(left * left + 16), second(left * left + 16);
+      for (const int begin : {0, 16}) {
+        if (begin >= left && begin > 0) continue;
+        const int pairs = kernels.meeting(out, left, out, begin, left, margin, first.data(), second.data());
+        std::vector<std::pair<int, int>> got, want;
+        for (int p = 0; p < pairs; ++p) got.emplace_back(first[p], second[p]);
+        for (int k = 0; k < left; ++k)
+          for (int l = begin; l < left; ++l) {
+            bool apart = false;
+            for (int i = 0; i < 3; ++i)
+              apart = apart || out.box[3 + i][k] < out.box[i][l] - margin || out.box[3 + i][l] + margin < out.box[i][k];
+            if (!apart) want.emplace_back(k, l);
+          }
+        std::sort(got.begin(), got.end());
+        RC_ASSERT(got == want);
+      }
+    }
+  });
+}
+
+}  // namespace proptests::suite_cluster_pairs

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Through a kernel that goes through lanes one by one, so that every target's own way is tried.
+#include "algorithms/runtime/packs/lane_bits.hpp"
+
+#include <random>
+
+#include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests::suite_lane_bits {
+namespace {
+
+using namespace refitlab;
+
+// Boxes of which those in the list are at 0, and the others at 1: are the ones at 0 listed, in order?
+bool are_listed(const std::vector<bool>& at_zero, Target target) {
+  const int count = static_cast<int>(at_zero.size());
+  std::vector<Lanes<float>> sides[6], corners(count);
+  std::vector<int> triangle;
+  CandidateArrays arrays{nullptr, nullptr, {}, corners.data()->lane.data()};
+  for (int i = 0; i < 6; ++i) {
+    sides[i].resize(blocks_for<float>(count));
+    arrays.box[i] = sides[i].data()->lane.data();
+    for (int k = 0; k < count; ++k) arrays.box[i][k] = at_zero[k] ? 0.f : 1.f;
+  }
+  std::vector<int> expected;
+  for (int k = 0; k < count; ++k) {
+    triangle.push_back(k);
+    if (at_zero[k]) expected.push_back(k);
+  }
+  arrays.triangle = triangle.data();
+  const Box<float> zero{{0, 0, 0}, {0, 0, 0}};
+  const int found = cluster_pair_kernels(target).keep(count, zero, arrays);
+  return std::vector<int>(triangle.begin(), triangle.begin() + found) == expected;
+}
+
+}  // namespace
+
+PROPTEST(lane_bits) {
+  t.example("every lane has its own bit, on every target, and lanes behind the last have none", {}, [] {
+    std::mt19937 random(1);
+    long wrong = 0, tried = 0;
+    for (const Target target : available_targets())
+      for (int count = 1; count <= 70; ++count)
+        for (int times = 0; times < 8; ++times, ++tried) {
+          std::vector<bool> at_zero(count);
+          for (int k = 0; k < count; ++k) at_zero[k] = times == 0 || (times > 1 && random() % 2);
+          wrong += !are_listed(at_zero, target);
+        }
+    return Checked(wrong == 0, tried);
+  });
+  t.example("in the baseline's width too", {}, [] {
+    using S = Pack<float>;
+    bool ok = true;
+    for (std::uint32_t bits = 0; bits < 1u << S::size(); ++bits) {
+      const S lanes([&](auto lane) { return static_cast<float>(bits >> lane & 1); });
+      ok = ok && lane_bits(lanes > S(0.5f)) == bits;
+    }
+    return Checked(ok, 1 << S::size());
+  });
+}
+
+}  // namespace proptests::suite_lane_bits
