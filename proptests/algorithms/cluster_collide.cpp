@@ -272,29 +272,30 @@ PROPTEST(cluster_collide) {
             }
             RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
           });
-  t.example("what is counted: of single triangles every box once, none where motion bounds are apart, and sums over queries", {}, [] {
-    SkinnedMesh m = gen::needle(0, 1, 1, 1);
-    const auto c = bake(m);
-    const ClusterTree tree(c);
-    ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
-    const Pose still = reference_pose(c.mesh);
-    const auto counts_at = [&](double x, Query query, PairMemory* memory) {
-      first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
-      QueryCounts counts{100, 1000};  // of queries before
-      collide(first, second, query, counts, memory);
-      return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
-    };
-    PairMemory memory;
-    // Motion bounds, the first's wide node against the second's whole, the second's; with a memory of bodies that were near no
-    // motion bounds; and then no box at all, but the pair.
-    const std::pair<long, long> touching{3, 1}, apart{1, 0}, again{2, 1}, remembered{0, 1};
-    bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
-    ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
-    ok = ok && counts_at(0.5, Query::full, &memory) == again && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
-         first.corners_skinned() == 16 && second.corners_skinned() == 16;
-    ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
-    return Checked(ok, 5);
-  });
+  t.example("what is counted: of single triangles every box once, none where motion bounds are apart, and sums over queries", {},
+            [] {
+              SkinnedMesh m = gen::needle(0, 1, 1, 1);
+              const auto c = bake(m);
+              const ClusterTree tree(c);
+              ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
+              const Pose still = reference_pose(c.mesh);
+              const auto counts_at = [&](double x, Query query, PairMemory* memory) {
+                first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
+                QueryCounts counts{100, 1000};  // of queries before
+                collide(first, second, query, counts, memory);
+                return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
+              };
+              PairMemory memory;
+              // Motion bounds, the first's wide node against the second's whole, the second's; with a memory of bodies that were near no
+              // motion bounds; and then no box at all, but the pair.
+              const std::pair<long, long> touching{3, 1}, apart{1, 0}, again{2, 1}, remembered{0, 1};
+              bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
+              ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
+              ok = ok && counts_at(0.5, Query::full, &memory) == again && first.nodes_bounded() == 1 &&
+                   first.clusters_skinned() == 1 && first.corners_skinned() == 16 && second.corners_skinned() == 16;
+              ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
+              return Checked(ok, 5);
+            });
   t.example("a body counts the nodes that it bounds, and the clusters and corners that it skins, each once a frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
