@@ -39,7 +39,7 @@ class Clusters : public CountingDetector {
 std::vector<DetectorKind> cluster_kinds() {
   return {{"clusters",
            "boxes that hold all that the joints can make of many nodes at a time, down to clusters of up to 256 triangles, which "
-           "are skinned; "
+           "are skinned and compared in float as by skin_all_float; "
            "yes/no tries pairs of earlier frames first",
            Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c); }}};
 }

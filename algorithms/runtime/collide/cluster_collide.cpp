@@ -20,9 +20,10 @@ std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& seco
   return {};
 }
 
-// Two thirds: about there skinning all clusters costs as much as bounding them and skinning those.
-bool have_reached_most(ClusterBody& body) {
-  return 3 * body.clusters().clusters_reached() > 2 * static_cast<long>(body.tree().clusters().size());
+// Two fifths of the clusters: about there skinning all of them costs as much as bounding them and skinning those.
+bool are_entangled(ClusterBody& first, ClusterBody& second) {
+  const auto count = [](ClusterBody& body) { return static_cast<long>(body.tree().clusters().size()); };
+  return 5 * (first.clusters().clusters_reached() + second.clusters().clusters_reached()) > 2 * (count(first) + count(second));
 }
 
 }  // namespace
@@ -36,7 +37,10 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     }
   if (!memory || !memory->are_near) {  // near bodies are told apart by their wide nodes, if at all
     ++counts.ball_tests;
-    if (are_apart(first.motion_bound(), second.motion_bound())) return {};
+    if (are_apart(first.motion_bound(), second.motion_bound())) {
+      if (memory) memory->are_entangled = false;
+      return {};
+    }
   }
   if (memory && memory->are_entangled && query == Query::full) first.skin_all(), second.skin_all();
   auto& scratch = first.query_scratch();
@@ -45,7 +49,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   if (memory) {
     memory->are_near = !are_apart(first.wide_node_box(0), of_clusters.moved(second.wide_node_box(0)));
     memory->remember(pairs);
-    if (query == Query::full) memory->are_entangled = have_reached_most(first) && have_reached_most(second);
+    if (query == Query::full) memory->are_entangled = are_entangled(first, second);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return pairs;
