@@ -65,13 +65,4 @@ Eigen::VectorXd value_at(const Channel<Eigen::VectorXd>& channel, double time, S
   return channel_value(channel, time, side);
 }
 
-std::vector<double> morph_weights(int node, const std::vector<double>& otherwise, const Animation& motion, double time,
-                                  Side side) {
-  const auto track = std::find_if(motion.weight_tracks.begin(), motion.weight_tracks.end(),
-                                  [&](const WeightTrack& t) { return t.node == node; });
-  if (track == motion.weight_tracks.end()) return otherwise;
-  const Eigen::VectorXd weights = value_at(track->weights, time, side);
-  return {weights.data(), weights.data() + weights.size()};
-}
-
 }  // namespace refitlab

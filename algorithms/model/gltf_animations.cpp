@@ -69,7 +69,9 @@ class ClipReader {
         throw ModelError(file_, thing, "a channel moves '" + path + "', which glTF has not");
       if (!channels[place].emplace(path, &channel).second) throw ModelError(file_, thing, "two channels move its " + path);
     }
-    for (auto& [place, by_path] : channels) {
+    for (auto& [node_place, paths] : channels) {
+      const int place = node_place;
+      auto& by_path = paths;
       const std::string thing = clip + ", joint '" + nodes_.nodes[place].name + "'";
       const tinygltf::Node& node = source_.nodes[static_cast<std::size_t>(nodes_.nodes[place].source)];
       if (const auto weights = by_path.find("weights"); weights != by_path.end()) {

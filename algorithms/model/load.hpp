@@ -9,23 +9,24 @@
 
 namespace refitlab {
 
-// The model in a file.
+// The model in a file: glTF by gltf_scene, anything else by assimp_scene, which loses the morph targets.
 //
 // All meshes become one skin, in the pose that the first skinned mesh rests in (see mesh_binding.hpp), with the
 // constant scale of the skin matrices multiplied in (and, where all of them mirror, mirrored in x). Polygons are
-// triangulated; vertices of equal position and equal weights become one, whatever their normals, texture coordinates
-// and colours, so that seams do not split the skin. Dropped: points and lines, triangles with two corners in one
-// vertex, vertices without a triangle, morph targets. The triangles stay in the order of the file: node by node, depth
-// first.
+// triangulated; vertices of equal position, equal weights and equal displacements become one, whatever their normals,
+// texture coordinates and colours, so that seams do not split the skin. Dropped: points and lines, triangles with two
+// corners in one vertex, vertices without a triangle. The triangles stay in the order of the file: node by node, depth
+// first; Model::sources says where each comes from.
 //
 // All influences are kept, as quantize_weights rounds them. Joints are the nodes of all bones, weighted or not, and of
 // meshes without bones. Clips: every animation of the file, each checked at its key times (see max_checked_times) for
-// being rotations with the constant scale; 25 ticks a second where the file does not say.
+// being rotations with the constant scale; 25 ticks a second where the file does not say. The options say what is accepted
+// besides.
 //
 // Throws ModelError that names the file, the thing and the reason: a file that is missing or no model, no skin, an
 // empty mesh, a number that is not finite, a weight that is negative, a vertex without weight, a joint or vertex index
 // out of range, weights whose sum says that some got lost, skin matrices that shear, or scale or mirror by different
-// factors.
+// factors, weights of morph targets that move.
 Model load_model(const std::string& path, const LoadOptions& options = {});
 
 // A clip is checked on loading at as many times, evenly chosen among its keys' times if there are more.

@@ -119,7 +119,7 @@ void add_repeated_sources(const Scene& scene, const BoundScene& bound, Model& mo
   for (const RepeatedMesh& repeated : bound.repeated)
     for (std::size_t i = 0; i < own; ++i) {
       const ShownMesh& first = scene.shown[repeated.first];
-      if (model.sources[i].node != scene.nodes[first.node].source) continue;
+      if (model.sources[i].node != scene.nodes[first.node].source || model.sources[i].mesh != first.mesh) continue;
       SourcePrimitive again = model.sources[i];
       again.node = scene.nodes[scene.shown[repeated.shown].node].source;
       model.sources.push_back(std::move(again));

@@ -13,6 +13,7 @@
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/extras.hpp"
 #include "algorithms/program/glb_file.hpp"
+#include "algorithms/program/report.hpp"
 #include "algorithms/results/write_whole.hpp"
 
 namespace refitlab {
@@ -21,7 +22,7 @@ namespace {
 namespace po = boost::program_options;
 
 struct BakeCall {
-  std::string in, out, json;
+  std::string in, out, json, report;
   ModelBoundsOptions bounds;
 };
 
@@ -33,13 +34,16 @@ po::options_description options() {
       "clusters", po::value<int>()->default_value(128),
       "most triangles of a cluster, a multiple of 4 up to 512; 0 bakes no clusters")(
       "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
-      "json", po::value<std::string>(), "write what was measured to this file too")("quiet", "show no progress");
+      "json", po::value<std::string>(), "write what was measured to this file too")(
+      "report", po::value<std::string>(),
+      "write a page that shows the bounds, and what sampling would have missed, to this file")("quiet", "show no progress");
   return description;
 }
 
 BakeCall parse(const po::variables_map& map) {
-  BakeCall call{map["IN.glb"].as<std::string>(), map["OUT.glb"].as<std::string>(), "", {}};
+  BakeCall call{map["IN.glb"].as<std::string>(), map["OUT.glb"].as<std::string>(), "", "", {}};
   if (map.count("json")) call.json = map["json"].as<std::string>();
+  if (map.count("report")) call.report = map["report"].as<std::string>();
   call.bounds.skinning = skinning_of(map["skinning"].as<std::string>());
   const std::string purpose = map["for"].as<std::string>();
   if (purpose != "clip" && purpose != "any") throw UsageError("--for " + purpose + ": there are clip and any");
@@ -107,6 +111,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   chunks.push_back(
       {refitlab_chunk, chunk_of({bounds.skinning, bake(SkinnedMesh(model), {}, {Pieces::mixed}), clusters_of(model, bounds)})});
   write_whole(call.out, glb_of(chunks, call.out));
+  if (!call.report.empty()) write_whole(call.report, report_page(model, bounds, call.in));
   if (!call.json.empty()) write_whole(call.json, summary_json(model, bounds, call, seconds));
 
   long clusters = 0;

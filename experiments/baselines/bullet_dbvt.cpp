@@ -69,7 +69,7 @@ class BulletDbvt : public SkinningDetector {
   }
 
   btDbvt trees_[2];
-  FloatVertices vertices_;  // of the body at hand
+  RoundedVertices vertices_;  // of the body at hand
 };
 
 }  // namespace

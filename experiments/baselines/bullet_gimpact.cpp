@@ -30,7 +30,7 @@ class Boxes : public btPrimitiveManagerBase {
 
  private:
   const SkinnedMesh& model_;
-  FloatVertices vertices_;
+  RoundedVertices vertices_;
   float margin_ = 0;
 };
 

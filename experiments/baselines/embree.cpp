@@ -80,7 +80,7 @@ class Embree : public SkinningDetector {
   RTCScene scenes_[2];
   RTCGeometry geometries_[2];
   Body bodies_[2];
-  FloatVertices vertices_[2];
+  RoundedVertices vertices_[2];
   Query query_ = Query::full;
   std::vector<TrianglePair> found_;
 };

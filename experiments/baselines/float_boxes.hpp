@@ -9,23 +9,11 @@ namespace refitlab {
 
 // Vertices rounded to the nearest float. Rounding is monotone: where the boxes of two triangles overlap in double, so
 // do those of their rounded corners, and nothing has to be rounded outwards.
-class FloatVertices {
+class RoundedVertices {
  public:
   void set(const std::vector<Point3>& vertices) {
     vertices_.resize(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices_[v] = rounded(vertices[v]);
-  }
-  // In another order, order[v] becoming v, and moved, in float: each coordinate is off by up to six roundings of
-  // numbers of the size of a vertex and the translation.
-  void set(const std::vector<Point3>& vertices, const std::vector<int>& order, const RigidTransform<double>& by) {
-    const auto turned = [&](const Point3& p) { return rounded(rotate<double>(by.rotation, p)); };
-    const Row<float, 4> x = turned(Point3::UnitX()), y = turned(Point3::UnitY()), z = turned(Point3::UnitZ()),
-                        t = rounded(by.translation);
-    vertices_.resize(order.size());
-    for (std::size_t v = 0; v < order.size(); ++v) {
-      const Point3& p = vertices[order[v]];
-      vertices_[v] = x * float(p[0]) + y * float(p[1]) + z * float(p[2]) + t;
-    }
   }
   RowBox<float> box(const Triangle& t) const {
     RowBox<float> out{vertices_[t[0]], vertices_[t[0]]};

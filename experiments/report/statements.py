@@ -27,7 +27,7 @@ class Statement:
     refuted: list   # proved false
     unproved: list  # sentences that say what is not proved, and why
     programs: list  # folders of algorithms/ and experiments/ that run it
-    through: list   # lemmas that use it, where no program does by itself
+    through: list   # lemmas that use it
 
 
 def users(root, stem):
@@ -78,7 +78,7 @@ def statements(root, verdicts):
         def those(outcome, column):
             return [row[column] for row in rows if row["status"] == outcome]
         out.append(Statement(verdict, suite_of(root, verdict.lemma), those("proved", "statement"), those("refuted", "statement"),
-                             those("not proved", "note"), programs, [] if programs else through))
+                             those("not proved", "note"), programs, through))
     return out
 
 

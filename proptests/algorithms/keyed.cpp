@@ -50,7 +50,7 @@ PROPTEST(keyed) {
         }
       }
     }
-    return Checked(at_keys < 1e-12 && between < 2e-3 && between > at_keys, poses, std::to_string(between));
+    return Checked(at_keys < 1e-12 && between < 5e-3 && between > at_keys, poses, std::to_string(between));
   });
   t.example("there are as many keys as the rate says, and one at the end", {}, [] {
     const Model model = make_snake(3);

@@ -75,6 +75,19 @@ std::string refusal(const aiScene& of) {
   return "";
 }
 
+void set_positions(aiScene& s, double first, double second) {
+  aiNodeAnim& channel = *s.mAnimations[0]->mChannels[0];
+  delete[] channel.mPositionKeys;
+  channel.mNumPositionKeys = 2;
+  channel.mPositionKeys = new aiVectorKey[2]{{first, {0, 0, 0}}, {second, {0, 0, 0}}};
+}
+
+void set_rotation(aiScene& s, float w) {
+  aiNodeAnim& channel = *s.mAnimations[0]->mChannels[0];
+  channel.mNumRotationKeys = 1;
+  channel.mRotationKeys = new aiQuatKey[1]{{0, aiQuaternion(w, 0, 0, 0)}};
+}
+
 struct Broken {
   std::function<void(aiScene&)> break_it;
   std::string message;
@@ -104,12 +117,9 @@ std::vector<Broken> broken_scenes() {
       {[](aiScene& s) { s.mAnimations[0]->mChannels[1]->mNodeName = "root"; }, "clip 'clip', joint 'root': two channels move it"},
       {[](aiScene& s) { s.mAnimations[0]->mChannels[0]->mPositionKeys[0].mValue.x = NAN; },
        "clip 'clip', joint 'root', key 0 at 0.000000 s: not finite, or a rotation by a zero quaternion"},
-      {[](aiScene& s) {
-         aiNodeAnim& channel = *s.mAnimations[0]->mChannels[0];
-         delete[] channel.mPositionKeys;
-         channel.mNumPositionKeys = 2;
-         channel.mPositionKeys = new aiVectorKey[2]{{1, {0, 0, 0}}, {0, {0, 0, 0}}};
-       },
+      {[](aiScene& s) { set_rotation(s, 1e-7f); },
+       "clip 'clip', joint 'root', key 0 at 0.000000 s: not finite, or a rotation by a zero quaternion"},
+      {[](aiScene& s) { set_positions(s, 1, 0); },
        "clip 'clip', joint 'root', key 1 at 0.000000 s: keys are not in order of time"},
       {[](aiScene& s) {
          s.mRootNode->mChildren[0]->mNumMeshes = 0;
@@ -145,6 +155,33 @@ PROPTEST(model_of_scene) {
     return Checked(
         joints_of_two_bones(1e-7) == one && joints_of_two_bones(1e-5) == one + 1 && joints_of_two_bones(1e-3) == one + 1, 4);
   });
+  t.example("a skinned mesh that two nodes show is there once, and comes from both of them", {}, [] {
+    const auto s = scene();
+    for (aiNode* of : {s->mRootNode, s->mRootNode->mChildren[0]}) {
+      const unsigned first = of->mMeshes[0];
+      delete[] of->mMeshes;
+      of->mNumMeshes = 2;
+      of->mMeshes = new unsigned[2]{first, 1 - first};
+    }
+    const Model model = model_of_scene(convert_scene(*s, "memory"));
+    std::string sources;
+    for (const SourcePrimitive& source : model.sources)
+      sources += std::to_string(source.node) + std::to_string(source.mesh) + std::to_string(source.triangles[0]) + " ";
+    return Checked(sources == "000 011 112 100 " && model.triangles.size() == 3, 4, sources);
+  });
+  t.example("accepted at the edge: keys that coincide, a quaternion of any length but nearly 0, a clip without a duration", {},
+            [] {
+              const std::function<void(aiScene&)> changes[] = {
+                  [](aiScene& s) { set_positions(s, 1, 1); }, [](aiScene& s) { set_rotation(s, 1e-5f); },
+                  [](aiScene& s) { set_rotation(s, 1e5f); }, [](aiScene& s) { s.mAnimations[0]->mDuration = 0; }};
+              std::string wrong;
+              for (const auto& change : changes) {
+                const auto s = scene();
+                change(*s);
+                wrong += refusal(*s);
+              }
+              return Checked(wrong.empty(), 4, wrong);
+            });
   t.example("a scene with one thing wrong is refused with the file, the thing and the reason", {}, [] {
     std::string wrong = refusal(*scene());
     for (const Broken& broken : broken_scenes()) {

@@ -134,16 +134,17 @@ PROPTEST(weight_hull) {
             std::rotate(w.rows.begin(), w.rows.begin() + 1, w.rows.end());
             RC_ASSERT(extreme_rows(w.spans()) == found);
           });
-  t.holds("the weight vertices are the extreme rows unless the box has fewer: of as many, the extreme rows, which are tighter",
-          {.number_type = "double", .cases = 500, .degenerate_at_least = 0.5, .tags_at_least = {{"as many", 0.1}, {"box", 0.02}}},
-          [] {
-            const Weights w = draw(6);
-            RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
-            const Rows extreme = extreme_rows(w.spans()), box = box_weight_vertices(w.rows);
-            RC_CLASSIFY(extreme.size() == box.size(), "as many");
-            RC_CLASSIFY(box.size() < extreme.size(), "box");
-            RC_ASSERT(weight_polytope(w.spans()) == (extreme.size() <= box.size() ? extreme : box));
-          });
+  t.holds(
+      "the weight vertices are the extreme rows unless the box has fewer: of as many, the extreme rows, which are tighter",
+      {.number_type = "double", .cases = 2000, .degenerate_at_least = 0.5, .tags_at_least = {{"as many", 0.1}, {"box", 0.01}}},
+      [] {
+        const Weights w = draw(6);
+        RC_CLASSIFY(w.kind != Kind::general || w.n == 1, "degenerate");
+        const Rows extreme = extreme_rows(w.spans()), box = box_weight_vertices(w.rows);
+        RC_CLASSIFY(extreme.size() == box.size(), "as many");
+        RC_CLASSIFY(box.size() < extreme.size(), "box");
+        RC_ASSERT(weight_polytope(w.spans()) == (extreme.size() <= box.size() ? extreme : box));
+      });
   t.example("of as many weight vertices as the box has, the rows are kept: a triangle across a box of three weight vertices", {},
             [] {
               const Rows rows{{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.375, 0.25, 0.375}};

@@ -25,6 +25,7 @@ class ModelMaker {
     for (int j = 0; j < plan_.joints; ++j) add_joint(j);
     for (int v = 0; v < plan_.vertices; ++v) add_vertex();
     model_.triangles.push_back({0, plan_.vertices / 2, plan_.vertices - 1});
+    if (plan_.targets > 0) add_morphs(animation);
     validate(model_);
     model_.clips.push_back({"clip", plan_.duration, {}, animation});
     return model_;
@@ -179,7 +180,7 @@ class ModelMaker {
     int root = node;
     while (model_.skeleton.nodes[root].parent >= 0) root = model_.skeleton.nodes[root].parent;
     if (root == 0) offset.topRows<3>() /= plan_.root_scale;
-    if (plan_.far > 0) offset.topRightCorner<3, 1>() -= offset.topLeftCorner<3, 3>() * away();
+    if (plan_.away > 0) offset.topRightCorner<3, 1>() -= offset.topLeftCorner<3, 3>() * away();
     model_.skeleton.joints.push_back({"joint " + std::to_string(j), node, pick(-1, j - 1), offset});
     const Eigen::Matrix3d m = offset.topLeftCorner<3, 3>();
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -188,12 +189,11 @@ class ModelMaker {
   }
 
   // Where the reference pose is.
-  Eigen::Vector3d away() const { return plan_.far * plan_.unit * Eigen::Vector3d(0.6, 0, 0.8); }
+  Eigen::Vector3d away() const { return plan_.away * plan_.unit * Eigen::Vector3d(0.6, 0, 0.8); }
 
   void add_vertex() {
     const int near = pick(0, plan_.joints - 1);
-    model_.vertices.push_back(chance(0.15) ? model_.joints[near].origin
-                                           : Point3(plan_.far > 0 ? Point3(away() + position()) : position()));
+    model_.vertices.push_back(chance(0.15) ? model_.joints[near].origin : Point3(away() + position()));
     std::vector<int> all;
     for (int j = 0; j < plan_.joints; ++j) all.push_back(j);
     std::shuffle(all.begin(), all.end(), random_);
@@ -203,6 +203,33 @@ class ModelMaker {
     for (const int j : all) weights.emplace_back(j, equal ? 1 : chance(0.15) ? magnitude(1e-7, 1e-2) : 0.05 + std::abs(real()));
     model_.influences.emplace_back();
     for (const auto& [joint, weight] : quantize_weights(weights)) model_.influences.back().push_back({joint, weight});
+  }
+
+  // The first vertices are of one mesh, and the others perhaps of another, whose weights move or stay.
+  void add_morphs(Animation& animation) {
+    const int first = plan_.nodes == 1 || chance(0.5) ? plan_.vertices : pick(0, plan_.vertices);
+    for (int mesh = 0; mesh < (first < plan_.vertices ? 2 : 1); ++mesh) {
+      MorphedMesh morph{mesh, {}, {}};
+      for (int t = 0; t < plan_.targets; ++t) {
+        morph.weights.push_back(real());
+        morph.targets.emplace_back();
+        for (int v = mesh == 0 ? 0 : first; v < (mesh == 0 ? first : plan_.vertices); ++v)
+          if (chance(0.8)) morph.targets.back().displacements.push_back({v, position()});
+      }
+      model_.morphs.push_back(morph);
+      if (chance(0.2)) continue;
+      WeightTrack track{mesh, {{}, interpolation(false), {}}};
+      const auto any = [&](double size) {
+        Eigen::VectorXd out(plan_.targets);
+        for (double& w : out) w = size * real();
+        return out;
+      };
+      for (const double time : times()) {
+        track.weights.keys.push_back({time, any(plan_.smooth ? 0.3 : 1.5)});
+        if (track.weights.interpolation == Interpolation::cubic) track.weights.tangents.push_back({any(rate()), any(rate())});
+      }
+      animation.weight_tracks.push_back(track);
+    }
   }
 
   const AnimatedPlan& plan_;
@@ -219,34 +246,36 @@ AnimatedPlan draw_animated_plan(bool rigid) {
   AnimatedPlan plan;
   plan.rigid = rigid;
   plan.nodes = full(1, 8), plan.joints = full(1, 7), plan.vertices = full(1, 6);
+  plan.targets = std::max(0, full(-3, 4));
   plan.unit = *rc::gen::element(1.0, 1.0, 1e-6, 1e6);
   plan.duration = *rc::gen::element(1.0, 1.0, 2.5, 1e-6, 1e6, 0.0);
   plan.cubic = full(0, 2) == 1;
   plan.near_zero = plan.cubic && full(0, 4) == 0;
   plan.noise = rigid ? *rc::gen::element(0.0, 0.0, 1e-9, 1e-4, 2e-4) : 0;
   plan.root_scale = *rc::gen::element(1.0, 1.0, 1.0, 0.01, 100.0, -1.0, -3.0);
-  plan.far = *rc::gen::element(0.0, 0.0, 0.0, 1e6);
+  plan.far = *rc::gen::element(0.0, 0.0, 0.0, 1e6), plan.away = *rc::gen::element(0.0, 0.0, 0.0, 1e6);
   plan.seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<unsigned>());
   return plan;
 }
 
 AnimatedPlan draw_smooth_plan(bool rigid) {
   AnimatedPlan plan = draw_animated_plan(rigid);
-  plan.smooth = true, plan.near_zero = false, plan.far = 0, plan.noise = 0;
+  plan.smooth = true, plan.near_zero = false, plan.far = plan.away = 0, plan.noise = 0;
   plan.nodes = std::min(plan.nodes, 4);
   if (plan.duration == 0) plan.duration = 1;
   return plan;
 }
 
 bool is_degenerate(const AnimatedPlan& plan) {
-  return plan.duration == 0 || plan.far > 0 || plan.near_zero || plan.nodes == 1 || plan.joints == 1;
+  return plan.duration == 0 || plan.far > 0 || plan.away > 0 || plan.near_zero || plan.nodes == 1 || plan.joints == 1;
 }
 
-void showValue(const AnimatedPlan& plan, std::ostream& out) {
-  out << (plan.rigid ? "rigid" : "affine") << ", " << plan.nodes << " nodes, " << plan.joints << " joints, " << plan.vertices
-      << " vertices, unit " << plan.unit << ", duration " << plan.duration << (plan.smooth ? ", smooth" : "")
-      << (plan.cubic ? ", cubic" : "") << (plan.near_zero ? ", near zero" : "") << ", noise " << plan.noise << ", root scale "
-      << plan.root_scale << ", far " << plan.far << ", seed " << plan.seed;
+std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan) {
+  return out << (plan.rigid ? "rigid" : "affine") << ", " << plan.nodes << " nodes, " << plan.joints << " joints, "
+             << plan.vertices << " vertices, " << plan.targets << " targets, unit " << plan.unit << ", duration " << plan.duration
+             << (plan.smooth ? ", smooth" : "") << (plan.cubic ? ", cubic" : "") << (plan.near_zero ? ", near zero" : "")
+             << ", noise " << plan.noise << ", root scale " << plan.root_scale << ", far " << plan.far << ", away " << plan.away
+             << ", seed " << plan.seed;
 }
 
 }  // namespace proptests::gen

@@ -14,12 +14,14 @@ struct AnimatedPlan {
   int nodes = 1;           // 1 to 7, in any tree or trees
   int joints = 1;          // 1 to 6, several on a node perhaps
   int vertices = 1;        // 1 to 5
+  int targets = 0;         // 0 to 3 morph targets, of one mesh or of two
   double unit = 1;         // 1e-6 to 1e6
   double duration = 1;     // 0 to 1e6
   bool smooth = false;     // turns are small, nothing jumps, tangents are moderate
   bool cubic = false;      // splines of rotations, too
   double noise = 0;        // of the scales of a rigid model
   double root_scale = 1;   // of the first node, which offsets undo; negative for a mirror
+  double away = 0;         // how far the reference pose is from the origin, which offsets undo; in units
   double far = 0;          // how far things are moved there and back, in units
   bool near_zero = false;  // some spline of rotations passes near zero
   unsigned seed = 0;
@@ -32,6 +34,6 @@ refitlab::Model animated_model(const AnimatedPlan&);  // its only clip has the a
 // Whether something about it is a special case.
 bool is_degenerate(const AnimatedPlan& plan);
 
-void showValue(const AnimatedPlan& plan, std::ostream& out);
+std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan);
 
 }  // namespace proptests::gen

@@ -13,7 +13,18 @@ namespace {
 using Eigen::Matrix4d, Eigen::Vector3d;
 using nlohmann::json;
 
-enum : int { root, armature, body_node, bone, between, second_bone, fan_node, tip, again, loose };
+enum : int {
+  root_node,
+  armature_node,
+  body_node,
+  bone_node,
+  gap_node,
+  second_bone_node,
+  fan_node,
+  tip_node,
+  again_node,
+  loose_node
+};
 
 const double half = std::sqrt(0.5);
 const std::vector<double> default_weights = {0.5, 0.25}, last_weights = {1, -0.5};
@@ -74,14 +85,14 @@ RichGltf::RichGltf(bool uneven, bool moving) : uneven_(uneven), moving_(moving) 
   RichPrimitive other = primitives_[0];  // the body's two once more, by another node
   for (int p = 0; p < 2; ++p) {
     other = primitives_[p];
-    other.node = again;
+    other.node = again_node;
     primitives_.push_back(other);
   }
 }
 
 void RichGltf::add_nodes() {
   file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-  file.json["scenes"] = {{{"nodes", {tip}}}, {{"nodes", {root}}}};
+  file.json["scenes"] = {{{"nodes", {tip_node}}}, {{"nodes", {root_node}}}};
   file.json["scenes"][0]["nodes"] = json::array();  // not the default one
   file.json["scene"] = 1;
   const auto add = [&](const char* name, const json& more) {
@@ -89,15 +100,15 @@ void RichGltf::add_nodes() {
     if (*name) node["name"] = name;
     file.json["nodes"].push_back(node);
   };
-  add("root", {{"children", {armature, fan_node, again}},
+  add("root", {{"children", {armature_node, fan_node, again_node}},
                {"translation", {1, 2, 3}},
                {"rotation", {0, half, 0, half}},
                {"scale", {0.5, 0.5, 0.5}}});
-  add("", {{"children", {body_node, bone}}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 1, 0, 1}}});
+  add("", {{"children", {body_node, bone_node}}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 1, 0, 1}}});
   add("skin", {{"mesh", 0}, {"skin", 0}, {"translation", {9, 9, 9}}, {"scale", {7, 8, 9}}});
-  add("bone", {{"children", {between}}, {"translation", {0, 1, 0}}});
-  add("between", {{"children", {second_bone}}, {"rotation", {half, 0, 0, half}}});
-  add("bone", {{"children", {tip, loose}}, {"translation", {0, 1, 0}}});
+  add("bone", {{"children", {gap_node}}, {"translation", {0, 1, 0}}});
+  add("between", {{"children", {second_bone_node}}, {"rotation", {half, 0, 0, half}}});
+  add("bone", {{"children", {tip_node, loose_node}}, {"translation", {0, 1, 0}}});
   add("skin", {{"mesh", 1}, {"skin", 1}});
   add("tip", {{"translation", {0, 1, 0}}});
   add("again", {{"mesh", 0}, {"skin", 0}});
@@ -108,32 +119,33 @@ Matrix4d RichGltf::local(int node, double t) const {
   const Vector3d ones = Vector3d::Ones(), up = Vector3d::UnitY();
   const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
   switch (node) {
-    case root: return transform({1, 2, 3}, about(up, 90), 0.5 * ones);
-    case armature: return transform(up, still, 2 * ones);
-    case bone: {
+    case root_node: return transform({1, 2, 3}, about(up, 90), 0.5 * ones);
+    case armature_node: return transform(up, still, 2 * ones);
+    case bone_node: {
       const double s = t / 2;
       const Vector3d from(0, 1, 0), to(1, 1, 0.5), out(1, 0, 2), into(0, 1, -1);
       return transform((2 * s * s * s - 3 * s * s + 1) * from + 2 * (s * s * s - 2 * s * s + s) * out +
                            (3 * s * s - 2 * s * s * s) * to + 2 * (s * s * s - s * s) * into,
                        still, ones);
     }
-    case between: return transform(Vector3d::Zero(), about(Vector3d::UnitX(), 90), ones);
-    case second_bone: return transform(up, about(Vector3d::UnitZ(), 90 * std::min(t, 2 - t)), ones);
-    case tip: return transform(up, about(Vector3d::UnitX(), t >= 0.5 && t < 1.5 ? 60 : 0), {1, uneven_ ? 1 + t / 4 : 1, 1});
-    case loose: return transform({0.25, 0, 0}, still, 3 * ones);
+    case gap_node: return transform(Vector3d::Zero(), about(Vector3d::UnitX(), 90), ones);
+    case second_bone_node: return transform(up, about(Vector3d::UnitZ(), 90 * std::min(t, 2 - t)), ones);
+    case tip_node: return transform(up, about(Vector3d::UnitX(), t >= 0.5 && t < 1.5 ? 60 : 0), {1, uneven_ ? 1 + t / 4 : 1, 1});
+    case loose_node: return transform({0.25, 0, 0}, still, 3 * ones);
     default: return Matrix4d::Identity();
   }
 }
 
 Matrix4d RichGltf::global(int node, double time) const {
-  constexpr int parents[] = {-1, root, armature, armature, bone, between, root, second_bone, root, second_bone};
+  constexpr int parents[] = {-1,       root_node, armature_node,    armature_node, bone_node,
+                             gap_node, root_node, second_bone_node, root_node,     second_bone_node};
   Matrix4d out = local(node, time);
   for (int n = parents[node]; n >= 0; n = parents[n]) out = local(n, time) * out;
   return out;
 }
 
 void RichGltf::add_skins() {
-  joints_ = {{second_bone, bone, tip}, {tip, second_bone}};
+  joints_ = {{second_bone_node, bone_node, tip_node}, {tip_node, second_bone_node}};
   // From each mesh's frame to the world as it rests.
   const Matrix4d frames[] = {transform({1, 0, 0}, about({0, 0, 1}, 30), 4 * Vector3d::Ones()),
                              transform({0, 2, 0}, about({1, 0, 0}, 45), 40 * Vector3d::Ones())};
@@ -231,7 +243,7 @@ void RichGltf::add_loose() {
   const std::size_t accessor = add_normalized(file, file.add_accessor(rows, "VEC3", gltf_short));
   file.json["bufferViews"][std::size_t(file.json["accessors"][accessor]["bufferView"])]["byteStride"] = 8;
   file.json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", accessor}}}}}}});
-  primitives_.push_back({loose, 2, 0, -1, {{0, 1, 2}}, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}, {}, {}});
+  primitives_.push_back({loose_node, 2, 0, -1, {{0, 1, 2}}, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}, {}, {}});
 }
 
 void RichGltf::add_clip() {
@@ -243,14 +255,14 @@ void RichGltf::add_clip() {
         {{"input", file.add_accessor(times, "SCALAR", gltf_float)}, {"output", values}, {"interpolation", interpolation}});
   };
   const std::vector<std::array<float, 3>> spline = {{0, 0, 0}, {0, 1, 0}, {1, 0, 2}, {0, 1, -1}, {1, 1, 0.5f}, {0, 0, 0}};
-  add(bone, "translation", {0, 2}, file.add_accessor(spline, "VEC3", gltf_float), "CUBICSPLINE");
+  add(bone_node, "translation", {0, 2}, file.add_accessor(spline, "VEC3", gltf_float), "CUBICSPLINE");
   const std::vector<std::array<std::int16_t, 4>> turns = {{0, 0, 0, 32767}, {0, 0, 23170, 23170}, {0, 0, 0, 32767}};
-  add(second_bone, "rotation", {0, 1, 2}, add_normalized(file, file.add_accessor(turns, "VEC4", gltf_short)), "LINEAR");
+  add(second_bone_node, "rotation", {0, 1, 2}, add_normalized(file, file.add_accessor(turns, "VEC4", gltf_short)), "LINEAR");
   const float cosine = static_cast<float>(std::sqrt(0.75));
   const std::vector<std::array<float, 4>> steps = {{0, 0, 0, 1}, {0.5f, 0, 0, cosine}, {0, 0, 0, 1}};
-  add(tip, "rotation", {0, 0.5f, 1.5f}, file.add_accessor(steps, "VEC4", gltf_float), "STEP");
+  add(tip_node, "rotation", {0, 0.5f, 1.5f}, file.add_accessor(steps, "VEC4", gltf_float), "STEP");
   const std::vector<std::array<float, 3>> scales = {{1, 1, 1}, {1, uneven_ ? 1.5f : 1, 1}};
-  add(tip, "scale", {0, 2}, file.add_accessor(scales, "VEC3", gltf_float), "LINEAR");
+  add(tip_node, "scale", {0, 2}, file.add_accessor(scales, "VEC3", gltf_float), "LINEAR");
   if (moving_) {
     std::vector<float> weights;
     for (const auto* list : {&default_weights, &last_weights})

@@ -250,6 +250,21 @@ class AnimatedSkin {
 
   // To be called before vertices are asked for. Throws Ambiguous, as vertex does.
   void pose(double time, refitlab::Side side) {
+    weights_.clear();
+    for (const auto& mesh : model_.morphs) {
+      weights_.emplace_back();
+      for (const double w : mesh.weights) weights_.back().push_back(number<S>(w));
+      for (const auto& track : animation_.weight_tracks)
+        for (std::size_t t = 0; track.node == mesh.node && t < mesh.weights.size(); ++t) {
+          // A weight moves as a coordinate of a position.
+          refitlab::Channel<Eigen::Vector3d> one{{}, track.weights.interpolation, {}};
+          const auto i = static_cast<Eigen::Index>(t);
+          for (const auto& key : track.weights.keys) one.keys.push_back({key.time, {key.value[i], 0, 0}});
+          for (const auto& tangent : track.weights.tangents)
+            one.tangents.push_back({{tangent.into[i], 0, 0}, {tangent.out[i], 0, 0}});
+          weights_.back()[t] = oracle::at<S>(one, time, number<S>(time), side)[0];
+        }
+    }
     const auto nodes = scene_transforms(
         model_.skeleton, local_transforms<S>(model_.skeleton, animation_, time, number<S>(time), side, is_rigid()));
     joints_.clear();
@@ -263,7 +278,11 @@ class AnimatedSkin {
 
   refitlab::Vec<S, 3> vertex(int v) const {
     using namespace refitlab;
-    const Vec<S, 3> at = numbers<S>(model_.vertices[v]);
+    Vec<S, 3> at = numbers<S>(model_.vertices[v]);
+    for (std::size_t m = 0; m < model_.morphs.size(); ++m)
+      for (std::size_t t = 0; t < weights_[m].size(); ++t)
+        for (const auto& [displaced, by] : model_.morphs[m].targets[t].displacements)
+          for (int i = 0; displaced == v && i < 3; ++i) at[i] = at[i] + weights_[m][t] * number<S>(by[i]);
     const auto& influences = model_.influences[v];
     if (!is_rigid()) {
       Matrix4<S> blend = matrix_of<S>(Eigen::Matrix4d::Zero());
@@ -373,6 +392,7 @@ class AnimatedSkin {
   refitlab::Skinning skinning_;
   std::vector<refitlab::Quaternion<S>> offset_turns_;
   std::vector<Placed<S>> joints_;
+  std::vector<std::vector<S>> weights_;  // by morphed mesh and target
 };
 
 }  // namespace proptests::oracle

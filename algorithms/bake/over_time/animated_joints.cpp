@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/runtime/packs/float_environment.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -28,6 +30,7 @@ AnimatedJoints::AnimatedJoints(const Model& model, const Animation& animation, b
     : model_(model),
       animation_(animation),
       needs_pose_(needs_pose) {
+  const DefaultFloatEnvironment environment;
   if (model.skeleton.joints.size() != model.joints.size())
     throw ModelError(model.name, "clip '" + animation.name + "'", "it has no keys, and nothing is known of it between poses");
   const std::vector<SceneNode>& nodes = model.skeleton.nodes;
@@ -65,6 +68,7 @@ Side AnimatedJoints::side_of(double time, Side side) const {
 }
 
 const PosedJoints& AnimatedJoints::at(double time, Side side) const {
+  const DefaultFloatEnvironment environment;
   side = side_of(time, side);
   {
     const std::lock_guard lock(guard_);

@@ -22,6 +22,9 @@ constexpr double flattest_side = 0.02;
 // Intervals are halved this many times at most; those of which nothing is known, fewer times.
 constexpr int most_halvings = 24, most_blind_halvings = 10;
 
+// After so many intervals none is halved any more: what hardly has a size would be looked at for ever.
+constexpr int most_intervals = 1 << 13;
+
 // The greatest values of convex functions that change by no more than their scale times the distance: (n, x) and (-n, x) for each
 // direction n, or the distance from a point. By function.
 using Values = std::vector<double>;
@@ -152,8 +155,13 @@ class Search {
     vertices_.place(time, side, slack.followed, points_);
     ++moments_;
     const Values values = functions_.greatest(points_, slack.beyond);
-    if (is_shared) raise(seen_, values), known_.emplace(std::pair{time, side}, values);
-    else raise(seen_, functions_.greatest(points_, {}));
+    if (is_shared) {
+      known_.emplace(std::pair{time, side}, values);
+      raise(seen_, values);
+    } else {
+      vertices_.place(time, side, Followed::skinned, points_);
+      raise(seen_, functions_.greatest(points_, {}));
+    }
     return values;
   }
 
@@ -166,7 +174,8 @@ class Search {
       const double middle = now.start + (now.end - now.start) / 2;
       const bool can_halve =
           now.halvings < (is_known ? most_halvings : most_blind_halvings) && now.start < middle && middle < now.end;
-      if (can_halve && is_worth_halving(now)) {
+      if (can_halve && intervals_ < most_intervals && is_worth_halving(now)) {
+        intervals_ += 2;
         for (const auto& [start, end] : {std::pair{now.start, middle}, {middle, now.end}})
           open.push_back(
               interval(now.part, start, end, now.halvings + 1, now.error, vertices_.slack(now.part, start, end, false)));
@@ -185,12 +194,12 @@ class Search {
     return above;
   }
 
-  // Whether some value is beyond what may be, and halving would lower it.
+  // Whether some value is beyond what may be, and halving would lower it by more than rounding matters.
   bool is_worth_halving(const Interval& interval) const {
     const Values reached = above(interval), tolerances = functions_.tolerances(seen_);
     for (std::size_t i = 0; i < reached.size(); ++i)
       if (reached[i] > std::max(bound_[i], seen_[i] + tolerances[i]) &&
-          functions_.scales()[i] * interval.chord > tolerances[i] / 2)
+          functions_.scales()[i] * interval.chord > std::max(tolerances[i] / 2, functions_.scales()[i] * interval.error))
         return true;
     return false;
   }
@@ -201,7 +210,7 @@ class Search {
   std::vector<Point3> points_;
   Values seen_, bound_;
   std::map<std::pair<double, Side>, Values> known_;
-  int moments_ = 0;
+  int moments_ = 0, intervals_ = 0;
 };
 
 float float_below(double x) { return -float_above(-x); }
@@ -240,6 +249,7 @@ Box<float> rounded_outward(const Box<double>& box) {
 }
 
 Ball3<float> rounded_outward(const Ball3<double>& ball) {
+  const DefaultFloatEnvironment environment;
   constexpr double largest = std::numeric_limits<float>::max();
   const Vec<float, 3> center = ball.center.cwiseMax(-largest).cwiseMin(largest).cast<float>();
   const Point3 way = center.cast<double>() - ball.center;

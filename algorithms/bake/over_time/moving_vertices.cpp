@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/a3_morph_displacement.hpp"
@@ -78,6 +79,7 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
       joint_sets_(sets),
       skinning_(skinning),
       vertices_(std::move(vertices)) {
+  const DefaultFloatEnvironment environment;
   if (skinning == Skinning::hejl) throw std::invalid_argument("MovingVertices: there are no bounds over time of Hejl's centers");
   const BoundSkeleton& skeleton = joints.model().skeleton;
   const std::vector<MorphedMesh>& morphs = joints.model().morphs;
@@ -142,6 +144,7 @@ Motion<double> MovingVertices::below(const Set& set, std::size_t k, int part,
 }
 
 void MovingVertices::place(double time, Side side, Followed followed, std::vector<Point3>& points) const {
+  const DefaultFloatEnvironment environment;
   const PosedJoints& posed = joints_.at(time, side);
   const bool is_linear = skinning_ == Skinning::linear || followed == Followed::linear_blend;
   points.resize(vertices_.size());
@@ -170,6 +173,7 @@ void MovingVertices::place(double time, Side side, Followed followed, std::vecto
 }
 
 IntervalSlack MovingVertices::slack(int part, double start, double end, bool must) const {
+  const DefaultFloatEnvironment environment;
   const auto blends = [&](const Set& set) { return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1; };
   IntervalSlack out;
   if (skinning_ != Skinning::spherical) {
@@ -286,6 +290,7 @@ double MovingVertices::relative_rounding(const Set& set, int part) const {
 }
 
 double MovingVertices::placing_error(int part) const {
+  const DefaultFloatEnvironment environment;
   double error = 0;
   for (const Set& set : sets_) {
     const auto joints = joint_sets_.joints(set.index);

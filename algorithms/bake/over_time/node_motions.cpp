@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "algorithms/runtime/packs/float_environment.hpp"
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
 
@@ -127,6 +128,11 @@ bool jumps(const Channel<Value>& channel, double time) {
   return is_step || (first + 1 != channel.keys.end() && (first + 1)->time == time);
 }
 
+// At a moment nothing moves.
+Motion<double> during(double start, double end, const Motion<double>& motion) {
+  return start < end ? motion : refitlab::at_rest(motion.size);
+}
+
 ChainMotion<double> at_rest(const Eigen::Matrix4d& local) {
   const AffineMap<double> map{{local.col(0).head<3>(), local.col(1).head<3>(), local.col(2).head<3>()}, local.col(3).head<3>()};
   return {refitlab::at_rest(std::sqrt(squared_stretch(map))), refitlab::at_rest(norm<double, 3>(map.offset)),
@@ -136,11 +142,13 @@ ChainMotion<double> at_rest(const Eigen::Matrix4d& local) {
 }  // namespace
 
 Stretch stretch_of(const Eigen::Matrix4d& matrix) {
+  const DefaultFloatEnvironment environment;
   const Eigen::Vector3d factors = Eigen::Matrix3d(matrix.topLeftCorner<3, 3>()).jacobiSvd().singularValues();
   return {factors[2], factors[0]};
 }
 
 std::vector<double> smooth_times(const std::string& file, const std::vector<SceneNode>& nodes, const Animation& animation) {
+  const DefaultFloatEnvironment environment;
   std::vector<double> times = key_times(animation, std::numeric_limits<std::size_t>::max());
   const auto fail = [&](const NodeTrack& track) {
     throw ModelError(file, "clip '" + animation.name + "', joint '" + nodes[track.node].name + "'",
@@ -164,14 +172,14 @@ bool jumps_at(const Animation& animation, double time) {
 
 std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& nodes, const Animation& animation, double start,
                                               double end) {
+  const DefaultFloatEnvironment environment;
   std::vector<ChainMotion<double>> links;
   for (const SceneNode& node : nodes) links.push_back(at_rest(node.local));
   for (const NodeTrack& track : animation.tracks) {
     ChainMotion<double>& link = links[track.node];
     link = chain_of<double>({vector_motion(track.positions, start, end, by_length), rotation_motion(track.rotations, start, end),
                              vector_motion(track.scales, start, end, by_greatest_factor)});
-    if (!(start < end))
-      link = {refitlab::at_rest(link.linear.size), refitlab::at_rest(link.offset.size), refitlab::at_rest(link.rotation.size)};
+    link = {during(start, end, link.linear), during(start, end, link.offset), during(start, end, link.rotation)};
   }
   return links;
 }
@@ -184,12 +192,13 @@ std::vector<Motion<double>> weight_motions(const WeightTrack& track, double star
     for (const auto& key : track.weights.keys) one.keys.push_back({key.time, key.value[i] * Point3::UnitX()});
     for (const auto& t : track.weights.tangents)
       one.tangents.push_back({t.into[i] * Point3::UnitX(), t.out[i] * Point3::UnitX()});
-    out.push_back(vector_motion(one, start, end, by_length));
+    out.push_back(during(start, end, vector_motion(one, start, end, by_length)));
   }
   return out;
 }
 
 std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animation& animation, double start, double end) {
+  const DefaultFloatEnvironment environment;
   std::vector<Stretch> out;
   for (const SceneNode& node : nodes) out.push_back(stretch_of(node.local));
   for (const NodeTrack& track : animation.tracks) {
@@ -216,6 +225,7 @@ std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animat
 }
 
 double growth_of_rounding(const Animation& animation, double start, double end) {
+  const DefaultFloatEnvironment environment;
   double growth = 1;
   for (const NodeTrack& track : animation.tracks)
     if (const auto part = rotation_spline(track, start, end)) {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bounds of any pose: whatever turns joints by whatever quaternions, vertices stay within the radius.
+#include "algorithms/bake/over_time/any_pose.hpp"
+
+#include <numeric>
+
+#include "algorithms/bake/over_time/moving_vertices.hpp"
+#include "proptests/gen/animated_model.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests::suite_any_pose {
+namespace {
+
+using namespace refitlab;
+
+Eigen::Quaterniond drawn_rotation() {
+  Eigen::Vector4d q;
+  do
+    for (double& x : q) x = *rc::gen::inRange(-10, 11);
+  while (q.isZero());
+  return Eigen::Quaterniond(Eigen::Vector4d(q.normalized()));
+}
+
+// The clip with every animated node turned somehow, for all time; translations and scales as at the time.
+Animation turned_anyhow(const Animation& clip) {
+  Animation out = clip;
+  for (NodeTrack& track : out.tracks) track.rotations = {{{0, drawn_rotation()}}, Interpolation::linear, {}};
+  return out;
+}
+
+}  // namespace
+
+PROPTEST(any_pose) {
+  for (const bool rigid : {false, true})
+    t.holds(
+        rigid ? "rigid joints: vertices stay within the radius by linear blending, and by dual quaternions and spherically"
+              : "affine joints: vertices stay within the radius of the node, however joints are turned",
+        {.number_type = "double", .cases = 300, .degenerate_at_most = 0.9}, [rigid] {
+          const gen::AnimatedPlan plan = gen::draw_animated_plan(rigid);
+          const Model model = gen::animated_model(plan);
+          RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+          const JointSets sets(model);
+          std::vector<int> all(model.vertices.size());
+          std::iota(all.begin(), all.end(), 0);
+          for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical}) {
+            if (!rigid && skinning != Skinning::linear) continue;
+            AnyPoseBound bound;
+            try {
+              bound = bound_any_pose(model, sets, all, skinning);
+            } catch (const ModelError&) {
+              RC_TAG("no bound");
+              return;
+            }
+            const Animation turned = turned_anyhow(model.clips[0].animation);
+            const AnimatedJoints joints(model, turned, skinning != Skinning::linear);
+            const MovingVertices vertices(joints, sets, skinning, all);
+            std::vector<Point3> points;
+            const double time = turned.duration * *rc::gen::inRange(0, 11) / 10;
+            const auto globals = global_transforms(model.skeleton.nodes, turned, time);
+            // Only dot products that are not negative are spoken of.
+            bool is_covered = true;
+            if (skinning != Skinning::linear)
+              for (const int v : all) {
+                std::vector<RigidTransform<double>> transforms;
+                for (const int j : sets.joints(sets.of_vertex(v))) transforms.push_back(joints.at(time, Side::after).pose[j]);
+                make_signs_consistent<double>(transforms);
+                for (const auto& a : transforms)
+                  for (const auto& b : transforms) is_covered = is_covered && dot(a.rotation, b.rotation) >= 0;
+              }
+            if (!is_covered) continue;
+            RC_TAG(skinning == Skinning::linear ? "linear" : "blended rotations");
+            vertices.place(time, Side::after, Followed::skinned, points);
+            const Point3 center = globals[bound.node].topRightCorner<3, 1>();
+            const int part = std::clamp(
+                static_cast<int>(std::upper_bound(joints.times().begin(), joints.times().end(), time) - joints.times().begin()) -
+                    1,
+                0, joints.part_count() - 1);
+            const double error = 2 * vertices.placing_error(part) + 1e-12 * (center.norm() + bound.radius);
+            for (const Point3& p : points) RC_ASSERT((p - center).norm() <= bound.radius + error);
+          }
+        });
+  t.example("a stretched arm reaches the radius, and joints of two trees have no node above them", {}, [] {
+    // Two links of lengths 2 and 3, scaled by 2 and 1, and a vertex 1 below the last: 2 (3 + 1 * 1) = 8 from the first joint.
+    Model model;
+    const auto local = [](double x, double scale) {
+      Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+      m.topLeftCorner<3, 3>() *= scale, m(0, 3) = x;
+      return m;
+    };
+    model.name = "arm";
+    model.skeleton = {"arm", {{"a", -1, local(2, 2)}, {"b", 0, local(3, 1)}}, {{"b", 1, -1, local(-8, 1)}}};
+    model.joints = {{"b", -1, {0, 0, 0}}};
+    model.vertices = {{9, 0, 0}, {8, 0, 0}, {8, 0.5, 0}};
+    model.triangles = {{0, 1, 2}};
+    model.influences.assign(3, {{0, 1.0}});
+    const std::vector<int> vertices{0};
+    const AnyPoseBound own = bound_any_pose(model, JointSets(model), vertices, Skinning::linear);
+    bool good = own.node == 1 && std::abs(own.radius - 2) < 1e-8;
+    model.skeleton.joints.push_back({"a", 0, -1, local(0, 1)}), model.joints.push_back({"a", -1, {0, 0, 0}});
+    model.influences[0] = {{0, 0.5}, {1, 0.5}};
+    model.vertices[0] = {9, 0, 0};
+    const AnyPoseBound both = bound_any_pose(model, JointSets(model), vertices, Skinning::linear);
+    good = good && both.node == 0 && std::abs(both.radius - 18) < 1e-7;  // by the joint a: 2 * 9
+    model.skeleton.nodes[1].parent = -1;
+    try {
+      bound_any_pose(model, JointSets(model), vertices, Skinning::linear);
+      good = false;
+    } catch (const ModelError&) {
+    }
+    return Checked(good, 3);
+  });
+}
+
+}  // namespace proptests::suite_any_pose

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Binary glTF files as chunks.
+#include "algorithms/program/glb_file.hpp"
+
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests::suite_glb_file {
+namespace {
+
+using namespace refitlab;
+
+std::vector<GlbChunk> drawn_chunks() {
+  std::vector<GlbChunk> chunks = {{json_chunk, *rc::gen::element<std::string>("{}  ", "{\"asset\":{\"version\":\"2.0\"}} ")}};
+  for (int n = *rc::gen::inRange(0, 4); n > 0; --n) {
+    std::string data(static_cast<std::size_t>(4 * *rc::gen::inRange(0, 5)), '\0');
+    for (char& c : data) c = *rc::gen::arbitrary<char>();
+    chunks.push_back({*rc::gen::element(bin_chunk, refitlab_chunk, std::uint32_t{7}), data});
+  }
+  while (chunks[0].data.size() % 4 != 0) chunks[0].data += ' ';
+  return chunks;
+}
+
+bool is_refused(const std::string& bytes) {
+  try {
+    read_glb(bytes, "test.glb");
+  } catch (const ModelError&) {
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+PROPTEST(glb_file) {
+  t.holds("chunks are read as they were written", {.number_type = "bytes", .cases = 300}, [] {
+    const auto chunks = drawn_chunks();
+    const auto again = read_glb(glb_of(chunks, "test.glb"), "test.glb");
+    RC_ASSERT(again.size() == chunks.size());
+    for (std::size_t i = 0; i < chunks.size(); ++i) RC_ASSERT(again[i].type == chunks[i].type && again[i].data == chunks[i].data);
+  });
+  t.holds("a file that ends anywhere, or goes on, is refused", {.number_type = "bytes", .cases = 100}, [] {
+    const std::string bytes = glb_of(drawn_chunks(), "test.glb");
+    for (std::size_t size = 0; size < bytes.size(); ++size) RC_ASSERT(is_refused(bytes.substr(0, size)));
+    RC_ASSERT(is_refused(bytes + std::string(4, '\0')));
+  });
+  t.example("data is padded, with spaces or zeros; another magic, version, size or first chunk is refused", {}, [] {
+    const std::string bytes = glb_of({{json_chunk, "{}"}, {bin_chunk, "abcde"}}, "test.glb");
+    const auto chunks = read_glb(bytes, "test.glb");
+    bool good = chunks[0].data == "{}  " && chunks[1].data == std::string("abcde\0\0\0", 8);
+    for (const std::size_t at : {0u, 4u, 8u, 12u, 16u}) {
+      std::string other = bytes;
+      other[at] = static_cast<char>(other[at] + 1);
+      good = good && is_refused(other);
+    }
+    // A chunk whose size is no multiple of four, with all other sizes as they should be.
+    std::string uneven = bytes.substr(0, bytes.size() - 1);
+    uneven[8] = static_cast<char>(uneven.size()), uneven[24] = 7;
+    return Checked(good && is_refused(uneven) && is_refused(bytes.substr(0, 12)), 8);
+  });
+}
+
+}  // namespace proptests::suite_glb_file

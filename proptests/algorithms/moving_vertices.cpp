@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Skinned vertices between two moments of an animation.
+#include "algorithms/bake/over_time/moving_vertices.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "proptests/gen/animated_model.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/animated_skin.hpp"
+
+namespace proptests::suite_moving_vertices {
+namespace {
+
+using namespace refitlab;
+using M = MultiprecisionInterval;
+
+std::vector<int> all_vertices(const Model& model) {
+  std::vector<int> all(model.vertices.size());
+  for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
+  return all;
+}
+
+// All vertices at a moment; nothing where the moment is ambiguous.
+std::optional<std::vector<Vec<M, 3>>> skinned(oracle::AnimatedSkin<M>& skin, const Model& model, double time, Side side) {
+  try {
+    skin.pose(time, side);
+    std::vector<Vec<M, 3>> out;
+    for (std::size_t v = 0; v < model.vertices.size(); ++v) out.push_back(skin.vertex(static_cast<int>(v)));
+    return out;
+  } catch (const oracle::Ambiguous&) {
+    return std::nullopt;
+  }
+}
+
+bool is_farther(const Vec<M, 3>& a, const Vec<M, 3>& b, double distance) {
+  return less_equal(squared_distance<M, 3>(a, b), M(sq(M(distance)))) == Verdict::fails;
+}
+
+Vec<M, 3> exactly(const Point3& x) { return {M(x[0]), M(x[1]), M(x[2])}; }
+
+Skinning skinning_of(int i) { return std::array{Skinning::linear, Skinning::dual_quaternion, Skinning::spherical}[i]; }
+
+// Two joints below one node, the second of which turns about z from 0 to this angle (degrees) in a second.
+Model turning(double angle, int turned_joints = 1) {
+  Model model;
+  model.name = model.skeleton.file = "turning";
+  model.skeleton.nodes = {{"base", -1, Eigen::Matrix4d::Identity()}};
+  model.skeleton.joints = {{"still", 0, -1, Eigen::Matrix4d::Identity()}};
+  model.joints = {{"still", -1, Point3::Zero()}};
+  const Channel<Eigen::Vector3d> zero{{{0, Eigen::Vector3d::Zero()}}}, one{{{0, Eigen::Vector3d::Ones()}}};
+  Animation animation{"clip", 1, {}};
+  for (int j = 1; j <= turned_joints; ++j) {
+    model.skeleton.nodes.push_back({"turned", 0, Eigen::Matrix4d::Identity()});
+    model.skeleton.joints.push_back({"turned", j, 0, Eigen::Matrix4d::Identity()});
+    model.joints.push_back({"turned", 0, Point3::Zero()});
+    Channel<Eigen::Quaterniond> turns;
+    for (int k = 0; k <= 4; ++k)
+      turns.keys.push_back(
+          {k / 4.0, Eigen::Quaterniond(Eigen::AngleAxisd((j == 1 ? 1 : -1) * angle * k / 4 * 3.141592653589793 / 180,
+                                                         Eigen::Vector3d::UnitZ()))});
+    animation.tracks.push_back({j, zero, turns, one});
+  }
+  model.vertices = {{1, 0, 0}};
+  model.triangles = {{0, 0, 0}};
+  model.influences = {{}};
+  for (int j = 0; j <= turned_joints; ++j) model.influences[0].push_back({j, 0.5});
+  if (turned_joints == 2) model.influences[0] = {{0, 0.0625}, {1, 0.46875}, {2, 0.46875}};
+  model.clips.push_back({"clip", 1, {}, animation});
+  return model;
+}
+
+PROPTEST(moving_vertices) {
+  t.holds("a vertex is as near to its chord as the slack says, or to its linear blend, which is",
+          {.form = "beyond",
+           .number_type = "multiprecision interval",
+           .cases = 500,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"bounded", 0.8}, {"followed itself", 0.3}, {"followed by its linear blend", 0.1}}},
+          [] {
+            const Skinning skinning = skinning_of(*rc::gen::inRange(0, 3));
+            auto plan = gen::draw_animated_plan(skinning != Skinning::linear);
+            if (plan.duration == 0) plan.duration = 1;
+            RC_LOG() << plan << " skinning " << static_cast<int>(skinning);
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Model model = gen::animated_model(plan);
+            const Animation& animation = model.clips[0].animation;
+            const JointSets sets(model);
+            oracle::AnimatedSkin<M> skin(model, animation, skinning), linear(model, animation, Skinning::linear);
+            std::mt19937 random(plan.seed + 4);
+            std::uniform_real_distribution<double> share(0, 1);
+            try {
+              const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
+              const MovingVertices moving(joints, sets, skinning, all_vertices(model));
+              for (int i = 0; i < 4; ++i) {
+                const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
+                const double first = joints.times()[part], last = joints.times()[part + 1];
+                const double length = std::array{1.0, 0.5, 0.1, 0.01}[random() % 4];
+                const double from = share(random) * (1 - length);
+                const double start = first + (last - first) * from,
+                             end = length == 1 ? last : std::min(last, start + length * (last - first));
+                if (!(start < end)) continue;
+                const Side side = start == first ? Side::after : Side::before;
+                IntervalSlack slack = moving.slack(part, start, end, false);
+                if (!(slack.chord < std::numeric_limits<double>::infinity())) slack = moving.slack(part, start, end, true);
+                const double error = moving.placing_error(part);
+                const bool itself = slack.followed == Followed::skinned;
+                RC_TAG(itself ? "followed itself" : "followed by its linear blend");
+                auto& followed = itself ? skin : linear;
+                const auto at_start = skinned(followed, model, start, side), at_end = skinned(followed, model, end, Side::before);
+                for (const double at : {0.5, share(random)}) {
+                  const double time = start + at * (end - start);
+                  if (!(start < time && time < end)) continue;
+                  const auto point = skinned(followed, model, time, Side::after),
+                             vertex = skinned(skin, model, time, Side::after);
+                  if (!at_start || !at_end || !point || !vertex) {
+                    RC_TAG("undecided");
+                    continue;
+                  }
+                  const M passed = (M(time) - M(start)) / (M(end) - M(start));
+                  for (std::size_t v = 0; v < point->size(); ++v) {
+                    const Vec<M, 3> chord = (*at_start)[v] * M(M(1) - passed) + (*at_end)[v] * passed;
+                    RC_ASSERT(!is_farther((*point)[v], chord, slack.chord + error));
+                    if (!itself) RC_ASSERT(!is_farther((*point)[v], (*vertex)[v], slack.beyond[v] + error));
+                  }
+                }
+              }
+              RC_TAG("bounded");
+            } catch (const ModelError&) {
+              RC_TAG("refused");
+            }
+          });
+  t.holds("placed vertices are off by no more than the error, even if most of what they are summed up from cancels",
+          {.form = "beyond",
+           .number_type = "multiprecision interval",
+           .cases = 300,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"bounded", 0.8}, {"cancels", 0.1}}},
+          [] {
+            const Skinning skinning = skinning_of(*rc::gen::inRange(0, 3));
+            const auto plan = gen::draw_animated_plan(skinning != Skinning::linear);
+            RC_LOG() << plan << " skinning " << static_cast<int>(skinning);
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            if (plan.far > 0 || plan.away > 0) RC_TAG("cancels");
+            const Model model = gen::animated_model(plan);
+            const Animation& animation = model.clips[0].animation;
+            const JointSets sets(model);
+            oracle::AnimatedSkin<M> skin(model, animation, skinning);
+            std::mt19937 random(plan.seed + 5);
+            try {
+              const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
+              const MovingVertices moving(joints, sets, skinning, all_vertices(model));
+              std::vector<Point3> points;
+              for (int i = 0; i < 4; ++i) {
+                const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
+                const double start = joints.times()[part], end = joints.times()[part + 1];
+                const double time = i == 0   ? start
+                                    : i == 1 ? end
+                                             : start + (end - start) * std::uniform_real_distribution<double>(0, 1)(random);
+                const Side side = time == start ? Side::after : Side::before;
+                // What is not followed may be off: blends that may vanish.
+                if (!(moving.slack(part, time, time, false).chord < std::numeric_limits<double>::infinity()) &&
+                    skinning == Skinning::dual_quaternion)
+                  continue;
+                moving.place(time, side, Followed::skinned, points);
+                const auto exact = skinned(skin, model, time, side);
+                if (!exact) {
+                  RC_TAG("undecided");
+                  continue;
+                }
+                for (std::size_t v = 0; v < points.size(); ++v)
+                  RC_ASSERT(!is_farther(exactly(points[v]), (*exact)[v], moving.placing_error(part)));
+              }
+              RC_TAG("bounded");
+            } catch (const ModelError&) {
+              RC_TAG("refused");
+            }
+          });
+  t.example("an error is not much more than rounding: parts in 10^11 of the size by linear skinning, in 10^9 by dual quaternions",
+            {}, [] {
+              const Model model = turning(60);
+              const JointSets sets(model);
+              const AnimatedJoints joints(model, model.clips[0].animation, true);
+              const MovingVertices linear(joints, sets, Skinning::linear, {0}),
+                  dual(joints, sets, Skinning::dual_quaternion, {0});
+              return linear.placing_error(0) > 0 && linear.placing_error(0) < 1e-11 && dual.placing_error(0) < 1e-9;
+            });
+  t.example("there are no bounds of Hejl's centers", {}, [] {
+    const Model model = turning(60);
+    const AnimatedJoints joints(model, model.clips[0].animation, true);
+    try {
+      MovingVertices(joints, JointSets(model), Skinning::hejl, {0});
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what()) == "MovingVertices: there are no bounds over time of Hejl's centers";
+    }
+    return false;
+  });
+  t.example("dual quaternions whose signs may change are not followed, but their linear blend is if it must", {}, [] {
+    const Model model = turning(220);  // beyond half a turn, at 9/11 of the second
+    const JointSets sets(model);
+    const AnimatedJoints joints(model, model.clips[0].animation, true);
+    const MovingVertices dual(joints, sets, Skinning::dual_quaternion, {0});
+    const double unknown = std::numeric_limits<double>::infinity();
+    const IntervalSlack before = dual.slack(0, 0, 0.25, false), there = dual.slack(3, 0.75, 1, false),
+                        must = dual.slack(3, 0.75, 1, true);
+    // Afterwards, the other sign holds, by short intervals.
+    const IntervalSlack after = dual.slack(3, 0.99, 1, false);
+    return before.followed == Followed::skinned && before.chord < 0.8 && there.chord == unknown &&
+           must.followed == Followed::linear_blend && must.chord < 0.3 && must.beyond[0] > 0.5 && must.beyond[0] < unknown &&
+           after.chord < 0.01;
+  });
+  t.example("the shorter a blend is, the more it bends, and one that is too short is not followed", {}, [] {
+    const double unknown = std::numeric_limits<double>::infinity();
+    const Model two = turning(170), three = turning(190, 2);
+    const JointSets sets_of_two(two), sets_of_three(three);
+    const AnimatedJoints turning_two(two, two.clips[0].animation, true), turning_three(three, three.clips[0].animation, true);
+    const MovingVertices of_two(turning_two, sets_of_two, Skinning::dual_quaternion, {0}),
+        of_three(turning_three, sets_of_three, Skinning::dual_quaternion, {0});
+    // At 176 degrees, where signs stay.
+    const double shorter = of_two.slack(3, 0.95, 0.951, false).chord, longer = of_two.slack(0, 0.05, 0.051, false).chord,
+                 too_short = of_three.slack(3, 0.9263, 0.92631, false).chord,
+                 long_enough = of_three.slack(3, 0.8, 0.80001, false).chord;
+    return Checked(shorter > 1.3 * longer && shorter < 1e-3 && too_short == unknown && long_enough < 1e-3, 4,
+                   std::to_string(shorter) + " " + std::to_string(longer) + " " + std::to_string(too_short) + " " +
+                       std::to_string(long_enough));
+  });
+  t.example("a blend of three joints that may vanish is refused by name", {}, [] {
+    const Model model = turning(235, 2);
+    const JointSets sets(model);
+    const AnimatedJoints joints(model, model.clips[0].animation, true);
+    const MovingVertices dual(joints, sets, Skinning::dual_quaternion, {0});
+    try {
+      dual.slack(3, 0.75, 1, true);
+    } catch (const ModelError& e) {
+      return std::string(e.what()) ==
+             "turning: vertex 0 or one like it: the rotations of its joints come so far apart that their blend may vanish: there "
+             "is no bound over time";
+    }
+    return false;
+  });
+  t.example("what all joints do alike costs nothing: the slack of a blend is that of its base and of what turns below", {}, [] {
+    Model model = turning(60);
+    auto& animation = model.clips[0].animation;
+    const Channel<Eigen::Vector3d> one{{{0, Eigen::Vector3d::Ones()}}};
+    // The base goes far and straight, which bends nothing.
+    animation.tracks.push_back(
+        {0, {{{0, Eigen::Vector3d::Zero()}, {1, Eigen::Vector3d(1e6, 0, 0)}}}, {{{0, Eigen::Quaterniond::Identity()}}}, one});
+    const JointSets sets(model);
+    const AnimatedJoints joints(model, animation, true);
+    const double moved = MovingVertices(joints, sets, Skinning::dual_quaternion, {0}).slack(0, 0, 0.25, false).chord;
+    const Model still = turning(60);
+    const AnimatedJoints resting(still, still.clips[0].animation, true);
+    const double alone = MovingVertices(resting, sets, Skinning::dual_quaternion, {0}).slack(0, 0, 0.25, false).chord;
+    return moved == alone && alone < 0.05;
+  });
+}
+
+}  // namespace
+}  // namespace proptests::suite_moving_vertices

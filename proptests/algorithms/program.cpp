@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as its users call it: baked files hold vertices that are skinned by formulas of the file's own, and what is wrong is
+// refused by a line, an exit code, and without a file that is half written.
+#include "algorithms/program/program.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "algorithms/program/baked_file.hpp"
+#include "algorithms/program/glb_file.hpp"
+#include "algorithms/results/write_whole.hpp"
+#include "proptests/gen/rich_gltf.hpp"
+#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness.hpp"
+
+namespace proptests::suite_program {
+namespace {
+
+using namespace refitlab;
+using nlohmann::json;
+
+struct Called {
+  int code;
+  std::string out, errors;
+};
+
+Called call(const std::vector<std::string>& arguments) {
+  std::ostringstream out, errors;
+  const int code = run_program(arguments, out, errors);
+  return {code, out.str(), errors.str()};
+}
+
+bool is_in(const json& box, const Eigen::Vector3d& p) {
+  for (int i = 0; i < 3; ++i)
+    if (p[i] < box[i].get<double>() || p[i] > box[i + 3].get<double>()) return false;
+  return true;
+}
+bool is_in_ball(const json& ball, const Eigen::Vector3d& p) {
+  return (p - Eigen::Vector3d(ball[0], ball[1], ball[2])).norm() <= ball[3].get<double>();
+}
+
+json description_of(const std::string& path) { return json::parse(read_glb(read_whole(path), path)[0].data); }
+
+// A baked file of all features at once, in a folder of its own.
+struct Rich {
+  explicit Rich(bool uneven, bool moving, const std::vector<std::string>& more = {}) : gltf(uneven, moving) {
+    write_whole(folder.file("in.glb"), gltf.file.binary_file());
+    std::vector<std::string> arguments = {"bake", "--clusters", "4", folder.file("in.glb"), folder.file("out.glb")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    called = call(arguments);
+  }
+  gen::TemporaryFolder folder;
+  gen::RichGltf gltf;
+  Called called;
+};
+
+// A baked file whose clusters are changed.
+void tamper(const std::string& path, const std::string& to, const std::function<void(BakedFile&)>& change) {
+  BakedFile baked = read_baked(path);
+  change(baked);
+  std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
+  chunks.back().data = chunk_of(baked);
+  write_whole(to, glb_of(chunks, to));
+}
+void halve_a_box(BakedFile& baked) {
+  BoundedPart& bound = baked.clusters.clips[0].clusters[0];
+  bound.box.high[1] = bound.box.low[1] + (bound.box.high[1] - bound.box.low[1]) / 2;
+}
+
+}  // namespace
+
+PROPTEST(program) {
+  t.example("every vertex of a file of all features is inside of its bounds, by the file's own formulas, at 400 times",
+            {.number_type = "double"}, [] {
+              long looked_at = 0, missed = 0;
+              for (const bool uneven : {false, true})
+                for (const bool moving : {false, true}) {
+                  const Rich rich(uneven, moving);
+                  if (rich.called.code != 0) return Checked(false, 1, rich.called.errors);
+                  const json file = description_of(rich.folder.file("out.glb"));
+                  const json& clip = file["animations"][0]["extras"]["refitlab"];
+                  for (const auto& primitive : rich.gltf.primitives()) {
+                    const auto& bounds = clip["primitives"];
+                    const auto own = std::find_if(bounds.begin(), bounds.end(), [&](const json& b) {
+                      return b["node"] == primitive.node && b["mesh"] == primitive.mesh && b["primitive"] == primitive.primitive;
+                    });
+                    if (own == bounds.end()) return Checked(false, 1, "a primitive has no bound");
+                    const json& of_mesh = file["meshes"][primitive.mesh];
+                    const json& always = of_mesh["primitives"][primitive.primitive]["extras"]["refitlab"];
+                    const json& mesh = of_mesh["extras"]["refitlab"];
+                    std::vector<char> is_used(primitive.positions.size(), 0);
+                    for (const auto& triangle : primitive.triangles)
+                      for (const int v : triangle) is_used[v] = 1;
+                    for (int i = 0; i < 400; ++i) {
+                      const auto posed = rich.gltf.posed(primitive, 2.0 * i / 399);
+                      for (std::size_t v = 0; v < posed.size(); ++v) {
+                        if (!is_used[v]) continue;
+                        ++looked_at;
+                        for (const json* bound : {&clip, &*own, &always, &mesh})
+                          missed += !is_in((*bound)["box"], posed[v]) + !is_in_ball((*bound)["ball"], posed[v]);
+                      }
+                    }
+                  }
+                }
+              return Checked(missed == 0 && looked_at > 10000, looked_at, std::to_string(missed) + " are outside");
+            });
+  t.example("a baked file is checked, read and baked again; a box that is half as high is found", {}, [] {
+    const Rich rich(true, true, {"--for", "any", "--json", "/dev/null", "--quiet"});
+    const std::string baked = rich.folder.file("out.glb"), again = rich.folder.file("again.glb"),
+                      bad = rich.folder.file("bad.glb");
+    const Called checked = call({"check", "--samples", "50", baked});
+    const Called twice = call({"bake", "--clusters", "4", "--for", "any", baked, again});
+    tamper(baked, bad, halve_a_box);
+    const Called found = call({"check", "--samples", "50", bad});
+    const bool is_same = read_whole(baked) == read_whole(again);
+    return Checked(rich.called.code == 0 && checked.code == 0 && twice.code == 0 && is_same && found.code == 1 &&
+                       found.out.find("cluster 0, vertex ") != std::string::npos,
+                   5, checked.out + found.out + twice.errors);
+  });
+  t.example("info, collide and report say what they should of a file, and help what a command takes", {}, [] {
+    const Rich rich(false, false, {"--report", "report.html"});
+    const std::string in = rich.folder.file("in.glb");
+    const Called info = call({"info", in}), collide = call({"collide", "--pairs", in, in}),
+                 apart = call({"collide", in, in, "--at", "1000", "0", "0"});
+    const std::string page = read_whole("report.html");
+    std::filesystem::remove("report.html");
+    bool good = rich.called.code == 0 && info.code == 0 && info.out.find("clips         1\n") != std::string::npos &&
+                collide.code == 0 && !collide.out.starts_with("0 ") && apart.out == "0 pairs of triangles touch\n" &&
+                page.find("\"file\":\"in.glb\"") != std::string::npos && page.find("/*DATA*/") == std::string::npos;
+    for (const char* command : {"bake", "info", "check", "collide"}) {
+      const Called help = call({command, "--help"});
+      good = good && help.code == 0 && help.out.starts_with(std::string("usage: refitlab ") + command);
+    }
+    return Checked(good && call({"--help"}).code == 0 && call({}).code == 2, 10, info.errors + collide.errors + apart.errors);
+  });
+  t.example("wrong calls exit with 2, files that cannot be used with 3, each with a line that says why, and nothing is written",
+            {}, [] {
+              const Rich rich(true, false);
+              const gen::TemporaryFolder& folder = rich.folder;
+              const std::string in = folder.file("in.glb"), out = folder.file("never.glb"), broken = folder.file("broken.glb");
+              const std::string bytes = read_whole(in);
+              const auto fails = [&](int code, const std::vector<std::string>& arguments, const std::string& reason) {
+                const Called called = call(arguments);
+                return called.code == code && called.errors.find(reason) != std::string::npos && !std::filesystem::exists(out);
+              };
+              bool good =
+                  fails(2, {"bake", in}, "it takes a file more: OUT.glb") && fails(2, {"frob"}, "there is no command frob") &&
+                  fails(2, {"bake", "--skinning", "cubic", in, out}, "there is no such skinning") &&
+                  fails(2, {"bake", "--clusters", "5", in, out}, "a multiple of 4") &&
+                  fails(2, {"bake", "--tolerance", "0", in, out}, "a number above 0") &&
+                  fails(2, {"bake", "--for", "ever", in, out}, "there are clip and any") &&
+                  fails(2, {"bake", "--nonsense", in, out}, "nonsense") &&
+                  fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
+                  fails(2, {"collide", in, in, "--at", "1", "2"}, "three numbers") &&
+                  fails(3, {"bake", folder.file("none.glb"), out}, "none.glb") && fails(3, {"check", in}, "it was not baked") &&
+                  fails(3, {"collide", "--clip-a", "none", in, in}, "clip 'none'") &&
+                  fails(3, {"bake", "--skinning", "dual-quaternion", in, out}, "skin matrix") &&  // its joints scale unevenly
+                  fails(3, {"bake", in, folder.file("no/such") + std::string("\0", 1) + "x"}, "");
+              for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
+                write_whole(broken, bytes.substr(0, size));
+                good = good && fails(3, {"bake", broken, out}, "broken.glb");
+              }
+              if (call({"bake", "--clusters", "4", in, folder.file("baked.glb")}).code != 0) return Checked(false);
+              const auto tampered = [&](const std::function<void(BakedFile&)>& change, const std::string& reason) {
+                tamper(folder.file("baked.glb"), broken, change);
+                return fails(3, {"check", broken}, reason);
+              };
+              good = good && tampered([](BakedFile& b) { b.skinning = Skinning::hejl; }, "there is no such skinning") &&
+                     tampered([](BakedFile& b) { b.clusters.clips.pop_back(); }, "not as many as were baked") &&
+                     tampered([](BakedFile& b) { b.clusters.clusters[0].triangles[0] = 1000; }, "not of this file's triangles") &&
+                     tampered([](BakedFile& b) { b.clusters.primitives[0].mesh = 7; }, "not of this file's triangles") &&
+                     fails(2, {"collide", "--clip-a", "move", "--time-a", "5", folder.file("baked.glb"), in},
+                           "the clip goes from 0 to 2");
+              // Extras that are no object.
+              const std::vector<GlbChunk> chunks = read_glb(bytes, in);
+              json description = json::parse(chunks[0].data);
+              description["meshes"][0]["extras"] = 7;
+              std::vector<GlbChunk> other = chunks;
+              other[0].data = description.dump();
+              write_whole(broken, glb_of(other, broken));
+              good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
+              return Checked(good, 115);
+            });
+}
+
+}  // namespace proptests::suite_program
