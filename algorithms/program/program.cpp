@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "algorithms/program/command.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
@@ -22,6 +23,7 @@ void describe(std::ostream& out) {
 }  // namespace
 
 int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
+  const DefaultFloatEnvironment environment;
   if (arguments.empty()) return describe(errors), exit_usage;
   if (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") return describe(out), exit_done;
   for (const Command* command : commands) {

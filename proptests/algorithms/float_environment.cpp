@@ -326,6 +326,17 @@ const std::vector<std::string> without_environment{
     "procedural/procedural_polygonise.cpp",
     "procedural/procedural_skeleton.cpp",  // by make_man and its like
     "tree/check_character.cpp",            // by character_of
+    "program/bake_command.cpp",
+    "program/collide_command.cpp",
+    "program/command.cpp",
+    "program/extras.cpp",
+    "program/info_command.cpp",
+    "program/main.cpp",  // by run_program
+    "program/baked_file.cpp",
+    "program/glb_file.cpp",
+    "program/json_splice.cpp",
+    "tree/binary.cpp",
+    "tree/cluster_bounds.cpp",  // no floating-point arithmetic
     "certificate/sha256.cpp",
     "packs/targets.cpp",
     "mesh/joint_sets.cpp",
