@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <utility>
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/bake/over_time/model_bounds.hpp"
@@ -107,9 +108,11 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds.tolerance, call.in);
+  SkinnedMesh mesh(model);
+  mesh.name.clear();  // what is written does not depend on where the file was
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
   chunks.push_back(
-      {refitlab_chunk, chunk_of({bounds.skinning, bake(SkinnedMesh(model), {}, {Pieces::mixed}), clusters_of(model, bounds)})});
+      {refitlab_chunk, chunk_of({bounds.skinning, bake(std::move(mesh), {}, {Pieces::mixed}), clusters_of(model, bounds)})});
   write_whole(call.out, glb_of(chunks, call.out));
   if (!call.report.empty()) write_whole(call.report, report_page(model, bounds, call.in));
   if (!call.json.empty()) write_whole(call.json, summary_json(model, bounds, call, seconds));

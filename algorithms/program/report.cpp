@@ -152,8 +152,10 @@ std::string report_page(const Model& model, const ModelBounds& bounds, const std
   const JointSets sets(model);
   std::vector<std::size_t> positions;
   const auto clusters = clusters_in(bounds, positions);
-  nlohmann::json data = {
-      {"file", file}, {"skinning", name_of(bounds.skinning)}, {"clusters", clusters.size()}, {"frames", frames_shown}};
+  nlohmann::json data = {{"file", std::filesystem::path(file).filename().string()},
+                         {"skinning", name_of(bounds.skinning)},
+                         {"clusters", clusters.size()},
+                         {"frames", frames_shown}};
   std::string triangles, cluster_of(model.triangles.size() * 2, '\0');
   for (const Triangle& t : model.triangles)
     for (const int v : t) put_32_bits(triangles, v);

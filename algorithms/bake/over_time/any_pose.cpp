@@ -13,7 +13,7 @@ namespace refitlab {
 namespace {
 
 // Of roundings in a chain of nodes, which are far fewer than 2^20.
-constexpr double rounded_up = 1 + 0x1p-30;
+constexpr double room_for_rounding = 1 + 0x1p-30;
 
 std::vector<int> path_to(const std::vector<SceneNode>& nodes, int node) {
   std::vector<int> path;
@@ -121,7 +121,7 @@ AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span
         }
     greatest = std::max(greatest, reach + std::sqrt(squared_stray_in_any_pose(squared_spread)));
   }
-  return {above.back(), apart_at_most<double>(scales, greatest, 0) * rounded_up};
+  return {above.back(), apart_at_most<double>(scales, greatest, 0) * room_for_rounding};
 }
 
 }  // namespace refitlab

@@ -248,13 +248,4 @@ Box<float> rounded_outward(const Box<double>& box) {
   return out;
 }
 
-Ball3<float> rounded_outward(const Ball3<double>& ball) {
-  const DefaultFloatEnvironment environment;
-  constexpr double largest = std::numeric_limits<float>::max();
-  const Vec<float, 3> center = ball.center.cwiseMax(-largest).cwiseMin(largest).cast<float>();
-  const Point3 way = center.cast<double>() - ball.center;
-  const double moved = std::hypot(way[0], way[1], way[2]);  // not 0 if its square would be
-  return {center, float_above((ball.radius + moved) * (1 + 0x1p-50))};
-}
-
 }  // namespace refitlab

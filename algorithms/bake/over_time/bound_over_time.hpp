@@ -35,8 +35,7 @@ BoundOverTime bound_over_time(const AnimatedJoints& joints, const MovingVertices
 // The box of slabs along x, y and z.
 Box<double> box_of(std::span<const Slab<double>> slabs);
 
-// The least box and ball in float that enclose these.
+// The least box in float that encloses this one.
 Box<float> rounded_outward(const Box<double>& box);
-Ball3<float> rounded_outward(const Ball3<double>& ball);
 
 }  // namespace refitlab

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "algorithms/bake/parallel.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 

@@ -24,19 +24,24 @@ REFITLAB_KERNEL int overlaps(const BoxBlock<float>* blocks, int count, const Box
   return find_meeting(blocks, count, box, out);
 }
 
-// By place a bit for each side of the box that it is beyond.
+// By place a bit for each side of the box that it is beyond. Bits are added up as floats, whole as they are: Clang 14 cannot compile
+// masks of sixteen integers.
 void find_outcodes(const float* xyz, int place_count, const Box<float>& box, std::uint8_t* outcodes) {
   using Floats = Row<float, width>;
+  using Whole = Row<std::int32_t, width>;
   using Bytes = Row<std::uint8_t, width>;
   for (int place = 0; place < place_count; place += width) {
-    Row<std::int32_t, width> code{};
+    S code(0);
     for (int i = 0; i < 3; ++i) {
-      Floats x;
-      read_row(xyz + i * place_count + place, x);
-      code |= (x < box.low[i]) & (1 << i);
-      code |= (x > box.high[i]) & (8 << i);
+      const S x = load(xyz + i * place_count + place);
+      code = code + choose(x < S(box.low[i]), S(static_cast<float>(1 << i)), S(0)) +
+             choose(x > S(box.high[i]), S(static_cast<float>(8 << i)), S(0));
     }
-    write_row(__builtin_convertvector(code, Bytes), outcodes + place);
+    alignas(64) float numbers[width];
+    code.copy_to(numbers, std::experimental::vector_aligned);
+    Floats sums;
+    read_row(numbers, sums);
+    write_row(__builtin_convertvector(__builtin_convertvector(sums, Whole), Bytes), outcodes + place);
   }
 }
 
