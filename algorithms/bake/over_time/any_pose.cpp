@@ -98,7 +98,9 @@ AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span
   // What is below the node is carried by its own scale and those above it, and not by its translation.
   const std::vector<LinkRange<double>> scales = ranges.links(above);
   double greatest = 0;
-  for (const auto& [set, list] : distances) {
+  for (const auto& of_set : distances) {
+    const int set = of_set.first;
+    const std::vector<double>& list = of_set.second;
     const auto joints = sets.joints(set);
     std::vector<std::vector<int>> paths;
     double reach = 0;
