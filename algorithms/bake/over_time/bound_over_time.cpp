@@ -154,7 +154,7 @@ class Search {
       if (const auto found = known_.find({time, side}); found != known_.end()) return found->second;
     vertices_.place(time, side, slack.followed, points_);
     ++moments_;
-    const Values values = functions_.greatest(points_, slack.beyond);
+    Values values = functions_.greatest(points_, slack.beyond);
     if (is_shared) {
       known_.emplace(std::pair{time, side}, values);
       raise(seen_, values);
