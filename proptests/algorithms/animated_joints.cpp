@@ -33,8 +33,7 @@ Model stepping(double duration, const std::vector<std::pair<double, double>>& st
 
 PROPTEST(animated_joints) {
   t.holds("at every time skin matrices are no farther from their chains' rotations than the part's defect",
-          {.form = "beyond",
-           .number_type = "multiprecision interval",
+          {.number_type = "multiprecision interval",
            .cases = 200,
            .degenerate_at_least = 0.2,
            .degenerate_at_most = 0.9,

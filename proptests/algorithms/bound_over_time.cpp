@@ -227,27 +227,26 @@ Model swinging() {
 
 PROPTEST(bound_over_time) {
   t.holds("no vertex that is skinned linearly is ever outside of slabs and ball",
-          {.form = "beyond", .number_type = "double", .cases = 250, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
+          {.number_type = "double", .cases = 250, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
             const auto plan = gen::draw_animated_plan(false);
             RC_LOG() << plan;
             never_missed(plan, Skinning::linear);
           });
   t.holds("no vertex that is skinned by dual quaternions is ever outside of slabs and ball",
-          {.form = "beyond", .number_type = "double", .cases = 250, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
+          {.number_type = "double", .cases = 250, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
             const auto plan = gen::draw_animated_plan(true);
             RC_LOG() << plan;
             never_missed(plan, Skinning::dual_quaternion);
           });
   t.holds("no vertex that is skinned spherically is ever outside of slabs and ball",
-          {.form = "beyond", .number_type = "double", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
+          {.number_type = "double", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
             const auto plan = gen::draw_animated_plan(true);
             RC_LOG() << plan;
             never_missed(plan, Skinning::spherical);
           });
   t.holds(
       "the bounds converge: they are hardly more than what vertices reach, by linear and by dual quaternion skinning",
-      {.form = "beyond", .number_type = "double", .cases = 60, .degenerate_at_most = 0.9, .tags_at_least = {{"compared", 0.4}}},
-      [] {
+      {.number_type = "double", .cases = 60, .degenerate_at_most = 0.9, .tags_at_least = {{"compared", 0.4}}}, [] {
         const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);
         const auto plan = gen::draw_smooth_plan(skinning != Skinning::linear);
         RC_LOG() << plan << " skinning " << static_cast<int>(skinning);
@@ -293,7 +292,7 @@ PROPTEST(bound_over_time) {
     return Checked(good, 3);
   });
   t.example("keys alone miss what a slerp reaches between them, and so does a sample at a rate that jumps over it",
-            {.form = "beyond", .hypothesis = "bounds are blown up by the slack"}, [] {
+            {.hypothesis = "bounds are blown up by the slack"}, [] {
               const Model model = swinging();
               Scene scene(model, Skinning::linear, {Point3::UnitX(), Point3::UnitY(), Point3::UnitZ()});
               const BoundOverTime bound = scene.bound(1e6);

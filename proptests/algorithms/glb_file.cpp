@@ -56,7 +56,13 @@ PROPTEST(glb_file) {
     // A chunk whose size is no multiple of four, with all other sizes as they should be.
     std::string uneven = bytes.substr(0, bytes.size() - 1);
     uneven[8] = static_cast<char>(uneven.size()), uneven[24] = 7;
-    return Checked(good && is_refused(uneven) && is_refused(bytes.substr(0, 12)), 8);
+    // Cut in the header and in the data of a chunk, with a total size that fits.
+    for (const std::size_t size : {bytes.size() - 12, bytes.size() - 4}) {
+      std::string cut = bytes.substr(0, size);
+      cut[8] = static_cast<char>(size);
+      good = good && is_refused(cut);
+    }
+    return Checked(good && is_refused(uneven) && is_refused(bytes.substr(0, 12)), 10);
   });
 }
 

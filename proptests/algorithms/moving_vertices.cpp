@@ -72,8 +72,7 @@ Model turning(double angle, int turned_joints = 1) {
 
 PROPTEST(moving_vertices) {
   t.holds("a vertex is as near to its chord as the slack says, or to its linear blend, which is",
-          {.form = "beyond",
-           .number_type = "multiprecision interval",
+          {.number_type = "multiprecision interval",
            .cases = 500,
            .degenerate_at_least = 0.2,
            .degenerate_at_most = 0.9,
@@ -132,8 +131,7 @@ PROPTEST(moving_vertices) {
             }
           });
   t.holds("placed vertices are off by no more than the error, even if most of what they are summed up from cancels",
-          {.form = "beyond",
-           .number_type = "multiprecision interval",
+          {.number_type = "multiprecision interval",
            .cases = 300,
            .degenerate_at_least = 0.2,
            .degenerate_at_most = 0.9,

@@ -76,8 +76,7 @@ Channel<Eigen::Quaterniond> swinging(double duration, double tangent) {
 
 PROPTEST(node_motions) {
   t.holds("links and chains move within their bounds at any time of a part, as jets say",
-          {.form = "beyond",
-           .number_type = "multiprecision interval",
+          {.number_type = "multiprecision interval",
            .cases = 250,
            .degenerate_at_least = 0.2,
            .degenerate_at_most = 0.9,
