@@ -5,6 +5,7 @@
 #include <ostream>
 #include <random>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/model/load.hpp"
@@ -57,8 +58,8 @@ class ClusterCheck {
     const std::vector<double>& times = joints_.times();
     const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
     const int part = std::clamp(static_cast<int>(after) - 1, 0, joints_.part_count() - 1);
-    const double error = joints_.part_count() == 0 ? 0 : vertices_.placing_error(part);
-    vertices_.place(time, Side::after, Followed::skinned, points_);
+    const double error = vertices_.placing_error(joints_.cell(part, times[part], times[part + 1]));
+    vertices_.place(*joints_.at(time, Side::after), Followed::skinned, points_);
     double nearest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const double out = beyond(bound_, points_[i]);
@@ -117,7 +118,7 @@ Tally check_clip(const Model& model, const JointSets& sets, const BakedFile& bak
     const DefaultFloatEnvironment environment;
     const std::vector<int> vertices = vertices_of(model, baked.clusters, baked.clusters.clusters[c], file);
     if (vertices.empty()) return;
-    const MovingVertices moving(joints, sets, baked.skinning, vertices);
+    const MovingVertices moving(model, sets, baked.skinning, vertices);
     ClusterCheck check(joints, moving, clip.clusters[c]);
     check.look(times);
     const std::lock_guard lock(guard);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -45,9 +46,9 @@ std::vector<double> more_times(const std::vector<double>& times, int between = m
   return out;
 }
 
-void merge_at(const MovingVertices& vertices, double time, Box<double>& box) {
+void merge_at(const AnimatedJoints& joints, const MovingVertices& vertices, double time, Box<double>& box) {
   std::vector<Point3> points;
-  vertices.place(time, Side::after, Followed::skinned, points);
+  vertices.place(*joints.at(time, Side::after), Followed::skinned, points);
   for (const Point3& p : points) box.merge(p);
 }
 
@@ -83,7 +84,7 @@ std::string frames_of(const AnimatedJoints& joints, const MovingVertices& all, c
   std::string bytes;
   std::vector<Point3> points;
   for (int f = 0; f < frames_shown; ++f) {
-    all.place(joints.times().back() * f / (frames_shown - 1), Side::after, Followed::skinned, points);
+    all.place(*joints.at(joints.times().back() * f / (frames_shown - 1), Side::after), Followed::skinned, points);
     for (const Point3& p : points)
       for (int i = 0; i < 3; ++i) {
         const double side = std::max(static_cast<double>(box.high[i]) - box.low[i], 1e-30);
@@ -96,11 +97,11 @@ std::string frames_of(const AnimatedJoints& joints, const MovingVertices& all, c
 // The coordinate in which the cluster leaves the box of its keys by most, over time.
 nlohmann::json chart_of(const AnimatedJoints& joints, const MovingVertices& cluster, const BoundedPart& bound) {
   Box<double> of_keys = Box<double>::empty(), of_all = of_keys;
-  for (const double time : joints.times()) merge_at(cluster, time, of_keys);
+  for (const double time : joints.times()) merge_at(joints, cluster, time, of_keys);
   const int parts = joints.part_count();
   const std::vector<double> times = more_times(joints.times(), std::max(moments_between, moments_on_chart / parts));
   std::vector<Box<double>> boxes(times.size(), Box<double>::empty());
-  for (std::size_t i = 0; i < times.size(); ++i) merge_at(cluster, times[i], boxes[i]), of_all.merge(boxes[i]);
+  for (std::size_t i = 0; i < times.size(); ++i) merge_at(joints, cluster, times[i], boxes[i]), of_all.merge(boxes[i]);
   int axis = 0;
   bool is_low = false;
   double most = -1;
@@ -129,13 +130,13 @@ SampledMisses misses_of_sampling(const Model& model, const ModelBounds& bounds, 
   std::mutex guard;
   parallel_for(clusters.size(), [&](std::size_t c) {
     const DefaultFloatEnvironment own_environment;
-    const MovingVertices vertices(joints, sets, bounds.skinning, clusters[c]->vertices);
+    const MovingVertices vertices(model, sets, bounds.skinning, clusters[c]->vertices);
     Box<double> known = Box<double>::empty();
-    for (const double time : sampled) merge_at(vertices, time, known);
+    for (const double time : sampled) merge_at(joints, vertices, time, known);
     double most = 0, when = 0;
     for (const double time : all) {
       Box<double> box = Box<double>::empty();
-      merge_at(vertices, time, box);
+      merge_at(joints, vertices, time, box);
       if (const double by = beyond(box, known); by > most) most = by, when = time;
     }
     const double share = most / known.edges().maxCoeff();
@@ -166,7 +167,7 @@ std::string report_page(const Model& model, const ModelBounds& bounds, const std
   for (std::size_t c = 0; c < bounds.clips.size(); ++c) {
     const BoundedClip& clip = bounds.clips[c];
     const AnimatedJoints joints(model, model.clips[c].animation, bounds.skinning != Skinning::linear);
-    const MovingVertices all(joints, sets, bounds.skinning, bounds.parts[0].vertices);
+    const MovingVertices all(model, sets, bounds.skinning, bounds.parts[0].vertices);
     nlohmann::json of_clip = {{"name", clip.name},
                               {"duration", clip.duration},
                               {"box", numbers(clip.parts[0].box)},
@@ -180,7 +181,7 @@ std::string report_page(const Model& model, const ModelBounds& bounds, const std
       }
       if (const int worst = of_clip["keys"]["worst"]; worst >= 0)
         of_clip["chart"] =
-            chart_of(joints, {joints, sets, bounds.skinning, clusters[worst]->vertices}, clip.parts[positions[worst]]);
+            chart_of(joints, {model, sets, bounds.skinning, clusters[worst]->vertices}, clip.parts[positions[worst]]);
     }
     data["clips"].push_back(of_clip);
   }

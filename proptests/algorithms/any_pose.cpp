@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
@@ -53,7 +54,7 @@ PROPTEST(any_pose) {
             }
             const Animation turned = turned_anyhow(model.clips[0].animation);
             const AnimatedJoints joints(model, turned, skinning != Skinning::linear);
-            const MovingVertices vertices(joints, sets, skinning, all);
+            const MovingVertices vertices(model, sets, skinning, all);
             std::vector<Point3> points;
             const double time = turned.duration * *rc::gen::inRange(0, 11) / 10;
             const auto globals = global_transforms(model.skeleton.nodes, turned, time);
@@ -68,20 +69,21 @@ PROPTEST(any_pose) {
             if (skinning != Skinning::linear)
               for (const int v : all) {
                 std::vector<RigidTransform<double>> transforms;
-                for (const int j : sets.joints(sets.of_vertex(v))) transforms.push_back(joints.at(time, Side::after).pose[j]);
+                for (const int j : sets.joints(sets.of_vertex(v))) transforms.push_back(joints.at(time, Side::after)->pose[j]);
                 make_signs_consistent<double>(transforms);
                 for (const auto& a : transforms)
                   for (const auto& b : transforms) is_covered = is_covered && dot(a.rotation, b.rotation) >= 0;
               }
             if (!is_covered) continue;
             RC_TAG(skinning == Skinning::linear ? "linear" : "blended rotations");
-            vertices.place(time, Side::after, Followed::skinned, points);
+            vertices.place(*joints.at(time, Side::after), Followed::skinned, points);
             const Point3 center = globals[bound.node].topRightCorner<3, 1>();
             const int part = std::clamp(
                 static_cast<int>(std::upper_bound(joints.times().begin(), joints.times().end(), time) - joints.times().begin()) -
                     1,
                 0, joints.part_count() - 1);
-            const double error = 2 * vertices.placing_error(part) + 1e-12 * (center.norm() + bound.radius);
+            const double error = 2 * vertices.placing_error(joints.cell(part, joints.times()[part], joints.times()[part + 1])) +
+                                 1e-12 * (center.norm() + bound.radius);
             for (const Point3& p : points) RC_ASSERT((p - center).norm() <= bound.radius + error);
           }
         });

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
@@ -26,7 +27,7 @@ class Scene {
       : animation_(model.clips[0].animation),
         sets_(model),
         joints_(model, animation_, skinning != Skinning::linear),
-        vertices_(joints_, sets_, skinning, all_vertices(model)),
+        vertices_(model, sets_, skinning, all_vertices(model)),
         directions_(std::move(directions)),
         quick_(model, animation_, skinning),
         sure_(model, animation_, skinning) {}
@@ -260,7 +261,7 @@ PROPTEST(bound_over_time) {
         for (int part = 0; part < scene.joints().part_count(); ++part)
           for (int i = 0; i < 64; ++i) {
             const double step = (times[part + 1] - times[part]) / 64, start = times[part] + i * step;
-            if (!std::isfinite(scene.vertices().slack(part, start, start + step, false).chord)) return;
+            if (!std::isfinite(scene.vertices().slack(scene.joints().cell(part, start, start + step), false).chord)) return;
           }
         RC_TAG("compared");
         const BoundOverTime bound = scene.bound(tolerance);
@@ -268,7 +269,7 @@ PROPTEST(bound_over_time) {
         double longest = 0, error = 0;
         for (int d = 0; d < 3; ++d) longest = std::max(longest, reached[2 * d].value + reached[2 * d + 1].value);
         for (int part = 0; part < scene.joints().part_count(); ++part)
-          error = std::max(error, scene.vertices().placing_error(part));
+          error = std::max(error, scene.vertices().placing_error(scene.joints().cell(part, times[part], times[part + 1])));
         // The sample is followed uphill from 400 moments: by smooth clips it misses the extremes by little.
         const double missed = 1e-3 * longest + 4 * error;
         for (int d = 0; d < 3; ++d) {
@@ -298,12 +299,13 @@ PROPTEST(bound_over_time) {
               const BoundOverTime bound = scene.bound(1e6);
               std::vector<Point3> at_keys, points;
               for (const double time : {0.0, 1.0})
-                for (const Point3& p : (scene.vertices().place(time, Side::after, Followed::skinned, points), points))
+                for (const Point3& p :
+                     (scene.vertices().place(*scene.joints().at(time, Side::after), Followed::skinned, points), points))
                   at_keys.push_back(p);
               double highest = -1;
               for (const Point3& p : at_keys) highest = std::max(highest, p[0]);
               // From 45 degrees below the x axis to 45 degrees above: half of the way there x is 1.
-              scene.vertices().place(0.5, Side::after, Followed::skinned, points);
+              scene.vertices().place(*scene.joints().at(0.5, Side::after), Followed::skinned, points);
               return std::abs(highest - std::sqrt(0.5)) < 1e-15 && std::abs(points[0][0] - 1) < 1e-15 &&
                      bound.slabs[0].high >= 1 && bound.moments < 20 && scene.holds(bound, 0.5, Side::after) == Verdict::holds;
             });

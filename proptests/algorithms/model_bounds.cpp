@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
@@ -71,10 +72,10 @@ PROPTEST(model_bounds) {
               for (std::size_t c = 0; c < man().clips.size(); ++c) {
                 const AnimatedJoints joints(man(), man().clips[c].animation, false);
                 for (std::size_t p = 0; p < all.size(); ++p) {
-                  const MovingVertices vertices(joints, sets, Skinning::linear, bounds().parts[p].vertices);
+                  const MovingVertices vertices(man(), sets, Skinning::linear, bounds().parts[p].vertices);
                   std::vector<Point3> points;
                   for (int i = 0; i < 40; ++i) {
-                    vertices.place(joints.times().back() * i / 39, Side::after, Followed::skinned, points);
+                    vertices.place(*joints.at(joints.times().back() * i / 39, Side::after), Followed::skinned, points);
                     const BoundedPart& part = bounds().clips[c].parts[p];
                     for (const Point3& x : points) {
                       ++looked_at;

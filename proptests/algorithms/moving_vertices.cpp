@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
@@ -91,7 +92,7 @@ PROPTEST(moving_vertices) {
             std::uniform_real_distribution<double> share(0, 1);
             try {
               const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
-              const MovingVertices moving(joints, sets, skinning, all_vertices(model));
+              const MovingVertices moving(model, sets, skinning, all_vertices(model));
               for (int i = 0; i < 4; ++i) {
                 const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
                 const double first = joints.times()[part], last = joints.times()[part + 1];
@@ -101,9 +102,10 @@ PROPTEST(moving_vertices) {
                              end = length == 1 ? last : std::min(last, start + length * (last - first));
                 if (!(start < end)) continue;
                 const Side side = start == first ? Side::after : Side::before;
-                IntervalSlack slack = moving.slack(part, start, end, false);
-                if (!(slack.chord < std::numeric_limits<double>::infinity())) slack = moving.slack(part, start, end, true);
-                const double error = moving.placing_error(part);
+                CellSlack slack = moving.slack(joints.cell(part, start, end), false);
+                if (!(slack.chord < std::numeric_limits<double>::infinity()))
+                  slack = moving.slack(joints.cell(part, start, end), true);
+                const double error = moving.placing_error(joints.cell(part, joints.times()[part], joints.times()[part + 1]));
                 const bool itself = slack.followed == Followed::skinned;
                 RC_TAG(itself ? "followed itself" : "followed by its linear blend");
                 auto& followed = itself ? skin : linear;
@@ -149,7 +151,7 @@ PROPTEST(moving_vertices) {
             std::mt19937 random(plan.seed + 5);
             try {
               const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
-              const MovingVertices moving(joints, sets, skinning, all_vertices(model));
+              const MovingVertices moving(model, sets, skinning, all_vertices(model));
               std::vector<Point3> points;
               for (int i = 0; i < 4; ++i) {
                 const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
@@ -159,17 +161,18 @@ PROPTEST(moving_vertices) {
                                              : start + (end - start) * std::uniform_real_distribution<double>(0, 1)(random);
                 const Side side = time == start ? Side::after : Side::before;
                 // What is not followed may be off: blends that may vanish.
-                if (!(moving.slack(part, time, time, false).chord < std::numeric_limits<double>::infinity()) &&
+                if (!(moving.slack(joints.cell(part, time, time), false).chord < std::numeric_limits<double>::infinity()) &&
                     skinning == Skinning::dual_quaternion)
                   continue;
-                moving.place(time, side, Followed::skinned, points);
+                moving.place(*joints.at(time, side), Followed::skinned, points);
                 const auto exact = skinned(skin, model, time, side);
                 if (!exact) {
                   RC_TAG("undecided");
                   continue;
                 }
                 for (std::size_t v = 0; v < points.size(); ++v)
-                  RC_ASSERT(!is_farther(exactly(points[v]), (*exact)[v], moving.placing_error(part)));
+                  RC_ASSERT(!is_farther(exactly(points[v]), (*exact)[v],
+                                        moving.placing_error(joints.cell(part, joints.times()[part], joints.times()[part + 1]))));
               }
               RC_TAG("bounded");
             } catch (const ModelError&) {
@@ -181,15 +184,14 @@ PROPTEST(moving_vertices) {
               const Model model = turning(60);
               const JointSets sets(model);
               const AnimatedJoints joints(model, model.clips[0].animation, true);
-              const MovingVertices linear(joints, sets, Skinning::linear, {0}),
-                  dual(joints, sets, Skinning::dual_quaternion, {0});
-              return linear.placing_error(0) > 0 && linear.placing_error(0) < 1e-11 && dual.placing_error(0) < 1e-9;
+              const MovingVertices linear(model, sets, Skinning::linear, {0}), dual(model, sets, Skinning::dual_quaternion, {0});
+              const JointCell cell = joints.cell(0, 0, 0.25);
+              return linear.placing_error(cell) > 0 && linear.placing_error(cell) < 1e-11 && dual.placing_error(cell) < 1e-9;
             });
   t.example("there are no bounds of Hejl's centers", {}, [] {
     const Model model = turning(60);
-    const AnimatedJoints joints(model, model.clips[0].animation, true);
     try {
-      MovingVertices(joints, JointSets(model), Skinning::hejl, {0});
+      MovingVertices(model, JointSets(model), Skinning::hejl, {0});
     } catch (const std::invalid_argument& e) {
       return std::string(e.what()) == "MovingVertices: there are no bounds over time of Hejl's centers";
     }
@@ -199,12 +201,12 @@ PROPTEST(moving_vertices) {
     const Model model = turning(220);  // beyond half a turn, at 9/11 of the second
     const JointSets sets(model);
     const AnimatedJoints joints(model, model.clips[0].animation, true);
-    const MovingVertices dual(joints, sets, Skinning::dual_quaternion, {0});
+    const MovingVertices dual(model, sets, Skinning::dual_quaternion, {0});
     const double unknown = std::numeric_limits<double>::infinity();
-    const IntervalSlack before = dual.slack(0, 0, 0.25, false), there = dual.slack(3, 0.75, 1, false),
-                        must = dual.slack(3, 0.75, 1, true);
+    const CellSlack before = dual.slack(joints.cell(0, 0, 0.25), false), there = dual.slack(joints.cell(3, 0.75, 1), false),
+                    must = dual.slack(joints.cell(3, 0.75, 1), true);
     // Afterwards, the other sign holds, by short intervals.
-    const IntervalSlack after = dual.slack(3, 0.99, 1, false);
+    const CellSlack after = dual.slack(joints.cell(3, 0.99, 1), false);
     return before.followed == Followed::skinned && before.chord < 0.8 && there.chord == unknown &&
            must.followed == Followed::linear_blend && must.chord < 0.3 && must.beyond[0] > 0.5 && must.beyond[0] < unknown &&
            after.chord < 0.01;
@@ -214,12 +216,13 @@ PROPTEST(moving_vertices) {
     const Model two = turning(170), three = turning(190, 2);
     const JointSets sets_of_two(two), sets_of_three(three);
     const AnimatedJoints turning_two(two, two.clips[0].animation, true), turning_three(three, three.clips[0].animation, true);
-    const MovingVertices of_two(turning_two, sets_of_two, Skinning::dual_quaternion, {0}),
-        of_three(turning_three, sets_of_three, Skinning::dual_quaternion, {0});
+    const MovingVertices of_two(two, sets_of_two, Skinning::dual_quaternion, {0}),
+        of_three(three, sets_of_three, Skinning::dual_quaternion, {0});
     // At 176 degrees, where signs stay.
-    const double shorter = of_two.slack(3, 0.95, 0.951, false).chord, longer = of_two.slack(0, 0.05, 0.051, false).chord,
-                 too_short = of_three.slack(3, 0.9263, 0.92631, false).chord,
-                 long_enough = of_three.slack(3, 0.8, 0.80001, false).chord;
+    const double shorter = of_two.slack(turning_two.cell(3, 0.95, 0.951), false).chord,
+                 longer = of_two.slack(turning_two.cell(0, 0.05, 0.051), false).chord,
+                 too_short = of_three.slack(turning_three.cell(3, 0.9263, 0.92631), false).chord,
+                 long_enough = of_three.slack(turning_three.cell(3, 0.8, 0.80001), false).chord;
     return Checked(shorter > 1.3 * longer && shorter < 1e-3 && too_short == unknown && long_enough < 1e-3, 4,
                    std::to_string(shorter) + " " + std::to_string(longer) + " " + std::to_string(too_short) + " " +
                        std::to_string(long_enough));
@@ -228,9 +231,9 @@ PROPTEST(moving_vertices) {
     const Model model = turning(235, 2);
     const JointSets sets(model);
     const AnimatedJoints joints(model, model.clips[0].animation, true);
-    const MovingVertices dual(joints, sets, Skinning::dual_quaternion, {0});
+    const MovingVertices dual(model, sets, Skinning::dual_quaternion, {0});
     try {
-      dual.slack(3, 0.75, 1, true);
+      dual.slack(joints.cell(3, 0.75, 1), true);
     } catch (const ModelError& e) {
       return std::string(e.what()) ==
              "turning: vertex 0 or one like it: the rotations of its joints come so far apart that their blend may vanish: there "
@@ -247,10 +250,10 @@ PROPTEST(moving_vertices) {
         {0, {{{0, Eigen::Vector3d::Zero()}, {1, Eigen::Vector3d(1e6, 0, 0)}}}, {{{0, Eigen::Quaterniond::Identity()}}}, one});
     const JointSets sets(model);
     const AnimatedJoints joints(model, animation, true);
-    const double moved = MovingVertices(joints, sets, Skinning::dual_quaternion, {0}).slack(0, 0, 0.25, false).chord;
+    const double moved = MovingVertices(model, sets, Skinning::dual_quaternion, {0}).slack(joints.cell(0, 0, 0.25), false).chord;
     const Model still = turning(60);
     const AnimatedJoints resting(still, still.clips[0].animation, true);
-    const double alone = MovingVertices(resting, sets, Skinning::dual_quaternion, {0}).slack(0, 0, 0.25, false).chord;
+    const double alone = MovingVertices(still, sets, Skinning::dual_quaternion, {0}).slack(resting.cell(0, 0, 0.25), false).chord;
     return moved == alone && alone < 0.05;
   });
 }

@@ -3,29 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
-namespace {
-
-// Each link is a factor times a rotation times I + E, with ||E|| at most its noise. The rotations' product differs from the whole
-// by what the noises add up to, and by how far the factors' product is from 1.
-double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& links, const BoundJoint& joint) {
-  double factor = 1, noise = 1;
-  const auto add = [&](const Stretch& link) {
-    factor *= std::sqrt(link.least * link.most);
-    noise *= std::sqrt(link.most / link.least);
-  };
-  add(stretch_of(joint.offset));
-  for (int n = joint.node; n >= 0; n = skeleton.nodes[n].parent) add(links[n]);
-  const double defect = factor * (noise - 1) + std::abs(factor - 1);
-  return defect >= 0 ? defect : std::numeric_limits<double>::infinity();
-}
-
-}  // namespace
-
 AnimatedJoints::AnimatedJoints(const Model& model, const Animation& animation, bool needs_pose)
     : model_(model),
       animation_(animation),
@@ -44,30 +25,59 @@ AnimatedJoints::AnimatedJoints(const Model& model, const Animation& animation, b
     if (jumps_at(animation, time)) jumps_.push_back(time);
   if (const double end = times_.back(); times_.size() == 1 || jumps_at(animation, end)) times_.push_back(end);
   for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
-    auto& weights = weights_.emplace_back();
+    auto motions = std::make_shared<JointMotions>();
     for (std::size_t m = 0; m < model.morphs.size(); ++m) {
-      if (weight_tracks_[m]) weights.push_back(weight_motions(*weight_tracks_[m], times_[i], times_[i + 1]));
-      else {
-        auto& at_rest_ones = weights.emplace_back();
-        for (const double w : model.morphs[m].weights) at_rest_ones.push_back(at_rest(std::abs(w)));
+      if (weight_tracks_[m]) {
+        motions->weights.push_back(weight_motions(*weight_tracks_[m], times_[i], times_[i + 1]));
+        continue;
       }
+      auto& at_rest_ones = motions->weights.emplace_back();
+      for (const double w : model.morphs[m].weights) at_rest_ones.push_back(at_rest(std::abs(w)));
     }
-    links_.push_back(link_motions(nodes, animation, times_[i], times_[i + 1]));
-    chains_.push_back(chain_motions(nodes, links_.back()));
+    motions->links = link_motions(nodes, animation, times_[i], times_[i + 1]);
+    motions->chains = chain_motions(nodes, motions->links);
+    motions_.push_back(std::move(motions));
     roundings_.push_back(growth_of_rounding(animation, times_[i], times_[i + 1]));
-    defects_.push_back(0);
-    if (!needs_pose) continue;
-    const auto stretched = stretches(nodes, animation, times_[i], times_[i + 1]);
-    for (const BoundJoint& joint : model.skeleton.joints)
-      defects_.back() = std::max(defects_.back(), defect_of(model.skeleton, stretched, joint));
+    defects_.push_back(needs_pose ? defect_of(model.skeleton, stretches(nodes, animation, times_[i], times_[i + 1])) : 0);
   }
+}
+
+std::vector<ParameterBox> AnimatedJoints::boxes() const {
+  std::vector<ParameterBox> out;
+  for (int part = 0; part < part_count(); ++part) out.push_back({{{part, part, times_[part], times_[part + 1]}}});
+  return out;
+}
+
+JointCell AnimatedJoints::cell(int part, double start, double end) const { return cell({{{part, part, start, end}}}); }
+
+JointCell AnimatedJoints::cell(const ParameterBox& box) const {
+  const ParameterRange& range = box.ranges[0];
+  const int part = range.first_part;
+  JointCell out{this, {range.end - range.start}, {motions_[part]}, corners_of(box), defects_[part], roundings_[part]};
+  for (ParameterMoment& corner : out.corners) {
+    auto& [value, side] = corner.coordinates[0];
+    side = side_of(value, side);
+  }
+  return out;
+}
+
+std::vector<ParameterBox> AnimatedJoints::halves(const ParameterBox& box, std::size_t) const {
+  const ParameterRange& range = box.ranges[0];
+  const double middle = range.start + (range.end - range.start) / 2;
+  if (!(range.start < middle && middle < range.end)) return {};
+  return {{{{range.first_part, range.last_part, range.start, middle}}},
+          {{{range.first_part, range.last_part, middle, range.end}}}};
 }
 
 Side AnimatedJoints::side_of(double time, Side side) const {
   return std::binary_search(jumps_.begin(), jumps_.end(), time) ? side : Side::after;
 }
 
-const PosedJoints& AnimatedJoints::at(double time, Side side) const {
+std::shared_ptr<const PosedJoints> AnimatedJoints::at(const ParameterMoment& moment) const {
+  return at(moment.coordinates[0].value, moment.coordinates[0].side);
+}
+
+std::shared_ptr<const PosedJoints> AnimatedJoints::at(double time, Side side) const {
   const DefaultFloatEnvironment environment;
   side = side_of(time, side);
   {
@@ -83,7 +93,7 @@ const PosedJoints& AnimatedJoints::at(double time, Side side) const {
   }
   if (needs_pose_) posed.pose = pose(model_.skeleton, animation_, time, side).pose;
   const std::lock_guard lock(guard_);
-  return posed_.try_emplace({time, side}, std::move(posed)).first->second;
+  return posed_.try_emplace({time, side}, std::make_shared<const PosedJoints>(std::move(posed))).first->second;
 }
 
 }  // namespace refitlab

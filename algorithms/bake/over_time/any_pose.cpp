@@ -54,12 +54,12 @@ class Ranges {
   void include(const Animation& animation) {
     const AnimatedJoints joints(model_, animation, false);
     for (int part = 0; part < joints.part_count(); ++part) {
-      const auto& links = joints.links(part);
+      const auto& links = joints.motions(part).links;
       for (std::size_t n = 0; n < links.size(); ++n)
         links_[n] = {std::max(links_[n].length, links[n].offset.size), std::max(links_[n].stretch, links[n].linear.size)};
       for (std::size_t m = 0; m < weights_.size(); ++m)
         for (std::size_t t = 0; t < weights_[m].size(); ++t)
-          weights_[m][t] = std::max(weights_[m][t], joints.weights(part)[m][t].size);
+          weights_[m][t] = std::max(weights_[m][t], joints.motions(part).weights[m][t].size);
     }
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 #include "algorithms/runtime/balls/smallest_ball.hpp"
@@ -19,11 +20,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // The shortest side counts as no shorter than this share of the longest one: what is flat has no volume to be kept.
 constexpr double flattest_side = 0.02;
 
-// Intervals are halved this many times at most; those of which nothing is known, fewer times.
+// Cells are halved in each parameter this many times at most; those of which nothing is known, fewer times.
 constexpr int most_halvings = 24, most_blind_halvings = 10;
 
-// After so many intervals none is halved any more: what hardly has a size would be looked at for ever.
-constexpr int most_intervals = 1 << 13;
+// After so many halvings of boxes with one parameter, or with several, no cell is halved any more: what hardly has a size would be
+// looked at for ever.
+constexpr int most_halvings_of_intervals = 1 << 12, most_halvings_of_boxes = 1 << 16;
 
 // The greatest values of convex functions that change by no more than their scale times the distance: (n, x) and (-n, x) for each
 // direction n, or the distance from a point. By function.
@@ -103,10 +105,10 @@ void raise(Values& values, const Values& to) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], to[i]);
 }
 
-// Of Values, over an animation.
+// Of Values, over all cells.
 class Search {
  public:
-  Search(const AnimatedJoints& joints, const MovingVertices& vertices, Functions& functions)
+  Search(std::span<const MovingJoints* const> joints, const MovingVertices& vertices, Functions& functions)
       : joints_(joints),
         vertices_(vertices),
         functions_(functions),
@@ -114,13 +116,15 @@ class Search {
         bound_(functions.scales().size(), -infinity) {}
 
   void run() {
-    const std::vector<double>& times = joints_.times();
-    // What the parts' ends show is known before any part is looked into.
-    std::vector<Interval> parts;
-    for (int part = 0; part < joints_.part_count(); ++part)
-      parts.push_back(interval(part, times[part], times[part + 1], 0, vertices_.placing_error(part),
-                               vertices_.slack(part, times[part], times[part + 1], false)));
-    for (const Interval& part : parts) look_into(part);
+    for (std::size_t of = 0; of < joints_.size(); ++of) {
+      known_.clear();
+      std::size_t halvings_left = 0;
+      for (const ParameterBox& box : joints_[of]->boxes()) {
+        halvings_left = box.ranges.size() == 1 ? most_halvings_of_intervals : most_halvings_of_boxes;
+        open(cell(*joints_[of], box, std::vector<int>(box.ranges.size(), 0), vertices_.placing_error(joints_[of]->cell(box))));
+      }
+      look_into(*joints_[of], halvings_left);
+    }
   }
 
   const Values& bound() const { return bound_; }
@@ -132,92 +136,132 @@ class Search {
   }
 
  private:
-  struct Interval {
-    int part;
-    double start, end;
-    int halvings;
+  struct Cell {
+    ParameterBox box;
+    std::vector<int> halvings;  // by parameter
     double error, chord;
-    Values at_ends;  // the greatest of both ends
+    std::vector<double> chords;  // by parameter
+    Values at_corners;           // the greatest of all corners
+    double excess = 0;           // by how much of the tolerance it reaches beyond what was seen when it was opened
+    bool operator<(const Cell& other) const { return excess < other.excess; }
   };
 
-  Interval interval(int part, double start, double end, int halvings, double error, const IntervalSlack& slack) {
-    Interval out{part, start, end, halvings, error, slack.chord, values_at(start, Side::after, slack)};
-    raise(out.at_ends, values_at(end, side_of_end(start, end), slack));
+  Cell cell(const MovingJoints& joints, const ParameterBox& box, const std::vector<int>& halvings, double error,
+            bool must = false) {
+    const JointCell where = joints.cell(box);
+    const CellSlack slack = vertices_.slack(where, must);
+    Cell out{box, halvings, error, slack.chord, slack.chords, Values(functions_.scales().size(), -infinity)};
+    for (const ParameterMoment& corner : where.corners) raise(out.at_corners, values_at(joints, corner, slack));
     return out;
   }
 
-  // What is seen is what vertices reach; what is returned, what the curves that are followed allow them to.
-  Values values_at(double time, Side side, const IntervalSlack& slack) {
-    side = joints_.side_of(time, side);
+  // What is seen is what vertices reach; what is returned, what the points that are followed allow them to.
+  Values values_at(const MovingJoints& joints, const ParameterMoment& moment, const CellSlack& slack) {
     const bool is_shared = slack.followed == Followed::skinned;
     if (is_shared)
-      if (const auto found = known_.find({time, side}); found != known_.end()) return found->second;
-    vertices_.place(time, side, slack.followed, points_);
+      if (const auto found = known_.find(moment); found != known_.end()) return found->second;
+    const auto posed = joints.at(moment);
+    vertices_.place(*posed, slack.followed, points_);
     ++moments_;
     Values values = functions_.greatest(points_, slack.beyond);
     if (is_shared) {
-      known_.emplace(std::pair{time, side}, values);
+      known_.emplace(moment, values);
       raise(seen_, values);
     } else {
-      vertices_.place(time, side, Followed::skinned, points_);
+      vertices_.place(*posed, Followed::skinned, points_);
       raise(seen_, functions_.greatest(points_, {}));
     }
     return values;
   }
 
-  void look_into(const Interval& whole) {
-    std::vector<Interval> open = {whole};
-    while (!open.empty()) {
-      const Interval now = std::move(open.back());
-      open.pop_back();
-      const bool is_known = now.chord < infinity;
-      const double middle = now.start + (now.end - now.start) / 2;
-      const bool can_halve =
-          now.halvings < (is_known ? most_halvings : most_blind_halvings) && now.start < middle && middle < now.end;
-      if (can_halve && intervals_ < most_intervals && is_worth_halving(now)) {
-        intervals_ += 2;
-        for (const auto& [start, end] : {std::pair{now.start, middle}, {middle, now.end}})
-          open.push_back(
-              interval(now.part, start, end, now.halvings + 1, now.error, vertices_.slack(now.part, start, end, false)));
-      } else if (is_known) {
-        raise(bound_, above(now));
-      } else {
-        raise(bound_,
-              above(interval(now.part, now.start, now.end, 0, now.error, vertices_.slack(now.part, now.start, now.end, true))));
+  void open(Cell cell) {
+    cell.excess = excess_of(cell);
+    open_.push_back(std::move(cell));
+    std::push_heap(open_.begin(), open_.end());
+  }
+
+  // By what reaches farthest, so that what has to be seen is seen early.
+  void look_into(const MovingJoints& joints, std::size_t halvings_left) {
+    while (!open_.empty()) {
+      std::pop_heap(open_.begin(), open_.end());
+      Cell now = std::move(open_.back());
+      open_.pop_back();
+      // Since it was opened, more was seen.
+      if (const double excess = excess_of(now); !open_.empty() && excess < now.excess && excess < open_.front().excess) {
+        open(std::move(now));
+        continue;
       }
+      const std::vector<ParameterBox> halves = halvings_left > 0 && is_worth_halving(now) ? halves_of(joints, now) : none_;
+      for (const ParameterBox& half : halves) open(cell(joints, half, now.halvings, now.error));
+      if (!halves.empty()) --halvings_left;
+      else if (now.chord < infinity) raise(bound_, above(now));
+      else raise(bound_, above(cell(joints, now.box, now.halvings, now.error, true)));
     }
   }
 
-  Values above(const Interval& interval) const {
-    Values above = interval.at_ends;
-    for (std::size_t i = 0; i < above.size(); ++i) above[i] += functions_.scales()[i] * (interval.chord + interval.error);
+  // In the parameter that adds most to the slack, of those that can be halved.
+  std::vector<ParameterBox> halves_of(const MovingJoints& joints, Cell& cell) const {
+    std::vector<std::size_t> order(cell.chords.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cell.chords[a] > cell.chords[b]; });
+    for (const std::size_t parameter : order) {
+      if (cell.halvings[parameter] >= (cell.chord < infinity ? most_halvings : most_blind_halvings)) continue;
+      const std::vector<ParameterBox> halves = joints.halves(cell.box, parameter);
+      if (halves.empty()) continue;
+      // Cells that hold several parts of a clip are known from part to part.
+      const ParameterRange& range = cell.box.ranges[parameter];
+      if (range.first_part == range.last_part) ++cell.halvings[parameter];
+      return halves;
+    }
+    return {};
+  }
+
+  Values above(const Cell& cell) const {
+    Values above = cell.at_corners;
+    for (std::size_t i = 0; i < above.size(); ++i) above[i] += functions_.scales()[i] * (cell.chord + cell.error);
     return above;
   }
 
+  double excess_of(const Cell& cell) const {
+    const Values reached = above(cell), tolerances = functions_.tolerances(seen_);
+    double most = -infinity;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      if (const double excess = (reached[i] - seen_[i]) / tolerances[i]; !(excess <= most)) most = excess;
+    return most >= 0 ? most : most < 0 ? 0 : infinity;
+  }
+
   // Whether some value is beyond what may be, and halving would lower it by more than rounding matters.
-  bool is_worth_halving(const Interval& interval) const {
-    const Values reached = above(interval), tolerances = functions_.tolerances(seen_);
+  bool is_worth_halving(const Cell& cell) const {
+    const Values reached = above(cell), tolerances = functions_.tolerances(seen_);
     for (std::size_t i = 0; i < reached.size(); ++i)
       if (reached[i] > std::max(bound_[i], seen_[i] + tolerances[i]) &&
-          functions_.scales()[i] * interval.chord > std::max(tolerances[i] / 2, functions_.scales()[i] * interval.error))
+          functions_.scales()[i] * cell.chord > std::max(tolerances[i] / 2, functions_.scales()[i] * cell.error))
         return true;
     return false;
   }
 
-  const AnimatedJoints& joints_;
+  std::span<const MovingJoints* const> joints_;
   const MovingVertices& vertices_;
   Functions& functions_;
   std::vector<Point3> points_;
   Values seen_, bound_;
-  std::map<std::pair<double, Side>, Values> known_;
-  int moments_ = 0, intervals_ = 0;
+  std::map<ParameterMoment, Values> known_;
+  std::vector<Cell> open_;  // a heap
+  const std::vector<ParameterBox> none_;
+  int moments_ = 0;
 };
 
 float float_below(double x) { return -float_above(-x); }
 
 }  // namespace
 
-BoundOverTime bound_over_time(const AnimatedJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options) {
+BoundOverTime bound_over_time(const MovingJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options) {
+  const MovingJoints* const one[] = {&joints};
+  return bound_over_time(one, vertices, options);
+}
+
+BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
+                              const OverTimeOptions& options) {
   const DefaultFloatEnvironment environment;
   if (!(options.tolerance > 0)) throw std::invalid_argument("bound_over_time: the tolerance is not positive");
   BoundOverTime out;

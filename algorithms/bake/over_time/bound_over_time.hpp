@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of moving vertices that hold at every time of an animation: slabs in given directions, and a ball.
+// Bounds of moving vertices that hold at every time of an animation, or at all times and weights of a crossfade: slabs in given
+// directions, and a ball.
 //
-// The bound of an interval is that of its ends, blown up by what a vertex may be off its chord (c6_interval_hull). Intervals
-// that reach beyond all others by more than the tolerance are halved, which quarters the slack: so most of the time is
-// looked at key by key, and only the extremes closer.
+// The bound of a cell of parameters is that of its corners, blown up by what a vertex may be off what lies between them
+// (c6_interval_hull). The cell that reaches farthest beyond what vertices are seen to reach is halved, which quarters the slack,
+// until none does by more than the tolerance: so most of the time is looked at key by key, and only the extremes closer.
 #pragma once
+
+#include <span>
 
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 #include "algorithms/runtime/balls/box.hpp"
@@ -15,7 +18,7 @@ namespace refitlab {
 
 struct OverTimeOptions {
   // How much larger than needed a bound may be: the volume of a box of the slabs along the axes, and that of the ball, as a
-  // share. More than 0. Only what halving intervals can change counts.
+  // share. More than 0. Only what halving cells can change counts.
   double tolerance = 0.01;
   std::vector<Point3> directions = {Point3::UnitX(), Point3::UnitY(), Point3::UnitZ()};
   bool with_ball = true;
@@ -28,9 +31,11 @@ struct BoundOverTime {
   double gap = 0;   // what slabs are wider than moments have seen, at most; units of the file
 };
 
-// At all times of the animation. Throws std::invalid_argument for a tolerance that is not positive, and what
+// However any of these joints can be, at least one. Throws std::invalid_argument for a tolerance that is not positive, and what
 // MovingVertices::slack throws.
-BoundOverTime bound_over_time(const AnimatedJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options = {});
+BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
+                              const OverTimeOptions& options = {});
+BoundOverTime bound_over_time(const MovingJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options = {});
 
 // The box of slabs along x, y and z.
 Box<double> box_of(std::span<const Slab<double>> slabs);

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
@@ -185,7 +186,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   parallel_for(tasks.size(), [&](std::size_t t) {
     const DefaultFloatEnvironment own_environment;
     const Task& task = tasks[t];
-    const MovingVertices vertices(clips[task.clip], sets, options.skinning, out.parts[task.part].vertices);
+    const MovingVertices vertices(model, sets, options.skinning, out.parts[task.part].vertices);
     const BoundOverTime bound = bound_over_time(clips[task.clip], vertices, {.tolerance = options.tolerance});
     bounded[task.clip][task.part] = outward(bound, options.renderer_rounding);
     moments += bound.moments;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -39,11 +40,14 @@ constexpr double error_per_defect = 64;
 // least angle at which rotation_center.hpp looks for one lets it.
 constexpr double growth_about_center = 1e4;
 
-// c1_chord_bound's, also where squares of times are too small, or accelerations too great, for double.
-double chord_within(const Motion<double>& motion, double duration) {
-  const double chord = chord_slack(motion, duration), simple = first_order_slack(motion.speed, duration);
+// c1_chord_bound's, also where squares of sides are too small, or accelerations too great, for double.
+double chord_within(const Motion<double>& motion, double side) {
+  if (side == 0) return 0;
+  const double chord = chord_slack(motion, side), simple = first_order_slack(motion.speed, side);
   return chord >= 0 ? chord : simple >= 0 ? simple : unknown;
 }
+
+double sum_of(const std::vector<double>& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.0); }
 
 int depth_of(const std::vector<SceneNode>& nodes, int node) {
   int depth = 0;
@@ -74,15 +78,15 @@ std::vector<RigidTransform<double>> transforms_of(std::span<const int> joints, c
 
 }  // namespace
 
-MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& sets, Skinning skinning, std::vector<int> vertices)
-    : joints_(joints),
+MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinning skinning, std::vector<int> vertices)
+    : model_(model),
       joint_sets_(sets),
       skinning_(skinning),
       vertices_(std::move(vertices)) {
   const DefaultFloatEnvironment environment;
   if (skinning == Skinning::hejl) throw std::invalid_argument("MovingVertices: there are no bounds over time of Hejl's centers");
-  const BoundSkeleton& skeleton = joints.model().skeleton;
-  const std::vector<MorphedMesh>& morphs = joints.model().morphs;
+  const BoundSkeleton& skeleton = model.skeleton;
+  const std::vector<MorphedMesh>& morphs = model.morphs;
   if (!morphs.empty()) displacements_.resize(vertices_.size());
   for (std::size_t m = 0; m < morphs.size(); ++m)
     for (std::size_t t = 0; t < morphs[m].targets.size(); ++t)
@@ -102,7 +106,7 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
     set.distances.resize(set_joints.size(), 0), set.reaches.resize(set_joints.size(), 0);
     for (std::size_t k = 0; k < set_joints.size(); ++k) {
       const BoundJoint& joint = skeleton.joints[set_joints[k]];
-      const Point3& v = joints.model().vertices[vertices_[i]];
+      const Point3& v = model.vertices[vertices_[i]];
       const double reach = stretch_of(joint.offset).most * norm<double, 3>(v) + joint.offset.topRightCorner<3, 1>().norm();
       set.reaches[k] = std::max(set.reaches[k], reach);
       set.distances[k] = std::max(set.distances[k], norm<double, 3>(image(joint.offset, v)) + rounding_of_image * reach);
@@ -126,26 +130,25 @@ MovingVertices::MovingVertices(const AnimatedJoints& joints, const JointSets& se
 }
 
 Point3 MovingVertices::displaced(int i, const PosedJoints& posed) const {
-  Point3 v = joints_.model().vertices[vertices_[i]];
+  Point3 v = model_.vertices[vertices_[i]];
   if (!displacements_.empty())
     for (const Displacement& d : displacements_[i]) v += posed.weights[d.mesh][d.target] * d.by;
   return v;
 }
 
-Motion<double> MovingVertices::below(const Set& set, std::size_t k, int part,
+Motion<double> MovingVertices::below(const Set& set, std::size_t k, const JointMotions& motions,
                                      const std::vector<double>& lengths_of_reference) const {
   std::vector<double> lengths;
   std::vector<Motion<double>> weights;
   for (const Morph& morph : set.morphs) {
     lengths.push_back(morph.lengths[k]);
-    weights.push_back(joints_.weights(part)[morph.mesh][morph.target]);
+    weights.push_back(motions.weights[morph.mesh][morph.target]);
   }
   return displaced_motion<double>(lengths_of_reference[k], lengths, weights);
 }
 
-void MovingVertices::place(double time, Side side, Followed followed, std::vector<Point3>& points) const {
+void MovingVertices::place(const PosedJoints& posed, Followed followed, std::vector<Point3>& points) const {
   const DefaultFloatEnvironment environment;
-  const PosedJoints& posed = joints_.at(time, side);
   const bool is_linear = skinning_ == Skinning::linear || followed == Followed::linear_blend;
   points.resize(vertices_.size());
   OwnedPaletteEntry<double> palette;
@@ -154,9 +157,7 @@ void MovingVertices::place(double time, Side side, Followed followed, std::vecto
     if (!is_linear) {
       palette.transforms = transforms_of(joints, posed.pose);
       if (skinning_ == Skinning::dual_quaternion) place_duals(palette);
-      else
-        place_rotation_center(palette,
-                              rotation_center<double>(palette.transforms, center_prior(joints_.model(), joints, skinning_)));
+      else place_rotation_center(palette, rotation_center<double>(palette.transforms, center_prior(model_, joints, skinning_)));
     }
     for (const int i : set.vertices) {
       const Point3 v = displaced(i, posed);
@@ -172,66 +173,85 @@ void MovingVertices::place(double time, Side side, Followed followed, std::vecto
   }
 }
 
-IntervalSlack MovingVertices::slack(int part, double start, double end, bool must) const {
+CellSlack MovingVertices::slack(const JointCell& cell, bool must) const {
   const DefaultFloatEnvironment environment;
   const auto blends = [&](const Set& set) { return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1; };
-  IntervalSlack out;
+  CellSlack out{Followed::skinned, 0, std::vector<double>(cell.sides.size(), 0)};
+  const auto raise = [&](const std::vector<double>& chords, bool is_known) {
+    const double sum = is_known ? sum_of(chords) : unknown;
+    if (sum >= out.chord) out.chord = sum, out.chords = chords;
+  };
   if (skinning_ != Skinning::spherical) {
-    for (const Set& set : sets_)
-      out.chord = std::max(out.chord, blends(set) ? dual_chord(set, part, start, end) : linear_chord(set, part, start, end));
+    for (const Set& set : sets_) raise(blends(set) ? dual_chords(set, cell) : linear_chords(set, cell), true);
     if (out.chord < unknown || !must) return out;
   }
-  out = {Followed::linear_blend, 0, std::vector<double>(vertices_.size(), 0)};
+  out = {Followed::linear_blend, 0, std::vector<double>(cell.sides.size(), 0), std::vector<double>(vertices_.size(), 0)};
   for (const Set& set : sets_) {
-    const double chord = linear_chord(set, part, start, end);
-    const bool is_known = !blends(set) || deviate(set, part, start, end, must, chord, out.beyond);
-    out.chord = std::max(out.chord, is_known ? chord : unknown);
+    const std::vector<double> chords = linear_chords(set, cell);
+    raise(chords, !blends(set) || deviate(set, cell, must, sum_of(chords), out.beyond));
   }
   return out;
 }
 
-Motion<double> MovingVertices::linear_motion(const Set& set, int part) const {
+Motion<double> MovingVertices::linear_motion(const Set& set, const JointMotions& motions) const {
   const auto joints = joint_sets_.joints(set.index);
   std::vector<Motion<double>> images;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    const int node = joints_.model().skeleton.joints[joints[k]].node;
-    images.push_back(carried_motion(joints_.chains(part)[node], below(set, k, part, set.distances)));
+    const int node = model_.skeleton.joints[joints[k]].node;
+    images.push_back(carried_motion(motions.chains[node], below(set, k, motions, set.distances)));
   }
   return widest<double>(images);
 }
 
-double MovingVertices::linear_chord(const Set& set, int part, double start, double end) const {
-  return chord_within(linear_motion(set, part), end - start);
-}
-
-double MovingVertices::dual_chord(const Set& set, int part, double start, double end) const {
-  const Rotations known = rotations(set, part, start, end);
-  const double squared_least = squared_blend(set, known);
-  if (!known.keep_signs || squared_least < squared_shortest_blend) return unknown;
+Motion<double> MovingVertices::dual_motion(const Set& set, const JointMotions& motions, double squared_least) const {
   const auto joints = joint_sets_.joints(set.index);
-  const BoundSkeleton& skeleton = joints_.model().skeleton;
+  const BoundSkeleton& skeleton = model_.skeleton;
   std::vector<Motion<double>> images, turns;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    const auto chain = chain_below(skeleton.nodes, joints_.links(part), set.base, skeleton.joints[joints[k]].node);
-    images.push_back(carried_motion(chain, below(set, k, part, set.distances)));
+    const auto chain = chain_below(skeleton.nodes, motions.links, set.base, skeleton.joints[joints[k]].node);
+    images.push_back(carried_motion(chain, below(set, k, motions, set.distances)));
     turns.push_back(chain.rotation);
   }
-  Motion<double> motion = dual_motion<double>(images, turns, std::sqrt(squared_least));
-  if (set.base >= 0) motion = carried_motion(joints_.chains(part)[set.base], motion);
-  return chord_within(motion, end - start);
+  const Motion<double> motion = refitlab::dual_motion<double>(images, turns, std::sqrt(squared_least));
+  return set.base >= 0 ? carried_motion(motions.chains[set.base], motion) : motion;
 }
 
-MovingVertices::Rotations MovingVertices::rotations(const Set& set, int part, double start, double end) const {
+std::vector<double> MovingVertices::linear_chords(const Set& set, const JointCell& cell) const {
+  std::vector<double> chords;
+  for (std::size_t i = 0; i < cell.sides.size(); ++i)
+    chords.push_back(chord_within(linear_motion(set, *cell.motions[i]), cell.sides[i]));
+  return chords;
+}
+
+std::vector<double> MovingVertices::dual_chords(const Set& set, const JointCell& cell) const {
+  const Rotations known = rotations(set, cell);
+  const double squared_least = squared_blend(set, known);
+  // What is not known of blends is for the parameter to tell in which most is not known of linear ones.
+  if (!known.keep_signs || squared_least < squared_shortest_blend) {
+    std::vector<double> chords = linear_chords(set, cell);
+    *std::max_element(chords.begin(), chords.end()) = unknown;
+    return chords;
+  }
+  std::vector<double> chords;
+  for (std::size_t i = 0; i < cell.sides.size(); ++i)
+    chords.push_back(chord_within(dual_motion(set, *cell.motions[i], squared_least), cell.sides[i]));
+  return chords;
+}
+
+MovingVertices::Rotations MovingVertices::rotations(const Set& set, const JointCell& cell) const {
   const auto joints = joint_sets_.joints(set.index);
-  const auto at_start = transforms_of(joints, joints_.at(start, Side::after).pose);
-  const BoundSkeleton& skeleton = joints_.model().skeleton;
-  std::vector<double> turned;  // how far a quaternion goes at most, as seen from the base
-  for (const int j : joints)
-    turned.push_back(chain_below(skeleton.nodes, joints_.links(part), set.base, skeleton.joints[j].node).rotation.speed *
-                     (end - start));
-  // By the start alone: at the end skinning may have other signs.
-  const auto cosine = [&](std::size_t k, std::size_t l) { return dot(at_start[k].rotation, at_start[l].rotation); };
-  const double off = 2 * (relative_rounding(set, part) + joints_.defect(part));
+  // By the first corner alone: at the others skinning may have other signs.
+  const auto there = transforms_of(joints, cell.joints->at(cell.corners[0])->pose);
+  const BoundSkeleton& skeleton = model_.skeleton;
+  std::vector<double> turned(joints.size(), 0);  // how far a quaternion goes at most, as seen from the base
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    for (std::size_t i = 0; i < cell.sides.size(); ++i)
+      if (cell.sides[i] > 0)
+        turned[k] +=
+            chain_below(skeleton.nodes, cell.motions[i]->links, set.base, skeleton.joints[joints[k]].node).rotation.speed *
+            cell.sides[i];
+  const auto cosine = [&](std::size_t k, std::size_t l) { return dot(there[k].rotation, there[l].rotation); };
+  const double off = 2 * (relative_rounding(set, cell) + cell.defect);
   const auto change = [&](std::size_t k, std::size_t l) { return turned[k] + turned[l] + off; };
   std::vector<bool> keeps_sign;
   for (std::size_t k = 0; k < joints.size(); ++k) keeps_sign.push_back(k == 0 || cosine(0, k) > change(0, k));
@@ -252,57 +272,61 @@ double MovingVertices::squared_blend(const Set& set, const Rotations& rotations)
   return least;
 }
 
-bool MovingVertices::deviate(const Set& set, int part, double start, double end, bool must, double chord,
-                             std::vector<double>& beyond) const {
-  const Rotations known = rotations(set, part, start, end);
+bool MovingVertices::deviate(const Set& set, const JointCell& cell, bool must, double chord, std::vector<double>& beyond) const {
+  const Rotations known = rotations(set, cell);
   const double squared_least = squared_blend(set, known);
   if (squared_least < squared_shortest_blend) {
     if (!must) return false;
-    throw ModelError(joints_.model().name, "vertex " + std::to_string(vertices_[set.vertices[0]]) + " or one like it",
+    throw ModelError(model_.name, "vertex " + std::to_string(vertices_[set.vertices[0]]) + " or one like it",
                      "the rotations of its joints come so far apart that their blend may vanish: there is no bound over time");
   }
   const auto joints = joint_sets_.joints(set.index);
-  // Between the ends two images come apart by twice the slack of one.
+  // Between the corners two images come apart by twice the slack of one.
   const double pairs = static_cast<double>(joints.size() * (joints.size() - 1)) / 2, apart = 2 * chord * std::sqrt(pairs);
   // The least-squares center is not moved from the prior in directions in which rotations differ little: by their tolerance.
   const double tolerance = skinning_ != Skinning::spherical ? 0 : joints.size() == 2 ? 1e-4 : 1e-4 + 2e-3 * std::sqrt(pairs);
-  const Point3 prior = center_prior(joints_.model(), joints, skinning_);
-  for (const int i : set.vertices) {
-    const double share = squared_deviation_share<double>(joint_sets_.weights(vertices_[i]), known.cosines, squared_least);
-    for (const auto& [time, side] : {std::pair{start, Side::after}, {end, side_of_end(start, end)}}) {
-      const PosedJoints& posed = joints_.at(time, side);
-      const Point3 v = displaced(i, posed);
+  const Point3 prior = center_prior(model_, joints, skinning_);
+  std::vector<double> shares;
+  for (const int i : set.vertices)
+    shares.push_back(std::sqrt(squared_deviation_share<double>(joint_sets_.weights(vertices_[i]), known.cosines, squared_least)));
+  for (const ParameterMoment& corner : cell.corners) {
+    const auto posed = cell.joints->at(corner);
+    for (std::size_t s = 0; s < set.vertices.size(); ++s) {
+      const int i = set.vertices[s];
+      const Point3 v = displaced(i, *posed);
       const double off_center = 2 * tolerance * norm<double, 3>(v - prior);
       std::vector<Point3> images;
-      for (const int j : joints) images.push_back(image(posed.matrices[j], v));
-      beyond[i] = std::max(beyond[i], std::sqrt(share) * (std::sqrt(squared_spread<double>(images)) + apart + off_center));
+      for (const int j : joints) images.push_back(image(posed->matrices[j], v));
+      beyond[i] = std::max(beyond[i], shares[s] * (std::sqrt(squared_spread<double>(images)) + apart + off_center));
     }
   }
   return true;
 }
 
-double MovingVertices::relative_rounding(const Set& set, int part) const {
-  const BoundSkeleton& skeleton = joints_.model().skeleton;
+double MovingVertices::relative_rounding(const Set& set, const JointCell& cell) const {
+  const BoundSkeleton& skeleton = model_.skeleton;
   double links = 4;
   for (const int j : joint_sets_.joints(set.index))
     links = std::max(links, 4.0 + depth_of(skeleton.nodes, skeleton.joints[j].node));
-  return error_per_link * links * std::numeric_limits<double>::epsilon() / 2 * joints_.rounding(part);
+  return error_per_link * links * std::numeric_limits<double>::epsilon() / 2 * cell.rounding;
 }
 
-double MovingVertices::placing_error(int part) const {
+double MovingVertices::placing_error(const JointCell& cell) const {
   const DefaultFloatEnvironment environment;
   double error = 0;
   for (const Set& set : sets_) {
     const auto joints = joint_sets_.joints(set.index);
-    double size = 0;  // of all that is summed up, even if most of it cancels
+    // Of all that is summed up, even if most of it cancels. Sizes are the same in all parameters.
+    double size = 0;
+    const JointMotions& motions = *cell.motions[0];
     for (std::size_t k = 0; k < joints.size(); ++k) {
-      const int node = joints_.model().skeleton.joints[joints[k]].node;
-      size = std::max(size, carried_motion(joints_.chains(part)[node], below(set, k, part, set.reaches)).size);
+      const int node = model_.skeleton.joints[joints[k]].node;
+      size = std::max(size, carried_motion(motions.chains[node], below(set, k, motions, set.reaches)).size);
     }
-    double relative = relative_rounding(set, part);
+    double relative = relative_rounding(set, cell);
     if (skinning_ != Skinning::linear) {
       relative *= skinning_ == Skinning::spherical ? growth_about_center : 1 / squared_shortest_blend;
-      relative += error_per_defect * joints_.defect(part) * (1 + joints_.defect(part));
+      relative += error_per_defect * cell.defect * (1 + cell.defect);
     }
     error = std::max(error, relative * size);
   }

@@ -224,6 +224,25 @@ std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animat
   return out;
 }
 
+double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& links) {
+  const DefaultFloatEnvironment environment;
+  double greatest = 0;
+  for (const BoundJoint& joint : skeleton.joints) {
+    // Each link is a factor times a rotation times I + E, with ||E|| at most its noise. The rotations' product differs from the
+    // whole by what the noises add up to, and by how far the factors' product is from 1.
+    double factor = 1, noise = 1;
+    const auto add = [&](const Stretch& link) {
+      factor *= std::sqrt(link.least * link.most);
+      noise *= std::sqrt(link.most / link.least);
+    };
+    add(stretch_of(joint.offset));
+    for (int n = joint.node; n >= 0; n = skeleton.nodes[n].parent) add(links[n]);
+    const double defect = factor * (noise - 1) + std::abs(factor - 1);
+    greatest = std::max(greatest, defect >= 0 ? defect : std::numeric_limits<double>::infinity());
+  }
+  return greatest;
+}
+
 double growth_of_rounding(const Animation& animation, double start, double end) {
   const DefaultFloatEnvironment environment;
   double growth = 1;

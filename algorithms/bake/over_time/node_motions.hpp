@@ -39,6 +39,10 @@ Stretch stretch_of(const Eigen::Matrix4d& matrix);
 // Of each node against its parent, from start to end as above; the least is 0 where a scale changes its sign.
 std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animation& animation, double start, double end);
 
+// How far the linear part of some joint's skin matrix is from the rotation that its chain's quaternions make, at most, by how the
+// nodes stretch; infinite where one may vanish.
+double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& links);
+
 // How many times more than the quaternions of a slerp those of splines are off by rounding, from start to end as above: they are
 // shorter than what they are summed up from.
 double growth_of_rounding(const Animation& animation, double start, double end);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/bake/over_time/moving_joints.hpp"
+
+namespace refitlab {
+
+std::vector<ParameterMoment> corners_of(const ParameterBox& box) {
+  std::vector<ParameterMoment> corners(std::size_t(1) << box.ranges.size(), {{}, box.signs});
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    for (std::size_t i = 0; i < box.ranges.size(); ++i) {
+      const ParameterRange& range = box.ranges[i];
+      if ((c >> i & 1) != 0) corners[c].coordinates.push_back({range.end, side_of_end(range.start, range.end)});
+      else corners[c].coordinates.push_back({range.start, Side::after});
+    }
+  return corners;
+}
+
+}  // namespace refitlab
