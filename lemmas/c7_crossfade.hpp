@@ -7,10 +7,12 @@
 //   and in w at the speed g and without bending, g >= ||y - x||.
 // (ii) Rotations blended by nlerp, (1 - w) p + w q normalised, for unit p and q with (p, q) >= c > -1: their blend moves by (i)
 //   with g = sqrt(2 - 2 c) and is at least sqrt((1 + c) / 2) long, so what is said of normalised blends is said of it.
-// (iii) By slerp, for (p, q) >= c >= 0: in w within 1, theta, theta^2 for theta = arccos c; in a within 1, L, 2 (M + L^2), for p
-//   within 1, L, M; and so in b.
-// Engines take q or -q, the one with (p, q) >= 0. Where that sign is not the same for all times, both are bounded: the
-// joint is in one of both bounds. With these links c4_chain_motion gives a point's motion in each parameter, and
+// (iii) By slerp, for (p, q) >= c >= 0: in w within 1, theta, theta^2 for theta = arccos c. In a, for p within 1, L, M, with m = 1 - w
+//   at most the share and m w at most P: at a speed of U L, U = min(1, m (1 + (pi/2 - 1) (1 - c))), bending by (U + P (c + pi (1 - c))) M
+//   + P (4 c / 3 + pi (1 - c)) s L^2 + 3 P (4 c / 15 + pi/2 (1 - c)) s^2 L^2, s = sqrt(1 - c^2); and so in b, for w.
+// (iv) By slerp, for (p, q) >= -1/2: in w as (iii) says, in a at a speed of 2 L / sqrt 3 at most; and so in b.
+// Engines take q or -q, the one with (p, q) >= 0. Where that sign is not the same for all times, both are bounded, each also at
+// times at which engines take the other one, with a c that is a little below 0: the joint is in one of both bounds. With these links c4_chain_motion gives a point's motion in each parameter, and
 // c6_interval_hull the slack of a box of times and weights from its eight corners. A point that is held by both clips' bounds
 // may leave their hull in between.
 //
@@ -19,10 +21,12 @@
 //
 // Proof. (i) and the length in (ii) by a look: ||(1 - w) p + w q||^2 is least at halves, or greater. (iii) In w it is a circle's
 // arc. In a, slerp is s = u(k) p + v(k) q for k = (p, q), with u = sin(m t) / sin t, m = 1 - w, t = arccos k, and v the same for
-// m = w. As a hypergeometric function of (1 - k) / 2, u has no negative coefficient (m <= 1), so |u'| and u'' are greatest at k = 0:
-// m cos(m pi/2) and (1 - m^2) sin(m pi/2). Moved along the arc, p moves s by m; across, by u <= 1: ||ds/da|| <= L. And ||s''|| <=
-// u M + 2 |u'| L^2 + (u'' + v'') L^2 + (|u'| + |v'|) M, where u <= 1 and |u'| + |v'| <= m + w = 1, and with cos x <= pi/2 - x and sin x
-// <= x the rest is at most (pi m w + 3 pi/2 m w) L^2 <= 5 pi/8 L^2 < 2 L^2.
+// w. u = m F(1 - m, 1 + m; 3/2; (1 - k) / 2), a series without negative coefficients, so u, |u'| and u'' are convex in k and at most
+// what is linear between their values at 0, sin(m pi/2), m cos(m pi/2), (1 - m^2) sin(m pi/2), and at 1, m, m (1 - m^2) / 3,
+// m (1 - m^2) (4 - m^2) / 15. With sin x <= x and cos(m pi/2) <= pi/2 w: u <= U; 2 |u'|, |u'| + |v'| and u'' + v'' are at most P times the
+// factors above, since m + w = 1. Moved along the arc, p moves s by m; across, by u: ||s'|| <= U L. |k'| <= s L, as p' is
+// perpendicular to p, and |k''| <= M, so ||s''|| <= u M + (|u'| + |v'|) M + 2 |u'| |k'| L + (u'' + v'') k'^2. (iv) For t <= pi/2
+// u <= 1; beyond, u <= 1 / sin t <= 2 / sqrt 3, since t <= 2 pi/3.
 #pragma once
 
 #include "lemmas/c3_normalized_motion.hpp"
@@ -65,10 +69,21 @@ Motion<S> slerp_by_weight(const S& cosine) {
   return circle_motion<S>(angle_by_half_tangent<S>(root(S((S(1) - cosine) / (S(1) + cosine)))));
 }
 
-// (iii) in a or b.
+// (iii) in a, by the greatest 1 - w, or in b, by the greatest w. product: P, of both.
 template <class S>
-Motion<S> slerp_by_time(const Motion<S>& moving) {
-  return {S(1), moving.speed, S(2) * (moving.acceleration + sq(moving.speed))};
+Motion<S> slerp_by_time(const Motion<S>& moving, const S& cosine, const S& share, const S& product) {
+  const S pi = S(22) / S(7), left = S(1) - cosine;
+  const S most = min_of(S(1), S(share * (S(1) + (pi / S(2) - S(1)) * left)));
+  const S sine = root(S(S(1) - sq(cosine))), bend = sine * sq(moving.speed);
+  return {S(1), most * moving.speed,
+          (most + product * (cosine + pi * left)) * moving.acceleration +
+              product * bend * (S(4) / S(3) * cosine + pi * left + S(3) * sine * (S(4) / S(15) * cosine + pi / S(2) * left))};
+}
+
+// (iv) in a or b: the speed.
+template <class S>
+S slerp_speed_beyond(const S& speed) {
+  return S(2) * speed / root(S(3));
 }
 
 // --- Hypotheses ---
@@ -83,6 +98,12 @@ Verdict crossfade_hypotheses(const Quaternion<S>& first, const Quaternion<S>& se
 template <class S>
 Verdict is_shorter_way(const S& cosine) {
   return less_equal(S(0), cosine);
+}
+
+// Of (iv), besides.
+template <class S>
+Verdict is_hardly_the_longer_way(const S& cosine) {
+  return less_equal(S(S(-1) / S(2)), cosine);
 }
 
 // --- Conclusion ---

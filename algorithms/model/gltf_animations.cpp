@@ -79,7 +79,7 @@ class ClipReader {
         by_path.erase(weights);
       }
       if (by_path.empty()) continue;
-      const RestTransform rest = by_path.size() < 3 ? rest_transform(node, file_, thing) : RestTransform{};
+      const NodeTransform rest = by_path.size() < 3 ? rest_transform(node, file_, thing) : NodeTransform{};
       const auto channel = [&](const char* path) {
         const auto found = by_path.find(path);
         return found == by_path.end() ? nullptr : found->second;

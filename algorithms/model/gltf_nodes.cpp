@@ -20,18 +20,16 @@ Eigen::Vector3d vector_or(const std::vector<double>& numbers, const Eigen::Vecto
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-Eigen::Matrix4d local_matrix(const tinygltf::Node& node, const std::string& file, const std::string& thing) {
-  Eigen::Matrix4d out = Eigen::Matrix4d::Identity();
+SceneNode scene_node(const tinygltf::Node& node, const std::string& name, int parent, int source, const std::string& file,
+                     const std::string& thing) {
   if (node.matrix.empty()) {
-    const RestTransform rest = rest_transform(node, file, thing);
-    out.topLeftCorner<3, 3>() = rest.rotation.toRotationMatrix() * rest.scale.asDiagonal();
-    out.topRightCorner<3, 1>() = rest.translation;
-  } else {
-    if (node.matrix.size() != 16) throw ModelError(file, thing, "its matrix does not have 16 numbers");
-    out = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-    if (out.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) throw ModelError(file, thing, "its matrix is no affine map");
+    const NodeTransform rest = rest_transform(node, file, thing);
+    return {name, parent, matrix_of(rest), source, rest};
   }
-  return out;
+  if (node.matrix.size() != 16) throw ModelError(file, thing, "its matrix does not have 16 numbers");
+  const Eigen::Matrix4d local = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
+  if (local.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) throw ModelError(file, thing, "its matrix is no affine map");
+  return {name, parent, local, source};
 }
 
 // By node: its parent, or -1.
@@ -82,8 +80,8 @@ class Order {
       const int place = static_cast<int>(out.nodes.size());
       out.places[n] = place;
       const std::string& name = source_.nodes[n].name;
-      out.nodes.push_back({name.empty() ? "node " + std::to_string(n) : name, parent,
-                           local_matrix(source_.nodes[n], file_, node_label(source_, n)), node});
+      out.nodes.push_back(scene_node(source_.nodes[n], name.empty() ? "node " + std::to_string(n) : name, parent, node, file_,
+                                     node_label(source_, n)));
       const std::vector<int>& children = source_.nodes[n].children;
       for (auto child = children.rbegin(); child != children.rend(); ++child) waiting.emplace_back(*child, place);
     }
@@ -98,9 +96,9 @@ class Order {
 
 }  // namespace
 
-RestTransform rest_transform(const tinygltf::Node& node, const std::string& file, const std::string& thing) {
+NodeTransform rest_transform(const tinygltf::Node& node, const std::string& file, const std::string& thing) {
   if (!node.matrix.empty()) throw ModelError(file, thing, "is moved by a clip, but has a matrix");
-  RestTransform out{vector_or(node.translation, Eigen::Vector3d::Zero(), file, thing),
+  NodeTransform out{vector_or(node.translation, Eigen::Vector3d::Zero(), file, thing),
                     vector_or(node.scale, Eigen::Vector3d::Ones(), file, thing), Eigen::Quaterniond::Identity()};
   if (node.rotation.empty()) return out;
   if (node.rotation.size() != 4) throw ModelError(file, thing, "its rotation does not have 4 numbers");

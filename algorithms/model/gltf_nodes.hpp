@@ -16,18 +16,12 @@ struct GltfNodes {
   int shown = 0;                 // so many of them, the first, are in the scene
 };
 
-// The rest pose of a node by its parts, what its channels do not move.
-struct RestTransform {
-  Eigen::Vector3d translation, scale;
-  Eigen::Quaterniond rotation;
-};
-
 // The scene is the default one; without a default, the first; without any, all nodes.
 // Throws ModelError: a node that is below two others, below itself, or not there; a transform that is no affine map; a
 // scene that has a node twice, or one below another.
 GltfNodes convert_nodes(const tinygltf::Model& source, const std::string& file);
 
 // Throws ModelError for a rotation by a zero quaternion, and for a node that has a matrix.
-RestTransform rest_transform(const tinygltf::Node& node, const std::string& file, const std::string& thing);
+NodeTransform rest_transform(const tinygltf::Node& node, const std::string& file, const std::string& thing);
 
 }  // namespace refitlab

@@ -13,13 +13,8 @@
 namespace refitlab {
 namespace {
 
-Eigen::Matrix4d local_transform(const NodeTrack& track, double time, Side side) {
-  Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-  local.topLeftCorner<3, 3>() =
-      value_at(track.rotations, time, side).toRotationMatrix() * value_at(track.scales, time, side).asDiagonal();
-  local.topRightCorner<3, 1>() = value_at(track.positions, time, side);
-  return local;
-}
+// Of a matrix whose columns were made unit vectors: the Frobenius norm of M^T M - I.
+constexpr double orthogonality_tolerance = 1e-5;
 
 // The orthogonal factor of the polar decomposition, for a matrix within rigidity_tolerance of a rotation: each step of
 // Newton's iteration squares the defect, so that four leave rounding only.
@@ -47,6 +42,14 @@ std::string reason_against(const Eigen::Matrix3d& m) {
   return text.str();
 }
 
+std::vector<Eigen::Matrix4d> local_transforms(const std::vector<SceneNode>& nodes, const Animation& motion, double time,
+                                              Side side) {
+  std::vector<Eigen::Matrix4d> locals;
+  for (const SceneNode& node : nodes) locals.push_back(node.local);
+  for (const NodeTrack& track : motion.tracks) locals[track.node] = matrix_of(transform_at(track, time, side));
+  return locals;
+}
+
 template <class Value>
 void collect_times(const Channel<Value>& channel, std::vector<double>& times) {
   for (const auto& key : channel.keys) times.push_back(key.time);
@@ -54,22 +57,51 @@ void collect_times(const Channel<Value>& channel, std::vector<double>& times) {
 
 }  // namespace
 
-std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& motion, double time,
-                                               Side side) {
-  std::vector<Eigen::Matrix4d> globals;
-  for (const SceneNode& node : nodes) globals.push_back(node.local);
-  for (const NodeTrack& track : motion.tracks) globals[track.node] = local_transform(track, time, side);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (nodes[i].parent >= 0) globals[i] = globals[nodes[i].parent] * globals[i];
-  return globals;
+Eigen::Matrix4d matrix_of(const NodeTransform& transform) {
+  const DefaultFloatEnvironment environment;
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() = transform.rotation.toRotationMatrix() * transform.scale.asDiagonal();
+  matrix.topRightCorner<3, 1>() = transform.translation;
+  return matrix;
 }
 
-std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
+std::optional<NodeTransform> parts_of(const SceneNode& node) {
   const DefaultFloatEnvironment environment;
-  const auto globals = global_transforms(skeleton.nodes, motion, time, side);
+  if (node.rest) return node.rest;
+  Eigen::Matrix3d linear = node.local.topLeftCorner<3, 3>();
+  Eigen::Vector3d scale = linear.colwise().norm();
+  if (linear.determinant() < 0) scale[0] = -scale[0];
+  linear = linear * scale.cwiseInverse().asDiagonal();
+  if (!((linear.transpose() * linear - Eigen::Matrix3d::Identity()).norm() < orthogonality_tolerance)) return std::nullopt;
+  return NodeTransform{node.local.topRightCorner<3, 1>(), scale, Eigen::Quaterniond(linear).normalized()};
+}
+
+NodeTransform transform_at(const NodeTrack& track, double time, Side side) {
+  return {value_at(track.positions, time, side), value_at(track.scales, time, side), value_at(track.rotations, time, side)};
+}
+
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, std::vector<Eigen::Matrix4d> locals) {
+  const DefaultFloatEnvironment environment;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].parent >= 0) locals[i] = locals[nodes[i].parent] * locals[i];
+  return locals;
+}
+
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& motion, double time,
+                                               Side side) {
+  return global_transforms(nodes, local_transforms(nodes, motion, time, side));
+}
+
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const std::vector<Eigen::Matrix4d>& locals) {
+  const DefaultFloatEnvironment environment;
+  const auto globals = global_transforms(skeleton.nodes, locals);
   std::vector<Eigen::Matrix4d> out;
   for (const BoundJoint& j : skeleton.joints) out.push_back(globals[j.node] * j.offset);
   return out;
+}
+
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
+  return skin_matrices(skeleton, local_transforms(skeleton.nodes, motion, time, side));
 }
 
 Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side) {
@@ -100,28 +132,31 @@ Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& mo
   return Eigen::Vector4d(*middle < 0 ? -scale : scale, scale, scale, 1).asDiagonal();
 }
 
-PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
+PosedSkeleton rigid_pose(const BoundSkeleton& skeleton, const std::vector<Eigen::Matrix4d>& skin_matrices,
+                         const std::string& clip, const std::string& when) {
   const DefaultFloatEnvironment environment;
   PosedSkeleton out{{}, 0};
-  const auto matrices = skin_matrices(skeleton, motion, time, side);
-  for (std::size_t j = 0; j < matrices.size(); ++j) {
+  for (std::size_t j = 0; j < skin_matrices.size(); ++j) {
     const BoundJoint& joint = skeleton.joints[j];
-    const Eigen::Matrix3d m = matrices[j].topLeftCorner<3, 3>();
-    const double defect = defect_of(matrices[j]);
-    if (!(defect <= rigidity_tolerance && is_proper(matrices[j]))) {
-      std::ostringstream thing;
-      if (!motion.name.empty()) thing << "clip '" << motion.name << "', ";
-      thing << "joint '" << joint.name << "', time " << time << " s";
-      throw ModelError(skeleton.file, thing.str(), reason_against(m));
-    }
+    const Eigen::Matrix3d m = skin_matrices[j].topLeftCorner<3, 3>();
+    const double defect = defect_of(skin_matrices[j]);
+    if (!(defect <= rigidity_tolerance && is_proper(skin_matrices[j])))
+      throw ModelError(skeleton.file, (clip.empty() ? "" : "clip '" + clip + "', ") + ("joint '" + joint.name + "', " + when),
+                       reason_against(m));
     const Eigen::Quaterniond turn = Eigen::Quaterniond(nearest_rotation(m)).normalized();
     Quaternion<double> q(turn.w(), turn.x(), turn.y(), turn.z());
     const double side = joint.parent < 0 ? q[0] : dot(q, out.pose[joint.parent].rotation);
     if (side < 0) q = -q;
-    out.pose.push_back({q, matrices[j].topRightCorner<3, 1>()});
+    out.pose.push_back({q, skin_matrices[j].topRightCorner<3, 1>()});
     out.rigidity_defect = std::max(out.rigidity_defect, defect);
   }
   return out;
+}
+
+PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
+  std::ostringstream when;
+  when << "time " << time << " s";
+  return rigid_pose(skeleton, skin_matrices(skeleton, motion, time, side), motion.name, when.str());
 }
 
 std::vector<double> key_times(const Animation& motion, std::size_t limit) {

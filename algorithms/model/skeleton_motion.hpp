@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,18 @@ namespace refitlab {
 // The largest Frobenius norm of M^T M - I that is taken for the rounding of a file: 1e-3 in the scale along each axis.
 inline constexpr double rigidity_tolerance = 3.5e-3;
 
+// A node's transform by its parts: scaled, then rotated, then translated.
+struct NodeTransform {
+  Eigen::Vector3d translation, scale;
+  Eigen::Quaterniond rotation;
+};
+
 struct SceneNode {
   std::string name;
-  int parent;             // index of a node that comes before this one, or -1
-  Eigen::Matrix4d local;  // to the parent's frame, where no clip moves it
-  int source = -1;        // its index in the file
+  int parent;                              // index of a node that comes before this one, or -1
+  Eigen::Matrix4d local;                   // to the parent's frame, where no clip moves it
+  int source = -1;                         // its index in the file
+  std::optional<NodeTransform> rest = {};  // local by its parts, where the file has these
 };
 
 struct BoundJoint {
@@ -91,11 +99,22 @@ struct PosedSkeleton {
   double rigidity_defect;  // the largest over the joints
 };
 
-// By node.
+Eigen::Matrix4d matrix_of(const NodeTransform& transform);
+
+// The parts of a node's matrix: those that the file has, or others that make the same; of a mirror with a negative x factor.
+// None where it shears or flattens.
+std::optional<NodeTransform> parts_of(const SceneNode& node);
+
+// Of a track's node, where its channels are at a time.
+NodeTransform transform_at(const NodeTrack& track, double time, Side side = Side::after);
+
+// By node, from those against the parents.
+std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, std::vector<Eigen::Matrix4d> locals);
 std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, const Animation& animation, double time,
                                                Side side = Side::after);
 
-// M_j by joint, affine.
+// M_j by joint, affine; from the transforms of the nodes against their parents, or at a time.
+std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const std::vector<Eigen::Matrix4d>& locals);
 std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time,
                                            Side side = Side::after);
 
@@ -113,6 +132,10 @@ Eigen::Matrix4d common_factor(const BoundSkeleton& skeleton, const Animation& an
 // C_j by joint: the rotation nearest to M_j, its quaternion in the half-space of its parent's (of a root, real part >=
 // 0). Throws ModelError that names clip, joint and time where M_j is not rigid, within rigidity_tolerance.
 PosedSkeleton pose(const BoundSkeleton& skeleton, const Animation& animation, double time, Side side = Side::after);
+
+// The same of skin matrices; where: what the error says of them besides the joint, or nothing.
+PosedSkeleton rigid_pose(const BoundSkeleton& skeleton, const std::vector<Eigen::Matrix4d>& skin_matrices,
+                         const std::string& clip, const std::string& when);
 
 // 0, the duration and the times of keys between, in order; evenly thinned to at most `limit`.
 std::vector<double> key_times(const Animation& animation, std::size_t limit);

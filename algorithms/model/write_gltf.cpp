@@ -19,8 +19,6 @@ using nlohmann::json;
 
 enum ComponentType : int { ushort_component = 5123, uint_component = 5125, float_component = 5126 };
 
-constexpr double orthogonality_tolerance = 1e-5;  // of the axes of a node that a clip moves
-
 std::array<float, 3> in_file(const Eigen::Vector3d& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
@@ -97,15 +95,11 @@ class GltfWriter {
   }
 
   void add_parts(const SceneNode& node, json& out) const {
-    Eigen::Matrix3d linear = node.local.topLeftCorner<3, 3>();
-    Eigen::Vector3d scale = linear.colwise().norm();
-    if (linear.determinant() < 0) scale[0] = -scale[0];
-    linear = linear * scale.cwiseInverse().asDiagonal();
-    if (!((linear.transpose() * linear - Eigen::Matrix3d::Identity()).norm() < orthogonality_tolerance))
-      throw ModelError(model_.name, "node '" + node.name + "'", "its transform is no translation, rotation and scale");
-    out["translation"] = in_file(Eigen::Vector3d(node.local.topRightCorner<3, 1>()));
-    out["rotation"] = in_file(Eigen::Quaterniond(linear).normalized());
-    out["scale"] = in_file(scale);
+    const std::optional<NodeTransform> parts = parts_of(node);
+    if (!parts) throw ModelError(model_.name, "node '" + node.name + "'", "its transform is no translation, rotation and scale");
+    out["translation"] = in_file(parts->translation);
+    out["rotation"] = in_file(parts->rotation);
+    out["scale"] = in_file(parts->scale);
   }
 
   void add_mesh() {

@@ -30,11 +30,16 @@ struct BakeCall {
 po::options_description options() {
   po::options_description description("options");
   description.add_options()("help", "this text")("for", po::value<std::string>()->default_value("clip"),
-                                                 "clip: the file's animations; any: whatever code does with the joints, too")(
-      "skinning", po::value<std::string>()->default_value("linear"), "linear, as glTF says; dual-quaternion; or spherical")(
+                                                 "clip: the file's animations; crossfade: while any of them fades to any other, "
+                                                 "too; any: whatever code does with the joints, "
+                                                 "too")("skinning", po::value<std::string>()->default_value("linear"),
+                                                        "linear, as glTF says; dual-quaternion; or spherical")(
       "clusters", po::value<int>()->default_value(128),
       "most triangles of a cluster, a multiple of 4 up to 512; 0 bakes no clusters")(
       "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
+      "crossfade-tolerance", po::value<double>()->default_value(0.2), "the same of crossfades")(
+      "rotations", po::value<std::string>()->default_value("slerp"),
+      "slerp or nlerp: how crossfades blend rotations, on the shorter way; all else they blend linearly")(
       "json", po::value<std::string>(), "write what was measured to this file too")(
       "report", po::value<std::string>(),
       "write a page that shows the bounds, and what sampling would have missed, to this file")("quiet", "show no progress");
@@ -47,15 +52,35 @@ BakeCall parse(const po::variables_map& map) {
   if (map.count("report")) call.report = map["report"].as<std::string>();
   call.bounds.skinning = skinning_of(map["skinning"].as<std::string>());
   const std::string purpose = map["for"].as<std::string>();
-  if (purpose != "clip" && purpose != "any") throw UsageError("--for " + purpose + ": there are clip and any");
+  if (purpose != "clip" && purpose != "crossfade" && purpose != "any")
+    throw UsageError("--for " + purpose + ": there are clip, crossfade and any");
   call.bounds.any_pose = purpose == "any";
+  call.bounds.crossfades = purpose == "crossfade";
+  const std::string rotations = map["rotations"].as<std::string>();
+  if (rotations != "slerp" && rotations != "nlerp") throw UsageError("--rotations " + rotations + ": there are slerp and nlerp");
+  call.bounds.rotations = rotations == "slerp" ? RotationBlend::slerp : RotationBlend::nlerp;
   call.bounds.cluster_triangles = map["clusters"].as<int>();
   const int c = call.bounds.cluster_triangles;
   if (c != 0 && (c < 4 || c > 512 || c % 4 != 0)) throw UsageError("--clusters takes a multiple of 4 from 4 to 512, or 0");
-  call.bounds.tolerance = map["tolerance"].as<double>();
-  if (!(call.bounds.tolerance > 0 && call.bounds.tolerance <= 1))
-    throw UsageError("--tolerance takes a number above 0, and up to 1");
+  for (const auto& [name, tolerance] :
+       {std::pair("tolerance", &call.bounds.tolerance), std::pair("crossfade-tolerance", &call.bounds.crossfade_tolerance)}) {
+    *tolerance = map[name].as<double>();
+    if (!(*tolerance > 0 && *tolerance <= 1)) throw UsageError("--" + std::string(name) + " takes a number above 0, and up to 1");
+  }
   return call;
+}
+
+nlohmann::ordered_json json_of_parts(const ModelBounds& bounds, const std::vector<BoundedPart>& bounded) {
+  nlohmann::ordered_json out;
+  for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
+    nlohmann::ordered_json part = {{"kind", name_of(bounds.parts[p].kind)}, {"index", bounds.parts[p].index}};
+    for (const auto* point : {&bounded[p].box.low, &bounded[p].box.high})
+      for (const float x : *point) part["box"].push_back(static_cast<double>(x));
+    for (const float x : bounded[p].ball.center) part["ball"].push_back(static_cast<double>(x));
+    part["ball"].push_back(static_cast<double>(bounded[p].ball.radius));
+    out.push_back(part);
+  }
+  return out;
 }
 
 std::string summary_json(const Model& model, const ModelBounds& bounds, const BakeCall& call, double seconds) {
@@ -66,18 +91,12 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
                                 {"vertices", model.vertices.size()},
                                 {"seconds", seconds},
                                 {"moments", bounds.moments}};
-  for (const BoundedClip& clip : bounds.clips) {
-    nlohmann::ordered_json of_clip = {{"name", clip.name}, {"duration", clip.duration}};
-    for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
-      nlohmann::ordered_json part = {{"kind", name_of(bounds.parts[p].kind)}, {"index", bounds.parts[p].index}};
-      for (const auto* point : {&clip.parts[p].box.low, &clip.parts[p].box.high})
-        for (const float x : *point) part["box"].push_back(static_cast<double>(x));
-      for (const float x : clip.parts[p].ball.center) part["ball"].push_back(static_cast<double>(x));
-      part["ball"].push_back(static_cast<double>(clip.parts[p].ball.radius));
-      of_clip["parts"].push_back(part);
-    }
-    out["clips"].push_back(of_clip);
-  }
+  for (const BoundedClip& clip : bounds.clips)
+    out["clips"].push_back({{"name", clip.name}, {"duration", clip.duration}, {"parts", json_of_parts(bounds, clip.parts)}});
+  for (const BoundedCrossfade& fade : bounds.crossfades)
+    out["crossfades"].push_back({{"first", bounds.clips[fade.first].name},
+                                 {"second", bounds.clips[fade.second].name},
+                                 {"parts", json_of_parts(bounds, fade.parts)}});
   return out.dump(1) + "\n";
 }
 
@@ -111,8 +130,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   SkinnedMesh mesh(model);
   mesh.name.clear();  // what is written does not depend on where the file was
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
-  chunks.push_back(
-      {refitlab_chunk, chunk_of({bounds.skinning, bake(std::move(mesh), {}, {Pieces::mixed}), clusters_of(model, bounds)})});
+  chunks.push_back({refitlab_chunk, chunk_of({bounds.skinning, bounds.rotations, bake(std::move(mesh), {}, {Pieces::mixed}),
+                                              clusters_of(model, bounds)})});
   write_whole(call.out, glb_of(chunks, call.out));
   if (!call.report.empty()) write_whole(call.report, report_page(model, bounds, call.in));
   if (!call.json.empty()) write_whole(call.json, summary_json(model, bounds, call, seconds));
@@ -120,7 +139,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   long clusters = 0;
   for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;
   out << call.out << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, " << bounds.clips.size()
-      << " clips, " << name_of(bounds.skinning) << " skinning; " << std::fixed << std::setprecision(2) << seconds << " s\n";
+      << " clips, " << bounds.crossfades.size() << " crossfades, " << name_of(bounds.skinning) << " skinning; " << std::fixed
+      << std::setprecision(2) << seconds << " s\n";
   return exit_done;
 }
 

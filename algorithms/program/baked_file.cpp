@@ -12,7 +12,7 @@ namespace refitlab {
 namespace {
 
 constexpr std::string_view chunk_magic = "rflbaked";
-constexpr std::uint32_t chunk_version = 1;
+constexpr std::uint32_t chunk_version = 2;
 constexpr Skinning chunk_skinnings[] = {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical};
 
 }  // namespace
@@ -21,6 +21,7 @@ std::string chunk_of(const BakedFile& baked) {
   BinaryWriter body;
   const auto* skinning = std::find(std::begin(chunk_skinnings), std::end(chunk_skinnings), baked.skinning);
   body.number(static_cast<std::uint32_t>(skinning - chunk_skinnings));
+  body.number(static_cast<std::uint32_t>(baked.rotations));
   for (const std::string& part : {bytes_of(baked.character), bytes_of(baked.clusters)})
     body.number(static_cast<std::uint64_t>(part.size())), body.bytes += part;
   return sealed(chunk_magic, chunk_version, body.bytes);
@@ -40,9 +41,10 @@ BakedFile read_baked(const std::string& path) {
     if (size <= bytes.size() - header && bytes.size() - header - size < 4) bytes = bytes.substr(0, header + size);
   }
   BinaryReader in = opened(bytes, chunk_magic, chunk_version, "chunk of refitlab", path);
-  std::uint32_t skinning = 0;
-  in.number(skinning);
+  std::uint32_t skinning = 0, rotations = 0;
+  in.number(skinning), in.number(rotations);
   if (skinning >= std::size(chunk_skinnings)) throw ModelError(path, "chunk of refitlab", "there is no such skinning");
+  if (rotations > 1) throw ModelError(path, "chunk of refitlab", "there is no such blend of rotations");
   const auto part = [&] {
     std::uint64_t size = 0;
     in.number(size);
@@ -50,7 +52,8 @@ BakedFile read_baked(const std::string& path) {
   };
   const std::string_view character = part(), clusters = part();
   in.end();
-  return {chunk_skinnings[skinning], character_of(character, path), cluster_bounds_of(clusters, path)};
+  return {chunk_skinnings[skinning], rotations == 1 ? RotationBlend::nlerp : RotationBlend::slerp, character_of(character, path),
+          cluster_bounds_of(clusters, path)};
 }
 
 }  // namespace refitlab

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "algorithms/bake/over_time/crossfaded_joints.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "algorithms/runtime/tree/character.hpp"
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
@@ -12,11 +13,12 @@ namespace refitlab {
 
 struct BakedFile {
   Skinning skinning;
+  RotationBlend rotations;  // of crossfades
   Character character;
   ClusterBounds clusters;
 };
 
-// The chunk of refitlab: the skinning, the baked character and the clusters.
+// The chunk of refitlab: the skinning, how crossfades blend rotations, the baked character and the clusters.
 std::string chunk_of(const BakedFile& baked);
 
 // Throws ModelError for a file that is no binary glTF, has no such chunk, or one that is damaged.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <atomic>
+#include <cmath>
 #include <mutex>
+#include <numeric>
 #include <ostream>
 #include <random>
 
@@ -31,55 +32,66 @@ double beyond(const BoundedPart& part, const Point3& p) {
   return most;
 }
 
-// Looks at one cluster in one clip at random times, and where they show a vertex to be nearest to the bound, ever closer to it.
+// Looks at one cluster at some moments, and where they show a vertex to be nearest to the bound, ever closer to it.
 class ClusterCheck {
  public:
-  ClusterCheck(const AnimatedJoints& joints, const MovingVertices& vertices, const BoundedPart& bound)
+  ClusterCheck(const MovingJoints& joints, const MovingVertices& vertices, const BoundedPart& bound)
       : joints_(joints),
         vertices_(vertices),
-        bound_(bound) {}
+        bound_(bound) {
+    for (const ParameterBox& box : joints.boxes()) error_ = std::max(error_, vertices.placing_error(joints.cell(box)));
+  }
 
-  void look(const std::vector<double>& times) {
+  // ranges: by parameter.
+  void look(const std::vector<ParameterMoment>& moments, const std::vector<std::pair<double, double>>& ranges) {
     std::vector<double> closeness;
-    for (const double time : times) closeness.push_back(look_at(time));
+    for (const ParameterMoment& moment : moments) closeness.push_back(look_at(moment));
     const auto nearest = std::max_element(closeness.begin(), closeness.end()) - closeness.begin();
-    const double duration = joints_.times().back();
-    double middle = times[nearest], step = duration / static_cast<double>(times.size()), best = closeness[nearest];
+    ParameterMoment best = moments[nearest];
+    double most = closeness[nearest],
+           step = 1 / std::pow(static_cast<double>(moments.size()), 1.0 / static_cast<double>(ranges.size()));
     for (int i = 0; i < 20; ++i, step /= 2)
-      for (const double time : {middle - step, middle + step})
-        if (time >= 0 && time <= duration)
-          if (const double close = look_at(time); close > best) best = close, middle = time;
+      for (std::size_t k = 0; k < ranges.size(); ++k)
+        for (const double sign : {-1.0, 1.0}) {
+          ParameterMoment moment = best;
+          double& value = moment.coordinates[k].value;
+          value += sign * step * (ranges[k].second - ranges[k].first);
+          if (value < ranges[k].first || value > ranges[k].second) continue;
+          if (const double close = look_at(moment); close > most) most = close, best = moment;
+        }
   }
 
   Tally tally;
 
  private:
-  double look_at(double time) {
-    const std::vector<double>& times = joints_.times();
-    const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
-    const int part = std::clamp(static_cast<int>(after) - 1, 0, joints_.part_count() - 1);
-    const double error = vertices_.placing_error(joints_.cell(part, times[part], times[part + 1]));
-    vertices_.place(*joints_.at(time, Side::after), Followed::skinned, points_);
+  double look_at(const ParameterMoment& moment) {
+    vertices_.place(*joints_.at(moment), Followed::skinned, points_);
     double nearest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const double out = beyond(bound_, points_[i]);
       nearest = std::max(nearest, out);
       ++tally.vertices;
-      if (out > error) {
+      if (out > error_) {
         ++tally.missed;
-        if (out > tally.by)
-          tally.by = out,
-          tally.worst = "vertex " + std::to_string(vertices_.vertices()[i]) + " at " + std::to_string(time) + " s";
-      } else if (out > -error) {
+        if (out > tally.by) {
+          tally.by = out;
+          tally.worst =
+              "vertex " + std::to_string(vertices_.vertices()[i]) + " at " + std::to_string(moment.coordinates[0].value) + " s";
+          if (moment.coordinates.size() == 3)
+            tally.worst += " and " + std::to_string(moment.coordinates[1].value) + " s, weight " +
+                           std::to_string(moment.coordinates[2].value);
+        }
+      } else if (out > -error_) {
         ++tally.undecided;
       }
     }
     return nearest;
   }
 
-  const AnimatedJoints& joints_;
+  const MovingJoints& joints_;
   const MovingVertices& vertices_;
   const BoundedPart& bound_;
+  double error_ = 0;
   std::vector<Point3> points_;
 };
 
@@ -105,13 +117,22 @@ std::vector<int> vertices_of(const Model& model, const ClusterBounds& bounds, co
   return vertices;
 }
 
-Tally check_clip(const Model& model, const JointSets& sets, const BakedFile& baked, const ClusterBounds::Clip& clip,
-                 const Animation& animation, int samples, unsigned seed, const std::string& file) {
-  const AnimatedJoints joints(model, animation, baked.skinning != Skinning::linear);
-  std::vector<double> times = joints.times();
+// All clusters, at these moments, and at as many random ones as there are samples.
+Tally check_clusters(const Model& model, const JointSets& sets, const BakedFile& baked, const MovingJoints& joints,
+                     const std::vector<BoundedPart>& bounds, std::vector<ParameterMoment> moments, int samples, unsigned seed,
+                     const std::string& file) {
+  const std::vector<ParameterBox> boxes = joints.boxes();
+  std::vector<std::pair<double, double>> ranges;
+  for (std::size_t k = 0; k < boxes[0].ranges.size(); ++k)
+    ranges.emplace_back(boxes.front().ranges[k].start, boxes.back().ranges[k].end);
   std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> any(0, std::max(clip.duration, 1e-300));
-  for (int i = 0; i < samples; ++i) times.push_back(std::min(any(random), joints.times().back()));
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < samples; ++i) {
+    ParameterMoment moment;
+    for (const auto& [start, end] : ranges)
+      moment.coordinates.push_back({std::min(start + share(random) * (end - start), end), Side::after});
+    moments.push_back(std::move(moment));
+  }
   Tally all;
   std::mutex guard;
   parallel_for(baked.clusters.clusters.size(), [&](std::size_t c) {
@@ -119,8 +140,8 @@ Tally check_clip(const Model& model, const JointSets& sets, const BakedFile& bak
     const std::vector<int> vertices = vertices_of(model, baked.clusters, baked.clusters.clusters[c], file);
     if (vertices.empty()) return;
     const MovingVertices moving(model, sets, baked.skinning, vertices);
-    ClusterCheck check(joints, moving, clip.clusters[c]);
-    check.look(times);
+    ClusterCheck check(joints, moving, bounds[c]);
+    check.look(moments, ranges);
     const std::lock_guard lock(guard);
     all.vertices += check.tally.vertices, all.missed += check.tally.missed, all.undecided += check.tally.undecided;
     if (check.tally.by > all.by) all.by = check.tally.by, all.worst = "cluster " + std::to_string(c) + ", " + check.tally.worst;
@@ -128,9 +149,17 @@ Tally check_clip(const Model& model, const JointSets& sets, const BakedFile& bak
   return all;
 }
 
+// The times of an animation's keys.
+std::vector<ParameterMoment> moments_of_keys(const AnimatedJoints& joints) {
+  std::vector<ParameterMoment> out;
+  for (const double time : joints.times()) out.push_back({{{time, Side::after}}});
+  return out;
+}
+
 int run_check(const std::vector<std::string>& arguments, std::ostream& out, std::ostream&) {
   po::options_description options("options");
-  options.add_options()("help", "this text")("samples", po::value<int>()->default_value(1000), "random times a clip")(
+  options.add_options()("help", "this text")("samples", po::value<int>()->default_value(1000),
+                                             "random times a clip, and moments a crossfade")(
       "seed", po::value<unsigned>()->default_value(1), "of the random times");
   const po::variables_map map = parse_arguments(arguments, options, {"FILE.glb"});
   if (map.count("help")) {
@@ -149,18 +178,31 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   if (baked.clusters.clips.size() != model.clips.size() + 1)
     throw ModelError(file, "clips", "there are not as many as were baked");
   const JointSets sets(model);
-  const Animation rest;
+  const int samples = map["samples"].as<int>();
+  const unsigned seed = map["seed"].as<unsigned>();
+  const bool needs_pose = baked.skinning != Skinning::linear;
   long missed = 0;
-  for (std::size_t c = 0; c < baked.clusters.clips.size(); ++c) {
-    const ClusterBounds::Clip& clip = baked.clusters.clips[c];
-    const Animation& animation = c < model.clips.size() ? model.clips[c].animation : rest;
-    const Tally tally =
-        check_clip(model, sets, baked, clip, animation, map["samples"].as<int>(), map["seed"].as<unsigned>(), file);
+  const auto report = [&](const std::string& what, const Tally& tally) {
     missed += tally.missed;
-    out << (c < model.clips.size() ? "clip '" + clip.name + "'" : "rest pose") << ": " << tally.vertices
-        << " places of vertices, " << tally.missed << " outside, " << tally.undecided << " undecided";
+    out << what << ": " << tally.vertices << " places of vertices, " << tally.missed << " outside, " << tally.undecided
+        << " undecided";
     if (tally.missed > 0) out << "; farthest: " << tally.worst << ", by " << tally.by;
     out << '\n';
+  };
+  const Animation rest;
+  for (std::size_t c = 0; c < baked.clusters.clips.size(); ++c) {
+    const ClusterBounds::Clip& clip = baked.clusters.clips[c];
+    const AnimatedJoints joints(model, c < model.clips.size() ? model.clips[c].animation : rest, needs_pose);
+    report(c < model.clips.size() ? "clip '" + clip.name + "'" : "rest pose",
+           check_clusters(model, sets, baked, joints, clip.clusters, moments_of_keys(joints), samples, seed, file));
+  }
+  std::vector<int> all(model.joints.size());
+  std::iota(all.begin(), all.end(), 0);
+  for (const ClusterBounds::Crossfade& fade : baked.clusters.crossfades) {
+    const Clip &first = model.clips[fade.first], &second = model.clips[fade.second];
+    const CrossfadedJoints joints(model, first.animation, second.animation, all, baked.rotations, needs_pose);
+    report("crossfade of '" + first.name + "' and '" + second.name + "'",
+           check_clusters(model, sets, baked, joints, fade.clusters, {}, samples, seed, file));
   }
   return missed > 0 ? exit_found : exit_done;
 }

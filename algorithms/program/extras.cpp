@@ -27,16 +27,18 @@ Json json_of(const BoundedPart& part) {
 }
 
 Json header(const ModelBounds& bounds, double tolerance) {
-  return {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", tolerance}};
+  Json out = {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", tolerance}};
+  if (!bounds.crossfades.empty()) out["rotations"] = bounds.rotations == RotationBlend::slerp ? "slerp" : "nlerp";
+  return out;
 }
 
-// Of an animation: its bound of the whole, and those of skins, meshes and primitives.
-Json json_of_clip(const Model& model, const ModelBounds& bounds, const BoundedClip& clip) {
+// Of an animation or a crossfade: its bound of the whole, and those of skins, meshes and primitives.
+Json json_of_parts(const Model& model, const ModelBounds& bounds, const std::vector<BoundedPart>& bounded) {
   Json skins = Json::array(), meshes = Json::array(), primitives = Json::array();
   Json out = Json::object();
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     const ModelPart& part = bounds.parts[p];
-    Json bound = json_of(clip.parts[p]);
+    Json bound = json_of(bounded[p]);
     const auto with = [&](Json of) { return of.update(bound), of; };
     if (part.kind == PartKind::whole) out = bound;
     if (part.kind == PartKind::skin) skins.push_back(with({{"skin", part.index}}));
@@ -47,6 +49,18 @@ Json json_of_clip(const Model& model, const ModelBounds& bounds, const BoundedCl
     }
   }
   out["skins"] = skins, out["meshes"] = meshes, out["primitives"] = primitives;
+  return out;
+}
+
+// With what holds while it fades to each other one.
+Json json_of_clip(const Model& model, const ModelBounds& bounds, int clip) {
+  Json out = json_of_parts(model, bounds, bounds.clips[clip].parts);
+  for (const BoundedCrossfade& fade : bounds.crossfades) {
+    if (fade.first != clip && fade.second != clip) continue;
+    Json json = {{"animation", fade.first == clip ? fade.second : fade.first}};
+    json.update(json_of_parts(model, bounds, fade.parts));
+    out["crossfades"].push_back(json);
+  }
   return out;
 }
 
@@ -91,7 +105,7 @@ std::string with_extras(const std::string& json, const Model& model, const Model
     add({"meshes", static_cast<std::size_t>(key.first), "primitives", static_cast<std::size_t>(key.second)},
         "mesh " + std::to_string(key.first) + ", primitive " + std::to_string(key.second), json_of(around(bounds_of_nodes)));
   for (std::size_t c = 0; c < bounds.clips.size(); ++c)
-    add({"animations", c}, "animation " + std::to_string(c), json_of_clip(model, bounds, bounds.clips[c]));
+    add({"animations", c}, "animation " + std::to_string(c), json_of_clip(model, bounds, static_cast<int>(c)));
   return text;
 }
 

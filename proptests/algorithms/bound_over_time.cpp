@@ -40,7 +40,9 @@ class Scene {
 
   const AnimatedJoints& joints() const { return joints_; }
   const MovingVertices& vertices() const { return vertices_; }
-  BoundOverTime bound(double tolerance) const { return bound_over_time(joints_, vertices_, {tolerance, directions_, true}); }
+  BoundOverTime bound(double tolerance) const {
+    return bound_over_time(joints_, vertices_, {tolerance, directions_, true, 1 << 12});
+  }
 
   // Whether all vertices are in slabs and ball at a moment, as intervals say; undecided where the moment is ambiguous.
   Verdict holds(const BoundOverTime& bound, double time, Side side) {

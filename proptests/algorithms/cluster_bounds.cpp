@@ -30,6 +30,11 @@ ClusterBounds drawn_bounds() {
     out.clips.push_back({*rc::gen::element<std::string>("", "Walk", "\xC3\xA4\""), std::abs(static_cast<double>(real())), {}});
     for (std::size_t c = 0; c < out.clusters.size(); ++c) out.clips.back().clusters.push_back(drawn_bound());
   }
+  for (int n = out.clips.size() > 1 ? *rc::gen::inRange(0, 3) : 0; n > 0; --n) {
+    const auto clip = [&] { return *rc::gen::inRange(0, static_cast<int>(out.clips.size()) - 1); };
+    out.crossfades.push_back({clip(), clip(), {}});
+    for (std::size_t c = 0; c < out.clusters.size(); ++c) out.crossfades.back().clusters.push_back(drawn_bound());
+  }
   return out;
 }
 
@@ -76,7 +81,7 @@ PROPTEST(cluster_bounds) {
     std::string bytes = bytes_of(drawn_bounds());
     for (int n = *rc::gen::inRange(1, 4); n > 0; --n)
       bytes[*rc::gen::inRange<std::size_t>(28, bytes.size())] = *rc::gen::arbitrary<char>();
-    const std::string sealed_again = sealed("rfltimes", 1, std::string_view(bytes).substr(28));
+    const std::string sealed_again = sealed("rfltimes", 2, std::string_view(bytes).substr(28));
     reason_against(sealed_again);
   });
   t.example(
@@ -104,8 +109,18 @@ PROPTEST(cluster_bounds) {
                     "test: clip '', cluster 0: its bound is none" &&
                 reason([&](auto& b) { b.clips[0].clusters[0].ball.center[0] = nan; }) ==
                     "test: clip '', cluster 0: its bound is none" &&
-                reason([](auto& b) { b.clips[0].clusters[0].ball.radius = -1; }) == "test: clip '', cluster 0: its bound is none",
-            11);
+                reason([](auto& b) { b.clips[0].clusters[0].ball.radius = -1; }) ==
+                    "test: clip '', cluster 0: its bound is none" &&
+                reason([&](auto& b) {
+                  b.clips.push_back(b.clips[0]), b.crossfades = {{0, 1, b.clips[0].clusters}};
+                }) == "test: crossfades: a clip is out of range" &&
+                reason([&](auto& b) {
+                  b.clips.push_back(b.clips[0]), b.crossfades = {{-1, 0, b.clips[0].clusters}};
+                }) == "test: crossfades: a clip is out of range" &&
+                reason([&](auto& b) {
+                  b.clips.push_back(b.clips[0]), b.crossfades = {{0, 0, {}}};
+                }) == "test: crossfade of '' and '': it does not have a bound for each cluster",
+            14);
       });
 }
 

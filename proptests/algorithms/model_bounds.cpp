@@ -98,9 +98,52 @@ PROPTEST(model_bounds) {
     }
     return Checked(good, static_cast<long>(bounds().clips.size()));
   });
+  t.example(
+      "what is seen while one clip fades to another is inside of the crossfade's bounds, and these of what is of all", {}, [] {
+        bool good = true;
+        long looked_at = 0;
+        for (const int clusters : {0, 512}) {
+          const ModelBounds faded = bound_model(
+              man(), {.tolerance = 0.1, .cluster_triangles = clusters, .crossfades = true, .rotations = RotationBlend::nlerp});
+          const std::size_t clips = man().clips.size();
+          good = good && faded.crossfades.size() == clips * (clips - 1) / 2 && faded.rotations == RotationBlend::nlerp;
+          const auto all = bounds_of_all(faded);
+          const JointSets sets(man());
+          for (const BoundedCrossfade& fade : faded.crossfades) {
+            good = good && fade.first < fade.second;
+            for (std::size_t p = 0; p < all.size(); ++p) {
+              const MovingVertices vertices(man(), sets, Skinning::linear, faded.parts[p].vertices);
+              const Clip &first = man().clips[fade.first], &second = man().clips[fade.second];
+              const CrossfadedJoints joints(man(), first.animation, second.animation, vertices.joints(), RotationBlend::nlerp,
+                                            false);
+              const BoundedPart& part = fade.parts[p];
+              good = good && encloses(all[p], part);
+              std::vector<Point3> points;
+              for (int i = 0; i < 60; ++i) {
+                const double shares[] = {i % 7 / 6.0, i % 5 / 4.0, i % 4 / 3.0};
+                vertices.place(*joints.at({{{shares[0] * first.duration, Side::after},
+                                            {shares[1] * second.duration, Side::after},
+                                            {shares[2], Side::after}}}),
+                               Followed::skinned, points);
+                for (const Point3& x : points) {
+                  ++looked_at;
+                  good = good && (x.array() >= part.box.low.cast<double>().array()).all() &&
+                         (x.array() <= part.box.high.cast<double>().array()).all() &&
+                         (x - part.ball.center.cast<double>()).norm() <= part.ball.radius;
+                }
+              }
+            }
+          }
+        }
+        return Checked(good, looked_at);
+      });
   t.example("progress goes up to the whole", {}, [] {
     std::vector<double> told;
-    bound_model(man(), {.tolerance = 0.1, .cluster_triangles = 0, .progress = [&](double share) { told.push_back(share); }});
+    bound_model(
+        man(),
+        {.tolerance = 0.1, .cluster_triangles = 0, .crossfades = true, .crossfade_tolerance = 0.5, .progress = [&](double share) {
+           told.push_back(share);
+         }});
     return Checked(!told.empty() && std::is_sorted(told.begin(), told.end()) && told.back() == 1, static_cast<long>(told.size()));
   });
 }

@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "algorithms/model/keyed.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/model/write_gltf.hpp"
 #include "algorithms/program/baked_file.hpp"
 #include "algorithms/program/glb_file.hpp"
 #include "algorithms/results/write_whole.hpp"
@@ -119,6 +122,26 @@ PROPTEST(program) {
                        found.out.find("cluster 0, vertex ") != std::string::npos,
                    5, checked.out + found.out + twice.errors);
   });
+  t.example("crossfades of all clips are baked, checked, and found where a bound is too small", {}, [] {
+    const gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb");
+    write_gltf(keyed(make_man(400), 4), in);
+    const Called called = call({"bake", "--for", "crossfade", "--rotations", "nlerp", "--crossfade-tolerance", "0.5",
+                                "--clusters", "128", in, out}),
+                 checked = call({"check", "--samples", "100", out});
+    tamper(out, bad, [](BakedFile& baked) {
+      BoundedPart& bound = baked.clusters.crossfades[0].clusters[0];
+      bound.box.high[1] = bound.box.low[1] + (bound.box.high[1] - bound.box.low[1]) / 2;
+    });
+    const Called found = call({"check", "--samples", "100", bad});
+    const json file = description_of(out);
+    const json &first = file["animations"][0]["extras"]["refitlab"], &second = file["animations"][1]["extras"]["refitlab"];
+    return Checked(called.code == 0 && checked.code == 0 && checked.out.find("crossfade of '") != std::string::npos &&
+                       found.code == 1 && found.out.find(" s, weight ") != std::string::npos && first["rotations"] == "nlerp" &&
+                       first["crossfades"][0]["animation"] == 1 && second["crossfades"][0]["animation"] == 0 &&
+                       first["crossfades"][0]["box"] == second["crossfades"][0]["box"],
+                   5, called.errors + checked.out + found.out);
+  });
   t.example("info, collide and report say what they should of a file, and help what a command takes", {}, [] {
     const Rich rich(false, false, {"--report", "report.html"});
     const std::string in = rich.folder.file("in.glb");
@@ -162,7 +185,9 @@ PROPTEST(program) {
                   fails(2, {"bake", "--skinning", "cubic", in, out}, "there is no such skinning") &&
                   fails(2, {"bake", "--clusters", "5", in, out}, "a multiple of 4") &&
                   fails(2, {"bake", "--tolerance", "0", in, out}, "a number above 0") &&
-                  fails(2, {"bake", "--for", "ever", in, out}, "there are clip and any") &&
+                  fails(2, {"bake", "--for", "ever", in, out}, "there are clip, crossfade and any") &&
+                  fails(2, {"bake", "--rotations", "linear", in, out}, "there are slerp and nlerp") &&
+                  fails(2, {"bake", "--crossfade-tolerance", "2", in, out}, "a number above 0") &&
                   fails(2, {"bake", "--nonsense", in, out}, "nonsense") &&
                   fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
                   fails(2, {"collide", rigid, rigid, "--at", "1", "2"}, "three numbers") &&
@@ -180,6 +205,7 @@ PROPTEST(program) {
                 return fails(3, {"check", broken}, reason);
               };
               good = good && tampered([](BakedFile& b) { b.skinning = Skinning::hejl; }, "there is no such skinning") &&
+                     tampered([](BakedFile& b) { b.rotations = static_cast<RotationBlend>(2); }, "no such blend of rotations") &&
                      tampered([](BakedFile& b) { b.clusters.clips.pop_back(); }, "not as many as were baked") &&
                      tampered([](BakedFile& b) { b.clusters.clusters[0].triangles[0] = 1000; }, "not of this file's triangles") &&
                      tampered([](BakedFile& b) { b.clusters.primitives[0].mesh = 7; }, "not of this file's triangles") &&
@@ -192,7 +218,7 @@ PROPTEST(program) {
               other[0].data = description.dump();
               write_whole(broken, glb_of(other, broken));
               good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
-              return Checked(good, 115, wrong);
+              return Checked(good, 118, wrong);
             });
 }
 

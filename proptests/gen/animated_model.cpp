@@ -31,6 +31,23 @@ class ModelMaker {
     return model_;
   }
 
+  Animation second(const Model& model) {
+    Animation animation{"second", plan_.duration, {}};
+    for (int n = 0; n < plan_.nodes; ++n) {
+      const auto first = std::find_if(model.clips[0].animation.tracks.begin(), model.clips[0].animation.tracks.end(),
+                                      [&](const NodeTrack& track) { return track.node == n; });
+      const bool is_moved = first != model.clips[0].animation.tracks.end();
+      if (!is_moved && (chance(0.6) || !model.skeleton.nodes[n].rest)) continue;
+      if (is_moved && model.skeleton.nodes[n].rest && chance(0.2)) continue;
+      add_track(n, animation);
+      if (is_moved && !plan_.near_zero) meet(animation.tracks.back().rotations, first->rotations);
+    }
+    std::shuffle(animation.tracks.begin(), animation.tracks.end(), random_);
+    for (const MorphedMesh& mesh : model.morphs)
+      if (chance(0.7)) animation.weight_tracks.push_back(weight_track(mesh.node));
+    return animation;
+  }
+
  private:
   int pick(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
   bool chance(double p) { return std::uniform_real_distribution<double>(0, 1)(random_) < p; }
@@ -165,13 +182,39 @@ class ModelMaker {
       local(0, 3) += n == 0 ? plan_.far * plan_.unit : -plan_.far * plan_.unit / plan_.root_scale;
       if (n == 0) return;
     }
+    add_rest(model_.skeleton.nodes.back());
     if (chance(0.25)) return;
+    add_track(n, animation);
+    std::shuffle(animation.tracks.begin(), animation.tracks.end(), random_);
+  }
+
+  void add_track(int n, Animation& animation) {
     const Eigen::Vector3d back =
         plan_.far > 0 && n == 1 ? Eigen::Vector3d(-plan_.far * plan_.unit / plan_.root_scale, 0, 0) : Eigen::Vector3d(0, 0, 0);
     animation.tracks.push_back({n, vectors([&] { return Eigen::Vector3d(back + position()); }, plan_.unit), turns(),
                                 vectors([&] { return scale(); }, plan_.rigid ? plan_.noise : 1)});
     if (plan_.rigid && plan_.noise == 0) animation.tracks.back().scales = {{{0, Eigen::Vector3d::Ones()}}};
-    std::shuffle(animation.tracks.begin(), animation.tracks.end(), random_);
+  }
+
+  // Where the matrix has parts.
+  void add_rest(SceneNode& node) {
+    const Eigen::Matrix3d m = node.local.topLeftCorner<3, 3>();
+    if ((m.transpose() * m - Eigen::Matrix3d::Identity()).norm() > 1e-9) return;
+    node.rest = NodeTransform{node.local.topRightCorner<3, 1>(), scale(), Eigen::Quaterniond(m).normalized()};
+    node.local = matrix_of(*node.rest);
+  }
+
+  // Keys near those of a track of the first clip.
+  void meet(Channel<Eigen::Quaterniond>& turns, const Channel<Eigen::Quaterniond>& other) {
+    const Eigen::Vector4d c = other.keys[0].value.coeffs();
+    Eigen::Quaterniond& q = turns.keys[0].value;
+    switch (pick(0, 7)) {
+      case 0: turns = other; break;
+      case 1: q = Eigen::Quaterniond(Eigen::Vector4d(-c)); break;
+      case 2: q = Eigen::Quaterniond(Eigen::Vector4d(c[3], -c[2], c[1], -c[0])); break;
+      case 3: q = next_turn(other.keys[0].value); break;
+      default: break;
+    }
   }
 
   void add_joint(int j) {
@@ -218,18 +261,22 @@ class ModelMaker {
       }
       model_.morphs.push_back(morph);
       if (chance(0.2)) continue;
-      WeightTrack track{mesh, {{}, interpolation(false), {}}};
-      const auto any = [&](double size) {
-        Eigen::VectorXd out(plan_.targets);
-        for (double& w : out) w = size * real();
-        return out;
-      };
-      for (const double time : times()) {
-        track.weights.keys.push_back({time, any(plan_.smooth ? 0.3 : 1.5)});
-        if (track.weights.interpolation == Interpolation::cubic) track.weights.tangents.push_back({any(rate()), any(rate())});
-      }
-      animation.weight_tracks.push_back(track);
+      animation.weight_tracks.push_back(weight_track(mesh));
     }
+  }
+
+  WeightTrack weight_track(int node) {
+    WeightTrack track{node, {{}, interpolation(false), {}}};
+    const auto any = [&](double size) {
+      Eigen::VectorXd out(plan_.targets);
+      for (double& w : out) w = size * real();
+      return out;
+    };
+    for (const double time : times()) {
+      track.weights.keys.push_back({time, any(plan_.smooth ? 0.3 : 1.5)});
+      if (track.weights.interpolation == Interpolation::cubic) track.weights.tangents.push_back({any(rate()), any(rate())});
+    }
+    return track;
   }
 
   const AnimatedPlan& plan_;
@@ -240,6 +287,12 @@ class ModelMaker {
 }  // namespace
 
 Model animated_model(const AnimatedPlan& plan) { return ModelMaker(plan).make(); }
+
+Animation second_animation(const AnimatedPlan& plan, const Model& model) {
+  AnimatedPlan other = plan;
+  other.seed = plan.seed + 7919;
+  return ModelMaker(other).second(model);
+}
 
 AnimatedPlan draw_animated_plan(bool rigid) {
   const auto full = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };

@@ -93,15 +93,71 @@ PROPTEST(c7_crossfade) {
           return oracle::moment_of<M, 4>(
               oracle::slerp<J>(jets(f.first.moment, first), jets(f.second.moment, second), J(weight, M(third ? 1 : 0), M(0))));
         };
-        for (const auto& [m, bounds] : {std::pair(moment(true, false, false), slerp_by_time(motion(f.first.motion))),
-                                        std::pair(moment(false, true, false), slerp_by_time(motion(f.second.motion))),
-                                        std::pair(moment(false, false, true), slerp_by_weight(lift<M>(f.cosine)))}) {
+        // As of a cell of weights about this one, and of a cosine that is known a little less well.
+        const Rational around = *rc::gen::element(Rational(0), Rational(1, 50), Rational(1, 3));
+        const Rational low = std::max(Rational(0), Rational(f.weight - around)),
+                       high = std::min(Rational(1), Rational(f.weight + around));
+        const Rational product = low <= Rational(1, 2) && Rational(1, 2) <= high
+                                     ? Rational(1, 4)
+                                     : std::max(Rational(low * (1 - low)), Rational(high * (1 - high)));
+        const M cosine = lift<M>(std::max(Rational(0), Rational(f.cosine - around / 10)));
+        for (const auto& [m, bounds] :
+             {std::pair(moment(true, false, false),
+                        slerp_by_time(motion(f.first.motion), cosine, lift<M>(Rational(1 - low)), lift<M>(product))),
+              std::pair(moment(false, true, false),
+                        slerp_by_time(motion(f.second.motion), cosine, lift<M>(high), lift<M>(product))),
+              std::pair(moment(false, false, true), slerp_by_weight(lift<M>(f.cosine)))}) {
           RC_ASSERT(is_slerp_moment(m, bounds) != Verdict::fails);
           // At the end that does not move nothing does, to the last digit.
           RC_ASSERT(less_equal(squared_norm(m.velocity), M(sq(bounds.speed) + M(1e-40))) == Verdict::holds);
           RC_ASSERT(less_equal(squared_norm(m.acceleration), M(sq(bounds.acceleration) + M(1e-40))) == Verdict::holds);
         }
       });
+  t.holds("a slerp that goes a little more than the shorter way moves within the bounds, by sines in intervals",
+          {.form = "beyond",
+           .number_type = "multiprecision interval",
+           .cases = 300,
+           .degenerate_at_most = 0.6,
+           .tags_at_least = {{"beyond a right angle", 0.2}, {"nearly two thirds of a half turn", 0.03}}},
+          [] {
+            Fade f;
+            if (*rc::gen::arbitrary<bool>() && f.cosine > 0 && 2 * f.cosine <= 1) {
+              auto& m = f.second.moment;
+              m = {-m.value, -m.velocity, -m.acceleration}, f.cosine = -f.cosine;
+            }
+            RC_ASSERT(is_hardly_the_longer_way(f.cosine) == Verdict::holds);
+            RC_PRE(f.cosine < 1);
+            if (f.cosine < 0) RC_TAG("beyond a right angle");
+            if (5 * f.cosine < -2) RC_TAG("nearly two thirds of a half turn");
+            RC_CLASSIFY(f.is_degenerate(), "degenerate");
+            using J = oracle::Jet<M>;
+            const auto jets = [](const Moment<Rational, 4>& m, bool moves) {
+              Vec<J, 4> out;
+              for (int i = 0; i < 4; ++i)
+                out[i] = moves ? J(lift<M>(m.value[i]), lift<M>(m.velocity[i]), M(0)) : J(lift<M>(m.value[i]));
+              return out;
+            };
+            const M weight = lift<M>(f.weight);
+            for (int moving = 0; moving < 3; ++moving) {
+              const auto m =
+                  oracle::moment_of<M, 4>(oracle::slerp<J>(jets(f.first.moment, moving == 0), jets(f.second.moment, moving == 1),
+                                                           J(weight, M(moving == 2 ? 1 : 0), M(0))));
+              const M speed = moving == 2   ? slerp_by_weight(lift<M>(f.cosine)).speed
+                              : moving == 0 ? slerp_speed_beyond(lift<M>(f.first.motion.speed))
+                                            : slerp_speed_beyond(lift<M>(f.second.motion.speed));
+              RC_ASSERT(less_equal(squared_norm(m.velocity), M(sq(speed) + M(1e-40))) == Verdict::holds);
+            }
+          });
+  t.example("across an arc of 113 degrees a slerp goes faster than its end, but not as fast as beyond is said",
+            {.form = "beyond"}, [] {
+              using J = oracle::Jet<M>;
+              // p turns out of the plane of both, at a speed of 1.
+              const Vec<J, 4> p{J(M(1)), J(M(0)), J(M(0), M(1), M(0)), J(M(0))},
+                  q{J(M(-5) / M(13)), J(M(12) / M(13)), J(M(0)), J(M(0))};
+              const auto m = oracle::moment_of<M, 4>(oracle::slerp<J>(p, q, J(M(1) / M(5))));
+              return less(M(sq(M(1.08))), squared_norm(m.velocity)) == Verdict::holds &&
+                     less(squared_norm(m.velocity), M(sq(slerp_speed_beyond(M(1))))) == Verdict::holds;
+            });
   t.holds("translations and scales fade within the bounds",
           {.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.02, .degenerate_at_most = 0.6},
           [] {
@@ -256,7 +312,8 @@ PROPTEST(c7_crossfade) {
               const Quaternion<J> a(J(1), J(0), J(0), J(M(0), M(1), M(0))), b(J(cosine), J(sine), J(0), J(0));
               const auto m = oracle::moment_of<M, 4>(oracle::slerp<J>(a, b, J(M(1) / M(2))));
               return less(M(4), squared_norm(m.velocity)) == Verdict::holds && is_shorter_way(cosine) == Verdict::fails &&
-                     is_slerp_moment(m, slerp_by_time(Motion<M>{M(1), M(1), M(1)})) == Verdict::fails;
+                     is_slerp_moment(m, slerp_by_time<M>({M(1), M(1), M(1)}, M(0), M(M(1) / M(2)), M(M(1) / M(4)))) ==
+                         Verdict::fails;
             });
 }
 

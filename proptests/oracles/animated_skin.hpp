@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/model/model.hpp"
+#include "algorithms/bake/over_time/moving_joints.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "lemmas/exact/multiprecision_interval.hpp"
 #include "proptests/oracles/rotation_center.hpp"
@@ -202,27 +202,49 @@ struct Placed {
   refitlab::Quaternion<S> turn;
 };
 
+// Scaled, turned by a unit quaternion, moved.
+template <class S>
+struct Parts {
+  refitlab::Vec<S, 3> translation;
+  refitlab::Quaternion<S> turn;
+  refitlab::Vec<S, 3> scale;
+};
+
+template <class S>
+Placed<S> placed(const Parts<S>& parts) {
+  const Affine<S> affine = affine_of<S>(parts.turn, parts.translation);
+  Matrix4<S> m;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) m[i][j] = i == 3 ? S(j == 3 ? 1 : 0) : j == 3 ? affine[i][3] : S(affine[i][j] * parts.scale[j]);
+  return {m, parts.turn};
+}
+
+// Of a node that the animation moves.
+template <class S>
+std::optional<Parts<S>> parts_of(const refitlab::Animation& animation, int node, double time, const S& when,
+                                 refitlab::Side side) {
+  for (const auto& track : animation.tracks)
+    if (track.node == node)
+      return Parts<S>{at<S>(track.positions, time, when, side), unit<S>(at<S>(track.rotations, time, when, side)),
+                      at<S>(track.scales, time, when, side)};
+  return std::nullopt;
+}
+
+template <class S>
+Placed<S> at_rest(const refitlab::SceneNode& node, bool with_turn) {
+  Placed<S> out{matrix_of<S>(node.local), {S(1), S(0), S(0), S(0)}};
+  if (with_turn) out.turn = unit<S>(rotation_in<S>(node.local));
+  return out;
+}
+
 // By node, against its parent.
 template <class S>
 std::vector<Placed<S>> local_transforms(const refitlab::BoundSkeleton& skeleton, const refitlab::Animation& animation,
                                         double time, const S& when, refitlab::Side side, bool with_turns) {
   std::vector<Placed<S>> out;
   for (std::size_t n = 0; n < skeleton.nodes.size(); ++n) {
-    const refitlab::NodeTrack* track = nullptr;
-    for (const auto& t : animation.tracks)
-      if (t.node == static_cast<int>(n)) track = &t;
-    if (!track) {
-      out.push_back({matrix_of<S>(skeleton.nodes[n].local), {S(1), S(0), S(0), S(0)}});
-      if (with_turns) out.back().turn = unit<S>(rotation_in<S>(skeleton.nodes[n].local));
-      continue;
-    }
-    const auto q = unit<S>(at<S>(track->rotations, time, when, side));
-    const auto scale = at<S>(track->scales, time, when, side);
-    const Affine<S> affine = affine_of<S>(q, at<S>(track->positions, time, when, side));
-    Matrix4<S> m;
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) m[i][j] = i == 3 ? S(j == 3 ? 1 : 0) : j == 3 ? affine[i][3] : S(affine[i][j] * scale[j]);
-    out.push_back({m, q});
+    const auto parts = parts_of<S>(animation, static_cast<int>(n), time, when, side);
+    out.push_back(parts ? placed(*parts) : at_rest<S>(skeleton.nodes[n], with_turns));
   }
   return out;
 }
@@ -250,30 +272,57 @@ class AnimatedSkin {
 
   // To be called before vertices are asked for. Throws Ambiguous, as vertex does.
   void pose(double time, refitlab::Side side) {
-    weights_.clear();
-    for (const auto& mesh : model_.morphs) {
-      weights_.emplace_back();
-      for (const double w : mesh.weights) weights_.back().push_back(number<S>(w));
-      for (const auto& track : animation_.weight_tracks)
-        for (std::size_t t = 0; track.node == mesh.node && t < mesh.weights.size(); ++t) {
-          // A weight moves as a coordinate of a position.
-          refitlab::Channel<Eigen::Vector3d> one{{}, track.weights.interpolation, {}};
-          const auto i = static_cast<Eigen::Index>(t);
-          for (const auto& key : track.weights.keys) one.keys.push_back({key.time, {key.value[i], 0, 0}});
-          for (const auto& tangent : track.weights.tangents)
-            one.tangents.push_back({{tangent.into[i], 0, 0}, {tangent.out[i], 0, 0}});
-          weights_.back()[t] = oracle::at<S>(one, time, number<S>(time), side)[0];
-        }
+    weights_ = weights_at(animation_, time, side);
+    place(local_transforms<S>(model_.skeleton, animation_, time, number<S>(time), side, is_rigid()));
+  }
+
+  // In a crossfade to another animation, at a time of each. Rotations go by nlerp or by slerp the shorter way, but for nodes with
+  // a sign. A node that only one of both moves has its rest transform by its parts.
+  void pose(double time, refitlab::Side side, const refitlab::Animation& other, double other_time, refitlab::Side other_side,
+            double weight, bool by_nlerp, std::span<const refitlab::NodeSign> signs) {
+    const S share = number<S>(weight), left = S(1) - share;
+    weights_ = weights_at(animation_, time, side);
+    const auto others = weights_at(other, other_time, other_side);
+    for (std::size_t m = 0; m < weights_.size(); ++m)
+      for (std::size_t t = 0; t < weights_[m].size(); ++t) weights_[m][t] = left * weights_[m][t] + share * others[m][t];
+    std::vector<Placed<S>> nodes;
+    for (std::size_t n = 0; n < model_.skeleton.nodes.size(); ++n) {
+      const auto& node = model_.skeleton.nodes[n];
+      auto p = parts_of<S>(animation_, static_cast<int>(n), time, number<S>(time), side),
+           q = parts_of<S>(other, static_cast<int>(n), other_time, number<S>(other_time), other_side);
+      if (!p && !q) {
+        nodes.push_back(at_rest<S>(node, is_rigid()));
+        continue;
+      }
+      const auto rest = [&] {
+        const auto& r = node.rest.value();
+        return Parts<S>{numbers<S>(r.translation), unit<S>(numbers<S>(r.rotation)), numbers<S>(r.scale)};
+      };
+      if (!p) p = rest();
+      if (!q) q = rest();
+      bool is_opposite = false;
+      const double cosine = middle_of(refitlab::dot<S, 4>(p->turn, q->turn));
+      const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& s) { return s.node == static_cast<int>(n); });
+      if (sign != signs.end()) is_opposite = sign->is_opposite;
+      else if (std::abs(cosine) < 1e-13) throw Ambiguous();
+      else is_opposite = cosine < 0;
+      if (is_opposite)
+        for (int i = 0; i < 4; ++i) q->turn[i] = S(0) - q->turn[i];
+      Parts<S> blend = *p;
+      for (int i = 0; i < 3; ++i) {
+        blend.translation[i] = left * p->translation[i] + share * q->translation[i];
+        blend.scale[i] = left * p->scale[i] + share * q->scale[i];
+      }
+      double apart = 0;
+      for (int i = 0; i < 4; ++i) {
+        apart += std::abs(middle_of(S(p->turn[i] - q->turn[i])));
+        blend.turn[i] = left * p->turn[i] + share * q->turn[i];
+      }
+      if (!by_nlerp && apart > 1e-14) blend.turn = slerp<S>(p->turn, q->turn, share);
+      blend.turn = unit<S>(blend.turn);
+      nodes.push_back(placed(blend));
     }
-    const auto nodes = scene_transforms(
-        model_.skeleton, local_transforms<S>(model_.skeleton, animation_, time, number<S>(time), side, is_rigid()));
-    joints_.clear();
-    for (std::size_t j = 0; j < model_.skeleton.joints.size(); ++j) {
-      const auto& joint = model_.skeleton.joints[j];
-      const auto& node = nodes[joint.node];
-      joints_.push_back({product(node.matrix, matrix_of<S>(joint.offset)), {S(1), S(0), S(0), S(0)}});
-      if (is_rigid()) joints_.back().turn = hamilton<S>(node.turn, offset_turns_[j]);
-    }
+    place(std::move(nodes));
   }
 
   refitlab::Vec<S, 3> vertex(int v) const {
@@ -327,6 +376,37 @@ class AnimatedSkin {
 
  private:
   bool is_rigid() const { return skinning_ != refitlab::Skinning::linear; }
+
+  // By target, for each of the morphed meshes.
+  std::vector<std::vector<S>> weights_at(const refitlab::Animation& animation, double time, refitlab::Side side) const {
+    std::vector<std::vector<S>> out;
+    for (const auto& mesh : model_.morphs) {
+      out.emplace_back();
+      for (const double w : mesh.weights) out.back().push_back(number<S>(w));
+      for (const auto& track : animation.weight_tracks)
+        for (std::size_t t = 0; track.node == mesh.node && t < mesh.weights.size(); ++t) {
+          // A weight moves as a coordinate of a position.
+          refitlab::Channel<Eigen::Vector3d> one{{}, track.weights.interpolation, {}};
+          const auto i = static_cast<Eigen::Index>(t);
+          for (const auto& key : track.weights.keys) one.keys.push_back({key.time, {key.value[i], 0, 0}});
+          for (const auto& tangent : track.weights.tangents)
+            one.tangents.push_back({{tangent.into[i], 0, 0}, {tangent.out[i], 0, 0}});
+          out.back()[t] = oracle::at<S>(one, time, number<S>(time), side)[0];
+        }
+    }
+    return out;
+  }
+
+  void place(std::vector<Placed<S>> locals) {
+    const auto nodes = scene_transforms(model_.skeleton, std::move(locals));
+    joints_.clear();
+    for (std::size_t j = 0; j < model_.skeleton.joints.size(); ++j) {
+      const auto& joint = model_.skeleton.joints[j];
+      const auto& node = nodes[joint.node];
+      joints_.push_back({product(node.matrix, matrix_of<S>(joint.offset)), {S(1), S(0), S(0), S(0)}});
+      if (is_rigid()) joints_.back().turn = hamilton<S>(node.turn, offset_turns_[j]);
+    }
+  }
 
   static refitlab::Vec<S, 3> refitlab_apply(const refitlab::RigidTransform<S>& c, const refitlab::Vec<S, 3>& x) {
     return oracle::times<S>(affine_of<S>(c.rotation, c.translation), x);

@@ -15,7 +15,7 @@ AnimatedJoints::AnimatedJoints(const Model& model, const Animation& animation, b
   if (model.skeleton.joints.size() != model.joints.size())
     throw ModelError(model.name, "clip '" + animation.name + "'", "it has no keys, and nothing is known of it between poses");
   const std::vector<SceneNode>& nodes = model.skeleton.nodes;
-  times_ = smooth_times(model.name, nodes, animation);
+  times_ = part_times(model.name, nodes, animation);
   for (const MorphedMesh& mesh : model.morphs) {
     const auto found = std::find_if(animation.weight_tracks.begin(), animation.weight_tracks.end(),
                                     [&](const WeightTrack& track) { return track.node == mesh.node; });
@@ -23,7 +23,6 @@ AnimatedJoints::AnimatedJoints(const Model& model, const Animation& animation, b
   }
   for (const double time : times_)
     if (jumps_at(animation, time)) jumps_.push_back(time);
-  if (const double end = times_.back(); times_.size() == 1 || jumps_at(animation, end)) times_.push_back(end);
   for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
     auto motions = std::make_shared<JointMotions>();
     for (std::size_t m = 0; m < model.morphs.size(); ++m) {
@@ -61,7 +60,7 @@ JointCell AnimatedJoints::cell(const ParameterBox& box) const {
   return out;
 }
 
-std::vector<ParameterBox> AnimatedJoints::halves(const ParameterBox& box, std::size_t) const {
+std::vector<ParameterBox> AnimatedJoints::halves(const ParameterBox& box, std::size_t, bool) const {
   const ParameterRange& range = box.ranges[0];
   const double middle = range.start + (range.end - range.start) / 2;
   if (!(range.start < middle && middle < range.end)) return {};

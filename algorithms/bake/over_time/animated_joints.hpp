@@ -28,7 +28,7 @@ class AnimatedJoints : public MovingJoints {
   // From start to end, which are times in this part.
   JointCell cell(int part, double start, double end) const;
   JointCell cell(const ParameterBox& box) const override;
-  std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter) const override;
+  std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter, bool is_known) const override;
 
   // Side::after where both sides of a time are the same.
   Side side_of(double time, Side side) const;

@@ -23,10 +23,6 @@ constexpr double flattest_side = 0.02;
 // Cells are halved in each parameter this many times at most; those of which nothing is known, fewer times.
 constexpr int most_halvings = 24, most_blind_halvings = 10;
 
-// After so many halvings of boxes with one parameter, or with several, no cell is halved any more: what hardly has a size would be
-// looked at for ever.
-constexpr int most_halvings_of_intervals = 1 << 12, most_halvings_of_boxes = 1 << 16;
-
 // The greatest values of convex functions that change by no more than their scale times the distance: (n, x) and (-n, x) for each
 // direction n, or the distance from a point. By function.
 using Values = std::vector<double>;
@@ -108,8 +104,10 @@ void raise(Values& values, const Values& to) {
 // Of Values, over all cells.
 class Search {
  public:
-  Search(std::span<const MovingJoints* const> joints, const MovingVertices& vertices, Functions& functions)
+  Search(std::span<const MovingJoints* const> joints, const MovingVertices& vertices, Functions& functions,
+         std::size_t most_halvings)
       : joints_(joints),
+        halvings_left_(most_halvings),
         vertices_(vertices),
         functions_(functions),
         seen_(functions.scales().size(), -infinity),
@@ -118,12 +116,9 @@ class Search {
   void run() {
     for (std::size_t of = 0; of < joints_.size(); ++of) {
       known_.clear();
-      std::size_t halvings_left = 0;
-      for (const ParameterBox& box : joints_[of]->boxes()) {
-        halvings_left = box.ranges.size() == 1 ? most_halvings_of_intervals : most_halvings_of_boxes;
+      for (const ParameterBox& box : joints_[of]->boxes())
         open(cell(*joints_[of], box, std::vector<int>(box.ranges.size(), 0), vertices_.placing_error(joints_[of]->cell(box))));
-      }
-      look_into(*joints_[of], halvings_left);
+      look_into(*joints_[of]);
     }
   }
 
@@ -181,7 +176,7 @@ class Search {
   }
 
   // By what reaches farthest, so that what has to be seen is seen early.
-  void look_into(const MovingJoints& joints, std::size_t halvings_left) {
+  void look_into(const MovingJoints& joints) {
     while (!open_.empty()) {
       std::pop_heap(open_.begin(), open_.end());
       Cell now = std::move(open_.back());
@@ -191,9 +186,9 @@ class Search {
         open(std::move(now));
         continue;
       }
-      const std::vector<ParameterBox> halves = halvings_left > 0 && is_worth_halving(now) ? halves_of(joints, now) : none_;
+      const std::vector<ParameterBox> halves = halvings_left_ > 0 && is_worth_halving(now) ? halves_of(joints, now) : none_;
       for (const ParameterBox& half : halves) open(cell(joints, half, now.halvings, now.error));
-      if (!halves.empty()) --halvings_left;
+      if (!halves.empty()) --halvings_left_;
       else if (now.chord < infinity) raise(bound_, above(now));
       else raise(bound_, above(cell(joints, now.box, now.halvings, now.error, true)));
     }
@@ -206,7 +201,7 @@ class Search {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cell.chords[a] > cell.chords[b]; });
     for (const std::size_t parameter : order) {
       if (cell.halvings[parameter] >= (cell.chord < infinity ? most_halvings : most_blind_halvings)) continue;
-      const std::vector<ParameterBox> halves = joints.halves(cell.box, parameter);
+      const std::vector<ParameterBox> halves = joints.halves(cell.box, parameter, cell.chords[parameter] < infinity);
       if (halves.empty()) continue;
       // Cells that hold several parts of a clip are known from part to part.
       const ParameterRange& range = cell.box.ranges[parameter];
@@ -241,6 +236,7 @@ class Search {
   }
 
   std::span<const MovingJoints* const> joints_;
+  std::size_t halvings_left_;
   const MovingVertices& vertices_;
   Functions& functions_;
   std::vector<Point3> points_;
@@ -266,7 +262,7 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
   if (!(options.tolerance > 0)) throw std::invalid_argument("bound_over_time: the tolerance is not positive");
   BoundOverTime out;
   DirectionFunctions directions(options.directions, options.tolerance);
-  Search slabs(joints, vertices, directions);
+  Search slabs(joints, vertices, directions, options.most_halvings);
   slabs.run();
   for (std::size_t d = 0; d < options.directions.size(); ++d)
     out.slabs.push_back({-slabs.bound()[2 * d + 1], slabs.bound()[2 * d]});
@@ -275,7 +271,7 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
 
   const Point3 center = smallest_ball<double, 3>(directions.extremes).center;
   DistanceFunction distance(center, options.tolerance);
-  Search radius(joints, vertices, distance);
+  Search radius(joints, vertices, distance, options.most_halvings);
   radius.run();
   out.ball = {center, radius.bound()[0]};
   out.moments += radius.moments();

@@ -22,6 +22,8 @@ struct OverTimeOptions {
   double tolerance = 0.01;
   std::vector<Point3> directions = {Point3::UnitX(), Point3::UnitY(), Point3::UnitZ()};
   bool with_ball = true;
+  // Of all cells together, for slabs and for the ball. What hardly has a size would be looked at for ever.
+  std::size_t most_halvings = std::size_t(1) << 16;
 };
 
 struct BoundOverTime {

@@ -88,6 +88,18 @@ BoundedPart outward(const BoundOverTime& bound, double renderer_rounding) {
   return {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
 }
 
+// Whether the part has all triangles of the cluster.
+bool has(const Model& model, const ModelPart& part, const ModelPart& cluster) {
+  switch (part.kind) {
+    case PartKind::whole: return true;
+    case PartKind::skin: return model.sources[cluster.index].skin == part.index;
+    case PartKind::mesh: return model.sources[cluster.index].mesh == part.index;
+    case PartKind::primitive: return part.index == cluster.index;
+    case PartKind::cluster: break;
+  }
+  return false;
+}
+
 class ProgressCount {
  public:
   ProgressCount(std::size_t total, const std::function<void(double)>& tell) : total_(total), tell_(tell) {}
@@ -158,7 +170,8 @@ std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   const DefaultFloatEnvironment environment;
   const JointSets sets(model);
-  ModelBounds out{options.skinning, parts_of(model, options.cluster_triangles)};
+  ModelBounds out{
+      .skinning = options.skinning, .parts = parts_of(model, options.cluster_triangles), .rotations = options.rotations};
   const Animation none;
   std::deque<AnimatedJoints> clips;  // the last one rests
   const bool needs_pose = options.skinning != Skinning::linear;
@@ -171,29 +184,65 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   };
   std::vector<Task> tasks;
   std::size_t cost = 0;
-  for (std::size_t c = 0; c < clips.size(); ++c)
-    for (std::size_t p = 0; p < out.parts.size(); ++p)
-      if (first[p] == p) {
-        tasks.push_back({c, p, out.parts[p].vertices.size() * clips[c].times().size()});
-        cost += tasks.back().cost;
-      }
+  for (std::size_t p = 0; p < out.parts.size(); ++p)
+    for (std::size_t c = 0; first[p] == p && c < clips.size(); ++c) {
+      tasks.push_back({c, p, out.parts[p].vertices.size() * clips[c].times().size()});
+      cost += tasks.back().cost;
+    }
   // The largest first, so that no processor is left with one at the end.
   std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
 
+  std::vector<std::size_t> looked_at;  // in crossfades: clusters, or what has the same vertices
+  for (std::size_t p = 0; p < out.parts.size(); ++p)
+    if (options.cluster_triangles == 0 || out.parts[p].kind == PartKind::cluster) looked_at.push_back(first[p]);
+  std::sort(looked_at.begin(), looked_at.end());
+  looked_at.erase(std::unique(looked_at.begin(), looked_at.end()), looked_at.end());
+  // Of a crossfade, a part costs some hundred times as much as of a clip.
+  const std::size_t fades = options.crossfades ? model.clips.size() * (model.clips.size() - 1) / 2 : 0,
+                    cost_of_fade = 100 * cost / std::max<std::size_t>(1, tasks.size());
+  ProgressCount progress(cost + fades * looked_at.size() * cost_of_fade, options.progress);
   std::vector<std::vector<BoundedPart>> bounded(clips.size(), std::vector<BoundedPart>(out.parts.size()));
   std::atomic<long> moments = 0;
-  ProgressCount progress(cost, options.progress);
+  const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices, double tolerance) {
+    const BoundOverTime bound = bound_over_time(joints, vertices, {.tolerance = tolerance});
+    moments += bound.moments;
+    return outward(bound, options.renderer_rounding);
+  };
+  const auto share_among_same = [&](std::vector<BoundedPart>& parts) {
+    for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
+  };
   parallel_for(tasks.size(), [&](std::size_t t) {
     const DefaultFloatEnvironment own_environment;
     const Task& task = tasks[t];
-    const MovingVertices vertices(model, sets, options.skinning, out.parts[task.part].vertices);
-    const BoundOverTime bound = bound_over_time(clips[task.clip], vertices, {.tolerance = options.tolerance});
-    bounded[task.clip][task.part] = outward(bound, options.renderer_rounding);
-    moments += bound.moments;
+    const MovingJoints* const joints[] = {&clips[task.clip]};
+    bounded[task.clip][task.part] =
+        bound_of(joints, {model, sets, options.skinning, out.parts[task.part].vertices}, options.tolerance);
     progress.add(task.cost);
   });
-  for (auto& parts : bounded)
-    for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
+  for (auto& parts : bounded) share_among_same(parts);
+  for (int a = 0; fades > 0 && a < static_cast<int>(model.clips.size()); ++a)
+    for (int b = a + 1; b < static_cast<int>(model.clips.size()); ++b) {
+      BoundedCrossfade& bounds = out.crossfades.emplace_back(BoundedCrossfade{a, b, std::vector<BoundedPart>(out.parts.size())});
+      parallel_for(looked_at.size(), [&](std::size_t i) {
+        const DefaultFloatEnvironment own_environment;
+        const std::size_t p = looked_at[i];
+        const MovingVertices vertices(model, sets, options.skinning, out.parts[p].vertices);
+        const CrossfadedJoints fade(model, model.clips[a].animation, model.clips[b].animation, vertices.joints(),
+                                    options.rotations, needs_pose);
+        const MovingJoints* const joints[] = {&clips[a], &clips[b], &fade};
+        bounds.parts[p] = bound_of(joints, vertices, options.crossfade_tolerance);
+        progress.add(cost_of_fade);
+      });
+      share_among_same(bounds.parts);
+      // What consists of clusters is as large as they are together, and they are looked at more closely than it would be.
+      for (std::size_t p = 0; options.cluster_triangles != 0 && p < out.parts.size(); ++p) {
+        if (out.parts[p].kind == PartKind::cluster) continue;
+        std::vector<BoundedPart> within;
+        for (std::size_t c = 0; c < out.parts.size(); ++c)
+          if (out.parts[c].kind == PartKind::cluster && has(model, out.parts[p], out.parts[c])) within.push_back(bounds.parts[c]);
+        bounds.parts[p] = around(within);
+      }
+    }
   for (std::size_t c = 0; c < model.clips.size(); ++c)
     out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c])});
   out.rest = std::move(bounded.back());
@@ -223,6 +272,7 @@ std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds) {
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     std::vector<BoundedPart> of_clips = {bounds.rest[p]};
     for (const BoundedClip& clip : bounds.clips) of_clips.push_back(clip.parts[p]);
+    for (const BoundedCrossfade& fade : bounds.crossfades) of_clips.push_back(fade.parts[p]);
     out.push_back(around(of_clips));
   }
   return out;
@@ -257,6 +307,11 @@ ClusterBounds clusters_of(const Model& model, const ModelBounds& bounds) {
   };
   for (const BoundedClip& clip : bounds.clips) add(clip.name, clip.duration, clip.parts);
   add("", 0, bounds.rest);
+  for (const BoundedCrossfade& fade : bounds.crossfades) {
+    ClusterBounds::Crossfade crossfade{fade.first, fade.second, {}};
+    for (const std::size_t p : parts) crossfade.clusters.push_back(fade.parts[p]);
+    out.crossfades.push_back(std::move(crossfade));
+  }
   return out;
 }
 

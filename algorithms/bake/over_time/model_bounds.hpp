@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bounds over time of everything in a model: its clusters of triangles, the file's primitives, meshes and skins, and the whole,
-// in every clip and in the rest pose.
+// in every clip and in the rest pose; and, if asked for, while any clip fades to any other.
 #pragma once
 
 #include <functional>
@@ -8,6 +8,7 @@
 
 #include "algorithms/bake/over_time/any_pose.hpp"
 #include "algorithms/bake/over_time/bound_over_time.hpp"
+#include "algorithms/bake/over_time/crossfaded_joints.hpp"
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
 
 namespace refitlab {
@@ -31,20 +32,31 @@ struct BoundedClip {
   std::vector<BoundedPart> parts;  // by part
 };
 
+// While a clip fades to another, or back: at any time of either, and before and after.
+struct BoundedCrossfade {
+  int first, second;               // positions in the model's clips
+  std::vector<BoundedPart> parts;  // by part
+};
+
 struct ModelBounds {
   Skinning skinning;
-  std::vector<ModelPart> parts;        // the whole first, clusters last
-  std::vector<BoundedClip> clips;      // those of the model, in order
-  std::vector<AnyPoseBound> any_pose;  // by part, clusters left out; empty unless asked for
-  std::vector<BoundedPart> rest;       // by part: the joints where the file's nodes leave them without a clip
-  long moments = 0;                    // at which some part's vertices were skinned
+  std::vector<ModelPart> parts;                    // the whole first, clusters last
+  std::vector<BoundedClip> clips;                  // those of the model, in order
+  RotationBlend rotations = RotationBlend::slerp;  // as crossfades blend them
+  std::vector<BoundedCrossfade> crossfades;        // of each two clips; empty unless asked for
+  std::vector<AnyPoseBound> any_pose;              // by part, clusters left out; empty unless asked for
+  std::vector<BoundedPart> rest;                   // by part: the joints where the file's nodes leave them without a clip
+  long moments = 0;                                // at which some part's vertices were skinned
 };
 
 struct ModelBoundsOptions {
   Skinning skinning = Skinning::linear;
   double tolerance = 0.01;      // as in OverTimeOptions
   int cluster_triangles = 128;  // of a cluster at most, a multiple of 4 from 4 to 512; 0 for no clusters
-  bool any_pose = false;        // bound what poses of code could do, too
+  bool crossfades = false;      // bound what is between two clips, too
+  double crossfade_tolerance = 0.2;
+  RotationBlend rotations = RotationBlend::slerp;  // of crossfades
+  bool any_pose = false;                           // bound what poses of code could do, too
   // Beyond what is computed: a renderer skins in float and is off by as much, as a share of the farthest vertex's distance
   // from the scene's origin.
   double renderer_rounding = 0x1p-20;
@@ -62,7 +74,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options = 
 // What encloses all of them, at least one: the smallest box, and the smallest ball rounded outward.
 BoundedPart around(std::span<const BoundedPart> parts);
 
-// What holds in all clips and in the rest pose; by part.
+// What holds in all clips, in the rest pose and in all crossfades that were asked for; by part.
 std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds);
 
 // The clusters, for a file. Triangles are those of the file's primitives.

@@ -85,8 +85,9 @@ class MovingJoints {
   // That cover all that parameters can be.
   virtual std::vector<ParameterBox> boxes() const = 0;
   virtual JointCell cell(const ParameterBox& box) const = 0;
-  // The box in two, at a value of this parameter; none where there is no value between.
-  virtual std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter) const = 0;
+  // The box in two: at a value of this parameter, or, of a box of whose motion something is not known, by a sign. None where there
+  // is no value between.
+  virtual std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter, bool is_known) const = 0;
   // Throws ModelError for a pose that is asked for and is not rigid.
   virtual std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const = 0;
 };

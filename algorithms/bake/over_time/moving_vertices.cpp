@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -45,6 +46,12 @@ double chord_within(const Motion<double>& motion, double side) {
   if (side == 0) return 0;
   const double chord = chord_slack(motion, side), simple = first_order_slack(motion.speed, side);
   return chord >= 0 ? chord : simple >= 0 ? simple : unknown;
+}
+
+// What is not known of a factor is not known of a product, even if the other one is 0: no maximum may pass over it.
+double or_unknown(double x) { return x >= 0 ? x : unknown; }
+Motion<double> or_unknown(const Motion<double>& m) {
+  return {or_unknown(m.size), or_unknown(m.speed), or_unknown(m.acceleration)};
 }
 
 double sum_of(const std::vector<double>& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.0); }
@@ -147,6 +154,12 @@ Motion<double> MovingVertices::below(const Set& set, std::size_t k, const JointM
   return displaced_motion<double>(lengths_of_reference[k], lengths, weights);
 }
 
+std::vector<int> MovingVertices::joints() const {
+  std::set<int> all;
+  for (const Set& set : sets_) all.insert(joint_sets_.joints(set.index).begin(), joint_sets_.joints(set.index).end());
+  return {all.begin(), all.end()};
+}
+
 void MovingVertices::place(const PosedJoints& posed, Followed followed, std::vector<Point3>& points) const {
   const DefaultFloatEnvironment environment;
   const bool is_linear = skinning_ == Skinning::linear || followed == Followed::linear_blend;
@@ -198,7 +211,7 @@ Motion<double> MovingVertices::linear_motion(const Set& set, const JointMotions&
   std::vector<Motion<double>> images;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int node = model_.skeleton.joints[joints[k]].node;
-    images.push_back(carried_motion(motions.chains[node], below(set, k, motions, set.distances)));
+    images.push_back(or_unknown(carried_motion(motions.chains[node], below(set, k, motions, set.distances))));
   }
   return widest<double>(images);
 }
@@ -209,8 +222,8 @@ Motion<double> MovingVertices::dual_motion(const Set& set, const JointMotions& m
   std::vector<Motion<double>> images, turns;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto chain = chain_below(skeleton.nodes, motions.links, set.base, skeleton.joints[joints[k]].node);
-    images.push_back(carried_motion(chain, below(set, k, motions, set.distances)));
-    turns.push_back(chain.rotation);
+    images.push_back(or_unknown(carried_motion(chain, below(set, k, motions, set.distances))));
+    turns.push_back(or_unknown(chain.rotation));
   }
   const Motion<double> motion = refitlab::dual_motion<double>(images, turns, std::sqrt(squared_least));
   return set.base >= 0 ? carried_motion(motions.chains[set.base], motion) : motion;
@@ -248,7 +261,8 @@ MovingVertices::Rotations MovingVertices::rotations(const Set& set, const JointC
     for (std::size_t i = 0; i < cell.sides.size(); ++i)
       if (cell.sides[i] > 0)
         turned[k] +=
-            chain_below(skeleton.nodes, cell.motions[i]->links, set.base, skeleton.joints[joints[k]].node).rotation.speed *
+            or_unknown(
+                chain_below(skeleton.nodes, cell.motions[i]->links, set.base, skeleton.joints[joints[k]].node).rotation.speed) *
             cell.sides[i];
   const auto cosine = [&](std::size_t k, std::size_t l) { return dot(there[k].rotation, there[l].rotation); };
   const double off = 2 * (relative_rounding(set, cell) + cell.defect);

@@ -31,6 +31,9 @@ class MovingVertices {
 
   const std::vector<int>& vertices() const { return vertices_; }
 
+  // That move them: the model's, in increasing order.
+  std::vector<int> joints() const;
+
   // The points that are followed, by position in vertices(); scene frame, units of the file.
   void place(const PosedJoints& posed, Followed followed, std::vector<Point3>& points) const;
 

@@ -130,13 +130,7 @@ bool jumps(const Channel<Value>& channel, double time) {
 
 // At a moment nothing moves.
 Motion<double> during(double start, double end, const Motion<double>& motion) {
-  return start < end ? motion : refitlab::at_rest(motion.size);
-}
-
-ChainMotion<double> at_rest(const Eigen::Matrix4d& local) {
-  const AffineMap<double> map{{local.col(0).head<3>(), local.col(1).head<3>(), local.col(2).head<3>()}, local.col(3).head<3>()};
-  return {refitlab::at_rest(std::sqrt(squared_stretch(map))), refitlab::at_rest(norm<double, 3>(map.offset)),
-          refitlab::at_rest(1.0)};
+  return start < end ? motion : at_rest(motion.size);
 }
 
 }  // namespace
@@ -161,6 +155,12 @@ std::vector<double> smooth_times(const std::string& file, const std::vector<Scen
   return times;
 }
 
+std::vector<double> part_times(const std::string& file, const std::vector<SceneNode>& nodes, const Animation& animation) {
+  std::vector<double> times = smooth_times(file, nodes, animation);
+  if (const double end = times.back(); times.size() == 1 || jumps_at(animation, end)) times.push_back(end);
+  return times;
+}
+
 bool jumps_at(const Animation& animation, double time) {
   return std::any_of(animation.tracks.begin(), animation.tracks.end(),
                      [&](const NodeTrack& track) {
@@ -170,17 +170,25 @@ bool jumps_at(const Animation& animation, double time) {
                      [&](const WeightTrack& track) { return jumps(track.weights, time); });
 }
 
+LinkMotion<double> track_motion(const NodeTrack& track, double start, double end) {
+  const DefaultFloatEnvironment environment;
+  return {during(start, end, vector_motion(track.positions, start, end, by_length)),
+          during(start, end, rotation_motion(track.rotations, start, end)),
+          during(start, end, vector_motion(track.scales, start, end, by_greatest_factor))};
+}
+
+ChainMotion<double> still_link(const SceneNode& node) {
+  const DefaultFloatEnvironment environment;
+  const Eigen::Matrix4d& local = node.local;
+  const AffineMap<double> map{{local.col(0).head<3>(), local.col(1).head<3>(), local.col(2).head<3>()}, local.col(3).head<3>()};
+  return {at_rest(std::sqrt(squared_stretch(map))), at_rest(norm<double, 3>(map.offset)), at_rest(1.0)};
+}
+
 std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& nodes, const Animation& animation, double start,
                                               double end) {
-  const DefaultFloatEnvironment environment;
   std::vector<ChainMotion<double>> links;
-  for (const SceneNode& node : nodes) links.push_back(at_rest(node.local));
-  for (const NodeTrack& track : animation.tracks) {
-    ChainMotion<double>& link = links[track.node];
-    link = chain_of<double>({vector_motion(track.positions, start, end, by_length), rotation_motion(track.rotations, start, end),
-                             vector_motion(track.scales, start, end, by_greatest_factor)});
-    link = {during(start, end, link.linear), during(start, end, link.offset), during(start, end, link.rotation)};
-  }
+  for (const SceneNode& node : nodes) links.push_back(still_link(node));
+  for (const NodeTrack& track : animation.tracks) links[track.node] = chain_of(track_motion(track, start, end));
   return links;
 }
 

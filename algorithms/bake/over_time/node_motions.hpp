@@ -14,8 +14,18 @@ namespace refitlab {
 // one; seconds. Throws ModelError for a spline of rotations that comes too close to zero, where it turns without a bound.
 std::vector<double> smooth_times(const std::string& file, const std::vector<SceneNode>& nodes, const Animation& animation);
 
+// smooth_times, and the last of them once more where it is the only one, or the animation jumps there: the parts between them have
+// all that the animation shows, the last one what comes after the jump.
+std::vector<double> part_times(const std::string& file, const std::vector<SceneNode>& nodes, const Animation& animation);
+
 // Whether a node's transform or a weight jumps at this time: where two keys share it, or a step ends.
 bool jumps_at(const Animation& animation, double time);
+
+// The motion of a track's node against its parent from start to end, as below.
+LinkMotion<double> track_motion(const NodeTrack& track, double start, double end);
+
+// Of a node that no track moves.
+ChainMotion<double> still_link(const SceneNode& node);
 
 // The motion of each node against its parent from start to end, two neighbours of smooth_times (c2_channel_motion,
 // c3_normalized_motion), or from its last time to the same, after which nothing moves. By node; lengths in units of the file, per

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Clusters of a model's triangles with bounds that hold at every time of a clip, as bytes that the runtime reads.
+// Clusters of a model's triangles with bounds that hold at every time of a clip, and while one clip fades to another, as bytes
+// that the runtime reads.
 //
-// Format, version 1, as in character_file.hpp: numbers are little-endian, a list is a count (8 bytes) and its members.
+// Format, version 2, as in character_file.hpp: numbers are little-endian, a list is a count (8 bytes) and its members.
 //   "rfltimes"                 8 bytes
 //   version, size, checksum    4 + 8 + 8 bytes
 //   primitives                 a list of node, mesh, primitive, skin: 4 bytes each; glTF's indices, or -1
@@ -9,6 +10,7 @@
 //   clips                      a list of a name (a list of bytes), the duration in seconds (8 bytes), and for each cluster
 //                              the box (six floats of 4 bytes: least x, y, z, greatest x, y, z) and the ball (x, y, z, radius);
 //                              the last clip, whose duration is 0, is the rest pose
+//   crossfades                 a list of two positions of clips (4 bytes each) and, for each cluster, box and ball as above
 #pragma once
 
 #include <string>
@@ -39,9 +41,14 @@ struct ClusterBounds {
     double duration;
     std::vector<BoundedPart> clusters;  // by cluster
   };
+  struct Crossfade {
+    int first, second;                  // positions of clips
+    std::vector<BoundedPart> clusters;  // by cluster
+  };
   std::vector<Primitive> primitives;
   std::vector<Cluster> clusters;
   std::vector<Clip> clips;  // the last one is the rest pose
+  std::vector<Crossfade> crossfades = {};
 };
 
 std::string bytes_of(const ClusterBounds& bounds);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What several threads have computed and share, up to a number of entries: what comes later is computed again.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace refitlab {
+
+template <class Key, class Value>
+class BoundedCache {
+ public:
+  explicit BoundedCache(std::size_t most) : most_(most) {}
+
+  // What is known of the key, or what `make()` returns.
+  template <class Make>
+  std::shared_ptr<const Value> get(const Key& key, const Make& make) {
+    {
+      const std::lock_guard lock(guard_);
+      if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    }
+    auto made = std::make_shared<const Value>(make());
+    const std::lock_guard lock(guard_);
+    if (known_.size() < most_) return known_.try_emplace(key, std::move(made)).first->second;
+    return made;
+  }
+
+ private:
+  std::size_t most_;
+  std::mutex guard_;
+  std::map<Key, std::shared_ptr<const Value>> known_;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The joints of a model while one animation fades to another: at any time of either and with any weight in [0, 1].
+//
+// Nodes are blended against their parents, as engines do: translations, scales and morph weights linearly, rotations by slerp or by
+// nlerp on the shorter way (c7_crossfade). A node that one of both does not move is where it rests.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <span>
+
+#include "algorithms/bake/over_time/bounded_cache.hpp"
+#include "algorithms/bake/over_time/moving_joints.hpp"
+#include "algorithms/bake/over_time/node_motions.hpp"
+
+namespace refitlab {
+
+enum class RotationBlend { slerp, nlerp };
+
+// One of both animations, with a track for each node that either moves and that some joint is below.
+class FadingClip {
+ public:
+  // Throws ModelError for a node that only the other one moves and whose matrix has no parts, and what part_times throws.
+  FadingClip(const Model& model, const Animation& animation, const Animation& other, std::span<const int> joints,
+             bool needs_stretches);
+
+  // Of what the parts from the first to the last of a range have in common.
+  struct Motions {
+    std::vector<LinkMotion<double>> tracks;            // by track
+    std::vector<std::vector<Motion<double>>> weights;  // by target, for each of the model's morphed meshes
+    std::vector<Stretch> stretches;                    // by node; none unless needed
+    double rounding;                                   // growth_of_rounding
+  };
+  // Of several parts, accelerations are infinite; speeds too where there is a jump between them.
+  std::shared_ptr<const Motions> motions(int first_part, int last_part) const;
+
+  const std::string& name() const { return animation_.name; }
+  const std::vector<NodeTrack>& tracks() const { return animation_.tracks; }  // by increasing node
+  // Of a mesh's morph targets.
+  Eigen::VectorXd weights(std::size_t mesh, double time, Side side) const;
+
+  // From the first time to the last.
+  ParameterRange whole() const;
+  std::vector<ParameterRange> halves(const ParameterRange& range) const;
+  Side side_of(double time, Side side) const;
+
+ private:
+  Motions of_part(int part) const;
+  Motions of_parts(int first, int last) const;
+
+  const Model& model_;
+  Animation animation_;
+  bool needs_stretches_;
+  std::vector<double> times_, jumps_;
+  std::vector<const WeightTrack*> weight_tracks_;  // by morphed mesh; nullptr where weights stay
+  mutable std::mutex guard_;
+  mutable std::map<std::pair<int, int>, std::shared_ptr<const Motions>> known_;
+};
+
+class CrossfadedJoints : public MovingJoints {
+ public:
+  // model outlives this. joints: those of the model that are looked at; others are where nodes rest. needs_pose: spherical and dual quaternion skinning do. Throws ModelError for a model without a skeleton of
+  // keys, and what FadingClip throws.
+  CrossfadedJoints(const Model& model, const Animation& first, const Animation& second, std::span<const int> joints,
+                   RotationBlend rotations, bool needs_pose);
+
+  const Model& model() const override { return model_; }
+  // The parameters are the time of the first animation, that of the second, and the weight of the second.
+  std::vector<ParameterBox> boxes() const override;
+  JointCell cell(const ParameterBox& box) const override;
+  std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter, bool is_known) const override;
+  std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const override;
+
+ private:
+  // A cell, and the first node of which it is not known which of both quaternions is nearer, but that it is a right angle away,
+  // or nearly so.
+  struct KnownCell {
+    JointCell cell;
+    std::optional<int> across;
+  };
+  std::shared_ptr<const KnownCell> known(const ParameterBox& box) const;
+  KnownCell make(const ParameterBox& box) const;
+  PosedJoints posed(const ParameterMoment& moment) const;
+
+  const Model& model_;
+  RotationBlend rotations_;
+  bool needs_pose_;
+  FadingClip first_, second_;
+  mutable BoundedCache<ParameterBox, KnownCell> cells_;
+  mutable BoundedCache<ParameterMoment, PosedJoints> posed_;
+};
+
+}  // namespace refitlab

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints and vertices in a crossfade of two animations.
+#include "algorithms/bake/over_time/crossfaded_joints.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/bake/over_time/bound_over_time.hpp"
+#include "proptests/gen/animated_model.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/animated_skin.hpp"
+
+namespace proptests::suite_crossfaded_joints {
+namespace {
+
+using namespace refitlab;
+using M = MultiprecisionInterval;
+
+std::vector<int> all_vertices(const Model& model) {
+  std::vector<int> all(model.vertices.size());
+  for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
+  return all;
+}
+
+std::vector<int> all_joints(const Model& model) {
+  std::vector<int> all(model.joints.size());
+  for (std::size_t j = 0; j < all.size(); ++j) all[j] = static_cast<int>(j);
+  return all;
+}
+
+// A model, and two animations of it.
+struct Fade {
+  gen::AnimatedPlan plan;
+  Skinning skinning;
+  RotationBlend blend;
+  Model model;
+  Animation first, second;
+
+  Fade(const gen::AnimatedPlan& p, Skinning s, RotationBlend b)
+      : plan(p),
+        skinning(s),
+        blend(b),
+        model(gen::animated_model(plan)),
+        first(model.clips[0].animation),
+        second(gen::second_animation(plan, model)) {
+    RC_LOG() << plan << " skinning " << static_cast<int>(skinning) << (blend == RotationBlend::slerp ? " slerp" : " nlerp");
+  }
+  static Fade draw(bool smooth) {
+    const Skinning skinning =
+        *rc::gen::element(Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::spherical);
+    const bool is_rigid = skinning != Skinning::linear;
+    const auto plan = smooth ? gen::draw_smooth_plan(is_rigid) : gen::draw_animated_plan(is_rigid);
+    return {plan, skinning, *rc::gen::element(RotationBlend::slerp, RotationBlend::nlerp)};
+  }
+  CrossfadedJoints joints() const { return {model, first, second, all_joints(model), blend, skinning != Skinning::linear}; }
+};
+
+// All vertices at a moment; nothing where the moment is ambiguous.
+std::optional<std::vector<Vec<M, 3>>> skinned(oracle::AnimatedSkin<M>& skin, const Fade& fade, const ParameterMoment& moment) {
+  const auto& c = moment.coordinates;
+  try {
+    skin.pose(c[0].value, c[0].side, fade.second, c[1].value, c[1].side, c[2].value, fade.blend == RotationBlend::nlerp,
+              moment.signs);
+    std::vector<Vec<M, 3>> out;
+    for (std::size_t v = 0; v < fade.model.vertices.size(); ++v) out.push_back(skin.vertex(static_cast<int>(v)));
+    return out;
+  } catch (const oracle::Ambiguous&) {
+    return std::nullopt;
+  }
+}
+
+bool is_farther(const Vec<M, 3>& a, const Vec<M, 3>& b, double distance) {
+  return less_equal(squared_distance<M, 3>(a, b), M(sq(M(distance)))) == Verdict::fails;
+}
+
+// A box among those that a search could come to: halved again and again, by signs where it is not known.
+ParameterBox some_box(const CrossfadedJoints& joints, const MovingVertices& moving, std::mt19937& random) {
+  ParameterBox box = joints.boxes()[0];
+  const int halvings = static_cast<int>(random() % 30);
+  for (int i = 0; i < halvings; ++i) {
+    const CellSlack slack = moving.slack(joints.cell(box), false);
+    std::size_t parameter = random() % 3;
+    if (random() % 2 == 0)
+      parameter = static_cast<std::size_t>(std::max_element(slack.chords.begin(), slack.chords.end()) - slack.chords.begin());
+    const auto halves = joints.halves(box, parameter, slack.chords[parameter] < std::numeric_limits<double>::infinity());
+    if (!halves.empty()) box = halves[random() % halves.size()];
+  }
+  return box;
+}
+
+bool is_refusal(const std::string& message) {
+  for (const char* reason : {"passes through zero", "their blend may vanish", "the skin matrix", "no rotation and scale"})
+    if (message.find(reason) != std::string::npos) return true;
+  return false;
+}
+
+Verdict is_inside(const BoundOverTime& bound, std::span<const Point3> directions, const Vec<M, 3>& x) {
+  M squared(0);
+  for (int i = 0; i < 3; ++i) squared += sq(M(x[i] - M(bound.ball.center[i])));
+  Verdict v = less_equal(squared, sq(M(bound.ball.radius)));
+  for (std::size_t d = 0; d < directions.size(); ++d) {
+    M along(0);
+    for (int i = 0; i < 3; ++i) along += M(directions[d][i]) * x[i];
+    v &= less_equal(M(bound.slabs[d].low), along) & less_equal(along, M(bound.slabs[d].high));
+  }
+  return v;
+}
+
+// A joint at the origin that both clips hold still, at these angles about z (degrees), and a vertex on the x axis at 1.
+struct Hinge {
+  Model model;
+  Animation first, second;
+  Hinge(double from, double to) {
+    model.name = model.skeleton.file = "hinge";
+    model.skeleton.nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
+    model.skeleton.joints = {{"joint", 0, -1, Eigen::Matrix4d::Identity()}};
+    model.joints = {{"joint", -1, Point3::Zero()}};
+    model.vertices = {{1, 0, 0}}, model.triangles = {{0, 0, 0}}, model.influences = {{{0, 1}}};
+    first = held(from, "first"), second = held(to, "second");
+  }
+  static Animation held(double degrees, const std::string& name) {
+    const Eigen::Quaterniond turned(Eigen::AngleAxisd(degrees * 3.141592653589793 / 180, Eigen::Vector3d::UnitZ()));
+    return {name, 1, {{0, {{{0, Eigen::Vector3d::Zero()}}}, {{{0, turned}}}, {{{0, Eigen::Vector3d::Ones()}}}}}};
+  }
+  BoundOverTime bound(RotationBlend blend, double tolerance = 0.01) const {
+    const JointSets sets(model);
+    const CrossfadedJoints joints(model, first, second, all_joints(model), blend, false);
+    return bound_over_time(joints, MovingVertices(model, sets, Skinning::linear, {0}), {.tolerance = tolerance});
+  }
+};
+
+PROPTEST(crossfaded_joints) {
+  t.holds("no vertex of a crossfade is outside of slabs and ball, at any times and weight",
+          {.number_type = "multiprecision interval",
+           .cases = 150,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"bounded", 0.6}}},
+          [] {
+            const Fade fade = Fade::draw(*rc::gen::inRange(0, 3) > 0);
+            RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
+            const JointSets sets(fade.model);
+            oracle::AnimatedSkin<M> skin(fade.model, fade.first, fade.skinning);
+            std::mt19937 random(fade.plan.seed + 10);
+            std::uniform_real_distribution<double> share(0, 1);
+            const std::vector<Point3> directions = {Point3::UnitX(), Point3::UnitY(), Point3::UnitZ(),
+                                                    Point3(share(random), 1e3 * share(random), -share(random))};
+            BoundOverTime bound;
+            std::optional<CrossfadedJoints> joints;
+            try {
+              joints.emplace(fade.model, fade.first, fade.second, all_joints(fade.model), fade.blend,
+                             fade.skinning != Skinning::linear);
+              bound = bound_over_time(*joints, MovingVertices(fade.model, sets, fade.skinning, all_vertices(fade.model)),
+                                      {std::array{0.1, 1.0, 1e6}[random() % 3], directions, true, 1 << 10});
+            } catch (const ModelError& e) {
+              RC_ASSERT(is_refusal(e.what()));
+              RC_TAG("refused");
+              return;
+            }
+            RC_TAG("bounded");
+            const ParameterBox all = joints->boxes()[0];
+            for (int i = 0; i < 25; ++i) {
+              ParameterMoment moment;
+              for (int k = 0; k < 3; ++k) {
+                const ParameterRange& range = all.ranges[k];
+                const double value = random() % 4 == 0 ? (random() % 2 == 0 ? range.start : range.end)
+                                                       : range.start + (range.end - range.start) * share(random);
+                moment.coordinates.push_back({value, random() % 2 == 0 ? Side::before : Side::after});
+                if (value == range.start) moment.coordinates.back().side = Side::after;
+              }
+              if (const auto points = skinned(skin, fade, moment))
+                for (const Vec<M, 3>& x : *points) RC_ASSERT(is_inside(bound, directions, x) != Verdict::fails);
+            }
+          });
+  t.holds("of clips that do not turn nodes far apart, the bound is little larger than what is seen in a crossfade",
+          {.number_type = "double", .cases = 30, .degenerate_at_most = 0.9}, [] {
+            const auto plan = gen::draw_smooth_plan(false);
+            RC_LOG() << plan;
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            Fade fade(plan, Skinning::linear, *rc::gen::element(RotationBlend::slerp, RotationBlend::nlerp));
+            // Near a half turn both ways are bounded, and one is seen.
+            fade.second = fade.first;
+            for (NodeTrack& track : fade.second.tracks) {
+              const Eigen::Quaterniond by(Eigen::AngleAxisd(1, Eigen::Vector3d(0.36, 0.48, 0.8)));
+              for (auto& key : track.rotations.keys) key.value = by * key.value;
+              for (auto& tangents : track.rotations.tangents) tangents = {by * tangents.into, by * tangents.out};
+              for (auto& key : track.positions.keys) key.value += Eigen::Vector3d::Constant(plan.unit / 2);
+            }
+            const JointSets sets(fade.model);
+            const CrossfadedJoints joints = fade.joints();
+            const MovingVertices vertices(fade.model, sets, Skinning::linear, all_vertices(fade.model));
+            const BoundOverTime bound = bound_over_time(joints, vertices, {.tolerance = 0.1});
+            std::mt19937 random(plan.seed);
+            std::uniform_real_distribution<double> share(0, 1);
+            std::vector<Point3> points;
+            Box<double> seen = Box<double>::empty();
+            const auto any = [&](double length) {
+              return random() % 4 == 0 ? length * static_cast<double>(random() % 2) : length * share(random);
+            };
+            for (int i = 0; i < 2000; ++i) {
+              const ParameterMoment moment{
+                  {{any(plan.duration), Side::after}, {any(plan.duration), Side::after}, {any(1), Side::after}}};
+              vertices.place(*joints.at(moment), Followed::skinned, points);
+              for (const Point3& p : points) seen.merge(p);
+            }
+            const double longest = seen.edges().maxCoeff();
+            for (int d = 0; d < 3; ++d)
+              RC_ASSERT(bound.slabs[d].high - bound.slabs[d].low <= 1.1 * seen.edges()[d] + 0.06 * longest + 1e-9 * plan.unit);
+          });
+  t.example("half-way between two clips a hand is where neither has it, and the bound knows",
+            {.hypothesis = "bounds hold in between"}, [] {
+              bool good = true;
+              for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp}) {
+                const BoundOverTime bound = Hinge(-74, 74).bound(blend);
+                good = good && bound.slabs[0].high >= 1 && bound.slabs[0].high < 1.01 && bound.slabs[0].low > 0.27 &&
+                       std::abs(bound.slabs[1].high - std::sin(74 * 3.141592653589793 / 180)) < 0.01 &&
+                       bound.slabs[2].high < 1e-3;
+              }
+              return Checked(good, 2);
+            });
+  t.example("between clips that are half a turn apart, both ways are bounded; a little less, and it is the shorter one", {}, [] {
+    bool good = true;
+    for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp}) {
+      const BoundOverTime both = Hinge(-90, 90).bound(blend), shorter = Hinge(-89, 89).bound(blend),
+                          longer = Hinge(-91, 91).bound(blend);
+      good = good && both.slabs[0].low <= -1 && both.slabs[0].high >= 1 && both.slabs[0].high < 1.01 &&
+             shorter.slabs[0].low > 0 && shorter.slabs[0].high >= 1 && longer.slabs[0].high < 0 && longer.slabs[0].low <= -1;
+    }
+    return Checked(good, 6);
+  });
+  t.example("with weight 0 joints are as in the first clip, with weight 1 as in the second, each in its own time", {}, [] {
+    Hinge hinge(0, 90);
+    hinge.first.tracks[0].positions = {{{0, Eigen::Vector3d::Zero()}, {1, Eigen::Vector3d(2, 0, 0)}}};
+    const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, all_joints(hinge.model), RotationBlend::slerp, true);
+    const auto at = [&](double a, double b, double w) {
+      return joints.at({{{a, Side::after}, {b, Side::after}, {w, Side::after}}});
+    };
+    const AnimatedJoints first(hinge.model, hinge.first, true), second(hinge.model, hinge.second, true);
+    return at(0.5, 0.3, 0)->matrices[0].isApprox(first.at(0.5, Side::after)->matrices[0], 1e-14) &&
+           at(0.5, 0.3, 1)->matrices[0].isApprox(second.at(0.3, Side::after)->matrices[0], 1e-14) &&
+           std::abs(at(0.5, 0.3, 0.25)->matrices[0](0, 3) - 0.75) < 1e-14 && at(0.5, 0.3, 0.25)->pose.size() == 1;
+  });
+  t.example("a node that one clip does not move is where it rests, and one whose matrix has no parts is refused by name", {}, [] {
+    Hinge hinge(60, 0);
+    hinge.second.tracks.clear();
+    hinge.model.skeleton.nodes[0].local(0, 3) = 3;  // at rest
+    const BoundOverTime bound = hinge.bound(RotationBlend::slerp);
+    bool good = bound.slabs[0].high >= 4 && bound.slabs[0].low <= 0.5 && bound.slabs[0].high < 4.1;
+    hinge.model.skeleton.nodes[0].local(0, 1) = 0.5;  // a shear
+    try {
+      hinge.bound(RotationBlend::slerp);
+      good = false;
+    } catch (const ModelError& e) {
+      good = good && std::string(e.what()) ==
+                         "hinge: clip 'second', joint 'node': does not move in this clip, and its matrix is no rotation and "
+                         "scale to be blended";
+    }
+    // Parts that the file has are taken, though others would make the same matrix.
+    hinge.model.skeleton.nodes[0].rest = NodeTransform{{0, 0, 0}, {-1, -1, 1}, Eigen::Quaterniond(0, 0, 0, 1)};
+    hinge.model.skeleton.nodes[0].local = Eigen::Matrix4d::Identity();
+    const BoundOverTime by_parts = hinge.bound(RotationBlend::slerp);
+    return Checked(good && by_parts.slabs[0].low < 0.1, 3);
+  });
+  t.example("a model without keys is refused by name", {}, [] {
+    Hinge hinge(0, 0);
+    hinge.model.skeleton.joints.clear();
+    try {
+      CrossfadedJoints(hinge.model, hinge.first, hinge.second, all_joints(hinge.model), RotationBlend::slerp, false);
+    } catch (const ModelError& e) {
+      return std::string(e.what()) == "hinge: clip 'first': it has no keys, and nothing is known of it between poses";
+    }
+    return false;
+  });
+  t.holds("a vertex is as near to what is between the eight corners as the slack says, or to its linear blend, which is",
+          {.number_type = "multiprecision interval",
+           .cases = 400,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"bounded", 0.7}, {"of several parts", 0.05}, {"by a sign", 0.02}, {"by its linear blend", 0.05}}},
+          [] {
+            const Fade fade = Fade::draw(*rc::gen::inRange(0, 3) == 0);
+            RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
+            const JointSets sets(fade.model);
+            oracle::AnimatedSkin<M> skin(fade.model, fade.first, fade.skinning), linear(fade.model, fade.first, Skinning::linear);
+            std::mt19937 random(fade.plan.seed + 9);
+            std::uniform_real_distribution<double> share(0, 1);
+            try {
+              const CrossfadedJoints joints = fade.joints();
+              const MovingVertices moving(fade.model, sets, fade.skinning, all_vertices(fade.model));
+              for (int i = 0; i < 4; ++i) {
+                const ParameterBox box = some_box(joints, moving, random);
+                const JointCell cell = joints.cell(box);
+                CellSlack slack = moving.slack(cell, false);
+                if (!std::isfinite(slack.chord)) {
+                  RC_TAG("not known");
+                  continue;
+                }
+                RC_TAG("bounded");
+                if (box.ranges[0].first_part < box.ranges[0].last_part || box.ranges[1].first_part < box.ranges[1].last_part)
+                  RC_TAG("of several parts");
+                if (!box.signs.empty()) RC_TAG("by a sign");
+                const double error = moving.placing_error(cell);
+                const bool itself = slack.followed == Followed::skinned;
+                if (!itself) RC_TAG("by its linear blend");
+                auto& followed = itself ? skin : linear;
+                std::vector<std::vector<Vec<M, 3>>> corners;
+                for (const ParameterMoment& corner : cell.corners)
+                  if (const auto at = skinned(followed, fade, corner)) corners.push_back(*at);
+                ParameterMoment inside{{}, box.signs};
+                M shares[3];
+                for (int k = 0; k < 3; ++k) {
+                  const ParameterRange& range = box.ranges[k];
+                  double value = random() % 3 == 0 ? range.start + (range.end - range.start) / 2
+                                                   : range.start + (range.end - range.start) * share(random);
+                  if (!(range.start < value && value < range.end)) value = range.start;
+                  inside.coordinates.push_back({value, Side::after});
+                  shares[k] = range.start < range.end ? M((M(value) - M(range.start)) / (M(range.end) - M(range.start))) : M(0);
+                }
+                // Between jumps of several parts both sides of a time are the same, but for the range's own ends.
+                const auto point = skinned(followed, fade, inside), vertex = skinned(skin, fade, inside);
+                if (corners.size() < 8 || !point || !vertex) {
+                  RC_TAG("undecided");
+                  continue;
+                }
+                for (std::size_t v = 0; v < point->size(); ++v) {
+                  Vec<M, 3> between(M(0), M(0), M(0));
+                  for (std::size_t c = 0; c < 8; ++c) {
+                    M weight(1);
+                    for (std::size_t k = 0; k < 3; ++k) weight *= (c >> k & 1) != 0 ? shares[k] : M(M(1) - shares[k]);
+                    between = between + corners[c][v] * weight;
+                  }
+                  RC_ASSERT(!is_farther((*point)[v], between, slack.chord + error));
+                  if (!itself) RC_ASSERT(!is_farther((*point)[v], (*vertex)[v], slack.beyond[v] + error));
+                }
+              }
+            } catch (const ModelError& e) {
+              RC_ASSERT(is_refusal(e.what()));
+              RC_TAG("refused");
+            }
+          });
+}
+
+}  // namespace
+}  // namespace proptests::suite_crossfaded_joints
