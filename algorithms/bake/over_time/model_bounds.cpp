@@ -181,21 +181,27 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
 
   std::vector<std::vector<BoundedPart>> bounded(clips.size(), std::vector<BoundedPart>(out.parts.size()));
+  std::vector<std::vector<PartIntervals>> intervals(clips.size());
+  if (options.with_intervals) intervals.assign(clips.size(), std::vector<PartIntervals>(out.parts.size()));
   std::atomic<long> moments = 0;
   ProgressCount progress(cost, options.progress);
   parallel_for(tasks.size(), [&](std::size_t t) {
     const DefaultFloatEnvironment own_environment;
     const Task& task = tasks[t];
     const MovingVertices vertices(model, sets, options.skinning, out.parts[task.part].vertices);
-    const BoundOverTime bound = bound_over_time(clips[task.clip], vertices, {.tolerance = options.tolerance});
+    BoundOverTime bound = bound_over_time(clips[task.clip], vertices, {.tolerance = options.tolerance});
     bounded[task.clip][task.part] = outward(bound, options.renderer_rounding);
+    if (options.with_intervals)
+      intervals[task.clip][task.part] = {std::move(bound.slab_intervals), std::move(bound.ball_intervals)};
     moments += bound.moments;
     progress.add(task.cost);
   });
   for (auto& parts : bounded)
     for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
+  for (auto& parts : intervals)
+    for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
   for (std::size_t c = 0; c < model.clips.size(); ++c)
-    out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c])});
+    out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c]), std::move(intervals[c])});
   out.rest = std::move(bounded.back());
   out.moments = moments;
   if (options.any_pose)

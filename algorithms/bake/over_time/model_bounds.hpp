@@ -25,10 +25,16 @@ struct ModelPart {
   std::vector<int> triangles;  // of a cluster; the model's
 };
 
+// The intervals of time that a box and a ball are made of (ProvenInterval).
+struct PartIntervals {
+  std::vector<ProvenInterval> box, ball;
+};
+
 struct BoundedClip {
   std::string name;
-  double duration;                 // seconds
-  std::vector<BoundedPart> parts;  // by part
+  double duration;                       // seconds
+  std::vector<BoundedPart> parts;        // by part
+  std::vector<PartIntervals> intervals;  // by part; empty unless asked for
 };
 
 struct ModelBounds {
@@ -45,6 +51,7 @@ struct ModelBoundsOptions {
   double tolerance = 0.01;      // as in OverTimeOptions
   int cluster_triangles = 128;  // of a cluster at most, a multiple of 4 from 4 to 512; 0 for no clusters
   bool any_pose = false;        // bound what poses of code could do, too
+  bool with_intervals = false;  // keep the intervals of the clips' bounds
   // Beyond what is computed: a renderer skins in float and is off by as much, as a share of the farthest vertex's distance
   // from the scene's origin.
   double renderer_rounding = 0x1p-20;

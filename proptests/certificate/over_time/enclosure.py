@@ -10,7 +10,9 @@ from .rejected import require
 
 UNIT = 2.0 ** -53  # what a sum or product is off at most, relative to itself
 BATCH = 50000  # numbers that are handled at a time
-SLACK_ROUNDING = 2.0 ** -20  # by what share the checker's slack may be above the certificate's, which is not rounded upward
+# By what share the checker's slack may be above the certificate's, which is not rounded upward; and how great one may be that the
+# certificate says is 0, relative to the length of what moves. What is used is the greater of both.
+SLACK_ROUNDING, SMALLEST_SLACK = 2.0 ** -20, 2.0 ** -40
 
 
 class PartVertices:
@@ -148,8 +150,9 @@ def require_enclosed(clip, parts, bounds, duration):
             clip.require_covered(bound[kind + "_intervals"], duration)
     lists = [bound[kind + "_intervals"] for bound in bounds for kind in ("box", "ball")]
     spans = np.unique(np.concatenate([intervals[:, :2] for intervals in lists]), axis=0)
-    spans = spans[spans[:, 0] < spans[:, 1]]
-    after, before = np.unique(np.concatenate([spans[:, 0], [0.0, duration]])), np.unique(spans[:, 1])
+    after = np.unique(np.concatenate([spans[:, 0], [0.0, duration]]))
+    before = np.unique(spans[spans[:, 0] < spans[:, 1], 1])
+    span_numbers = {tuple(span): i for i, span in enumerate(spans.tolist())}
     chains, weight_motions = clip.chains(spans[:, 0], spans[:, 1]), clip.weight_motions(spans[:, 0], spans[:, 1])
     posed = [clip.posed(after, "after")] + ([clip.posed(before, "before")] if len(before) else [])
     matrices, weights, errors = (np.concatenate(found) for found in zip(*posed))
@@ -158,11 +161,11 @@ def require_enclosed(clip, parts, bounds, duration):
         for kind, excess in (("box", beyond_box), ("ball", beyond_ball)):
             start, end, stated = bound[kind + "_intervals"].T
             lasts = start < end
-            span = span_numbers(spans, start, end, lasts)
+            span = np.array([span_numbers[key] for key in zip(start.tolist(), end.tolist())])
             own = Chain(chains.linear[part.joints][:, span], chains.offset[part.joints][:, span])
             moved = own.carried(below_joints[:, span] if below_joints.size.shape[1] > 1 else below_joints)
             slack = np.where(lasts, moved.slack(above(end - start)).max(axis=0), 0.0)
-            require(np.all(slack <= stated * (1 + SLACK_ROUNDING)),
+            require(np.all(slack <= stated * (1 + SLACK_ROUNDING) + moved.size.max(axis=0) * SMALLEST_SLACK),
                     f"part {number}: a slack of its {kind} is less than what its vertices may be off the chord")
             firsts = np.searchsorted(after, start)
             lates = np.where(lasts, len(after) + np.searchsorted(before, end), np.searchsorted(after, end))
@@ -174,12 +177,6 @@ def require_enclosed(clip, parts, bounds, duration):
                 outside[some] = excess(bound[kind], part.placed(matrices[some], weights[some])) + errors[some] * 1.001
             worst = np.maximum(outside[firsts], outside[lates]) + above(np.maximum(slack, stated)) * (1 + 4 * UNIT)
             require(np.all(above(worst) <= 0) and above(outside[len(after) - 1]) <= 0, f"part {number}: a vertex may leave its {kind}")
-
-
-def span_numbers(spans, start, end, lasts):
-    """The positions of intervals among the spans; of a moment, any."""
-    known = {(a, b): i for i, (a, b) in enumerate(spans.tolist())}
-    return np.array([known[a, b] if l else 0 for a, b, l in zip(start.tolist(), end.tolist(), lasts.tolist())], int)
 
 
 def beyond_box(box, placed):
