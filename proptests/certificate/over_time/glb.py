@@ -10,6 +10,7 @@ import numpy as np
 from .interval import Interval, above, below
 from .rejected import require
 
+MOST_NUMBERS = 2 ** 26
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
 COMPONENTS = {5120: np.dtype("<i1"), 5121: np.dtype("<u1"), 5122: np.dtype("<i2"), 5123: np.dtype("<u2"),
               5125: np.dtype("<u4"), 5126: np.dtype("<f4")}
@@ -72,7 +73,7 @@ class Glb:
             require(name.startswith(READABLE), f"the file requires {json.dumps(name)[:80]}, which is not read")
         self.views, self.accessors = self.list("bufferViews"), self.list("accessors")
         self.buffers = [self.buffer_bytes(i, buffer) for i, buffer in enumerate(self.list("buffers"))]
-        self.size = len(data)
+        self.size, self.numbers_read = len(data), 0
 
     def list(self, name):
         return items(self.description, name, dict, [])
@@ -107,6 +108,8 @@ class Glb:
         require(not integers_only or (component in (5121, 5123, 5125) and not normalized), "an accessor is not of indices")
         require(not (normalized and component in (5125, 5126)), "an accessor of numbers that cannot be normalised is")
         require(0 <= count and ("bufferView" in accessor or count <= self.size), "an accessor's count is out of range")
+        self.numbers_read += count * width  # what is sparse may have more of them than the file has bytes
+        require(self.numbers_read <= MOST_NUMBERS, f"the file has more than {MOST_NUMBERS} numbers")
         values = (self.rows(accessor, count, width, component) if "bufferView" in accessor
                   else np.zeros((count, width), COMPONENTS[component]))
         if "sparse" in accessor:

@@ -36,6 +36,7 @@ class Vertices:
         self.positions = joined([table[0] for table in tables])
         self.influences = joined_pairs([table[1] for table in tables])  # vertex, joint, weight
         self.displacements = joined_pairs([table[2] for table in tables])  # vertex, target, displacement
+        self.per_vertex = sum(np.bincount(pairs[0], minlength=self.count) for pairs in (self.influences, self.displacements))
 
     def read_shown(self, n):
         node = self.nodes.list[n]
@@ -145,8 +146,12 @@ class Vertices:
         share = Interval(np.where(has_weight, share.low, 0), np.where(has_weight, share.high, 0))
         return np.where(has_weight, joints[np.where(has_weight, listed, 0)], 0).astype(float), share
 
+    def placings_of(self, chosen):
+        """How many placings of a vertex by a joint or a displacement there are of these."""
+        return int(self.per_vertex[chosen].sum())
+
     def vertices_of(self, things):
-        """The vertices of parts of the file, and whether each of the parts has some: for a certificate's "of"."""
+        """The vertices of parts of the file, each of which has some."""
         found = []
         for thing in things:
             primitives = [p for p in self.primitives if is_part_of(p, thing)]
