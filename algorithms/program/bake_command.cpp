@@ -39,7 +39,8 @@ po::options_description options() {
       "json", po::value<std::string>(), "write what was measured to this file too")(
       "report", po::value<std::string>(),
       "write a page that shows the bounds, and what sampling would have missed, to this file")(
-      "certificate", po::value<std::string>(), "write why the bounds hold to this file, for others to verify")("quiet", "show no progress");
+      "certificate", po::value<std::string>(), "write why the bounds hold to this file, for others to verify")(
+      "quiet", "show no progress");
   return description;
 }
 

@@ -34,8 +34,9 @@ class Certified {
   explicit Certified(const std::string& bytes, const std::string& tolerance = "0.01") {
     write_whole(in(), bytes);
     std::ostringstream out, errors;
-    if (run_program({"bake", "--clusters", "4", "--tolerance", tolerance, "--certificate", folder_.file("it.json"), in(), baked()},
-                    out, errors) != 0) {
+    if (run_program(
+            {"bake", "--clusters", "4", "--tolerance", tolerance, "--certificate", folder_.file("it.json"), in(), baked()}, out,
+            errors) != 0) {
       refusal = errors.str();
       return;
     }
@@ -54,6 +55,7 @@ class Certified {
       arguments += " " + name(i);
     }
     const oracle::CheckerRun run = oracle::run_clip_checker(arguments);
+    if (run.status == 2) return std::vector<std::string>(texts.size(), run.lines.empty() ? "" : run.lines[0]);
     std::vector<std::string> out;
     for (std::size_t i = 0; i < run.lines.size(); ++i) {
       const std::string quoted = ": \"" + name(i) + "\": ";
@@ -92,6 +94,9 @@ class Certified {
 bool is_accepted(const std::string& verdict) { return verdict.starts_with("accepted: "); }
 bool is_rejected_for(const std::string& verdict, const std::string& reason) {
   return verdict.starts_with("rejected: ") && verdict.find(reason) != std::string::npos;
+}
+bool is_unreadable_for(const std::string& verdict, const std::string& reason) {
+  return verdict.starts_with("unreadable: ") && verdict.find(reason) != std::string::npos;
 }
 
 // Of the first clip.
@@ -137,10 +142,12 @@ std::vector<Forgery> forgeries() {
            if (intervals[i][1] == 1.0) return join(intervals, i);
        }},
       {"two halves are one interval, with the slack of a half", "a slack of its box is less",
-       [](json& d) { join(intervals_of(d), halves_in(intervals_of(d), {0.5, 1, 1.5, 2})); }},
+       [](json& d) {
+         join(intervals_of(d), halves_in(intervals_of(d), {0.5, 1, 1.5, 2}));
+       }},
       {"a slack is stated too small", "a slack of its box is less",
        [](json& d) {
-         for (json& interval : intervals_of(d)) interval[2] = 0.9 * interval[2].get<double>();
+         for (json& interval : intervals_of(d)) interval[2] = 0.25 * interval[2].get<double>();
        }},
       {"a slack is stated too large", "a vertex may leave its box",
        [](json& d) {
@@ -158,9 +165,17 @@ std::vector<Forgery> forgeries() {
            }
        }},
       {"it is of another file", "the file is another one", [](json& d) { d["file"] = sha256("another"); }},
-      {"two parts are exchanged", "is not what the certificate implies", [](json& d) { std::swap(d["parts"][0], d["parts"][1]); }},
-      {"two parts are exchanged, with what the file has of them", "a vertex may leave its",
-       [](json& d) { std::swap(bound_of(d, 1), bound_of(d, 0)), d["parts"][1].push_back(d["parts"][0][0]); }},
+      {"two parts are exchanged", "is not what the certificate implies",
+       [](json& d) { std::swap(d["parts"][0], d["parts"][1]); }},
+      {"a part has the vertices of another one, too", "a vertex may leave its",
+       [](json& d) {
+         std::vector<json*> clusters;
+         for (json& part : d["parts"])
+           if (part[0]["kind"] == "cluster") clusters.push_back(&part);
+         json other = clusters.back()->at(0);
+         other["triangles"].push_back(other["triangles"][0]);
+         clusters.front()->push_back(other);
+       }},
       {"a part is left out", "that the certificate has not",
        [](json& d) {
          d["parts"].erase(1);
@@ -177,10 +192,14 @@ std::vector<Forgery> forgeries() {
          d["parts"].push_back({{{"kind", "cluster"}, {"node", 2}, {"mesh", 0}, {"primitive", 0}, {"triangles", {99999}}}});
          for (json& clip : d["clips"]) clip["bounds"].push_back(clip["bounds"][0]);
        }},
-      {"a part is of nothing", "has no triangles", [](json& d) { d["parts"][0].push_back({{"kind", "mesh"}, {"mesh", 77}}); }},
+      {"a part is of nothing", "has no triangles",
+       [](json& d) {
+         d["parts"][0].push_back({{"kind", "mesh"}, {"mesh", 77}});
+       }},
       {"the clip is left out", "that the certificate has not", [](json& d) { d["clips"].erase(0); }},
       {"the rest pose is left out", "that the certificate has not", [](json& d) { d["clips"].erase(1); }},
-      {"the clip is taken for the rest pose", "that the certificate has not", [](json& d) { d["clips"].erase(1), d["clips"][0]["animation"] = -1; }},
+      {"the clip is taken for the rest pose", "that the certificate has not",
+       [](json& d) { d["clips"].erase(1), d["clips"][0]["animation"] = -1; }},
       {"the clip and the rest pose are exchanged", "implies",
        [](json& d) { d["clips"][0]["animation"] = -1, d["clips"][1]["animation"] = 0; }},
       {"a clip is there twice", "two clips", [](json& d) { d["clips"].push_back(d["clips"][0]); }},
@@ -197,14 +216,9 @@ std::vector<Forgery> forgeries() {
       {"true is an index", "no int", [](json& d) { d["clips"][0]["animation"] = true; }},
       {"it would take too long", "too much work",
        [](json& d) {
-         const json part = d["parts"].back(), bound = bound_of(d, 0);
-         d["parts"][0].push_back(part[0]);
          json many = json::array();
-         for (int i = 0; i < 300000; ++i) many.push_back({2.0, 2.0, 0.0});
-         for (int i = 0; i < 8; ++i) {
-           d["parts"].push_back(d["parts"][0]);
-           for (json& clip : d["clips"]) clip["bounds"].push_back(clip["bounds"][0]), clip["bounds"].back()["box_intervals"] = many;
-         }
+         for (int i = 0; i < 700000; ++i) many.push_back({i, i + 1, 0});
+         intervals_of(d) = many;
        }},
   };
   return out;
@@ -236,41 +250,42 @@ void replace_all(std::string& bytes, const std::string& from, const std::string&
 }  // namespace
 
 PROPTEST(clip_certificate) {
-  t.example("certificates of files of all features are accepted, and rejected if a bound leaves out what the file's own formulas "
-            "say of one of 400 times",
-            {.number_type = "double"}, [] {
-              std::string wrong;
-              long looked_at = 0;
-              for (const bool uneven : {false, true})
-                for (const bool moving : {false, true}) {
-                  const gen::RichGltf rich(uneven, moving);
-                  Certified certified(rich.file.binary_file());
-                  if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
-                  Seen seen(bound_of(certified.document, 0)["ball"]);
-                  for (const auto& primitive : rich.primitives()) {
-                    std::vector<char> is_used(primitive.positions.size(), 0);
-                    for (const auto& triangle : primitive.triangles)
-                      for (const int v : triangle) is_used[v] = 1;
-                    for (int i = 0; i < 400; ++i) {
-                      const auto posed = rich.posed(primitive, 2.0 * i / 399);
-                      for (std::size_t v = 0; v < posed.size(); ++v)
-                        if (is_used[v]) seen.add(posed[v]);
-                    }
-                  }
-                  std::vector<json> documents = {certified.document};
-                  for (int side = 0; side < 7; ++side) {
-                    documents.push_back(certified.document);
-                    json& bound = bound_of(documents.back(), 0);
-                    bound = seen.cut(bound, side, 1e-9);
-                  }
-                  const auto verdicts = certified.judged(documents);
-                  for (std::size_t i = 0; i < verdicts.size(); ++i)
-                    if (i == 0 ? !is_accepted(verdicts[i]) : !is_rejected_for(verdicts[i], "a vertex may leave its "))
-                      wrong += std::to_string(i) + ", " + verdicts[i] + "; ";
-                  looked_at += static_cast<long>(verdicts.size());
-                }
-              return Checked(wrong.empty(), looked_at, wrong);
-            });
+  t.example(
+      "certificates of files of all features are accepted, and rejected if a bound leaves out what the file's own formulas "
+      "say of one of 400 times",
+      {.number_type = "double"}, [] {
+        std::string wrong;
+        long looked_at = 0;
+        for (const bool uneven : {false, true})
+          for (const bool moving : {false, true}) {
+            const gen::RichGltf rich(uneven, moving);
+            Certified certified(rich.file.binary_file());
+            if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
+            Seen seen(bound_of(certified.document, 0)["ball"]);
+            for (const auto& primitive : rich.primitives()) {
+              std::vector<char> is_used(primitive.positions.size(), 0);
+              for (const auto& triangle : primitive.triangles)
+                for (const int v : triangle) is_used[v] = 1;
+              for (int i = 0; i < 400; ++i) {
+                const auto posed = rich.posed(primitive, 2.0 * i / 399);
+                for (std::size_t v = 0; v < posed.size(); ++v)
+                  if (is_used[v]) seen.add(posed[v]);
+              }
+            }
+            std::vector<json> documents = {certified.document};
+            for (int side = 0; side < 7; ++side) {
+              documents.push_back(certified.document);
+              json& bound = bound_of(documents.back(), 0);
+              bound = seen.cut(bound, side, 1e-9);
+            }
+            const auto verdicts = certified.judged(documents);
+            for (std::size_t i = 0; i < verdicts.size(); ++i)
+              if (i == 0 ? !is_accepted(verdicts[i]) : !is_rejected_for(verdicts[i], "a vertex may leave its "))
+                wrong += std::to_string(i) + ", " + verdicts[i] + "; ";
+            looked_at += static_cast<long>(verdicts.size());
+          }
+        return Checked(wrong.empty(), looked_at, wrong);
+      });
   t.example("a forged certificate is rejected, for the reason that fits", {}, [] {
     Certified certified(gen::RichGltf(true, true).file.binary_file());
     const std::vector<Forgery> all = forgeries();
@@ -294,7 +309,8 @@ PROPTEST(clip_certificate) {
                             const std::function<void(std::vector<GlbChunk>&)>& change) {
       const std::string verdict = certified.judged_with(change);
       ++tried;
-      if (reason.empty() ? !is_accepted(verdict) : !is_rejected_for(verdict, reason)) wrong += what + ": " + verdict + "; ";
+      if (reason.empty() ? !is_accepted(verdict) : !is_rejected_for(verdict, reason) && !is_unreadable_for(verdict, reason))
+        wrong += what + ": " + verdict + "; ";
     };
     const auto in_description = [](const std::function<void(json&)>& change) {
       return [=](std::vector<GlbChunk>& chunks) {
@@ -326,7 +342,8 @@ PROPTEST(clip_certificate) {
              in_description([&](json& d) { narrower(d["animations"][0]["extras"]["refitlab"][parts][0]); }));
     expect("a box of a primitive", "is not what the certificate implies",
            in_description([&](json& d) { narrower(d["meshes"][0]["primitives"][0]["extras"]["refitlab"]); }));
-    expect("a box of a cluster", "cluster 0 of clip 0 is not what the certificate implies", in_clusters([](ClusterBounds& clusters) {
+    expect("a box of a cluster", "cluster 0 of clip 0 is not what the certificate implies",
+           in_clusters([](ClusterBounds& clusters) {
              clusters.clips[0].clusters[0].box.high[0] = clusters.clips[0].clusters[0].box.low[0];
            }));
     expect("a ball of a cluster in the rest pose", "of clip 1 is not what the certificate implies",
@@ -334,7 +351,7 @@ PROPTEST(clip_certificate) {
     expect("a cluster's triangle", "that the certificate has not",
            in_clusters([](ClusterBounds& clusters) { clusters.clusters[0].triangles[0] += 1; }));
     expect("the times of keys", "", in_description([](json& d) { d["asset"]["generator"] = "another"; }));
-    expect("a node", "may leave its", in_description([](json& d) {
+    expect("a node", "part 0", in_description([](json& d) {
              for (json& node : d["nodes"])
                if (node.contains("translation")) node["translation"][0] = node["translation"][0].get<double>() + 0.5;
            }));
@@ -344,23 +361,19 @@ PROPTEST(clip_certificate) {
            }));
     expect("an extension of geometry", "which is not read",
            in_description([](json& d) { d["extensionsRequired"].push_back("KHR_draco_mesh_compression"); }));
-    expect("the bytes of a key", "a vertex may leave its", [](std::vector<GlbChunk>& chunks) {
+    expect("the bytes of positions and keys", "part 0", [](std::vector<GlbChunk>& chunks) {
       // All positions, tangents and offsets that are 1 in a direction.
       const float one = 1, other = 1.25f;
-      replace_all(chunks[1].data, std::string(reinterpret_cast<const char*>(&one), 4), std::string(reinterpret_cast<const char*>(&other), 4));
+      replace_all(chunks[1].data, std::string(reinterpret_cast<const char*>(&one), 4),
+                  std::string(reinterpret_cast<const char*>(&other), 4));
     });
     return Checked(wrong.empty(), tried, wrong);
   });
   t.example("what is no certificate is rejected or unreadable, without a word of its own", {}, [] {
     Certified certified(gen::RichGltf(false, true).file.binary_file());
     const std::string text = certified.text();
-    std::vector<std::string> texts = {"",
-                                      "{",
-                                      "[]",
-                                      "{\"version\":1,\"version\":1}",
-                                      std::string(100000, '['),
-                                      "\xC3\xA4",
-                                      text.substr(0, text.size() / 2)};
+    std::vector<std::string> texts = {
+        "", "{", "[]", "{\"version\":1,\"version\":1}", std::string(100000, '['), "\xC3\xA4", text.substr(0, text.size() / 2)};
     std::mt19937 random(7);
     for (int i = 0; i < 40; ++i) {
       std::string changed = text;
@@ -371,26 +384,28 @@ PROPTEST(clip_certificate) {
     std::string wrong;
     for (const std::string& verdict : certified.judged(texts, certified.baked()))
       if (!is_rejected_for(verdict, "") && !is_accepted(verdict)) wrong += verdict + "; ";
-    for (const std::string& arguments : {"--against /nonexistent " + certified.baked(), certified.baked(), std::string("--against")}) {
+    for (const std::string& arguments :
+         {"--against /nonexistent " + certified.baked(), certified.baked(), std::string("--against")}) {
       const auto run = oracle::run_clip_checker(arguments);
       if (run.status != 2) wrong += arguments + ": " + std::to_string(run.status) + "; ";
     }
     return Checked(wrong.empty(), static_cast<long>(texts.size()) + 3, wrong);
   });
   t.holds("certificates of random models are accepted, and rejected if a bound leaves out a vertex that is seen",
-          {.number_type = "double",
-           .cases = 40,
-           .degenerate_at_most = 0.9,
-           .tags_at_least = {{"certified", 0.5}, {"cut", 0.3}}},
+          {.number_type = "double", .cases = 40, .degenerate_at_most = 0.9, .tags_at_least = {{"certified", 0.5}, {"cut", 0.3}}},
           [] {
             gen::AnimatedPlan plan = gen::draw_animated_plan(false);
             plan.targets = 0, plan.vertices = std::max(plan.vertices, 3);
             RC_LOG() << plan;
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            Model made = gen::animated_model(plan);
+            // What a file says of nodes that it moves is no matrix.
+            for (const NodeTrack& track : made.clips[0].animation.tracks)
+              made.skeleton.nodes[track.node].local = Eigen::Matrix4d::Identity();
             std::string bytes;
             try {
-              bytes = gltf_bytes(gen::animated_model(plan));
-            } catch (const ModelError& e) {
+              bytes = gltf_bytes(made);
+            } catch (const ModelError&) {
               RC_TAG("no file");
               return;
             }
@@ -401,7 +416,7 @@ PROPTEST(clip_certificate) {
             }
             RC_TAG("certified");
             const Model model = load_model(certified.in(), {.joints = Joints::affine, .morphs = Morphs::moving});
-            const Animation& animation = model.clips[0].animation;
+            const Animation animation = model.clips.empty() ? Animation{} : model.clips[0].animation;
             Seen seen(bound_of(certified.document, 0)["ball"]);
             std::mt19937 random(plan.seed);
             try {

@@ -31,29 +31,40 @@ class PartVertices:
         self.weight = weight.middle_and_error()[0]
         self.moved, self.target, displacement = of_part(*vertices.displacements)
         self.displacement = displacement.middle_and_error()[0]
-        # How far the vertices are from the joints' frames, and how long their displacements are there, at most; by joint.
-        matrices = np.array([vertices.joints[j][1] for j in range(len(vertices.joints))])
-        self.joints, joint = np.unique(self.joint, return_inverse=True)
-        images = lengths_in_frames(matrices[self.joint], vertices.positions[chosen][self.vertex], 1.0)
-        self.distances = np.zeros(len(self.joints))
-        np.maximum.at(self.distances, joint, images)
+        # By row, of a joint and those vertices that the same joints move: how far these are from the joint's frame, and how long
+        # their displacements are there, at most. Rows of light weights come last.
+        heavy = vertices.is_heavy[position[vertices.influences[0]] >= 0]
+        matrices = np.array([matrix for _, matrix in vertices.joints])
+        key = (vertices.joint_sets[chosen][self.vertex] + np.where(heavy, 0, vertices.count)) * len(matrices) + self.joint
+        keys, row = np.unique(key, return_inverse=True)
+        self.joints, self.heavy_rows = keys % len(matrices), int(np.sum(keys < vertices.count * len(matrices)))
+        self.light_share = np.bincount(self.vertex, np.where(heavy, 0, weight.high)).max() * 1.001
+        self.distances = np.zeros(len(keys))
+        np.maximum.at(self.distances, row, lengths_in_frames(
+            matrices[self.joint], vertices.positions[chosen][self.vertex], 1.0))
         self.lengths = {}  # by target
         for target in np.unique(self.target):
             rows = np.full(self.count, -1)
             mine = np.nonzero(self.target == target)[0]
             rows[self.moved[mine]] = mine
             pairs = np.nonzero(rows[self.vertex] >= 0)[0]
-            length = np.zeros(len(self.joints))
-            np.maximum.at(length, joint[pairs], lengths_in_frames(
+            length = np.zeros(len(keys))
+            np.maximum.at(length, row[pairs], lengths_in_frames(
                 matrices[self.joint[pairs]], displacement[rows[self.vertex[pairs]]], 0.0))
             self.lengths[int(target)] = length
 
     def below(self, weights):
-        """How the vertices move in the frame of each joint, (joints, intervals), by the weights of targets (lemmas/a3)."""
+        """How the vertices move in the frames of joints, (rows, intervals), by the weights of targets (lemmas/a3)."""
         out = Motion(self.distances[:, None])
         for target, lengths in self.lengths.items():
             out = out + weights[target] * Motion(lengths[:, None])
         return out
+
+    def slacks(self, moved, duration):
+        """How far a vertex may be off its chord, if it is moved by its joints but the light ones; and what these add."""
+        slacks = moved.slack(duration)
+        light = slacks[self.heavy_rows:].max(axis=0, initial=0.0) * self.light_share
+        return slacks[:self.heavy_rows].max(axis=0), above(light)
 
     def placed(self, matrices, weights):
         """x, y and z of the vertices, each (times, vertices), by matrices (times, joints, 3, 4)."""
@@ -86,14 +97,15 @@ class Clip:
         self.nodes = AnimatedNodes(nodes, channels, [node for node, _ in vertices.joints])
         self.weight_channels = [channels.get((node, "weights")) for node, _ in vertices.targets]
         moving = self.nodes.moving() + [channel for channel in self.weight_channels if channel]
-        self.keys = np.unique(np.concatenate([[0.0], *(channel.times for channel in moving)]))
+        keys = np.unique(np.concatenate([[0.0], *(channel.times for channel in moving)]))
+        self.keys = keys[keys >= 0]
 
     def require_covered(self, intervals, duration):
         """From 0 to the last key and to the duration, one after the other, none across a key."""
         start, end = intervals[:, 0], intervals[:, 1]
         require(start[0] == 0 and np.all(start[1:] == end[:-1]) and np.all(start <= end) and end[-1] == duration,
                 "the intervals do not cover the clip, one after the other")
-        require(self.keys[0] >= 0 and self.keys[-1] <= duration, "a key is out of the time that the intervals cover")
+        require(self.keys[-1] <= duration, "a key is out of the time that the intervals cover")
         require(np.all(np.searchsorted(self.keys, end, "left") <= np.searchsorted(self.keys, start, "right")),
                 "an interval goes across a key")
 
@@ -164,7 +176,7 @@ def require_enclosed(clip, parts, bounds, duration):
             span = np.array([span_numbers[key] for key in zip(start.tolist(), end.tolist())])
             own = Chain(chains.linear[part.joints][:, span], chains.offset[part.joints][:, span])
             moved = own.carried(below_joints[:, span] if below_joints.size.shape[1] > 1 else below_joints)
-            slack = np.where(lasts, moved.slack(above(end - start)).max(axis=0), 0.0)
+            slack, light = (np.where(lasts, slacks, 0.0) for slacks in part.slacks(moved, above(end - start)))
             require(np.all(slack <= stated * (1 + SLACK_ROUNDING) + moved.size.max(axis=0) * SMALLEST_SLACK),
                     f"part {number}: a slack of its {kind} is less than what its vertices may be off the chord")
             firsts = np.searchsorted(after, start)
@@ -175,7 +187,7 @@ def require_enclosed(clip, parts, bounds, duration):
             for i in range(0, len(moments), step):
                 some = moments[i:i + step]
                 outside[some] = excess(bound[kind], part.placed(matrices[some], weights[some])) + errors[some] * 1.001
-            worst = np.maximum(outside[firsts], outside[lates]) + above(np.maximum(slack, stated)) * (1 + 4 * UNIT)
+            worst = np.maximum(outside[firsts], outside[lates]) + above(np.maximum(slack, stated) + light) * (1 + 4 * UNIT)
             require(np.all(above(worst) <= 0) and above(outside[len(after) - 1]) <= 0, f"part {number}: a vertex may leave its {kind}")
 
 

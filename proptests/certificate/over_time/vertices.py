@@ -13,6 +13,9 @@ from .nodes import target_count
 from .rejected import require
 
 
+LIGHTEST = 2.0 ** -23  # weights that are not more count apart: refitlab rounds them
+
+
 class Primitive:
     """As one node shows it. corners: the vertices of its triangles, of those that are not degenerate in every pose."""
 
@@ -35,8 +38,20 @@ class Vertices:
         require(tables, "the file shows no mesh")
         self.positions = joined([table[0] for table in tables])
         self.influences = joined_pairs([table[1] for table in tables])  # vertex, joint, weight
+        self.is_heavy = self.influences[2].high > LIGHTEST
+        self.joint_sets = self.sets_of_heavy(np.concatenate([table[3] for table in tables]))
         self.displacements = joined_pairs([table[2] for table in tables])  # vertex, target, displacement
         self.per_vertex = sum(np.bincount(pairs[0], minlength=self.count) for pairs in (self.influences, self.displacements))
+
+    def sets_of_heavy(self, owner):
+        """By vertex: the number of the set of joints that have more weight than next to none, and of the mesh that is morphed."""
+        vertex, joint = self.influences[0][self.is_heavy], self.influences[1][self.is_heavy]
+        order = np.lexsort((joint, vertex))
+        ends = np.cumsum(np.bincount(vertex, minlength=self.count))
+        joint, numbers, out = joint[order], {}, np.empty(self.count, np.int64)
+        for v, (start, end) in enumerate(zip([0, *ends.tolist()], ends.tolist())):
+            out[v] = numbers.setdefault((owner[v], joint[start:end].tobytes()), len(numbers))
+        return out
 
     def read_shown(self, n):
         node = self.nodes.list[n]
@@ -120,7 +135,7 @@ class Vertices:
             vertex, target = np.nonzero(np.any(moved.magnitude() > 0, axis=-1))
             displacements = vertex + self.count, target + first_target, moved[vertex, target]
         self.count += len(kept)
-        return positions[kept], influences, displacements
+        return positions[kept], influences, displacements, np.full(len(kept), first_target if target_count_ else -1)
 
     def influences_of(self, attributes, count, skin, joints):
         """By vertex and column: the joint's number and its share of the weights; a share of 0 is of no joint."""
