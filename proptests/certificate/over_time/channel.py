@@ -12,6 +12,7 @@ from .interval import Interval, above, below, dot, norm, where
 from .motion import Motion, normalized
 from .rejected import require
 
+AXES = 24  # that are tried for how short a spline of rotations may be
 SHAPES = {"translation": ("VEC3", 3), "rotation": ("VEC4", 4), "scale": ("VEC3", 3)}
 
 
@@ -157,11 +158,17 @@ def part_of(points, low, high):
 
 
 def least_length(points):
-    """How long the curve's points are at least: as far as all Bezier points are along one of some axes."""
-    best = -np.inf
-    for axis in (points[0] + points[-1], points[0], points[-1]):
-        middle = Interval(axis.low)  # any vector will do
-        along = np.min([dot(point, middle).low for point in points], axis=0)
-        length = norm(middle).high
+    """How long the curve's points are at least: as far as all Bezier points are along an axis. Any will do, and the best one is
+    the nearest point of their hull, to which some steps lead."""
+    ends = np.stack([point.low for point in points])
+    axis, best = ends[0] + ends[-1], -np.inf
+    for _ in range(AXES):
+        along = np.min([dot(point, Interval(axis)).low for point in points], axis=0)
+        length = norm(axis).high
         best = np.maximum(best, below(np.divide(along, length, out=np.full_like(along, -np.inf), where=length > 0)))
+        products = (ends * axis).sum(axis=-1)
+        towards = np.take_along_axis(ends, np.argmin(products, axis=0)[None, :, None], axis=0)[0] - axis
+        squared = (towards ** 2).sum(axis=-1)
+        share = np.divide(-(axis * towards).sum(axis=-1), squared, out=np.zeros_like(squared), where=squared > 0)
+        axis = axis + np.clip(share, 0, 1)[:, None] * towards
     return best

@@ -137,13 +137,16 @@ class Clip:
             np.maximum.at(most, target, numbers.max(axis=1))
         greatest = greatest + ((np.abs(weights) + weights_off) * longest).sum(axis=1)
         greatest_off = greatest_off + (weights_off * longest + np.abs(weights) * longest_off).sum(axis=1)
-        influences = np.bincount(self.vertices.influences[0]).max()
-        rounding = UNIT * (4 * influences + 2 * weights.shape[1] + 40)  # of a vertex, relative to what is summed up
+        # Of a coordinate, relative to what is summed up: 4 products and their sum, the displaced vertex, and the blend.
+        rounding = 2 * UNIT * (np.bincount(self.vertices.influences[0]).max() + weights.shape[1] + 8)
+        share, share_off = self.vertices.influences[2].middle_and_error()
+        rounding += (share_off / share).max()
         rows, rows_off = (m[..., :3].sum(axis=-1) for m in (np.abs(middle), off))
         summed = (rows + rows_off) * greatest[:, None, None] + np.abs(middle[..., 3])
         summed_off = rows_off * greatest[:, None, None] + off[..., 3] + rows * greatest_off[:, None, None]
         error = summed_off.max(axis=(1, 2)) + rounding * summed.max(axis=(1, 2))
-        return middle, weights, 1.001 * error + 1e-290  # for the rounding of the error itself, and for what is denormal
+        # Three coordinates make less than 1.8 of one; that covers the rounding of the error, too. What is denormal adds little more.
+        return middle, weights, 1.8 * error + 1e-290
 
     def chains(self, start, end):
         """Of the joints' nodes, (joints, intervals)."""
@@ -186,7 +189,7 @@ def require_enclosed(clip, parts, bounds, duration):
             step = max(1, BATCH // len(part.vertex))
             for i in range(0, len(moments), step):
                 some = moments[i:i + step]
-                outside[some] = excess(bound[kind], part.placed(matrices[some], weights[some])) + errors[some] * 1.001
+                outside[some] = excess(bound[kind], part.placed(matrices[some], weights[some])) + errors[some]
             worst = np.maximum(outside[firsts], outside[lates]) + above(np.maximum(slack, stated) + light) * (1 + 4 * UNIT)
             require(np.all(above(worst) <= 0) and above(outside[len(after) - 1]) <= 0, f"part {number}: a vertex may leave its {kind}")
 
