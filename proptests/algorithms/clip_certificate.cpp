@@ -349,6 +349,15 @@ PROPTEST(clip_certificate) {
         wrong += std::to_string(i) + ": " + verdicts[i] + "; ";
     return Checked(wrong.empty(), static_cast<long>(verdicts.size()), wrong);
   });
+  t.example("a weight that is next to none, which bounds are not made for, does not matter", {}, [] {
+    Model model = growing_arm();
+    model.vertices[0] = {5, 0, 0};
+    model.influences[0] = {{0, 1}, {1, 1e-9}};
+    Certified certified(gltf_bytes(model));
+    if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
+    const std::string verdict = certified.judged({certified.document})[0];
+    return Checked(is_accepted(verdict), 1, verdict);
+  });
   t.example("a certificate is of the file: what moves, what is bound and what the file says of it", {}, [] {
     Certified certified(gen::RichGltf(true, true).file.binary_file());
     std::string wrong;
@@ -440,7 +449,10 @@ PROPTEST(clip_certificate) {
     return Checked(wrong.empty(), static_cast<long>(texts.size()) + 3, wrong);
   });
   t.holds("certificates of random models are accepted, and rejected if a bound leaves out a vertex that is seen",
-          {.number_type = "double", .cases = 40, .degenerate_at_most = 0.9, .tags_at_least = {{"certified", 0.5}, {"accepted", 0.4}, {"cut", 0.3}}},
+          {.number_type = "double",
+           .cases = 40,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"certified", 0.5}, {"accepted", 0.4}, {"cut", 0.3}}},
           [] {
             gen::AnimatedPlan plan = gen::draw_animated_plan(false);
             plan.targets = 0, plan.vertices = std::max(plan.vertices, 3);
