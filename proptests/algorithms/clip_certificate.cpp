@@ -332,22 +332,32 @@ PROPTEST(clip_certificate) {
       if (!is_rejected_for(verdicts[i], all[i].reason)) wrong += std::string(all[i].what) + ": " + verdicts[i] + "; ";
     return Checked(wrong.empty(), static_cast<long>(all.size()), wrong);
   });
-  t.example("a slack that is 2 % less than needed is rejected", {}, [] {
-    Certified certified(gltf_bytes(growing_arm()));
-    if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
-    std::vector<json> documents = {certified.document};
-    for (const char* list : {"box_intervals", "ball_intervals"})
-      for (std::size_t i = 0; i < bound_of(certified.document, 0)[list].size(); ++i) {
-        documents.push_back(certified.document);
-        json& slack = bound_of(documents.back(), 0)[list][i][2];
-        slack = 0.98 * slack.get<double>();
+  t.example("a slack that is 3 % less than needed is rejected, of lines and of splines", {}, [] {
+    std::string wrong;
+    long tried = 0;
+    for (const bool is_rich : {false, true}) {
+      Certified certified(is_rich ? gen::RichGltf(true, true).file.binary_file() : gltf_bytes(growing_arm()));
+      if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
+      std::vector<json> documents;
+      for (std::size_t part = 0; part < certified.document["parts"].size(); ++part) {
+        // What holds for two morphed meshes is bounded more loosely than the checker does.
+        if (is_rich && certified.document["parts"][part][0]["kind"] != "cluster") continue;
+        for (const char* list : {"box_intervals", "ball_intervals"}) {
+          const std::size_t count = bound_of(certified.document, part)[list].size();
+          for (std::size_t i = 0; i < count; i += is_rich ? 1 + count / 3 : 1) {
+            documents.push_back(certified.document);
+            json& slack = bound_of(documents.back(), part)[list][i][2];
+            slack = 0.97 * slack.get<double>();
+          }
+        }
       }
-    const auto verdicts = certified.judged(documents);
-    std::string wrong = is_accepted(verdicts[0]) ? "" : verdicts[0];
-    for (std::size_t i = 1; i < verdicts.size(); ++i)
-      if (!is_rejected_for(verdicts[i], " is less than what its vertices may be off the chord"))
-        wrong += std::to_string(i) + ": " + verdicts[i] + "; ";
-    return Checked(wrong.empty(), static_cast<long>(verdicts.size()), wrong);
+      const auto verdicts = certified.judged(documents);
+      for (std::size_t i = 0; i < verdicts.size(); ++i)
+        if (!is_rejected_for(verdicts[i], " is less than what its vertices may be off the chord"))
+          wrong += std::to_string(i) + ": " + verdicts[i] + "; ";
+      tried += static_cast<long>(verdicts.size());
+    }
+    return Checked(wrong.empty(), tried, wrong);
   });
   t.example("a weight that is next to none, which bounds are not made for, does not matter", {}, [] {
     Model model = growing_arm();
