@@ -11,6 +11,7 @@
 #include "algorithms/bake/over_time/model_bounds.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/program/baked_file.hpp"
+#include "algorithms/program/clip_certificate.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/extras.hpp"
 #include "algorithms/program/glb_file.hpp"
@@ -23,7 +24,7 @@ namespace {
 namespace po = boost::program_options;
 
 struct BakeCall {
-  std::string in, out, json, report;
+  std::string in, out, json, report, certificate;
   ModelBoundsOptions bounds;
 };
 
@@ -42,15 +43,22 @@ po::options_description options() {
       "slerp or nlerp: how crossfades blend rotations, on the shorter way; all else they blend linearly")(
       "json", po::value<std::string>(), "write what was measured to this file too")(
       "report", po::value<std::string>(),
-      "write a page that shows the bounds, and what sampling would have missed, to this file")("quiet", "show no progress");
+      "write a page that shows the bounds, and what sampling would have missed, to this file")(
+      "certificate", po::value<std::string>(), "write why the bounds hold to this file, for others to verify")(
+      "quiet", "show no progress");
   return description;
 }
 
 BakeCall parse(const po::variables_map& map) {
-  BakeCall call{map["IN.glb"].as<std::string>(), map["OUT.glb"].as<std::string>(), "", "", {}};
+  BakeCall call{map["IN.glb"].as<std::string>(), map["OUT.glb"].as<std::string>(), "", "", "", {}};
   if (map.count("json")) call.json = map["json"].as<std::string>();
   if (map.count("report")) call.report = map["report"].as<std::string>();
   call.bounds.skinning = skinning_of(map["skinning"].as<std::string>());
+  if (map.count("certificate")) {
+    if (call.bounds.skinning != Skinning::linear) throw UsageError("--certificate is for linear skinning alone");
+    call.certificate = map["certificate"].as<std::string>();
+    call.bounds.with_intervals = true;
+  }
   const std::string purpose = map["for"].as<std::string>();
   if (purpose != "clip" && purpose != "crossfade" && purpose != "any")
     throw UsageError("--for " + purpose + ": there are clip, crossfade and any");
@@ -132,7 +140,9 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
   chunks.push_back({refitlab_chunk, chunk_of({bounds.skinning, bounds.rotations, bake(std::move(mesh), {}, {Pieces::mixed}),
                                               clusters_of(model, bounds)})});
-  write_whole(call.out, glb_of(chunks, call.out));
+  const std::string baked = glb_of(chunks, call.out);
+  write_whole(call.out, baked);
+  if (!call.certificate.empty()) write_whole(call.certificate, clip_certificate(model, bounds, baked));
   if (!call.report.empty()) write_whole(call.report, report_page(model, bounds, call.in));
   if (!call.json.empty()) write_whole(call.json, summary_json(model, bounds, call, seconds));
 

@@ -189,6 +189,7 @@ PROPTEST(program) {
                   fails(2, {"bake", "--rotations", "linear", in, out}, "there are slerp and nlerp") &&
                   fails(2, {"bake", "--crossfade-tolerance", "2", in, out}, "a number above 0") &&
                   fails(2, {"bake", "--nonsense", in, out}, "nonsense") &&
+                  fails(2, {"bake", "--skinning", "spherical", "--certificate", out, in, out}, "for linear skinning alone") &&
                   fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
                   fails(2, {"collide", rigid, rigid, "--at", "1", "2"}, "three numbers") &&
                   fails(3, {"bake", folder.file("none.glb"), out}, "none.glb") && fails(3, {"check", in}, "it was not baked") &&
@@ -218,7 +219,7 @@ PROPTEST(program) {
               other[0].data = description.dump();
               write_whole(broken, glb_of(other, broken));
               good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
-              return Checked(good, 118, wrong);
+              return Checked(good, 119, wrong);
             });
 }
 

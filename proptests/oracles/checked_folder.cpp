@@ -13,11 +13,12 @@
 
 namespace proptests::oracle {
 
-std::string checker() { return PROPTESTS_CHECKER; }
+namespace {
 
-CheckerRun run_checker(const std::string& path) {
-  std::FILE* pipe = ::popen(("ulimit -t 120; timeout 300 python3 '" + checker() + "' " + path + " 2>&1").c_str(), "r");
-  if (!pipe) throw std::runtime_error("cannot run " + checker());
+// command: of the shell.
+CheckerRun run(const std::string& command) {
+  std::FILE* pipe = ::popen(("ulimit -t 120; timeout 300 " + command + " 2>&1").c_str(), "r");
+  if (!pipe) throw std::runtime_error("cannot run " + command);
   std::string text;
   std::array<char, 4096> buffer;
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);
@@ -29,6 +30,14 @@ CheckerRun run_checker(const std::string& path) {
   }
   return run;
 }
+
+}  // namespace
+
+std::string checker() { return PROPTESTS_CHECKER; }
+
+CheckerRun run_checker(const std::string& path) { return run("python3 '" + checker() + "' " + path); }
+
+CheckerRun run_clip_checker(const std::string& arguments) { return run("'" PROPTESTS_CLIP_CHECKER "' " + arguments); }
 
 nlohmann::json with_weight_vertex_vertices(nlohmann::json document) {
   document["vertices"] = nlohmann::json::array();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Running proptests/certificate/check on certificates in a folder.
+// Running proptests/certificate/check on certificates in a folder, and proptests/certificate/check_clip on some.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,6 +17,8 @@ struct CheckerRun {
 std::string checker();  // the path of its program
 // path: a file or folder without spaces, or several, or nothing. A run of more than two minutes of processor time is ended.
 CheckerRun run_checker(const std::string& path);
+// The same of proptests/certificate/check_clip; arguments are separated by spaces.
+CheckerRun run_clip_checker(const std::string& arguments);
 
 // The document with one vertex a piece in place of its own: at the center of the reference, with the first weight
 // vertex's weights.

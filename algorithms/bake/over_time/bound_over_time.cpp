@@ -124,6 +124,13 @@ class Search {
 
   const Values& bound() const { return bound_; }
   int moments() const { return moments_; }
+  std::vector<ProvenInterval> intervals() const {
+    std::vector<ProvenInterval> ordered = intervals_;
+    std::sort(ordered.begin(), ordered.end(), [](const ProvenInterval& a, const ProvenInterval& b) {
+      return std::pair(a.start, a.end) < std::pair(b.start, b.end);
+    });
+    return ordered;
+  }
   double gap() const {
     double gap = 0;
     for (std::size_t i = 0; i < bound_.size(); ++i) gap = std::max(gap, (bound_[i] - seen_[i]) / functions_.scales()[i]);
@@ -189,9 +196,15 @@ class Search {
       const std::vector<ParameterBox> halves = halvings_left_ > 0 && is_worth_halving(now) ? halves_of(joints, now) : none_;
       for (const ParameterBox& half : halves) open(cell(joints, half, now.halvings, now.error));
       if (!halves.empty()) --halvings_left_;
-      else if (now.chord < infinity) raise(bound_, above(now));
-      else raise(bound_, above(cell(joints, now.box, now.halvings, now.error, true)));
+      else if (now.chord < infinity) accept(now);
+      else accept(cell(joints, now.box, now.halvings, now.error, true));
     }
+  }
+
+  void accept(const Cell& cell) {
+    raise(bound_, above(cell));
+    if (const auto& ranges = cell.box.ranges; ranges.size() == 1)
+      intervals_.push_back({ranges[0].start, ranges[0].end, cell.chord});
   }
 
   // In the parameter that adds most to the slack, of those that can be halved.
@@ -241,6 +254,7 @@ class Search {
   Functions& functions_;
   std::vector<Point3> points_;
   Values seen_, bound_;
+  std::vector<ProvenInterval> intervals_;
   std::map<ParameterMoment, Values> known_;
   std::vector<Cell> open_;  // a heap
   const std::vector<ParameterBox> none_;
@@ -266,14 +280,14 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
   slabs.run();
   for (std::size_t d = 0; d < options.directions.size(); ++d)
     out.slabs.push_back({-slabs.bound()[2 * d + 1], slabs.bound()[2 * d]});
-  out.moments = slabs.moments(), out.gap = slabs.gap();
+  out.slab_intervals = slabs.intervals(), out.moments = slabs.moments(), out.gap = slabs.gap();
   if (!options.with_ball) return out;
 
   const Point3 center = smallest_ball<double, 3>(directions.extremes).center;
   DistanceFunction distance(center, options.tolerance);
   Search radius(joints, vertices, distance, options.most_halvings);
   radius.run();
-  out.ball = {center, radius.bound()[0]};
+  out.ball = {center, radius.bound()[0]}, out.ball_intervals = radius.intervals();
   out.moments += radius.moments();
   return out;
 }

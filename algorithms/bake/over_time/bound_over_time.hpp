@@ -26,9 +26,17 @@ struct OverTimeOptions {
   std::size_t most_halvings = std::size_t(1) << 16;
 };
 
+// Vertices that are somewhere at the ends of an interval of time are within the slack of the chords between them (c1_chord_bound).
+struct ProvenInterval {
+  double start, end;  // seconds
+  double slack;       // units of the file
+};
+
 struct BoundOverTime {
   std::vector<Slab<double>> slabs;  // by direction
   Ball3<double> ball;
+  // What both are made of, of joints with one parameter: intervals that cover it, in order of time.
+  std::vector<ProvenInterval> slab_intervals, ball_intervals;
   int moments = 0;  // at which the vertices were skinned
   double gap = 0;   // what slabs are wider than moments have seen, at most; units of the file
 };

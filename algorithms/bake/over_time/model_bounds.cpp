@@ -202,24 +202,30 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
                     cost_of_fade = 100 * cost / std::max<std::size_t>(1, tasks.size());
   ProgressCount progress(cost + fades * looked_at.size() * cost_of_fade, options.progress);
   std::vector<std::vector<BoundedPart>> bounded(clips.size(), std::vector<BoundedPart>(out.parts.size()));
+  std::vector<std::vector<PartIntervals>> intervals(clips.size());
+  if (options.with_intervals) intervals.assign(clips.size(), std::vector<PartIntervals>(out.parts.size()));
   std::atomic<long> moments = 0;
-  const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices, double tolerance) {
-    const BoundOverTime bound = bound_over_time(joints, vertices, {.tolerance = tolerance});
+  const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices, double tolerance,
+                            PartIntervals* kept) {
+    BoundOverTime bound = bound_over_time(joints, vertices, {.tolerance = tolerance});
     moments += bound.moments;
+    if (kept) *kept = {std::move(bound.slab_intervals), std::move(bound.ball_intervals)};
     return outward(bound, options.renderer_rounding);
   };
-  const auto share_among_same = [&](std::vector<BoundedPart>& parts) {
+  const auto share_among_same = [&](auto& parts) {
     for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
   };
   parallel_for(tasks.size(), [&](std::size_t t) {
     const DefaultFloatEnvironment own_environment;
     const Task& task = tasks[t];
     const MovingJoints* const joints[] = {&clips[task.clip]};
+    PartIntervals* const kept = options.with_intervals ? &intervals[task.clip][task.part] : nullptr;
     bounded[task.clip][task.part] =
-        bound_of(joints, {model, sets, options.skinning, out.parts[task.part].vertices}, options.tolerance);
+        bound_of(joints, {model, sets, options.skinning, out.parts[task.part].vertices}, options.tolerance, kept);
     progress.add(task.cost);
   });
   for (auto& parts : bounded) share_among_same(parts);
+  for (auto& parts : intervals) share_among_same(parts);
   for (int a = 0; fades > 0 && a < static_cast<int>(model.clips.size()); ++a)
     for (int b = a + 1; b < static_cast<int>(model.clips.size()); ++b) {
       BoundedCrossfade& bounds = out.crossfades.emplace_back(BoundedCrossfade{a, b, std::vector<BoundedPart>(out.parts.size())});
@@ -230,7 +236,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
         const CrossfadedJoints fade(model, model.clips[a].animation, model.clips[b].animation, vertices.joints(),
                                     options.rotations, needs_pose);
         const MovingJoints* const joints[] = {&clips[a], &clips[b], &fade};
-        bounds.parts[p] = bound_of(joints, vertices, options.crossfade_tolerance);
+        bounds.parts[p] = bound_of(joints, vertices, options.crossfade_tolerance, nullptr);
         progress.add(cost_of_fade);
       });
       share_among_same(bounds.parts);
@@ -244,7 +250,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
       }
     }
   for (std::size_t c = 0; c < model.clips.size(); ++c)
-    out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c])});
+    out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c]), std::move(intervals[c])});
   out.rest = std::move(bounded.back());
   out.moments = moments;
   if (options.any_pose)

@@ -26,10 +26,16 @@ struct ModelPart {
   std::vector<int> triangles;  // of a cluster; the model's
 };
 
+// The intervals of time that a box and a ball are made of (ProvenInterval).
+struct PartIntervals {
+  std::vector<ProvenInterval> box, ball;
+};
+
 struct BoundedClip {
   std::string name;
-  double duration;                 // seconds
-  std::vector<BoundedPart> parts;  // by part
+  double duration;                       // seconds
+  std::vector<BoundedPart> parts;        // by part
+  std::vector<PartIntervals> intervals;  // by part; empty unless asked for
 };
 
 // While a clip fades to another, or back: at any time of either, and before and after.
@@ -57,6 +63,7 @@ struct ModelBoundsOptions {
   double crossfade_tolerance = 0.2;
   RotationBlend rotations = RotationBlend::slerp;  // of crossfades
   bool any_pose = false;                           // bound what poses of code could do, too
+  bool with_intervals = false;  // keep the intervals of the clips' bounds
   // Beyond what is computed: a renderer skins in float and is off by as much, as a share of the farthest vertex's distance
   // from the scene's origin.
   double renderer_rounding = 0x1p-20;

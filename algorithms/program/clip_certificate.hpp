@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why the bounds of a baked file hold at every time, for proptests/certificate/check_clip, which verifies it.
+//
+// Format, version 1: a JSON document on one line, with the members of objects in alphabetical order. Numbers that are not integers
+// are doubles by the fewest digits that read back as the same double.
+//   clips      the file's animations and the rest pose, each
+//     animation   its index in the file, or -1 for the rest pose
+//     bounds      by part:
+//       box, ball   as the file has them: least x, y, z, greatest x, y, z; and the center's x, y, z and the radius
+//       box_intervals, ball_intervals
+//                 intervals of time [start, end, slack], in order, which cover the clip: between the ends the vertices are no
+//                 farther than the slack from the chords, and at both ends no nearer than that to leaving the box or ball
+//     duration    seconds
+//   file       the SHA-256 of the baked file's bytes
+//   parts      lists of parts of the file that have the same vertices: {"kind": "whole"}, {"kind": "skin", "skin": 0},
+//              {"kind": "mesh", "mesh": 0}, {"kind": "primitive", "node": 0, "mesh": 0, "primitive": 0}, and clusters, which are
+//              primitives with a list of some of their "triangles"
+//   skinning   "linear"
+//   version    1
+#pragma once
+
+#include <string>
+
+#include "algorithms/bake/over_time/model_bounds.hpp"
+
+namespace refitlab {
+
+// Of bounds of linear skinning with intervals. baked: the bytes of the file that has them, from which the model is.
+std::string clip_certificate(const Model& model, const ModelBounds& bounds, const std::string& baked);
+
+}  // namespace refitlab

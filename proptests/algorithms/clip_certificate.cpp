@@ -1,0 +1,540 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Certificates of bounds over time: a checker that shares no code with what bakes them accepts each that is true, and rejects what is
+// false of the file, or not proven.
+#include "algorithms/program/clip_certificate.hpp"
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "algorithms/certificate/sha256.hpp"
+#include "algorithms/model/load.hpp"
+#include "algorithms/model/write_gltf.hpp"
+#include "algorithms/program/baked_file.hpp"
+#include "algorithms/program/glb_file.hpp"
+#include "algorithms/program/program.hpp"
+#include "algorithms/results/write_whole.hpp"
+#include "proptests/gen/animated_model.hpp"
+#include "proptests/gen/rich_gltf.hpp"
+#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/animated_skin.hpp"
+#include "proptests/oracles/checked_folder.hpp"
+
+namespace proptests::suite_clip_certificate {
+namespace {
+
+using namespace refitlab;
+using nlohmann::json;
+
+// A baked file and its certificate, in a folder of their own.
+class Certified {
+ public:
+  explicit Certified(const std::string& bytes, const std::string& tolerance = "0.01") {
+    write_whole(in(), bytes);
+    std::ostringstream out, errors;
+    if (run_program(
+            {"bake", "--clusters", "4", "--tolerance", tolerance, "--certificate", folder_.file("it.json"), in(), baked()}, out,
+            errors) != 0) {
+      refusal = errors.str();
+      return;
+    }
+    document = json::parse(read_whole(folder_.file("it.json")));
+  }
+
+  std::string in() const { return folder_.file("in.glb"); }
+  std::string baked() const { return folder_.file("out.glb"); }
+  std::string text() const { return read_whole(folder_.file("it.json")); }
+
+  // What the checker says of certificates, verdict and reason, in order. file: that they are checked against.
+  std::vector<std::string> judged(const std::vector<std::string>& texts, const std::string& file) {
+    std::string arguments = "--against " + file;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      write_whole(name(i), texts[i]);
+      arguments += " " + name(i);
+    }
+    const oracle::CheckerRun run = oracle::run_clip_checker(arguments);
+    if (run.status == 2) return std::vector<std::string>(texts.size(), run.lines.empty() ? "" : run.lines[0]);
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i < run.lines.size(); ++i) {
+      const std::string quoted = ": \"" + name(i) + "\": ";
+      const std::size_t at = run.lines[i].find(quoted);
+      out.push_back(at == std::string::npos ? run.lines[i]
+                                            : run.lines[i].substr(0, at) + ": " + run.lines[i].substr(at + quoted.size()));
+    }
+    if (out.size() != texts.size()) out.assign(texts.size(), "not a line for each: " + (out.empty() ? "" : out.back()));
+    return out;
+  }
+  std::vector<std::string> judged(const std::vector<json>& documents) {
+    std::vector<std::string> texts;
+    for (const json& d : documents) texts.push_back(d.dump());
+    return judged(texts, baked());
+  }
+
+  // Against the baked file with other chunks; the certificate is made to name it.
+  std::string judged_with(const std::function<void(std::vector<GlbChunk>&)>& change) {
+    std::vector<GlbChunk> chunks = read_glb(read_whole(baked()), baked());
+    change(chunks);
+    const std::string file = folder_.file("other.glb"), bytes = glb_of(chunks, file);
+    write_whole(file, bytes);
+    json changed = document;
+    changed["file"] = sha256(bytes);
+    return judged({changed.dump()}, file)[0];
+  }
+
+  json document;
+  std::string refusal;  // why the file cannot be baked; empty if it was
+
+ private:
+  std::string name(std::size_t i) const { return folder_.file("c" + std::to_string(i) + ".json"); }
+  gen::TemporaryFolder folder_;
+};
+
+bool is_accepted(const std::string& verdict) { return verdict.starts_with("accepted: "); }
+bool is_rejected_for(const std::string& verdict, const std::string& reason) {
+  return verdict.starts_with("rejected: ") && verdict.find(reason) != std::string::npos;
+}
+bool is_unreadable_for(const std::string& verdict, const std::string& reason) {
+  return verdict.starts_with("unreadable: ") && verdict.find(reason) != std::string::npos;
+}
+
+// Of the first clip.
+json& bound_of(json& document, std::size_t part) { return document["clips"][0]["bounds"][part]; }
+json& intervals_of(json& document) { return bound_of(document, 0)["box_intervals"]; }
+
+// Two intervals one after the other that are parted by nothing but the search; the first of them.
+std::size_t halves_in(const json& intervals, const std::vector<double>& keys) {
+  for (std::size_t i = 0; i + 1 < intervals.size(); ++i)
+    if (std::find(keys.begin(), keys.end(), intervals[i][1].get<double>()) == keys.end()) return i;
+  return intervals.size();
+}
+void join(json& intervals, std::size_t i) {
+  intervals[i][1] = intervals[i + 1][1];
+  intervals.erase(i + 1);
+}
+
+struct Forgery {
+  const char *what, *reason;
+  std::function<void(json&)> forge;
+};
+
+// Of a certificate of a rich file, whose clip "move" has a key at 1 s.
+std::vector<Forgery> forgeries() {
+  const auto narrower = [](json& x, double by) { x = x.get<double>() + by; };
+  std::vector<Forgery> out = {
+      {"a box is narrower on one side", "a vertex may leave its box",
+       [=](json& d) { narrower(bound_of(d, 0)["box"][4], -0.02 * bound_of(d, 0)["box"][4].get<double>()); }},
+      {"a ball is smaller", "a vertex may leave its ball",
+       [](json& d) { bound_of(d, 0)["ball"][3] = 0.97 * bound_of(d, 0)["ball"][3].get<double>(); }},
+      {"a box is wider than the file's", "is not what the certificate implies",
+       [=](json& d) { narrower(bound_of(d, 0)["box"][4], 1); }},
+      {"a ball is elsewhere", "is not what the certificate implies", [=](json& d) { narrower(bound_of(d, 0)["ball"][1], 10); }},
+      {"an interval is left out", "do not cover", [](json& d) { intervals_of(d).erase(1); }},
+      {"the first interval is left out", "do not cover", [](json& d) { intervals_of(d).erase(0); }},
+      {"the last interval is left out", "do not cover", [](json& d) { intervals_of(d).erase(intervals_of(d).size() - 1); }},
+      {"an interval is there twice", "do not cover", [](json& d) { intervals_of(d).push_back(intervals_of(d).back()); }},
+      {"an interval goes back", "do not cover", [](json& d) { std::swap(intervals_of(d)[0][0], intervals_of(d)[0][1]); }},
+      {"an interval is stretched over a key", "goes across a key",
+       [](json& d) {
+         json& intervals = intervals_of(d);
+         for (std::size_t i = 0; i + 1 < intervals.size(); ++i)
+           if (intervals[i][1] == 1.0) return join(intervals, i);
+       }},
+      {"two halves are one interval, with the slack of a half", "a slack of its box is less",
+       [](json& d) {
+         join(intervals_of(d), halves_in(intervals_of(d), {0.5, 1, 1.5, 2}));
+       }},
+      {"a slack is stated too small", "a slack of its box is less",
+       [](json& d) {
+         for (json& interval : intervals_of(d)) interval[2] = 0.25 * interval[2].get<double>();
+       }},
+      {"a slack is stated too large", "a vertex may leave its box",
+       [](json& d) {
+         for (json& interval : intervals_of(d)) interval[2] = 10.0;
+       }},
+      {"the clip ends before its last key", "out of the time",
+       [](json& d) {
+         d["clips"][0]["duration"] = 1.0;
+         for (json& bound : d["clips"][0]["bounds"])
+           for (const char* list : {"box_intervals", "ball_intervals"}) {
+             json kept = json::array();
+             for (const json& interval : bound[list])
+               if (interval[1] <= 1.0) kept.push_back(interval);
+             bound[list] = kept;
+           }
+       }},
+      {"it is of another file", "the file is another one", [](json& d) { d["file"] = sha256("another"); }},
+      {"two parts are exchanged", "is not what the certificate implies",
+       [](json& d) { std::swap(d["parts"][0], d["parts"][1]); }},
+      {"a part has the vertices of another one, too", "a vertex may leave its",
+       [](json& d) {
+         std::vector<json*> clusters;
+         for (json& part : d["parts"])
+           if (part[0]["kind"] == "cluster") clusters.push_back(&part);
+         json other = clusters.back()->at(0);
+         other["triangles"].push_back(other["triangles"][0]);
+         clusters.front()->push_back(other);
+       }},
+      {"a part is left out", "that the certificate has not",
+       [](json& d) {
+         d["parts"].erase(1);
+         for (json& clip : d["clips"]) clip["bounds"].erase(1);
+       }},
+      {"a cluster has another triangle", "that the certificate has not",
+       [](json& d) {
+         for (json& part : d["parts"])
+           for (json& thing : part)
+             if (thing.contains("triangles")) thing["triangles"] = {0};
+       }},
+      {"a triangle is not there", "is not there",
+       [](json& d) {
+         d["parts"].push_back({{{"kind", "cluster"}, {"node", 2}, {"mesh", 0}, {"primitive", 0}, {"triangles", {99999}}}});
+         for (json& clip : d["clips"]) clip["bounds"].push_back(clip["bounds"][0]);
+       }},
+      {"a part is of nothing", "has no triangles",
+       [](json& d) {
+         d["parts"][0].push_back({{"kind", "mesh"}, {"mesh", 77}});
+       }},
+      {"the clip is left out", "that the certificate has not", [](json& d) { d["clips"].erase(0); }},
+      {"the rest pose is left out", "that the certificate has not", [](json& d) { d["clips"].erase(1); }},
+      {"the clip is taken for the rest pose", "that the certificate has not",
+       [](json& d) { d["clips"].erase(1), d["clips"][0]["animation"] = -1; }},
+      {"the clip and the rest pose are exchanged", "implies",
+       [](json& d) { d["clips"][0]["animation"] = -1, d["clips"][1]["animation"] = 0; }},
+      {"a clip is there twice", "two clips", [](json& d) { d["clips"].push_back(d["clips"][0]); }},
+      {"there is no such clip", "an animation is not there",
+       [](json& d) { d["clips"].push_back(d["clips"][0]), d["clips"][2]["animation"] = 1; }},
+      {"it is of another skinning", "linear skinning", [](json& d) { d["skinning"] = "spherical"; }},
+      {"it is of another version", "version 1", [](json& d) { d["version"] = 2; }},
+      {"it has a member more", "has not the members", [](json& d) { d["trust"] = "me"; }},
+      {"a bound has a member less", "has not the members", [](json& d) { bound_of(d, 0).erase("ball"); }},
+      {"a number is a text", "no number", [](json& d) { bound_of(d, 0)["box"][0] = "-1000"; }},
+      {"a number is missing", "has not 6", [](json& d) { bound_of(d, 0)["box"].erase(5); }},
+      {"an interval has no slack", "no list of 3", [](json& d) { intervals_of(d)[0].erase(2); }},
+      {"there are no intervals", "no list of something", [](json& d) { intervals_of(d) = json::array(); }},
+      {"true is an index", "no int", [](json& d) { d["clips"][0]["animation"] = true; }},
+      {"it would take too long", "too much work",
+       [](json& d) {
+         json many = json::array();
+         for (int i = 0; i < 700000; ++i) many.push_back({i, i + 1, 0});
+         intervals_of(d) = many;
+       }},
+  };
+  return out;
+}
+
+// The box and the farthest point from a center of what is seen.
+struct Seen {
+  explicit Seen(const json& ball) : center(ball[0], ball[1], ball[2]) {}
+  void add(const Eigen::Vector3d& p) {
+    low = low.cwiseMin(p), high = high.cwiseMax(p);
+    farthest = std::max(farthest, (p - center).norm());
+  }
+  // A bound that is cut to leave out something that was seen: a side of the box, from 0 to 5, or the ball's radius.
+  json cut(json bound, int side, double by) const {
+    if (side < 3) bound["box"][side] = low[side] + by;
+    else if (side < 6) bound["box"][side] = high[side - 3] - by;
+    else bound["ball"][3] = farthest - by;
+    return bound;
+  }
+  Eigen::Vector3d center, low = Eigen::Vector3d::Constant(1e300), high = -low;
+  double farthest = 0;
+};
+
+// Two nodes, one below the other, that turn, move and grow all at once, from one key to the next; a vertex near each, and one by both.
+Model growing_arm() {
+  Model model;
+  model.name = model.skeleton.file = "arm";
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  model.skeleton.nodes = {{"upper", -1, identity}, {"lower", 0, identity}};
+  model.skeleton.joints = {{"upper", 0, -1, identity}, {"lower", 1, 0, identity}};
+  model.joints = {{"upper", -1, Point3::Zero()}, {"lower", 0, Point3::Zero()}};
+  model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}};
+  model.triangles = {{0, 1, 2}}, model.influences = {{{0, 1}}, {{1, 1}}, {{0, 0.5}, {1, 0.5}}};
+  Animation animation{"clip", 1, {}};
+  for (const int node : {0, 1}) {
+    const auto turned = [&](double angle) {
+      return Eigen::Quaterniond(Eigen::AngleAxisd(angle, node == 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX()));
+    };
+    animation.tracks.push_back({node,
+                                {{{0, {0, 1, 0}}, {1, {1.5, 1, 0}}}},
+                                {{{0, turned(-0.5)}, {1, turned(0.5)}}},
+                                {{{0, {1, 1, 1}}, {1, {1.75, 1.5, 1.25}}}}});
+  }
+  model.clips.push_back({"clip", 1, {}, animation});
+  return model;
+}
+
+bool has_splines(const Animation& animation) {
+  return std::any_of(animation.tracks.begin(), animation.tracks.end(), [](const NodeTrack& track) {
+    return track.positions.interpolation == Interpolation::cubic || track.rotations.interpolation == Interpolation::cubic ||
+           track.scales.interpolation == Interpolation::cubic;
+  });
+}
+
+void replace_all(std::string& bytes, const std::string& from, const std::string& to) {
+  for (std::size_t at = bytes.find(from); at != std::string::npos; at = bytes.find(from, at + to.size()))
+    bytes.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+PROPTEST(clip_certificate) {
+  t.example(
+      "certificates of files of all features are accepted, and rejected if a bound leaves out what the file's own formulas "
+      "say of one of 400 times",
+      {.number_type = "double"}, [] {
+        std::string wrong;
+        long looked_at = 0;
+        for (const bool uneven : {false, true})
+          for (const bool moving : {false, true}) {
+            const gen::RichGltf rich(uneven, moving);
+            Certified certified(rich.file.binary_file());
+            if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
+            Seen seen(bound_of(certified.document, 0)["ball"]);
+            for (const auto& primitive : rich.primitives()) {
+              std::vector<char> is_used(primitive.positions.size(), 0);
+              for (const auto& triangle : primitive.triangles)
+                for (const int v : triangle) is_used[v] = 1;
+              for (int i = 0; i < 400; ++i) {
+                const auto posed = rich.posed(primitive, 2.0 * i / 399);
+                for (std::size_t v = 0; v < posed.size(); ++v)
+                  if (is_used[v]) seen.add(posed[v]);
+              }
+            }
+            std::vector<json> documents = {certified.document};
+            for (int side = 0; side < 7; ++side) {
+              documents.push_back(certified.document);
+              json& bound = bound_of(documents.back(), 0);
+              bound = seen.cut(bound, side, 1e-9);
+            }
+            const auto verdicts = certified.judged(documents);
+            for (std::size_t i = 0; i < verdicts.size(); ++i)
+              if (i == 0 ? !is_accepted(verdicts[i]) : !is_rejected_for(verdicts[i], "a vertex may leave its "))
+                wrong += std::to_string(i) + ", " + verdicts[i] + "; ";
+            looked_at += static_cast<long>(verdicts.size());
+          }
+        return Checked(wrong.empty(), looked_at, wrong);
+      });
+  t.example("a forged certificate is rejected, for the reason that fits", {}, [] {
+    Certified certified(gen::RichGltf(true, true).file.binary_file());
+    const std::vector<Forgery> all = forgeries();
+    std::vector<json> documents;
+    std::string wrong;
+    for (const Forgery& forgery : all) {
+      documents.push_back(certified.document);
+      forgery.forge(documents.back());
+      if (documents.back() == certified.document) wrong += std::string(forgery.what) + " changes nothing; ";
+    }
+    const auto verdicts = certified.judged(documents);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!is_rejected_for(verdicts[i], all[i].reason)) wrong += std::string(all[i].what) + ": " + verdicts[i] + "; ";
+    return Checked(wrong.empty(), static_cast<long>(all.size()), wrong);
+  });
+  t.example("a slack that is 3 % less than needed is rejected, of lines and of splines", {}, [] {
+    std::string wrong;
+    long tried = 0;
+    for (const bool is_rich : {false, true}) {
+      Certified certified(is_rich ? gen::RichGltf(true, true).file.binary_file() : gltf_bytes(growing_arm()));
+      if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
+      std::vector<json> documents;
+      for (std::size_t part = 0; part < certified.document["parts"].size(); ++part) {
+        // What holds for two morphed meshes is bounded more loosely than the checker does.
+        if (is_rich && certified.document["parts"][part][0]["kind"] != "cluster") continue;
+        for (const char* list : {"box_intervals", "ball_intervals"}) {
+          const std::size_t count = bound_of(certified.document, part)[list].size();
+          for (std::size_t i = 0; i < count; i += is_rich ? 1 + count / 3 : 1) {
+            documents.push_back(certified.document);
+            json& slack = bound_of(documents.back(), part)[list][i][2];
+            slack = 0.97 * slack.get<double>();
+          }
+        }
+      }
+      const auto verdicts = certified.judged(documents);
+      for (std::size_t i = 0; i < verdicts.size(); ++i)
+        if (!is_rejected_for(verdicts[i], " is less than what its vertices may be off the chord"))
+          wrong += std::to_string(i) + ": " + verdicts[i] + "; ";
+      tried += static_cast<long>(verdicts.size());
+    }
+    return Checked(wrong.empty(), tried, wrong);
+  });
+  t.example("a weight that is next to none, which bounds are not made for, does not matter", {}, [] {
+    Model model = growing_arm();
+    model.vertices[0] = {5, 0, 0};
+    model.influences[0] = {{0, 1}, {1, 1e-9}};
+    Certified certified(gltf_bytes(model));
+    if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
+    const std::string verdict = certified.judged({certified.document})[0];
+    return Checked(is_accepted(verdict), 1, verdict);
+  });
+  t.example("a certificate is of the file: what moves, what is bound and what the file says of it", {}, [] {
+    Certified certified(gen::RichGltf(true, true).file.binary_file());
+    std::string wrong;
+    long tried = 0;
+    const auto expect = [&](const std::string& what, const std::string& reason,
+                            const std::function<void(std::vector<GlbChunk>&)>& change) {
+      const std::string verdict = certified.judged_with(change);
+      ++tried;
+      if (reason.empty() ? !is_accepted(verdict) : !is_rejected_for(verdict, reason) && !is_unreadable_for(verdict, reason))
+        wrong += what + ": " + verdict + "; ";
+    };
+    const auto in_description = [](const std::function<void(json&)>& change) {
+      return [=](std::vector<GlbChunk>& chunks) {
+        json description = json::parse(chunks[0].data);
+        change(description);
+        chunks[0].data = description.dump();
+      };
+    };
+    const auto in_clusters = [](const std::function<void(ClusterBounds&)>& change) {
+      return [=](std::vector<GlbChunk>& chunks) {
+        gen::TemporaryFolder folder;
+        write_whole(folder.file("one.glb"), glb_of(chunks, "one.glb"));
+        BakedFile baked = read_baked(folder.file("one.glb"));
+        change(baked.clusters);
+        chunks.back().data = chunk_of(baked);
+      };
+    };
+    const auto narrower = [](json& bound) { bound["box"][3] = bound["box"][3].get<double>() - 0.01; };
+    const auto smaller = [](json& bound) { bound["ball"][3] = 0.999 * bound["ball"][3].get<double>(); };
+    expect("nothing changes", "", [](auto&) {});
+    for (const char* owners : {"animations", "skins", "meshes"}) {
+      expect(std::string("a box of ") + owners, "is not what the certificate implies",
+             in_description([&](json& d) { narrower(d[owners][0]["extras"]["refitlab"]); }));
+      expect(std::string("a ball of ") + owners, "is not what the certificate implies",
+             in_description([&](json& d) { smaller(d[owners][0]["extras"]["refitlab"]); }));
+    }
+    for (const char* parts : {"skins", "meshes", "primitives"})
+      expect(std::string("a box of an animation's ") + parts, "is not what the certificate implies",
+             in_description([&](json& d) { narrower(d["animations"][0]["extras"]["refitlab"][parts][0]); }));
+    expect("a box of a primitive", "is not what the certificate implies",
+           in_description([&](json& d) { narrower(d["meshes"][0]["primitives"][0]["extras"]["refitlab"]); }));
+    expect("a box of a cluster", "cluster 0 of clip 0 is not what the certificate implies",
+           in_clusters([](ClusterBounds& clusters) {
+             clusters.clips[0].clusters[0].box.high[0] = clusters.clips[0].clusters[0].box.low[0];
+           }));
+    expect("a ball of a cluster in the rest pose", "of clip 1 is not what the certificate implies",
+           in_clusters([](ClusterBounds& clusters) { clusters.clips[1].clusters[0].ball.radius *= 0.5f; }));
+    expect("a cluster's triangle", "that the certificate has not",
+           in_clusters([](ClusterBounds& clusters) { clusters.clusters[0].triangles[0] += 1; }));
+    expect("the times of keys", "", in_description([](json& d) { d["asset"]["generator"] = "another"; }));
+    expect("a node", "part 0", in_description([](json& d) {
+             for (json& node : d["nodes"])
+               if (node.contains("translation")) node["translation"][0] = node["translation"][0].get<double>() + 0.5;
+           }));
+    expect("a clip's way to interpolate", "less than what its vertices may be off the chord", in_description([](json& d) {
+             for (json& sampler : d["animations"][0]["samplers"])
+               if (sampler["interpolation"] == "STEP") sampler["interpolation"] = "LINEAR";
+           }));
+    expect("an extension of geometry", "which is not read",
+           in_description([](json& d) { d["extensionsRequired"].push_back("KHR_draco_mesh_compression"); }));
+    expect("the bytes of positions and keys", "part 0", [](std::vector<GlbChunk>& chunks) {
+      // All positions, tangents and offsets that are 1 in a direction.
+      const float one = 1, other = 1.25f;
+      replace_all(chunks[1].data, std::string(reinterpret_cast<const char*>(&one), 4),
+                  std::string(reinterpret_cast<const char*>(&other), 4));
+    });
+    return Checked(wrong.empty(), tried, wrong);
+  });
+  t.example("what is no certificate is rejected or unreadable, without a word of its own", {}, [] {
+    Certified certified(gen::RichGltf(false, true).file.binary_file());
+    const std::string text = certified.text();
+    std::vector<std::string> texts = {
+        "", "{", "[]", "{\"version\":1,\"version\":1}", std::string(100000, '['), "\xC3\xA4", text.substr(0, text.size() / 2)};
+    std::mt19937 random(7);
+    for (int i = 0; i < 40; ++i) {
+      std::string changed = text;
+      const std::size_t at = random() % (changed.size() - 1);
+      changed.replace(at, 1 + random() % 3, std::string(1, "0123456789-.,[]{}\"eN"[random() % 20]));
+      texts.push_back(changed);
+    }
+    std::string wrong;
+    for (const std::string& verdict : certified.judged(texts, certified.baked()))
+      if (!is_rejected_for(verdict, "") && !is_accepted(verdict)) wrong += verdict + "; ";
+    for (const std::string& arguments :
+         {"--against /nonexistent " + certified.baked(), certified.baked(), std::string("--against")}) {
+      const auto run = oracle::run_clip_checker(arguments);
+      if (run.status != 2) wrong += arguments + ": " + std::to_string(run.status) + "; ";
+    }
+    return Checked(wrong.empty(), static_cast<long>(texts.size()) + 3, wrong);
+  });
+  t.holds("certificates of random models are accepted, and rejected if a bound leaves out a vertex that is seen",
+          {.number_type = "double",
+           .cases = 40,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"certified", 0.5}, {"accepted", 0.4}, {"cut", 0.3}}},
+          [] {
+            gen::AnimatedPlan plan = gen::draw_animated_plan(false);
+            plan.targets = 0, plan.vertices = std::max(plan.vertices, 3);
+            RC_LOG() << plan;
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            Model made = gen::animated_model(plan);
+            // What a file says of nodes that it moves is no matrix.
+            for (const NodeTrack& track : made.clips[0].animation.tracks)
+              made.skeleton.nodes[track.node].local = Eigen::Matrix4d::Identity();
+            std::string bytes;
+            try {
+              bytes = gltf_bytes(made);
+            } catch (const ModelError&) {
+              RC_TAG("no file");
+              return;
+            }
+            Certified certified(bytes, plan.seed % 3 == 0 ? "0.3" : "0.01");
+            if (!certified.refusal.empty()) {
+              RC_TAG("refused");
+              return;
+            }
+            RC_TAG("certified");
+            const Model model = load_model(certified.in(), {.joints = Joints::affine, .morphs = Morphs::moving});
+            const Animation animation = model.clips.empty() ? Animation{} : model.clips[0].animation;
+            Seen seen(bound_of(certified.document, 0)["ball"]);
+            std::mt19937 random(plan.seed);
+            try {
+              oracle::AnimatedSkin<double> skin(model, animation, Skinning::linear);
+              for (int i = 0; i < 30; ++i) {
+                skin.pose(animation.duration * (static_cast<double>(random() % 1000) / 999), Side::after);
+                for (std::size_t v = 0; v < model.vertices.size(); ++v) seen.add(skin.vertex(static_cast<int>(v)));
+              }
+            } catch (const oracle::Ambiguous&) {
+              RC_TAG("ambiguous");
+            }
+            std::vector<json> documents = {certified.document};
+            const double size = seen.farthest, off = 1e-12 * (plan.far + plan.away + 1) * plan.unit * 1e4;
+            if (size > 0 && off < 1e-3 * size) {
+              RC_TAG("cut");
+              documents.push_back(certified.document);
+              json& bound = bound_of(documents.back(), 0);
+              bound = seen.cut(bound, static_cast<int>(random() % 7), std::max(off, 1e-9 * size));
+            }
+            const std::size_t cuts = documents.size();
+            // The checker knows splines by the interval, and the angles of other rotations better by 1/3 %.
+            json& intervals = intervals_of(certified.document);
+            if (json& slack = intervals[random() % intervals.size()][2]; !has_splines(animation) && slack > 1e-6 * size) {
+              RC_TAG("slack");
+              slack = 0.98 * slack.get<double>();
+              documents.push_back(certified.document);
+            }
+            const auto verdicts = certified.judged(documents);
+            RC_LOG() << verdicts[0];
+            if (is_rejected_for(verdicts[0], "as far apart as can be")) {
+              RC_TAG("half a turn");
+              return;
+            }
+            // A box of a single point, the origin, has nothing to spare for rounding.
+            if (const json& box = bound_of(certified.document, 0)["box"]; box == json({0.0, 0.0, 0.0, 0.0, 0.0, 0.0})) {
+              RC_TAG("nothing to spare");
+              return;
+            }
+            // Where most of what is summed up cancels, the checker's rounding may be more than what the bounds allow for.
+            if (const bool cancels = plan.far > 0 || plan.away > 0; !cancels || is_accepted(verdicts[0])) {
+              RC_TAG("accepted");
+              RC_ASSERT(is_accepted(verdicts[0]));
+            }
+            for (std::size_t i = 1; i < verdicts.size(); ++i) {
+              RC_LOG() << i << ": " << verdicts[i];
+              RC_ASSERT(is_rejected_for(verdicts[i], i < cuts ? "a vertex may leave its " : "a slack of its box is less"));
+            }
+          });
+}
+
+}  // namespace proptests::suite_clip_certificate
