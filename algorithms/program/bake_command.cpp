@@ -14,6 +14,7 @@
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/extras.hpp"
 #include "algorithms/program/glb_file.hpp"
+#include "algorithms/program/peak_memory.hpp"
 #include "algorithms/program/report.hpp"
 #include "algorithms/results/write_whole.hpp"
 
@@ -66,6 +67,7 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
                                 {"vertices", model.vertices.size()},
                                 {"seconds", seconds},
                                 {"moments", bounds.moments}};
+  if (const auto peak = peak_megabytes()) out["peak_megabytes"] = *peak;
   for (const BoundedClip& clip : bounds.clips) {
     nlohmann::ordered_json of_clip = {{"name", clip.name}, {"duration", clip.duration}};
     for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
