@@ -13,6 +13,7 @@
 #include "experiments/over_time/over_time.hpp"
 #include "experiments/pictures/cap_figure.hpp"
 #include "experiments/pictures/failing_figure.hpp"
+#include "experiments/pictures/sampled_miss_figure.hpp"
 #include "experiments/pictures/scenario_figures.hpp"
 #include "experiments/pictures/twist_figures.hpp"
 #include "experiments/resume/resume.hpp"
@@ -89,11 +90,13 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
 }
 
 // While all of the models are there.
-void run_over_time_on(const std::vector<Model>& models, const Options& options, Units& run, ModelResults& results) {
+void run_over_time_on(const std::vector<Model>& models, const Options& options, Units& run, PictureTable& pictures,
+                      ModelResults& results) {
   if (!options.wants("over_time")) return;
   for (const Model& model : models)
     append(results.over_time, resumed_or(run, "bounds over time of " + model.name, options.over_time, identify(model),
                                          [&] { return run_over_time(model, options.over_time); }));
+  draw_sampled_miss(models, results.over_time, pictures);
 }
 
 // Each file once all of its rows are there: until then the one of the last whole run stays.
@@ -142,7 +145,8 @@ std::size_t unit_count(const Options& options, std::size_t models) {
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
                       count("rounding", models) + count("collisions", with_collisions) + count("over_time", models);
-  if (runs_without_model(options)) units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
+  if (runs_without_model(options))
+    units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;
 }
 
@@ -182,7 +186,7 @@ int main(int argc, char** argv) try {
   write_catalogue(options, models, result);
   PictureTable pictures(options.out + "/report/pictures");
   ModelResults results;
-  run_over_time_on(models.models, options, run, results);
+  run_over_time_on(models.models, options, run, pictures, results);
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -59,7 +60,13 @@ BakeCall parse(const po::variables_map& map) {
   return call;
 }
 
-std::string summary_json(const Model& model, const ModelBounds& bounds, const BakeCall& call, double seconds) {
+// Until the bounds were there, and until the file was.
+struct PeakMemory {
+  std::optional<double> bounding, all;
+};
+
+std::string summary_json(const Model& model, const ModelBounds& bounds, const BakeCall& call, double seconds,
+                         const PeakMemory& peak) {
   nlohmann::ordered_json out = {{"file", call.in},
                                 {"skinning", name_of(bounds.skinning)},
                                 {"tolerance", call.bounds.tolerance},
@@ -67,7 +74,7 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
                                 {"vertices", model.vertices.size()},
                                 {"seconds", seconds},
                                 {"moments", bounds.moments}};
-  if (const auto peak = peak_megabytes()) out["peak_megabytes"] = *peak;
+  if (peak.bounding && peak.all) out["peak_megabytes_bounding"] = *peak.bounding, out["peak_megabytes"] = *peak.all;
   for (const BoundedClip& clip : bounds.clips) {
     nlohmann::ordered_json of_clip = {{"name", clip.name}, {"duration", clip.duration}};
     for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
@@ -108,6 +115,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
     bounds = bound_model(model, bounded);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto peak_of_bounding = peak_megabytes();
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds.tolerance, call.in);
   SkinnedMesh mesh(model);
@@ -117,7 +125,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
       {refitlab_chunk, chunk_of({bounds.skinning, bake(std::move(mesh), {}, {Pieces::mixed}), clusters_of(model, bounds)})});
   write_whole(call.out, glb_of(chunks, call.out));
   if (!call.report.empty()) write_whole(call.report, report_page(model, bounds, call.in));
-  if (!call.json.empty()) write_whole(call.json, summary_json(model, bounds, call, seconds));
+  if (!call.json.empty())
+    write_whole(call.json, summary_json(model, bounds, call, seconds, {peak_of_bounding, peak_megabytes()}));
 
   long clusters = 0;
   for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ExactPlaces: decides whether a vertex is in a bound at a time, from the definition of skinning in intervals of 60 digits.
+// ExactPlaces decides whether a vertex is in a bound at a time, from the definition of skinning in intervals of 60 digits.
 #pragma once
+
+#include <map>
+#include <optional>
+#include <tuple>
 
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
 #include "experiments/over_time/extremes.hpp"
@@ -19,13 +23,13 @@ class ExactPlaces {
   Verdict is_in(const Place& place, const Ball3<float>& ball);
 
  private:
-  // False where the definition does not say it.
-  bool find(const Place& place);
+  using Point = Vec<MultiprecisionInterval, 3>;
+  // Nothing where the definition does not say it.
+  const std::optional<Point>& at(const Place& place);
 
   proptests::oracle::AnimatedSkin<MultiprecisionInterval> skin_;
-  Place posed_;
-  bool is_posed_ = false;
-  Vec<MultiprecisionInterval, 3> at_;
+  std::optional<std::pair<double, Side>> posed_;
+  std::map<std::tuple<double, Side, int>, std::optional<Point>> known_;
 };
 
 }  // namespace refitlab

@@ -117,9 +117,13 @@ inline auto fields(CharacterGrowth& v) {
   auto& [characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all] = v;
   return std::tie(characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all);
 }
+inline auto fields(Miss& v) {
+  auto& [vertex, time, by] = v;
+  return std::tie(vertex, time, by);
+}
 inline auto fields(ClipMisses& v) {
-  auto& [way, whole, whole_by, clusters, by, cluster, vertex, time, undecided] = v;
-  return std::tie(way, whole, whole_by, clusters, by, cluster, vertex, time, undecided);
+  auto& [way, whole, clusters, worst, of_cluster, undecided] = v;
+  return std::tie(way, whole, clusters, worst, of_cluster, undecided);
 }
 inline auto fields(ClipResult& v) {
   auto& [clip, duration, random, close, places, checks, misses, undecided, whole, clusters, flat, ways] = v;
@@ -130,8 +134,8 @@ inline auto fields(OverTimeResult& v) {
   return std::tie(model, skinning, triangles, clusters, seconds, refused, clips);
 }
 inline auto fields(OverTimeGrowth& v) {
-  auto& [by, length, triangles, clusters, seconds, peak] = v;
-  return std::tie(by, length, triangles, clusters, seconds, peak);
+  auto& [by, length, triangles, clusters, seconds, bounding, all] = v;
+  return std::tie(by, length, triangles, clusters, seconds, bounding, all);
 }
 inline auto fields(SyntheticResult& v) {
   auto& [variant, share, cases, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns] = v;
