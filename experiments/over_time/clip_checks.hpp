@@ -12,7 +12,7 @@ namespace refitlab {
 struct OverTimeSettings {
   int random_times = 200;  // of a clip
   int halvings = 6;        // of the steps before and after the time at which a part is farthest out
-  int exact_checks = 12;   // in many digits, of the places that are closest to bounds
+  int exact_checks = 8;    // in many digits, of the places that are closest to bounds
   int clips = 0;           // of a model at most; 0 for all
   std::uint64_t seed = 2006;
 };
