@@ -5,6 +5,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -27,8 +28,8 @@ WatchedClip::WatchedClip(const Model& model, const JointSets& sets, const Animat
   const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
   key_times_ = joints.times();
   parallel_for(parts.size(), [&](std::size_t p) {
-    const MovingVertices moving(joints, sets, skinning, parts[p].vertices);
-    for (int part = 0; part < joints.part_count(); ++part) errors_[p] = std::max(errors_[p], moving.placing_error(part));
+    const MovingVertices moving(model, sets, skinning, parts[p].vertices);
+    for (const ParameterBox& box : joints.boxes()) errors_[p] = std::max(errors_[p], moving.placing_error(joints.cell(box)));
   });
 }
 
@@ -37,17 +38,17 @@ std::vector<Extremes> WatchedClip::at(std::span<const double> times) const {
   std::mutex guard;
   std::vector<int> all(model_.vertices.size());
   std::iota(all.begin(), all.end(), 0);
+  const MovingVertices moving(model_, sets_, skinning_, all);
   parallel_for((times.size() + times_at_once - 1) / times_at_once, [&](std::size_t batch) {
     const DefaultFloatEnvironment environment;
     const AnimatedJoints joints(model_, animation_, skinning_ != Skinning::linear);
-    const MovingVertices moving(joints, sets_, skinning_, all);
     std::vector<Extremes> own(parts_.size());
     std::vector<Point3> points;
     const std::size_t first = batch * times_at_once;
     for (const double time : times.subspan(first, std::min(times_at_once, times.size() - first)))
       for (const Side side : {Side::before, Side::after}) {
         if (joints.side_of(time, side) != side) continue;
-        moving.place(time, side, Followed::skinned, points);
+        moving.place(*joints.at(time, side), Followed::skinned, points);
         for (std::size_t p = 0; p < parts_.size(); ++p)
           for (const int v : parts_[p].vertices) own[p].add(points[v], parts_[p].center, {v, time, side});
       }
@@ -71,7 +72,7 @@ long WatchedClip::look_closer(std::vector<Extremes>& found, double step, int hal
 
 void WatchedClip::look_closer(std::size_t part, Extremes& found, double step, int halvings, long& looks) const {
   const AnimatedJoints joints(model_, animation_, skinning_ != Skinning::linear);
-  const MovingVertices moving(joints, sets_, skinning_, parts_[part].vertices);
+  const MovingVertices moving(model_, sets_, skinning_, parts_[part].vertices);
   std::vector<Point3> points;
   for (int halving = 0; halving < halvings; ++halving, step /= 2) {
     std::vector<double> near;
@@ -82,7 +83,7 @@ void WatchedClip::look_closer(std::size_t part, Extremes& found, double step, in
     near.erase(std::unique(near.begin(), near.end()), near.end());
     looks += static_cast<long>(near.size());
     for (const double time : near) {
-      moving.place(time, Side::after, Followed::skinned, points);
+      moving.place(*joints.at(time, Side::after), Followed::skinned, points);
       for (std::size_t i = 0; i < points.size(); ++i)
         found.add(points[i], parts_[part].center, {moving.vertices()[i], time, Side::after});
     }

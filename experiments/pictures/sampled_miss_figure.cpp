@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "experiments/over_time/sampled_boxes.hpp"
 #include "experiments/pictures/character_scene.hpp"
 
@@ -86,7 +87,7 @@ void draw(const Model& made, const Worst& worst, PictureTable& pictures) {
   std::iota(all.begin(), all.end(), 0);
   const AnimatedJoints joints(model, clip->animation, skinning != Skinning::linear);
   std::vector<Point3> vertices;
-  MovingVertices(joints, sets, skinning, all).place(worst.miss.time, Side::after, Followed::skinned, vertices);
+  MovingVertices(model, sets, skinning, all).place(*joints.at(worst.miss.time, Side::after), Followed::skinned, vertices);
 
   const std::vector<Point3> framed = corners_of(bound);
   const double size = norm<double, 3>(framed.back() - framed.front());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/over_time/clip_checks.hpp"
@@ -55,7 +56,7 @@ const ClipMisses& of_bounds(const ClipResult& result) { return result.misses[0];
 Point3 place_of(const Place& place, Skinning skinning) {
   const AnimatedJoints joints(man(), man().clips[0].animation, skinning != Skinning::linear);
   std::vector<Point3> points;
-  MovingVertices(joints, sets(), skinning, {place.vertex}).place(place.time, place.side, Followed::skinned, points);
+  MovingVertices(man(), sets(), skinning, {place.vertex}).place(*joints.at(place.time, place.side), Followed::skinned, points);
   return points[0];
 }
 
