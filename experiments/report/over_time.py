@@ -78,6 +78,8 @@ def tightness_row(results, model, skinning):
 
 def section(results, page):
     measured = [s for s in SKINNINGS if results.find("over_time", skinning=s, quantity="whole_ratio")]
+    if not measured:  # models without clips
+        return None
     of_skinnings = [{"name": SKINNINGS[s], "clips": len(results.select("over_time", skinning=s, quantity="duration")), "clusters": round(clusters_of_clips(results, s)),
                      "places": total(results, "places", skinning=s), "exact": {q: total(results, f"exact_{q}", skinning=s) for q in ("checks", "misses", "undecided")},
                      "rows": [misses(results, s, way) for way in WAYS], "whole": whole_ratios(results, skinning=s), "within": within_goal(results, skinning=s), "cluster": cluster_ratio(results, skinning=s)}
