@@ -37,7 +37,7 @@ void measure_fully(Options& o) {
   o.triangles = {.frames = 20, .up_to_a_million = true, .speed = {.seconds_per_run = 0.1, .repetitions = 5}};
   o.synthetic.count = 50000;
   o.over_time = {.random_times = 10000, .halvings = 12, .exact_checks = 200};
-  o.over_time_growth = {.repetitions = 5, .subdivisions = 3, .up_to_a_million = true};
+  o.over_time_growth = {.repetitions = 3, .subdivisions = 3, .up_to_a_million = true};
 }
 
 }  // namespace

@@ -90,9 +90,10 @@ std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& s
   std::vector<OverTimeGrowth> rows;
   const auto add = [&](const OverTimeGrowth& row) {
     rows.push_back(row);
-    std::printf("  by %-9s %ld walks, %8ld triangles, %5ld clusters: %8.3f s, peak %.0f MB, with the character %.0f MB\n",
-                row.by.c_str(), row.length, row.triangles, row.clusters, row.seconds, row.peak_of_bounding, row.peak_of_all);
-    std::cout << std::flush;
+    std::printf("  by %-9s %2ld walks, %7ld triangles, %4ld clusters: %7.3f s", row.by.c_str(), row.length, row.triangles,
+                row.clusters, row.seconds);
+    if (row.peak_of_all > 0) std::printf("; peak %.0f MB, with the character %.0f MB", row.peak_of_bounding, row.peak_of_all);
+    std::cout << std::endl;
   };
   const Model man = walking(make_man());
   for (const int length : {1, 2, 4, 8, 16}) add(longer(man, length, settings.repetitions));
