@@ -9,8 +9,11 @@
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
+#include "experiments/over_time/growth.hpp"
+#include "experiments/over_time/over_time.hpp"
 #include "experiments/pictures/cap_figure.hpp"
 #include "experiments/pictures/failing_figure.hpp"
+#include "experiments/pictures/sampled_miss_figure.hpp"
 #include "experiments/pictures/scenario_figures.hpp"
 #include "experiments/pictures/twist_figures.hpp"
 #include "experiments/resume/resume.hpp"
@@ -33,6 +36,7 @@ struct ModelResults {
   VolumeResults volumes;
   std::vector<RoundingResult> rounding;
   std::vector<CollisionResult> collisions;
+  std::vector<OverTimeResult> over_time;
 };
 
 // The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
@@ -85,6 +89,16 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
                                           [&] { return run_collisions(character, options.collisions); }));
 }
 
+// While all of the models are there.
+void run_over_time_on(const std::vector<Model>& models, const Options& options, Units& run, PictureTable& pictures,
+                      ModelResults& results) {
+  if (!options.wants("over_time")) return;
+  for (const Model& model : models)
+    append(results.over_time, resumed_or(run, "bounds over time of " + model.name, options.over_time, identify(model),
+                                         [&] { return run_over_time(model, options.over_time); }));
+  draw_sampled_miss(models, results.over_time, pictures);
+}
+
 // Each file once all of its rows are there: until then the one of the last whole run stays.
 void write_results_by_model(const Options& options, const ModelResults& results, RunFile& result) {
   if (options.wants("tightness")) write_tightness(results.tightness, result("tightness.csv"));
@@ -95,6 +109,7 @@ void write_results_by_model(const Options& options, const ModelResults& results,
   if (options.wants("volumes")) write_volumes(results.volumes, result("volumes.csv"));
   if (options.wants("rounding")) write_rounding(results.rounding, options.rounding, result("rounding.csv"));
   if (options.wants("collisions")) write_collisions(results.collisions, result("collision.csv"));
+  if (options.wants("over_time")) write_over_time(results.over_time, options.over_time, result("over_time.csv"));
 }
 
 // What has nothing to do with a model.
@@ -115,6 +130,10 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
   if (options.wants("synthetic"))
     write_synthetic(resumed_or(run, "synthetic", options.synthetic, "", [&] { return run_synthetic(options.synthetic); }),
                     options.synthetic, result("synthetic.csv"));
+  if (options.wants("over_time"))
+    write_over_time_growth(resumed_or(run, "growth of bounds over time", options.over_time_growth, "",
+                                      [&] { return run_over_time_growth(options.over_time_growth); }),
+                           result("over_time_growth.csv"));
 }
 
 // On one's own models what has nothing to do with a model runs only if it is asked for.
@@ -125,8 +144,9 @@ std::size_t unit_count(const Options& options, std::size_t models) {
   const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
-                      count("rounding", models) + count("collisions", with_collisions);
-  if (runs_without_model(options)) units += count("growth", 3) + count("speed", 1) + count("synthetic", 1);
+                      count("rounding", models) + count("collisions", with_collisions) + count("over_time", models);
+  if (runs_without_model(options))
+    units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;
 }
 
@@ -154,7 +174,7 @@ int main(int argc, char** argv) try {
 
   DefaultModels models;
   const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") ||
-                            options.wants("rounding") || options.wants("collisions");
+                            options.wants("rounding") || options.wants("collisions") || options.wants("over_time");
   if (options.files.empty() && wants_models) models = default_models(options.models);
   else
     for (const auto& file : options.files) models.models.push_back(load_named(file));
@@ -166,6 +186,7 @@ int main(int argc, char** argv) try {
   write_catalogue(options, models, result);
   PictureTable pictures(options.out + "/report/pictures");
   ModelResults results;
+  run_over_time_on(models.models, options, run, pictures, results);
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);

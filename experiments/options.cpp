@@ -8,7 +8,7 @@
 namespace refitlab {
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "synthetic"};
+const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "synthetic", "over_time"};
 
 // Whether everything runs at all: collisions of one character only, too few repetitions for times to mean much.
 void measure_quickly(Options& o) {
@@ -21,6 +21,8 @@ void measure_quickly(Options& o) {
   o.collisions = {.frames = 2, .speed = once, .first_model_only = true};
   o.triangles = {.frames = 2, .speed = once};
   o.synthetic.count = 1000;
+  o.over_time = {.random_times = 20, .halvings = 2, .exact_checks = 1, .clips = 1};
+  o.over_time_growth = {.subdivisions = 1};
 }
 
 // What the paper and README say.
@@ -34,6 +36,8 @@ void measure_fully(Options& o) {
   o.collisions = {.frames = 50, .speed = {.seconds_per_run = 0.05, .repetitions = 5}, .all_detectors = true};
   o.triangles = {.frames = 20, .up_to_a_million = true, .speed = {.seconds_per_run = 0.1, .repetitions = 5}};
   o.synthetic.count = 50000;
+  o.over_time = {.random_times = 10000, .halvings = 12, .exact_checks = 200};
+  o.over_time_growth = {.repetitions = 3, .subdivisions = 3, .up_to_a_million = true};
 }
 
 }  // namespace

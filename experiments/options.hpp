@@ -9,6 +9,8 @@
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/triangles.hpp"
+#include "experiments/over_time/growth.hpp"
+#include "experiments/over_time/over_time.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/timing.hpp"
 #include "experiments/synthetic/synthetic.hpp"
@@ -29,6 +31,8 @@ struct Options {
   CollisionSettings collisions{.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 3}};
   TriangleGrowthSettings triangles{.frames = 2, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
   SyntheticSettings synthetic{.count = 2000};
+  OverTimeSettings over_time;
+  OverTimeGrowthSettings over_time_growth;
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }

@@ -2,7 +2,7 @@
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
 import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
-from report import growth, original, statements
+from report import growth, original, over_time, statements
 from report.statistics import mean, span
 from report.tables import ALL, ResultError
 from report.verdicts import of_lemma, said_of_claims, summed_up
@@ -111,6 +111,19 @@ def numbers(results):
     out["rounding.checks"] = whole_number(total(results, "rounding", quantity="exact_checks"))
     out["rounding.misses"] = whole_number(total(results, "rounding", quantity="misses") +
                                           total(results, "rounding", quantity="float_misses"))
+    for name, quantity in [("places", "places"), ("exact", "exact_checks"), ("unknown", "exact_undecided")]:
+        out[f"overtime.{name}"] = whole_number(over_time.total(results, quantity))
+    out["overtime.misses"] = whole_number(sum(over_time.total(results, q) for q in ("whole_missed", "clusters_missed", "exact_misses")))
+    out["overtime.refused"] = whole_number(over_time.total(results, "refused_clips"))
+    for skinning in over_time.SKINNINGS:
+        out[f"overtime.whole.{skinning}"] = f"{over_time.whole_ratios(results, skinning=skinning).most:.3f}"
+        out[f"overtime.cluster.{skinning}"] = f"{over_time.cluster_ratio(results, skinning=skinning):.3f}"
+        out[f"overtime.within.{skinning}"] = whole_number(over_time.within_goal(results, skinning=skinning))
+        out[f"overtime.clips.{skinning}"] = whole_number(len(results.select("over_time", skinning=skinning, quantity="duration")))
+    for by in over_time.GROWN:
+        out[f"overtime.exponent.{by}"] = f"${digits(over_time.growth_exponent(results, by), 2)}$"
+    triangles, bounding, written = over_time.peaks(results)[-1]
+    out["overtime.triangles"], out["overtime.bounding"], out["overtime.written"] = map(whole_number, (triangles, bounding, written))
     verdicts = summed_up(results.rows("verdicts"))
     out["verdicts.refuted"] = whole_number(sum(v.refuted_after > 0 for v in verdicts))
     out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
@@ -210,9 +223,21 @@ def collision_table(results):
     return table("l" + "r" * len(SCENES), ["\\textmu s a frame", *SCENES], rows)
 
 
+def over_time_table(results):
+    """Linear skinning."""
+    clips = len(results.select("over_time", skinning="linear", quantity="duration"))
+    clusters = over_time.clusters_of_clips(results, "linear")
+    rows = []
+    for way in over_time.WAYS:
+        found = over_time.misses(results, "linear", way)
+        cells = [f"{found['clips']} of {clips}", found["whole"], f"{whole_number(found['clusters'])} of {whole_number(clusters)}", found["cluster"]]
+        rows.append([found["way"], *(c if isinstance(c, str) else "" if c is None else f"{100 * c.value:.2g}\\,\\%" for c in cells)])
+    return table("lrrrr", ["", "characters out", "by", "clusters out", "by"], rows)
+
+
 def provenance_table(results):
     for name in ["tightness", "speed", "volumes", "batch_speed", "rounding", "collision", "triangle_growth", "joint_growth",
-                 "character_growth", "verdicts"]:
+                 "character_growth", "over_time", "over_time_growth", "verdicts"]:
         results.rows(name)
     rows = [[f"\\texttt{{{escaped(name)}.csv}}", f"\\texttt{{{p['commit']}}}", escaped(p["compiler"]), escaped(p["cpu"])]
             for name, p in results.provenance.items()]
@@ -246,6 +271,7 @@ def tables(results, lemmas, root):
             "tightness_twist": tightness_table(results, "man", "full twist"),
             "worst": worst_table(results), "misses": misses_table(results), "cost": cost_table(results),
             "batch": batch_table(results), "volumes": volumes_table(results), "rounding": rounding_table(results), "collisions": collision_table(results),
+            "over_time": over_time_table(results),
             "provenance": provenance_table(results), "verdicts": verdict_table(results, lemmas), "statements": statement_table(results, root)}
 
 

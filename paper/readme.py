@@ -4,6 +4,7 @@ import re
 
 import content
 from formats import digits, whole_number
+from report import over_time
 from report.statistics import span
 from report.tables import ResultError
 
@@ -61,7 +62,34 @@ columns compare with Embree alone.
 """ + "\n".join(rows) + "\n"
 
 
-BLOCKS = {"variants": variants_block, "queries": queries_block}
+def over_time_block(results):
+    commit = commit_of(results, "over_time", "over_time_growth")
+    clips, clusters = len(results.select("over_time", skinning="linear", quantity="duration")), over_time.clusters_of_clips(results, "linear")
+    rows = []
+    for way in over_time.WAYS:
+        found = over_time.misses(results, "linear", way)
+        by = [f"{100 * row.value:.2g} %" if row else "" for row in (found["whole"], found["cluster"])]
+        rows.append(f"| {found['way']} | {found['clips']} of {clips} | {by[0]} | {found['clusters']} of {clusters:.0f} | {by[1]} |")
+    misses = sum(over_time.total(results, q) for q in ("whole_missed", "clusters_missed", "exact_misses"))
+    whole = {s: f"{over_time.whole_ratios(results, skinning=s).most:.3f}" for s in over_time.SKINNINGS}
+    cluster = {s: f"{over_time.cluster_ratio(results, skinning=s):.3f}" for s in over_time.SKINNINGS}
+    triangles, bounding, written = over_time.peaks(results)[-1]
+    return f"""\
+What gets out of its box between sampled times, in {clips} clips of six characters with clusters of 128 triangles, linear skinning, and by how much
+of the box's longest side at most (`experiments/run --full --only over_time`; commit {commit}):
+
+| | characters out | by | clusters out | by |
+|---|---|---|---|---|
+""" + "\n".join(rows) + f"""
+
+Of {over_time.total(results, 'places'):,} places of vertices, with all three ways of skinning, {'none' if misses == 0 else misses} {'was' if misses < 2 else 'were'} outside of the bounds over time.
+The volume of a character's box is at most {whole['linear']} times that of the smallest box around what was seen, and {cluster['linear']} times for a cluster on average.
+With dual quaternions the factors are {whole['dual_quaternion']} and {cluster['dual_quaternion']}, because of a clip in which blends nearly vanish; with spherical blending {whole['spherical']} and {cluster['spherical']}.
+Bounding {triangles:,} triangles takes {bounding:.0f} MB of memory; writing the character for refits, too, takes {written:.0f} MB.
+"""
+
+
+BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": queries_block}
 
 
 def blocks(text, path):

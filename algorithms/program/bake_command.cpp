@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/extras.hpp"
 #include "algorithms/program/glb_file.hpp"
+#include "algorithms/program/peak_memory.hpp"
 #include "algorithms/program/report.hpp"
 #include "algorithms/results/write_whole.hpp"
 
@@ -91,7 +93,13 @@ nlohmann::ordered_json json_of_parts(const ModelBounds& bounds, const std::vecto
   return out;
 }
 
-std::string summary_json(const Model& model, const ModelBounds& bounds, const BakeCall& call, double seconds) {
+// Until the bounds were there, and until the file was.
+struct PeakMemory {
+  std::optional<double> bounding, all;
+};
+
+std::string summary_json(const Model& model, const ModelBounds& bounds, const BakeCall& call, double seconds,
+                         const PeakMemory& peak) {
   nlohmann::ordered_json out = {{"file", call.in},
                                 {"skinning", name_of(bounds.skinning)},
                                 {"tolerance", call.bounds.tolerance},
@@ -99,6 +107,7 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
                                 {"vertices", model.vertices.size()},
                                 {"seconds", seconds},
                                 {"moments", bounds.moments}};
+  if (peak.bounding && peak.all) out["peak_megabytes_bounding"] = *peak.bounding, out["peak_megabytes"] = *peak.all;
   for (const BoundedClip& clip : bounds.clips)
     out["clips"].push_back({{"name", clip.name}, {"duration", clip.duration}, {"parts", json_of_parts(bounds, clip.parts)}});
   for (const BoundedCrossfade& fade : bounds.crossfades)
@@ -133,6 +142,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
     bounds = bound_model(model, bounded);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto peak_of_bounding = peak_megabytes();
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds.tolerance, call.in);
   SkinnedMesh mesh(model);
@@ -144,7 +154,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   write_whole(call.out, baked);
   if (!call.certificate.empty()) write_whole(call.certificate, clip_certificate(model, bounds, baked));
   if (!call.report.empty()) write_whole(call.report, report_page(model, bounds, call.in));
-  if (!call.json.empty()) write_whole(call.json, summary_json(model, bounds, call, seconds));
+  if (!call.json.empty())
+    write_whole(call.json, summary_json(model, bounds, call, seconds, {peak_of_bounding, peak_megabytes()}));
 
   long clusters = 0;
   for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;

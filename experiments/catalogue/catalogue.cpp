@@ -9,16 +9,13 @@
 #include "experiments/baselines/baselines.hpp"
 #include "experiments/collisions/detectors.hpp"
 #include "experiments/scenes/methods.hpp"
+#include "experiments/scenes/skinning_name.hpp"
 #include "experiments/tightness/measure.hpp"
 
 namespace refitlab {
 namespace {
 
 const char* yes_no(bool value) { return value ? "yes" : "no"; }
-
-const char* name_of(Skinning s) {
-  return s == Skinning::linear ? "linear" : s == Skinning::dual_quaternion ? "dual_quaternion" : "spherical";
-}
 
 struct Comparison {
   std::string name, role;
@@ -56,12 +53,12 @@ void write_variants(const std::string& path) {
     const auto at =
         std::find_if(comparisons().begin(), comparisons().end(), [&](const Comparison& c) { return c.name == column; });
     if (at != comparisons().end()) {
-      file.add({at->name, at->role, name_of(at->skinning), "yes", "no", at->description});
+      file.add({at->name, at->role, table_name_of(at->skinning), "yes", "no", at->description});
       continue;
     }
     const Method& c = method(column);
     const RefitVariant& v = *c.variant;
-    file.add({c.name, "refit", name_of(v.skinning), yes_no(v.sound),
+    file.add({c.name, "refit", table_name_of(v.skinning), yes_no(v.sound),
               yes_no(c.stands_alone() && v.name == default_variant(v.skinning).name), c.description});
   }
   file.write(path);

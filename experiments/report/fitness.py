@@ -23,6 +23,8 @@ SOURCES = {
     "rounding": [*RUN, "experiments/rounding", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"],
     "joint_growth": [*RUN, *QUERIES, "experiments/growth"],
     "character_growth": [*RUN, *QUERIES, "experiments/growth"],
+    "over_time": [*RUN, "experiments/over_time", "proptests/oracles"],
+    "over_time_growth": [*RUN, "experiments/over_time"],
     "run": [*RUN, "experiments/render", "experiments/pictures"],
     "verdicts": ["CMakeLists.txt", "lemmas", "algorithms", "proptests/CMakeLists.txt", "proptests/main.cpp",
                  "proptests/harness.cpp", "proptests/harness.hpp", "proptests/session.cpp", "proptests/session.hpp",

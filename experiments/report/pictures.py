@@ -115,7 +115,19 @@ def scenario(title, text):
     return make
 
 
+def sampled_miss(pictures, default):
+    def caption(p):
+        part = "a cluster (yellow)" if p.count("of_cluster") else "the whole character"
+        return (f"{part} in “{p.pose}” after {p.numbers['time']:.3g} s: {number_of(p.count('vertices_outside'), 'vertex is', 'vertices are')} outside of the box, "
+                f"by {100 * p.numbers['by']:.2g} % of its longest side")
+    return Figure(f"{pictures[0].model}: the worst miss of boxes around sampled times",
+                  "The character and the cluster that get farthest out of a box around the vertices at sampled times "
+                  f"({' and '.join(dict.fromkeys(p.variant for p in pictures))}), at that time.", captioned(pictures, caption), columns=2, phone_columns=1,
+                  legend=[("missing", "the box around the sampled times, and vertices outside of it"), ("holding", "the bound over time")])
+
+
 FIGURES = {
+    "sampled_miss": sampled_miss,
     "twist_bare": twist_bare, "twist_balls": twist_balls, "failing": failing, "caps": caps,
     "walking": scenario("two pass each other (the paper's Figure 6)", lambda p:
                          "A query refits a sphere only when it gets there; the deeper, the fewer of a level. (In the paper’s frame it refitted 19 % of "
@@ -123,6 +135,9 @@ FIGURES = {
     "walk_through": scenario("two in one place (the paper's Figure 7)", lambda p:
                               "The worst case, as when they walk through each other: far more triangles touch than in practice."),
 }
+
+
+ELSEWHERE = {"sampled_miss"}  # figures of other sections
 
 
 def pictures_of(results, folder):
@@ -142,11 +157,21 @@ def pictures_of(results, folder):
     return [(name, list(of_figure.values())) for name, of_figure in found.items()]
 
 
-def section(results, page):
-    plane = drawings(results.rows("drawings"))
+def figures_of(results, page, names):
+    """Those of the figures with these names that there are."""
+    plane = drawings(results.rows("drawings")) if "caps" in names else {}
     figures = []
     for name, pictures in pictures_of(results, page.folder / "pictures"):
-        figures.append(FIGURES[name](pictures, results.default_variant()))
-        if name == "caps":
-            figures[-1].drawings = [plane[stem] for stem in PLANE]
-    return {"figures": figures, "colors": {row.meaning: row.color for row in results.rows("picture_colors")}}
+        if name in names:
+            figures.append(FIGURES[name](pictures, results.default_variant()))
+            if name == "caps":
+                figures[-1].drawings = [plane[stem] for stem in PLANE]
+    return figures
+
+
+def colors_of(results):
+    return {row.meaning: row.color for row in results.rows("picture_colors")}
+
+
+def section(results, page):
+    return {"figures": figures_of(results, page, set(FIGURES) - ELSEWHERE), "colors": colors_of(results)}

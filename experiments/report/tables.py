@@ -11,7 +11,7 @@ import re
 from collections import namedtuple
 
 PROVENANCE = ["commit", "dirty", "compiler", "flags", "cpu"]
-UNITS = ["1", "ns", "us", "pixel", "model unit", "size of the coordinates"]
+UNITS = ["1", "ns", "us", "s", "MB", "pixel", "model unit", "size of the coordinates"]
 ALL = "all"  # the level of a row that is of all levels
 
 
@@ -66,6 +66,8 @@ SCHEMAS = {
     "joint_growth": {**LONG, "joints": count},
     "character_growth": {**LONG, "characters": count},
     "rounding": LONG,
+    "over_time": {**LONG, "skinning": skinning},
+    "over_time_growth": {**LONG, "length": count, "triangles": count, "clusters": count},
     "synthetic": LONG,
     "pictures": {**LONG, "figure": text, "file": text},
     "picture_labels": {"file": text, "label": text, "x": number, "y": number},

@@ -10,6 +10,8 @@
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/growth/triangles.hpp"
+#include "experiments/over_time/growth.hpp"
+#include "experiments/over_time/over_time.hpp"
 #include "experiments/rounding/rounding.hpp"
 #include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
@@ -47,6 +49,14 @@ inline auto fields(TriangleGrowthSettings& v) {
 inline auto fields(SyntheticSettings& v) {
   auto& [count, seed] = v;
   return std::tie(count, seed);
+}
+inline auto fields(OverTimeSettings& v) {
+  auto& [times, halvings, walls, clips, seed] = v;
+  return std::tie(times, halvings, walls, clips, seed);
+}
+inline auto fields(OverTimeGrowthSettings& v) {
+  auto& [repetitions, subdivisions, million] = v;
+  return std::tie(repetitions, subdivisions, million);
 }
 
 inline auto fields(LevelTightness& v) {
@@ -106,6 +116,26 @@ inline auto fields(JointGrowth& v) {
 inline auto fields(CharacterGrowth& v) {
   auto& [characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all] = v;
   return std::tie(characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all);
+}
+inline auto fields(Miss& v) {
+  auto& [vertex, time, by] = v;
+  return std::tie(vertex, time, by);
+}
+inline auto fields(ClipMisses& v) {
+  auto& [way, whole, clusters, worst, of_cluster, undecided] = v;
+  return std::tie(way, whole, clusters, worst, of_cluster, undecided);
+}
+inline auto fields(ClipResult& v) {
+  auto& [clip, duration, random, close, places, checks, misses, undecided, whole, clusters, flat, ways] = v;
+  return std::tie(clip, duration, random, close, places, checks, misses, undecided, whole, clusters, flat, ways);
+}
+inline auto fields(OverTimeResult& v) {
+  auto& [model, skinning, triangles, clusters, seconds, refused, clips] = v;
+  return std::tie(model, skinning, triangles, clusters, seconds, refused, clips);
+}
+inline auto fields(OverTimeGrowth& v) {
+  auto& [by, length, triangles, clusters, seconds, bounding, all] = v;
+  return std::tie(by, length, triangles, clusters, seconds, bounding, all);
 }
 inline auto fields(SyntheticResult& v) {
   auto& [variant, share, cases, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns] = v;

@@ -3,6 +3,8 @@
 // refused by a line, an exit code, and without a file that is half written.
 #include "algorithms/program/program.hpp"
 
+#include <sys/resource.h>
+
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -13,6 +15,7 @@
 #include "algorithms/model/write_gltf.hpp"
 #include "algorithms/program/baked_file.hpp"
 #include "algorithms/program/glb_file.hpp"
+#include "algorithms/program/peak_memory.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
@@ -141,6 +144,23 @@ PROPTEST(program) {
                        first["crossfades"][0]["animation"] == 1 && second["crossfades"][0]["animation"] == 0 &&
                        first["crossfades"][0]["box"] == second["crossfades"][0]["box"],
                    5, called.errors + checked.out + found.out);
+  });
+  t.example("the summary of a bake says how long it took and how much memory, which is no less than what is there", {}, [] {
+    const Rich rich(true, true);
+    const std::string in = rich.folder.file("in.glb"), out = rich.folder.file("out.glb"), to = rich.folder.file("summary.json");
+    const Called called = call({"bake", "--clusters", "4", "--json", to, in, out});
+    const json summary = json::parse(read_whole(to));
+    constexpr std::size_t megabyte = 1000000, room = 64 * megabyte;
+    const std::vector<char> touched(room, 1);
+    const double peak = peak_megabytes().value_or(0);
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const double bounding = summary.at("peak_megabytes_bounding"), all = summary.at("peak_megabytes");
+    return Checked(called.code == 0 && summary.at("seconds") > 0 && 0 < bounding && bounding <= all && all <= peak &&
+                       touched.back() == 1 && peak * megabyte >= room && peak * megabyte < 2 * 1024. * usage.ru_maxrss,
+                   1,
+                   std::to_string(bounding) + ", " + std::to_string(all) + ", " + std::to_string(peak) + " MB; " +
+                       std::to_string(usage.ru_maxrss) + " kB");
   });
   t.example("info, collide and report say what they should of a file, and help what a command takes", {}, [] {
     const Rich rich(false, false, {"--report", "report.html"});

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/over_time/sampled_boxes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace refitlab {
+
+const std::vector<SamplingWay>& sampling_ways() {
+  static const std::vector<SamplingWay> ways = {{"keys", 0}, {"30 Hz", 30}, {"60 Hz", 60}};
+  return ways;
+}
+
+std::vector<double> sampled_times(const SamplingWay& way, const std::vector<double>& key_times) {
+  if (way.rate == 0) return key_times;
+  std::vector<double> times;
+  for (int i = 0; i / way.rate < key_times.back(); ++i) times.push_back(i / way.rate);
+  times.push_back(key_times.back());
+  return times;
+}
+
+std::vector<Box<float>> sampled_boxes(const WatchedClip& clip, const SamplingWay& way) {
+  std::vector<Box<float>> boxes;
+  for (const Extremes& found : clip.at(sampled_times(way, clip.key_times()))) {
+    Box<double> box = found.box();
+    box.grow(ModelBoundsOptions{}.renderer_rounding * 2 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
+    boxes.push_back(rounded_outward(box));
+  }
+  return boxes;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bounds over time: what gets out of them, and of boxes around sampled times; how tight they are, and what baking them costs."""
+from . import pictures
+from .plots import Line, Plot
+from .statistics import fitted_exponent, span, weighted_mean
+
+WAYS = {"bounds": "bounds over time", "keys": "boxes at keys", "30 Hz": "boxes at 30 Hz", "60 Hz": "boxes at 60 Hz"}
+SKINNINGS = {"linear": "linear", "dual_quaternion": "dual quaternion", "spherical": "spherical"}
+GOALS = {"whole": 1.02, "cluster": 1.10}  # of the ratio of volumes, at most
+GROWN = {"length": "longer clips", "triangles": "more triangles"}
+
+
+def total(results, quantity, way="bounds", **where):
+    return round(sum(results.values("over_time", variant=way, quantity=quantity, **where)))
+
+
+def worst(results, quantity, way, **where):
+    """The row with the greatest value."""
+    return max(results.select("over_time", variant=way, quantity=quantity, **where), key=lambda row: row.value)
+
+
+def clusters_of_clips(results, skinning):
+    """The number of clusters, each counted once in every clip that has bounds."""
+    return sum(results.number("over_time", model=clip.model, skinning=skinning, pose="all", variant="bounds", quantity="clusters")
+               for clip in results.select("over_time", skinning=skinning, variant="bounds", quantity="duration"))
+
+
+def misses(results, skinning, way):
+    whole, cluster = (worst(results, quantity, way, skinning=skinning) for quantity in ("whole_by", "cluster_by"))
+    return {"way": WAYS[way], "is_ours": way == "bounds", "clips": total(results, "whole_missed", way, skinning=skinning),
+            "clusters": total(results, "clusters_missed", way, skinning=skinning), "undecided": total(results, "undecided", way, skinning=skinning),
+            "whole": whole if whole.value else None, "cluster": cluster if cluster.value else None}
+
+
+def whole_ratios(results, **where):
+    return span(results.values("over_time", variant="bounds", quantity="whole_ratio", **where))
+
+
+def within_goal(results, **where):
+    """In how many clips the box of the whole character is as tight as it should be."""
+    return sum(ratio <= GOALS["whole"] for ratio in results.values("over_time", variant="bounds", quantity="whole_ratio", **where))
+
+
+def cluster_ratio(results, **where):
+    """The mean over all clusters that are not flat, in all clips."""
+    ratios = results.select("over_time", variant="bounds", quantity="cluster_ratio", **where)
+
+    def counted(row):
+        same = dict(model=row.model, skinning=row.skinning, variant="bounds")
+        return (results.number("over_time", pose="all", quantity="clusters", **same)
+                - results.number("over_time", pose=row.pose, quantity="flat_clusters", **same))
+    return weighted_mean([row.value for row in ratios], [counted(row) for row in ratios])
+
+
+def seconds(results, by):
+    """(walks times clusters, seconds of bounding), in ascending order."""
+    return sorted((r.length * r.clusters, r.value) for r in results.select("over_time_growth", variant=by, quantity="seconds"))
+
+
+def growth_exponent(results, by):
+    return fitted_exponent(seconds(results, by))
+
+
+def peaks(results):
+    """(triangles, megabytes until the bounds are there, and until the file is), in ascending order."""
+    return sorted((r.triangles, r.value, results.number("over_time_growth", triangles=r.triangles, variant="triangles", quantity="peak_megabytes"))
+                  for r in results.find("over_time_growth", quantity="peak_megabytes_bounding"))
+
+
+def tightness_row(results, model, skinning):
+    found = results.find("over_time", model=model, skinning=skinning, variant="bounds", quantity="whole_ratio")
+    refused, duration = (results.number("over_time", model=model, skinning=skinning, pose="all", variant="bounds", quantity=q) for q in ("refused_clips", "seconds"))
+    row = {"model": model, "skinning": SKINNINGS[skinning], "clips": len(found), "refused": round(refused), "seconds": duration, "whole": None, "clusters": None}
+    if found:
+        row.update(whole=whole_ratios(results, model=model, skinning=skinning), clusters=cluster_ratio(results, model=model, skinning=skinning))
+    return row
+
+
+def section(results, page):
+    measured = [s for s in SKINNINGS if results.find("over_time", skinning=s, quantity="whole_ratio")]
+    if not measured:  # models without clips
+        return None
+    of_skinnings = [{"name": SKINNINGS[s], "clips": len(results.select("over_time", skinning=s, quantity="duration")), "clusters": round(clusters_of_clips(results, s)),
+                     "places": total(results, "places", skinning=s), "exact": {q: total(results, f"exact_{q}", skinning=s) for q in ("checks", "misses", "undecided")},
+                     "rows": [misses(results, s, way) for way in WAYS], "whole": whole_ratios(results, skinning=s), "within": within_goal(results, skinning=s), "cluster": cluster_ratio(results, skinning=s)}
+                    for s in measured]
+    rows = [tightness_row(results, model, s) for model in results.distinct("over_time", "model") for s in SKINNINGS]
+    context = {"skinnings": of_skinnings, "goals": GOALS, "rows": rows, "random_times": max(results.values("over_time", quantity="random_times")),
+               "close_times": max(results.values("over_time", quantity="close_times")), "growth": None, "figures": [], "colors": {}}
+    if results.was_run("pictures"):
+        context.update(figures=pictures.figures_of(results, page, {"sampled_miss"}), colors=pictures.colors_of(results))
+    if results.was_run("over_time_growth"):
+        lines = [Line(words, seconds(results, by)) for by, words in GROWN.items()]
+        context["growth"] = {"plot": Plot("bounding the walking man", "walks times clusters", "s", lines, log_x=True, log_y=True).svg(),
+                             "exponents": {by: growth_exponent(results, by) for by in GROWN}, "peaks": peaks(results)}
+    return context
