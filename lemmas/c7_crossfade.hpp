@@ -153,4 +153,4 @@ Verdict stays_in_slab_of_clips(const Slab<S>& first, const Slab<S>& second, cons
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: experiments/drawings/motion.cpp.
+// Used by: algorithms/bake/over_time/crossfaded_joints.cpp, experiments/drawings/motion.cpp.

@@ -28,6 +28,7 @@ namespace po = boost::program_options;
 struct BakeCall {
   std::string in, out, json, report, certificate;
   ModelBoundsOptions bounds;
+  bool with_character = true;
 };
 
 po::options_description options() {
@@ -39,6 +40,7 @@ po::options_description options() {
                                                         "linear, as glTF says; dual-quaternion; or spherical")(
       "clusters", po::value<int>()->default_value(128),
       "most triangles of a cluster, a multiple of 4 up to 512; 0 bakes no clusters")(
+      "no-character", "leave out the character for refits on demand, which takes most of the memory and of the file")(
       "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
       "crossfade-tolerance", po::value<double>()->default_value(0.2), "the same of crossfades")(
       "rotations", po::value<std::string>()->default_value("slerp"),
@@ -61,6 +63,7 @@ BakeCall parse(const po::variables_map& map) {
     call.certificate = map["certificate"].as<std::string>();
     call.bounds.with_intervals = true;
   }
+  call.with_character = !map.count("no-character");
   const std::string purpose = map["for"].as<std::string>();
   if (purpose != "clip" && purpose != "crossfade" && purpose != "any")
     throw UsageError("--for " + purpose + ": there are clip, crossfade and any");
@@ -145,11 +148,14 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const auto peak_of_bounding = peak_megabytes();
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds.tolerance, call.in);
-  SkinnedMesh mesh(model);
-  mesh.name.clear();  // what is written does not depend on where the file was
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
-  chunks.push_back({refitlab_chunk, chunk_of({bounds.skinning, bounds.rotations, bake(std::move(mesh), {}, {Pieces::mixed}),
-                                              clusters_of(model, bounds)})});
+  BakedFile baked_file{bounds.skinning, bounds.rotations, std::nullopt, clusters_of(model, bounds)};
+  if (call.with_character) {
+    SkinnedMesh mesh(model);
+    mesh.name.clear();  // what is written does not depend on where the file was
+    baked_file.character = bake(std::move(mesh), {}, {Pieces::mixed});
+  }
+  chunks.push_back({refitlab_chunk, chunk_of(baked_file)});
   const std::string baked = glb_of(chunks, call.out);
   write_whole(call.out, baked);
   if (!call.certificate.empty()) write_whole(call.certificate, clip_certificate(model, bounds, baked));

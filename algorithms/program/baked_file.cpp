@@ -22,18 +22,14 @@ std::string chunk_of(const BakedFile& baked) {
   const auto* skinning = std::find(std::begin(chunk_skinnings), std::end(chunk_skinnings), baked.skinning);
   body.number(static_cast<std::uint32_t>(skinning - chunk_skinnings));
   body.number(static_cast<std::uint32_t>(baked.rotations));
-  for (const std::string& part : {bytes_of(baked.character), bytes_of(baked.clusters)})
-    body.number(static_cast<std::uint64_t>(part.size())), body.bytes += part;
+  const auto add = [&](const std::string& part) { body.number(static_cast<std::uint64_t>(part.size())), body.bytes += part; };
+  add(baked.character ? bytes_of(*baked.character) : "");
+  add(bytes_of(baked.clusters));
   return sealed(chunk_magic, chunk_version, body.bytes);
 }
 
-BakedFile read_baked(const std::string& path) {
-  const std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
-  const auto found =
-      std::find_if(chunks.begin(), chunks.end(), [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
-  if (found == chunks.end()) throw ModelError(path, "file", "it was not baked: refitlab bake writes a chunk that is not there");
+BakedFile baked_of(std::string_view bytes, const std::string& path) {
   // The chunk is padded with up to three zeros, which its size does not count.
-  std::string_view bytes = found->data;
   constexpr std::size_t size_at = 12, header = 28;
   if (bytes.size() >= header) {
     std::uint64_t size = 0;
@@ -52,8 +48,18 @@ BakedFile read_baked(const std::string& path) {
   };
   const std::string_view character = part(), clusters = part();
   in.end();
-  return {chunk_skinnings[skinning], rotations == 1 ? RotationBlend::nlerp : RotationBlend::slerp, character_of(character, path),
-          cluster_bounds_of(clusters, path)};
+  BakedFile out{chunk_skinnings[skinning], rotations == 1 ? RotationBlend::nlerp : RotationBlend::slerp, std::nullopt,
+                cluster_bounds_of(clusters, path)};
+  if (!character.empty()) out.character = character_of(character, path);
+  return out;
+}
+
+BakedFile read_baked(const std::string& path) {
+  const std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
+  const auto found =
+      std::find_if(chunks.begin(), chunks.end(), [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
+  if (found == chunks.end()) throw ModelError(path, "file", "it was not baked: refitlab bake writes a chunk that is not there");
+  return baked_of(found->data, path);
 }
 
 }  // namespace refitlab

@@ -2,7 +2,9 @@
 // What `refitlab bake` wrote into a glTF file, read back.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "algorithms/bake/over_time/crossfaded_joints.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
@@ -13,13 +15,16 @@ namespace refitlab {
 
 struct BakedFile {
   Skinning skinning;
-  RotationBlend rotations;  // of crossfades
-  Character character;
+  RotationBlend rotations;             // of crossfades
+  std::optional<Character> character;  // none where it was left out
   ClusterBounds clusters;
 };
 
 // The chunk of refitlab: the skinning, how crossfades blend rotations, the baked character and the clusters.
 std::string chunk_of(const BakedFile& baked);
+
+// Of a file's bytes, which may have up to three zeros behind the chunk. Throws ModelError for a chunk that is damaged.
+BakedFile baked_of(std::string_view chunk, const std::string& file);
 
 // Throws ModelError for a file that is no binary glTF, has no such chunk, or one that is damaged.
 BakedFile read_baked(const std::string& path);

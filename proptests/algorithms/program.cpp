@@ -121,9 +121,15 @@ PROPTEST(program) {
     tamper(baked, bad, halve_a_box);
     const Called found = call({"check", "--samples", "50", bad});
     const bool is_same = read_whole(baked) == read_whole(again);
+    const std::string bare = rich.folder.file("bare.glb");
+    const Called without = call({"bake", "--no-character", "--clusters", "4", baked, bare}),
+                 checked_without = call({"check", "--samples", "50", bare});
+    const bool is_bare =
+        read_baked(baked).character && !read_baked(bare).character && read_whole(bare).size() < read_whole(baked).size();
     return Checked(rich.called.code == 0 && checked.code == 0 && twice.code == 0 && is_same && found.code == 1 &&
+                       without.code == 0 && checked_without.code == 0 && is_bare &&
                        found.out.find("cluster 0, vertex ") != std::string::npos,
-                   5, checked.out + found.out + twice.errors);
+                   7, checked.out + found.out + twice.errors + without.errors);
   });
   t.example("crossfades of all clips are baked, checked, and found where a bound is too small", {}, [] {
     const gen::TemporaryFolder folder;

@@ -3,27 +3,13 @@
 #include "algorithms/runtime/tree/character_file.hpp"
 
 #include "algorithms/runtime/refit/variants.hpp"
+#include "proptests/fuzz/resealed.hpp"
 #include "proptests/fuzz/target.hpp"
 
 using namespace refitlab;
 
-namespace {
-
-// The bytes with the size and the checksum in the header that belong to them; behind that nothing is changed.
-std::string with_checksum(std::string bytes) {
-  constexpr std::size_t size_at = 12, sum_at = 20, body_at = 28;
-  if (bytes.size() < body_at) return bytes;
-  std::uint64_t sum = 0xcbf29ce484222325, size = bytes.size() - body_at;
-  for (std::size_t i = body_at; i < bytes.size(); ++i) sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3;
-  for (int i = 0; i < 8; ++i)
-    bytes[size_at + i] = static_cast<char>(size >> 8 * i), bytes[sum_at + i] = static_cast<char>(sum >> 8 * i);
-  return bytes;
-}
-
-}  // namespace
-
 FUZZ_TARGET(character_file, bytes) try {
-  const Character c = character_of(with_checksum(bytes), "fuzz");
+  const Character c = character_of(proptests::fuzz::resealed(bytes), "fuzz");
   validate(c.mesh);
   for (const RefitVariant& variant : refit_variants())
     if (c.has(variant.pieces))

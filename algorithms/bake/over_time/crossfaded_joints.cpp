@@ -255,6 +255,7 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     m = std::make_shared<JointMotions>();
     for (const SceneNode& node : nodes) m->links.push_back(still_link(node));
   }
+  const bool has_one_part = ranges[0].first_part == ranges[0].last_part && ranges[1].first_part == ranges[1].last_part;
   KnownCell out;
   std::vector<Stretch> stretched;
   if (needs_pose_)
@@ -271,7 +272,7 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     const bool is_forced = sign != box.signs.end();
     double cosine = (is_forced ? (sign->is_opposite ? -dot : dot) : std::abs(dot)) - change;
     const bool is_known = cosine >= (is_forced ? -0.5 : 0);
-    if (!is_known && !is_forced && change <= most_travel_across && !out.across) out.across = node;
+    if (!is_known && !is_forced && change <= most_travel_across && has_one_part && !out.across) out.across = node;
     if (!is_known) cosine = 0;
     auto rotations = faded_rotation(x.rotation, y.rotation, cosine, ranges, rotations_);
     if (!is_known) rotations[turned[0] >= turned[1] ? 0 : 1].speed = unbounded;
@@ -297,10 +298,11 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     out.cell.sides.push_back(ranges[k].end - ranges[k].start);
   }
   out.cell.corners = corners_of(box);
+  // A sign is of quaternions as they come along the part: behind a key, the same rotation may have the opposite one.
   for (ParameterMoment& corner : out.cell.corners) {
     for (const auto& [clip, k] : {std::pair(&first_, 0), std::pair(&second_, 1)}) {
       auto& [value, side] = corner.coordinates[k];
-      side = clip->side_of(value, side);
+      if (box.signs.empty()) side = clip->side_of(value, side);
     }
     corner.coordinates[2].side = Side::after;
   }

@@ -63,7 +63,7 @@ struct ModelBoundsOptions {
   double crossfade_tolerance = 0.2;
   RotationBlend rotations = RotationBlend::slerp;  // of crossfades
   bool any_pose = false;                           // bound what poses of code could do, too
-  bool with_intervals = false;  // keep the intervals of the clips' bounds
+  bool with_intervals = false;                     // keep the intervals of the clips' bounds
   // Beyond what is computed: a renderer skins in float and is off by as much, as a share of the farthest vertex's distance
   // from the scene's origin.
   double renderer_rounding = 0x1p-20;

@@ -97,7 +97,7 @@ class Bytes:
 
     def sealed(self, magic):
         """The bytes behind a header."""
-        require(self.take(8) == magic and self.number("I") == 1, "the chunk of refitlab is of another version")
+        require(self.take(8) == magic and self.number("I") == 2, "the chunk of refitlab is of another version")
         size, _ = self.number("Q"), self.number("Q")
         return Bytes(self.take(size))
 
@@ -108,6 +108,7 @@ def require_clusters_implied(glb, proven):
             continue
         body = Bytes(data).sealed(b"rflbaked")
         require(body.number("I") == 0, "the chunk of refitlab is of another skinning")
+        body.number("I")  # how crossfades blend rotations
         body.take(body.number("Q"))  # the character
         clusters = Bytes(body.take(body.number("Q"))).sealed(b"rfltimes")
         primitives = clusters.list("<i4", 4).tolist()
