@@ -251,10 +251,11 @@ def verdict_table(results, lemmas):
         v = of_lemma(stem, results.select("verdicts", lemma=stem))
         if v.failed:
             raise ResultError(f"verdicts.csv: a test of {stem} failed")
-        as_printed = f"refuted after {v.refuted_after}" if v.refuted_after else f"holds ({said_of_claims(v.printed_claims)})" if v.printed_claims else ""
-        held = [said_of_claims(v.claims), f"{100 * v.degenerate:.0f}\\,\\%"] if v.claims else ["", ""]
+        as_printed = f"refuted after {v.refuted_after}" if v.refuted_after else "holds" if v.printed_claims else ""
+        share = f"{100 * v.degenerate:.0f}\\,\\%" if v.claims else ""
+        held = [said_of_claims(v.claims or ([] if v.refuted_after else v.printed_claims)), share]
         out.append([f"\\texttt{{{escaped(stem)}}}", as_printed, *held])
-    return table("lllr", ["statement", "as printed", "repaired or new: holds in", "degenerate"], out)
+    return table("lllr", ["statement", "as printed", "holds in", "degenerate"], out)
 
 
 def statement_table(results, root):

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "algorithms/model/glb_chunks.hpp"
+#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/model.hpp"
 
 namespace refitlab {
@@ -254,16 +254,18 @@ class Description {
 }  // namespace
 
 std::string gltf_geometry(const std::string& bytes, const std::string& path) {
-  GlbChunks chunks = take_apart(bytes, path);
+  std::vector<GlbChunk> chunks = bytes.starts_with("glTF") ? read_glb(bytes, path) : std::vector<GlbChunk>{{json_chunk, bytes}};
   if (bytes.size() > static_cast<std::size_t>(greatest_index)) throw ModelError(path, "file", "is larger than 2 GB");
   json whole;
   try {
-    whole = json::parse(chunks.description);
+    whole = json::parse(chunks[0].data);
   } catch (const json::exception& e) {
     throw ModelError(path, "glTF description", std::string(e.what()).substr(0, 200));
   }
-  chunks.description = Description(whole, !chunks.binary.empty(), path).geometry().dump();
-  return put_together(std::move(chunks));
+  const bool has_binary = chunks.size() > 1 && chunks[1].type == bin_chunk && !chunks[1].data.empty();
+  chunks.resize(has_binary ? 2 : 1);
+  chunks[0].data = Description(whole, has_binary, path).geometry().dump();
+  return glb_of(chunks, path);
 }
 
 }  // namespace refitlab

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "algorithms/model/glb_chunks.hpp"
+#include "algorithms/model/glb_file.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
@@ -36,10 +36,10 @@ class GltfWriter {
     for (const Clip& clip : model.clips) add(clip);
   }
 
-  GlbChunks chunks() const {
+  std::vector<GlbChunk> chunks() const {
     json out = out_;
     out["buffers"] = json::array({{{"byteLength", bytes_.size()}}});
-    return {out.dump(-1, ' ', false, json::error_handler_t::replace), bytes_};
+    return {{json_chunk, out.dump(-1, ' ', false, json::error_handler_t::replace)}, {bin_chunk, bytes_}};
   }
 
  private:
@@ -189,7 +189,7 @@ std::string gltf_bytes(const Model& model) {
   if (!model.morphs.empty()) throw ModelError(model.name, "morph targets", "are not written");
   if (model.skeleton.joints.size() > std::numeric_limits<std::uint16_t>::max())
     throw ModelError(model.name, "skeleton", "has more joints than glTF can name");
-  return put_together(GltfWriter(model).chunks());
+  return glb_of(GltfWriter(model).chunks(), model.name);
 }
 
 void write_gltf(const Model& model, const std::string& path) {

@@ -10,12 +10,12 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/bake/over_time/model_bounds.hpp"
+#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/program/baked_file.hpp"
 #include "algorithms/program/clip_certificate.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/extras.hpp"
-#include "algorithms/program/glb_file.hpp"
 #include "algorithms/program/peak_memory.hpp"
 #include "algorithms/program/report.hpp"
 #include "algorithms/results/write_whole.hpp"

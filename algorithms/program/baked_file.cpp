@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "algorithms/program/glb_file.hpp"
+#include "algorithms/model/glb_file.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/tree/binary.hpp"
 #include "algorithms/runtime/tree/character_file.hpp"

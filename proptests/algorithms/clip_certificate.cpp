@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "algorithms/certificate/sha256.hpp"
+#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/write_gltf.hpp"
 #include "algorithms/program/baked_file.hpp"
-#include "algorithms/program/glb_file.hpp"
 #include "algorithms/program/program.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/gen/animated_model.hpp"

@@ -312,7 +312,7 @@ Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
 const std::vector<std::string> without_environment{
     "_kernel.cpp",
     "_kernel_table.cpp",  // called by entries that have it
-    "model/glb_chunks.cpp",
+    "model/glb_file.cpp",
     "model/gltf_animations.cpp",
     "model/gltf_description.cpp",
     "model/gltf_file.cpp",
@@ -335,7 +335,6 @@ const std::vector<std::string> without_environment{
     "program/main.cpp",
     "program/peak_memory.cpp",  // by run_program
     "program/baked_file.cpp",
-    "program/glb_file.cpp",
     "program/json_splice.cpp",
     "over_time/moving_joints.cpp",
     "tree/binary.cpp",

@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/model/write_gltf.hpp"
 #include "algorithms/program/baked_file.hpp"
-#include "algorithms/program/glb_file.hpp"
 #include "algorithms/program/peak_memory.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/gen/rich_gltf.hpp"

@@ -3,7 +3,7 @@
 // is read is written as it was.
 #include "algorithms/program/baked_file.hpp"
 
-#include "algorithms/program/glb_file.hpp"
+#include "algorithms/model/glb_file.hpp"
 #include "proptests/fuzz/resealed.hpp"
 #include "proptests/fuzz/target.hpp"
 

@@ -214,7 +214,7 @@ class Search {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cell.chords[a] > cell.chords[b]; });
     for (const std::size_t parameter : order) {
       if (cell.halvings[parameter] >= (cell.chord < infinity ? most_halvings : most_blind_halvings)) continue;
-      const std::vector<ParameterBox> halves = joints.halves(cell.box, parameter, cell.chords[parameter] < infinity);
+      std::vector<ParameterBox> halves = joints.halves(cell.box, parameter, cell.chords[parameter] < infinity);
       if (halves.empty()) continue;
       // Cells that hold several parts of a clip are known from part to part.
       const ParameterRange& range = cell.box.ranges[parameter];

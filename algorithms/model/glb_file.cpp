@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/program/glb_file.hpp"
+#include "algorithms/model/glb_file.hpp"
 
 #include <limits>
 
