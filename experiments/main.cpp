@@ -9,6 +9,7 @@
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
+#include "experiments/over_time/crossfades.hpp"
 #include "experiments/over_time/growth.hpp"
 #include "experiments/over_time/over_time.hpp"
 #include "experiments/pictures/cap_figure.hpp"
@@ -37,6 +38,7 @@ struct ModelResults {
   std::vector<RoundingResult> rounding;
   std::vector<CollisionResult> collisions;
   std::vector<OverTimeResult> over_time;
+  std::vector<CrossfadesResult> crossfades;
 };
 
 // The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
@@ -93,9 +95,12 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
 void run_over_time_on(const std::vector<Model>& models, const Options& options, Units& run, PictureTable& pictures,
                       ModelResults& results) {
   if (!options.wants("over_time")) return;
-  for (const Model& model : models)
+  for (const Model& model : models) {
     append(results.over_time, resumed_or(run, "bounds over time of " + model.name, options.over_time, identify(model),
                                          [&] { return run_over_time(model, options.over_time); }));
+    append(results.crossfades, resumed_or(run, "crossfades of " + model.name, options.crossfades, identify(model),
+                                          [&] { return run_crossfades(model, options.crossfades); }));
+  }
   draw_sampled_miss(models, results.over_time, pictures);
 }
 
@@ -109,7 +114,10 @@ void write_results_by_model(const Options& options, const ModelResults& results,
   if (options.wants("volumes")) write_volumes(results.volumes, result("volumes.csv"));
   if (options.wants("rounding")) write_rounding(results.rounding, options.rounding, result("rounding.csv"));
   if (options.wants("collisions")) write_collisions(results.collisions, result("collision.csv"));
-  if (options.wants("over_time")) write_over_time(results.over_time, options.over_time, result("over_time.csv"));
+  if (options.wants("over_time")) {
+    write_over_time(results.over_time, options.over_time, result("over_time.csv"));
+    write_crossfades(results.crossfades, result("crossfades.csv"));
+  }
 }
 
 // What has nothing to do with a model.
@@ -144,7 +152,7 @@ std::size_t unit_count(const Options& options, std::size_t models) {
   const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
-                      count("rounding", models) + count("collisions", with_collisions) + count("over_time", models);
+                      count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models);
   if (runs_without_model(options))
     units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;

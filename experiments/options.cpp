@@ -22,6 +22,7 @@ void measure_quickly(Options& o) {
   o.triangles = {.frames = 2, .speed = once};
   o.synthetic.count = 1000;
   o.over_time = {.random_times = 20, .halvings = 2, .exact_checks = 1, .clips = 1};
+  o.crossfades = {.times = 3, .weights = 3, .clips = 2, .cluster_triangles = 0};
   o.over_time_growth = {.subdivisions = 1};
 }
 
@@ -37,6 +38,7 @@ void measure_fully(Options& o) {
   o.triangles = {.frames = 20, .up_to_a_million = true, .speed = {.seconds_per_run = 0.1, .repetitions = 5}};
   o.synthetic.count = 50000;
   o.over_time = {.random_times = 10000, .halvings = 12, .exact_checks = 200};
+  o.crossfades = {.times = 25, .weights = 9, .all_skinnings = true};
   o.over_time_growth = {.repetitions = 3, .subdivisions = 3, .up_to_a_million = true};
 }
 

@@ -9,6 +9,7 @@
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
 #include "experiments/growth/triangles.hpp"
+#include "experiments/over_time/crossfades.hpp"
 #include "experiments/over_time/growth.hpp"
 #include "experiments/over_time/over_time.hpp"
 #include "experiments/rounding/rounding.hpp"
@@ -32,6 +33,7 @@ struct Options {
   TriangleGrowthSettings triangles{.frames = 2, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
   SyntheticSettings synthetic{.count = 2000};
   OverTimeSettings over_time;
+  CrossfadeSettings crossfades{.times = 9, .weights = 5, .clips = 2, .cluster_triangles = 512};
   OverTimeGrowthSettings over_time_growth;
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;

@@ -11,9 +11,6 @@
 namespace refitlab {
 namespace {
 
-// A cluster whose shortest side is a smaller share of its longest one has hardly a volume to compare.
-constexpr double flattest_side = 0.02;
-
 std::vector<double> random_times(double duration, int count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> share(0, 1);
@@ -75,7 +72,7 @@ class ClipChecks {
       const Box<double> box = seen_[p].box();
       const double ratio = volume_of(box_of<double>(bounds_.boxes[p])) / volume_of(box);
       if (p == 0) result_.whole_ratio = ratio;
-      else if (box.edges().minCoeff() < flattest_side * box.edges().maxCoeff()) ++result_.flat_clusters;
+      else if (is_flat(box)) ++result_.flat_clusters;
       else sum += ratio, ++count;
     }
     result_.cluster_ratio = count > 0 ? sum / static_cast<double>(count) : 1;

@@ -50,6 +50,10 @@ inline std::array<double, 6> walls_of(const Box<float>& box) {
 
 inline double longest_side(const Box<float>& box) { return box_of<double>(box).edges().maxCoeff(); }
 
+// A cluster whose shortest side is a smaller share of its longest one has hardly a volume to compare.
+inline constexpr double flattest_side = 0.02;
+inline bool is_flat(const Box<double>& box) { return box.edges().minCoeff() < flattest_side * box.edges().maxCoeff(); }
+
 inline double volume_of(const Box<double>& box) { return box.edges().prod(); }
 
 }  // namespace refitlab

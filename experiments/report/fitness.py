@@ -24,6 +24,7 @@ SOURCES = {
     "joint_growth": [*RUN, *QUERIES, "experiments/growth"],
     "character_growth": [*RUN, *QUERIES, "experiments/growth"],
     "over_time": [*RUN, "experiments/over_time", "proptests/oracles"],
+    "crossfades": [*RUN, "experiments/over_time"],
     "over_time_growth": [*RUN, "experiments/over_time"],
     "run": [*RUN, "experiments/render", "experiments/pictures"],
     "verdicts": ["CMakeLists.txt", "lemmas", "algorithms", "proptests/CMakeLists.txt", "proptests/main.cpp",

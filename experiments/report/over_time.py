@@ -7,6 +7,7 @@ from .statistics import fitted_exponent, span, weighted_mean
 WAYS = {"bounds": "bounds over time", "keys": "boxes at keys", "30 Hz": "boxes at 30 Hz", "60 Hz": "boxes at 60 Hz"}
 SKINNINGS = {"linear": "linear", "dual_quaternion": "dual quaternion", "spherical": "spherical"}
 GOALS = {"whole": 1.02, "cluster": 1.10}  # of the ratio of volumes, at most
+FADE_GOAL = 1.25  # of the ratio of volumes, while one clip fades to another
 GROWN = {"length": "longer clips", "triangles": "more triangles"}
 
 
@@ -76,6 +77,17 @@ def tightness_row(results, model, skinning):
     return row
 
 
+def fades(results, **where):
+    """A row for each crossfade that has a bound."""
+    def of(row, quantity):
+        return results.number("crossfades", model=row.model, pose=row.pose, skinning=row.skinning, quantity=quantity)
+    return [{"model": row.model, "pose": row.pose, "skinning": SKINNINGS[row.skinning], "whole": row.value, "has_clusters": of(row, "clusters") > 0,
+             "clusters": of(row, "cluster_ratio"), "places": round(of(row, "places")), "outside": round(of(row, "outside")),
+             "undecided": round(of(row, "undecided")), "out_of_both_clips": round(of(row, "out_of_both_clips")),
+             "is_within": max(row.value, of(row, "cluster_ratio")) <= FADE_GOAL}
+            for row in results.find("crossfades", quantity="whole_ratio", **where)]
+
+
 def section(results, page):
     measured = [s for s in SKINNINGS if results.find("over_time", skinning=s, quantity="whole_ratio")]
     if not measured:  # models without clips
@@ -87,6 +99,10 @@ def section(results, page):
     rows = [tightness_row(results, model, s) for model in results.distinct("over_time", "model") for s in SKINNINGS]
     context = {"skinnings": of_skinnings, "goals": GOALS, "rows": rows, "random_times": max(results.values("over_time", quantity="random_times")),
                "close_times": max(results.values("over_time", quantity="close_times")), "growth": None, "figures": [], "colors": {}}
+    context.update(fades=[], fade_goal=FADE_GOAL)
+    if results.was_run("crossfades"):
+        refused = sum(results.values("crossfades", quantity="refused"))
+        context.update(fades=fades(results), fades_refused=round(refused))
     if results.was_run("pictures"):
         context.update(figures=pictures.figures_of(results, page, {"sampled_miss"}), colors=pictures.colors_of(results))
     if results.was_run("over_time_growth"):

@@ -67,6 +67,7 @@ SCHEMAS = {
     "character_growth": {**LONG, "characters": count},
     "rounding": LONG,
     "over_time": {**LONG, "skinning": skinning},
+    "crossfades": {**LONG, "skinning": skinning},
     "over_time_growth": {**LONG, "length": count, "triangles": count, "clusters": count},
     "synthetic": LONG,
     "pictures": {**LONG, "figure": text, "file": text},
@@ -85,7 +86,7 @@ SCHEMAS = {
                  "hypothesis": text, "statement": text},
 }
 
-MAY_BE_EMPTY = ["models"]  # of a run that needs none
+MAY_BE_EMPTY = ["models", "crossfades"]  # of a run that needs none, and of models with one clip
 
 
 def read(path, schema, may_be_empty=False):

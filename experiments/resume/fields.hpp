@@ -10,6 +10,7 @@
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/growth/triangles.hpp"
+#include "experiments/over_time/crossfades.hpp"
 #include "experiments/over_time/growth.hpp"
 #include "experiments/over_time/over_time.hpp"
 #include "experiments/rounding/rounding.hpp"
@@ -53,6 +54,10 @@ inline auto fields(SyntheticSettings& v) {
 inline auto fields(OverTimeSettings& v) {
   auto& [times, halvings, walls, clips, seed] = v;
   return std::tie(times, halvings, walls, clips, seed);
+}
+inline auto fields(CrossfadeSettings& v) {
+  auto& [times, weights, clips, triangles, all] = v;
+  return std::tie(times, weights, clips, triangles, all);
 }
 inline auto fields(OverTimeGrowthSettings& v) {
   auto& [repetitions, subdivisions, million] = v;
@@ -132,6 +137,14 @@ inline auto fields(ClipResult& v) {
 inline auto fields(OverTimeResult& v) {
   auto& [model, skinning, triangles, clusters, seconds, refused, clips] = v;
   return std::tie(model, skinning, triangles, clusters, seconds, refused, clips);
+}
+inline auto fields(CrossfadeResult& v) {
+  auto& [first, second, places, outside, undecided, whole, cluster, clusters, flat, out] = v;
+  return std::tie(first, second, places, outside, undecided, whole, cluster, clusters, flat, out);
+}
+inline auto fields(CrossfadesResult& v) {
+  auto& [model, skinning, seconds, refused, crossfades] = v;
+  return std::tie(model, skinning, seconds, refused, crossfades);
 }
 inline auto fields(OverTimeGrowth& v) {
   auto& [by, length, triangles, clusters, seconds, bounding, all] = v;

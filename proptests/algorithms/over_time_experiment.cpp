@@ -7,6 +7,7 @@
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/over_time/clip_checks.hpp"
+#include "experiments/over_time/crossfade_checks.hpp"
 #include "experiments/over_time/exact_places.hpp"
 #include "experiments/over_time/repeated.hpp"
 #include "experiments/over_time/sampled_boxes.hpp"
@@ -138,6 +139,29 @@ PROPTEST(over_time_experiment) {
         ++cases;
       }
     return Checked(cases > 0, cases);
+  });
+  t.example("what gets out of the bounds of a crossfade is counted, and they are compared with what is seen", {}, [] {
+    Model model = man();
+    model.clips = {model.clips[0], model.clips[0]};
+    ModelBounds some = bound_model(model, {.cluster_triangles = 512, .crossfades = true});
+    const CrossfadeSettings settings{.times = 9, .weights = 3};
+    const CrossfadeResult good = check_crossfade(model, sets(), some, 0, settings);
+    const std::size_t cluster = compared_parts(some)[1];
+    for (const std::size_t p : {std::size_t{0}, cluster}) {
+      Box<float>& box = some.crossfades[0].parts[p].box;
+      box.high[1] -= 0.5f * (box.high[1] - box.low[1]);
+    }
+    const CrossfadeResult bad = check_crossfade(model, sets(), some, 0, settings);
+    // Of a ball around a place at the middle, all but that place is outside.
+    ModelBounds flat = bound_model(model, {.cluster_triangles = 0, .crossfades = true});
+    flat.crossfades[0].parts[0].ball.radius = 0;
+    const CrossfadeResult none = check_crossfade(model, sets(), flat, 0, settings);
+    const long vertices = static_cast<long>(model.vertices.size());
+    return Checked(good.outside == 0 && good.undecided == 0 && good.whole_ratio >= 1 && good.whole_ratio < 1.4 &&
+                       good.cluster_ratio >= 1 && good.cluster_ratio < 1.5 && good.clusters > 3 &&
+                       good.places >= 2 * 9 * 9 * 3 * vertices && bad.outside == 2 && bad.whole_ratio < 0.6 * good.whole_ratio &&
+                       none.outside == 1 && none.clusters == 0 && none.cluster_ratio == 1,
+                   3);
   });
   t.holds("many digits decide for a box or a ball what is well inside or outside, for each skinning", {.cases = 40}, [] {
     const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);

@@ -261,6 +261,23 @@ class Search {
   int moments_ = 0;
 };
 
+// Of a ball around all points that is hardly larger than the smallest one: the center of the smallest ball around a few of them, to
+// which the one that is farthest out is added until none is far out [Badoiu and Clarkson 2003, "Smaller core-sets for balls"].
+Point3 near_center(std::span<const Point3> points) {
+  constexpr double enough = 1.001;
+  constexpr int most_steps = 64;
+  std::vector<Point3> core = {points[0]};
+  for (int step = 0;; ++step) {
+    const SmallestBall<double, 3> ball = smallest_ball<double, 3>(core);
+    const Point3* farthest = &points[0];
+    for (const Point3& p : points)
+      if (squared_distance(*farthest, ball.center) < squared_distance(p, ball.center)) farthest = &p;
+    if (step == most_steps || squared_distance(*farthest, ball.center) <= enough * enough * ball.squared_radius)
+      return ball.center;
+    core.push_back(*farthest);
+  }
+}
+
 float float_below(double x) { return -float_above(-x); }
 
 }  // namespace
@@ -283,7 +300,7 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
   out.slab_intervals = slabs.intervals(), out.moments = slabs.moments(), out.gap = slabs.gap();
   if (!options.with_ball) return out;
 
-  const Point3 center = smallest_ball<double, 3>(directions.extremes).center;
+  const Point3 center = near_center(directions.extremes);
   DistanceFunction distance(center, options.tolerance);
   Search radius(joints, vertices, distance, options.most_halvings);
   radius.run();

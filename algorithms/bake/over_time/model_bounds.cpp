@@ -22,6 +22,9 @@ namespace {
 
 constexpr int most_meshlet_vertices = 255, most_meshlet_triangles = 512;
 
+// Of one part. Most need fewer; where both clips' rotations come half a turn apart, no number makes the bound tight.
+constexpr std::size_t most_halvings_of_crossfade = 4096;
+
 std::vector<int> in_order(std::vector<int> vertices) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -205,9 +208,9 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   std::vector<std::vector<PartIntervals>> intervals(clips.size());
   if (options.with_intervals) intervals.assign(clips.size(), std::vector<PartIntervals>(out.parts.size()));
   std::atomic<long> moments = 0;
-  const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices, double tolerance,
-                            PartIntervals* kept) {
-    BoundOverTime bound = bound_over_time(joints, vertices, {.tolerance = tolerance});
+  const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
+                            const OverTimeOptions& how, PartIntervals* kept) {
+    BoundOverTime bound = bound_over_time(joints, vertices, how);
     moments += bound.moments;
     if (kept) *kept = {std::move(bound.slab_intervals), std::move(bound.ball_intervals)};
     return outward(bound, options.renderer_rounding);
@@ -221,7 +224,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     const MovingJoints* const joints[] = {&clips[task.clip]};
     PartIntervals* const kept = options.with_intervals ? &intervals[task.clip][task.part] : nullptr;
     bounded[task.clip][task.part] =
-        bound_of(joints, {model, sets, options.skinning, out.parts[task.part].vertices}, options.tolerance, kept);
+        bound_of(joints, {model, sets, options.skinning, out.parts[task.part].vertices}, {.tolerance = options.tolerance}, kept);
     progress.add(task.cost);
   });
   for (auto& parts : bounded) share_among_same(parts);
@@ -236,7 +239,8 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
         const CrossfadedJoints fade(model, model.clips[a].animation, model.clips[b].animation, vertices.joints(),
                                     options.rotations, needs_pose);
         const MovingJoints* const joints[] = {&clips[a], &clips[b], &fade};
-        bounds.parts[p] = bound_of(joints, vertices, options.crossfade_tolerance, nullptr);
+        bounds.parts[p] = bound_of(
+            joints, vertices, {.tolerance = options.crossfade_tolerance, .most_halvings = most_halvings_of_crossfade}, nullptr);
         progress.add(cost_of_fade);
       });
       share_among_same(bounds.parts);

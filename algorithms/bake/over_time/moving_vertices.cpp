@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "algorithms/bake/over_time/node_motions.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
