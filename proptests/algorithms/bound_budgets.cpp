@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The budgets of rounding in float of the batch refit and of the motion bound, and of the boxes in float that collisions
 // compare: as float_budgets.cpp, for kernels whose steps are repeated here with the templates that they call.
-#include "proptests/harness.hpp"
-#include "proptests/oracles/derived_budgets.hpp"
-#include "proptests/oracles/norm_budget.hpp"
-//
 #include "algorithms/runtime/batch/refit_kernel.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
@@ -13,6 +9,9 @@
 #include "algorithms/runtime/collide/placement.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
 #include "lemmas/rotation_bound.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/derived_budgets.hpp"
+#include "proptests/oracles/norm_budget.hpp"
 
 namespace proptests::suite_bound_budgets {
 namespace {

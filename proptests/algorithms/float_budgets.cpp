@@ -5,14 +5,13 @@
 // that it calls. Each check says what was derived and what is allowed, in u = 2^-24.
 #include <cstdio>
 
+#include "algorithms/runtime/batch/float_skin_joints.hpp"
+#include "algorithms/runtime/collide/box_lanes.hpp"
+#include "algorithms/runtime/collide/triangles_filter.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
 #include "proptests/oracles/norm_budget.hpp"
 #include "proptests/oracles/polynomial_budget.hpp"
-//
-#include "algorithms/runtime/batch/float_skin_joints.hpp"
-#include "algorithms/runtime/collide/box_lanes.hpp"
-#include "algorithms/runtime/collide/triangles_filter.hpp"
 
 namespace refitlab {
 
