@@ -252,5 +252,5 @@ BezierSimplex<S> bezier_simplex(const Blend& blend, std::span<const S> u) {
 // Sources: rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"]; dual quaternion skinning [Kavan et al.
 // 2008].
 // Used by: b2_control_hull_encloses, b5_rotation_axis, b6_dual_quaternion_ball; algorithms/certificate/bound.cpp,
-// algorithms/runtime/collide/box_kernel.cpp, algorithms/runtime/refit/control_hull.hpp,
+// algorithms/runtime/collide/box_lanes.hpp, algorithms/runtime/refit/control_hull.hpp,
 // algorithms/runtime/refit/dual_quaternion.hpp.

@@ -7,6 +7,7 @@
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/collide/cluster_tree.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/accepted.hpp"
@@ -130,6 +131,46 @@ PROPTEST(box_packs) {
           }
         }
         RC_TAG(std::to_string(joints) + " joints");
+      });
+  t.holds(
+      "boxes hold vertices that are far away in the reference pose, near each other, and carried to the origin",
+      {.number_type = "double", .cases = 3000}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        std::uniform_real_distribution<double> u(-1, 1);
+        const int joints = *rc::gen::inRange(1, 9);
+        const double near = *rc::gen::element(0.0, 1e-12, 1e-11, 1e-6);
+        const bool on_axes = *rc::gen::arbitrary<bool>();  // the ball's farthest points, moved nearly by one joint
+        const Point3 away = Point3(u(random), u(random), u(random)).cast<float>().cast<double>() * 1024;
+        SkinnedMesh model;
+        model.name = "far away";
+        for (int j = 0; j < joints; ++j) {
+          const Point3 origin = *rc::gen::arbitrary<bool>() ? away : Point3(u(random), u(random), u(random));
+          model.joints.push_back({"joint " + std::to_string(j), j - 1, origin});
+        }
+        for (int v = 0; v < 12; ++v) {
+          model.vertices.push_back(
+              away + (on_axes ? Point3(Point3::Unit(v % 3) * (v % 2 ? 1 : -1)) : Point3(u(random), u(random), u(random))) * near);
+          std::vector<std::pair<int, double>> weights;
+          for (int j = 0; j < joints; ++j) weights.emplace_back(j, on_axes && j == 0 ? 1e5 : 1.1 + u(random));
+          model.influences.emplace_back();
+          for (const auto& [joint, w] : quantize_weights(weights)) model.influences.back().push_back({joint, w});
+          if (v % 3 == 2) model.triangles.push_back({v - 2, v - 1, v});
+        }
+        const auto c = bake(std::move(model));
+        Pose pose = gen::random_pose(c.mesh, random, *rc::gen::element(1e-3, 0.1, 3.0));
+        for (auto& joint : pose) joint.translation = -rotate(joint.rotation, away);
+        const Skinning skinning = gen::random_skinning(random);
+        const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+        const Quaternion<double> rotation = on_axes ? identity_quaternion<double>() : gen::random_rotation(random, 1);
+        auto turned = skin(c.mesh, c.sets, palette, skinning);
+        for (auto& p : turned) p = rotate(rotation, p);
+        std::vector<int> nodes;
+        for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) nodes.push_back(n);
+        for (const Target target : available_targets()) {
+          const auto boxes = bound(c, nodes, skinning, palette, rotation, target);
+          for (const int n : nodes) RC_ASSERT(excess(c, n, turned, boxes[n]) <= 0);
+        }
+        RC_TAG(joints > most_box_joints ? "more joints than a pack takes" : "in packs");
       });
   t.holds("what float does not hold has boxes without end, and none that leave a vertex out",
           {.number_type = "float", .cases = 3000}, [] {

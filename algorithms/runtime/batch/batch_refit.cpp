@@ -2,7 +2,6 @@
 #include "algorithms/runtime/batch/batch_refit.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "algorithms/runtime/batch/single_precision.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
@@ -10,8 +9,6 @@
 
 namespace refitlab {
 namespace {
-
-constexpr float epsilon = std::numeric_limits<float>::epsilon();
 
 template <int D>
 void append(std::vector<float>& to, const Vec<double, D>& v) {
@@ -52,8 +49,7 @@ const PackedBalls& BatchRefit::linear(const SkinningPalette<double>& palette, Ta
       size = std::max(size, squared_norm(t.translation));
       defect = std::max(defect, std::abs(squared_norm(t.rotation) - 1));
     }
-    const auto joints = static_cast<float>(set.transforms.size());
-    numbers_.push_back(epsilon * (8 + joints) *
+    numbers_.push_back(linear_refit_slack(static_cast<int>(set.transforms.size())) *
                        (static_cast<float>(checked_single(1.001 * std::sqrt(size))) + packed_.largest_reference()));
     numbers_.push_back(float_above(2 * (defect + 0x1p-48)));  // what is below the rounding of ||q||^2 included
     for (const auto& t : set.transforms) {

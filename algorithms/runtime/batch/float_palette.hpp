@@ -36,12 +36,16 @@
 //
 // Hypotheses that are checked for each entry: kappa <= 3/2, by the bound of measure_palette; at most most_palette_joints joints;
 // and X + T <= largest_float_length, so that products of three lengths do not overflow. Otherwise slack is infinite, and the
-// entry must not be used.
+// entry must not be used. proptests/algorithms/float_budgets.cpp derives the counts from the kernel.
 #pragma once
 
 namespace refitlab {
 
-inline constexpr double largest_float_length = 1e12, least_float_slack = 1e-37;
+inline constexpr double largest_float_length = 1e12, least_float_slack = 1e-37, largest_float_kappa = 1.5;
+// The entry's slack in units of u, times X and times T, and the share of both that is added.
+constexpr double float_slack_per_length(int joints) { return joints == 1 ? 10 : 32 + 2 * largest_float_kappa * (joints + 3); }
+constexpr double float_slack_per_image(int joints) { return joints == 1 ? 5 : joints + 7; }
+inline constexpr double float_slack_and_more = 1 + 0x1p-10;
 
 struct alignas(64) FloatPaletteEntry {
   float center[3];  // r

@@ -15,8 +15,6 @@
 namespace refitlab {
 namespace {
 
-constexpr float epsilon = std::numeric_limits<float>::epsilon();
-
 Row<float, 4> four(const Point3& v) {
   return Row<float, 4>{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
 }
@@ -95,7 +93,7 @@ float NodeRefit::place_weight_vertices(const NodePiece& piece, const Row<float, 
   }
   const Row<float, 4> x = p - set.rotation_center;
   const float longer = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);  // than x
-  const float slack = epsilon * static_cast<float>(66 + 2 * set.joint_count);
+  const float slack = node_refit_slack(set.joint_count);
   if (piece.weight_vertex_count == 1 && longest_inverse < std::numeric_limits<float>::infinity()) {
     out[0].center += rotated(direction, x);
     return slack * (longer * longest_inverse + set.size);
@@ -137,7 +135,7 @@ Ball3<float> NodeRefit::operator()(int node) {
       far = std::max(far, squared_length(weight_vertex->center - center));
     radius = std::max(radius, std::sqrt(far) + radii_[i]);
   }
-  return {{center[0], center[1], center[2]}, (radius + n.radius) * (1 + 8 * epsilon) + underflow_slack};
+  return {{center[0], center[1], center[2]}, (radius + n.radius) * refit_radius_stretch + underflow_slack};
 }
 
 }  // namespace refitlab

@@ -125,11 +125,10 @@ void to_float_rows(const Columns& columns, float (*rows)[8]) {
 template <int N>
 S float_slack(const JointLanes<N>& lanes, const Vec<S, 3>& offset, const S& radius, const S& squared_image,
               const FloatPlacement& at) {
-  constexpr double u = 0x1p-24, and_more = 1 + 0x1p-10, largest_kappa = 1.5;
-  constexpr double per_length = N == 1 ? 10 : 32 + 2 * largest_kappa * (N + 3), per_image = N == 1 ? 5 : N + 7;
+  constexpr double u = 0x1p-24 * float_slack_and_more;
   const S length = radius + norm(offset), image = root(squared_image);
-  const S slack = (length * S(per_length * u * and_more) + image * S(per_image * u * and_more)) + length * S(2 * at.defect) +
-                  S(at.lost + least_float_slack);
+  const S slack = (length * S(float_slack_per_length(N) * u) + image * S(float_slack_per_image(N) * u)) +
+                  length * S(2 * at.defect) + S(at.lost + least_float_slack);
   S shortest = squared_norm(lanes.transforms[0].rotation), cosine = shortest;
   for (int j = 1; j < N; ++j) {
     shortest = min_of(shortest, squared_norm(lanes.transforms[j].rotation));
@@ -137,7 +136,8 @@ S float_slack(const JointLanes<N>& lanes, const Vec<S, 3>& offset, const S& radi
   }
   cosine = min_of(cosine, shortest);
   const S squared_blend = cosine + (shortest - cosine) * S(1.0 / N);
-  const auto holds = squared_blend > S(1.000001 / (largest_kappa * largest_kappa)) && length + image <= S(largest_float_length);
+  const auto holds =
+      squared_blend > S(1.000001 / (largest_float_kappa * largest_float_kappa)) && length + image <= S(largest_float_length);
   return choose(holds, slack, S(infinite));
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/batch/refit_kernel.hpp"
 
-#include <limits>
-
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "algorithms/runtime/batch/rotation_bound_packs.hpp"
 #include "algorithms/runtime/packs/by_joint.hpp"
@@ -16,7 +14,6 @@ namespace {
 using S = Pack<float>;
 constexpr int pack_size = static_cast<int>(S::size());
 using PackOfFour = Pack<float, 4>;
-constexpr float epsilon = std::numeric_limits<float>::epsilon();
 
 // The part of a block that one pack holds, read from the start on.
 class Reader {
@@ -94,7 +91,7 @@ struct Spherical {
       out.center[0] = center_images[0];
       out.offset = rotate(transforms[0].rotation, x);
       out.sum = center_images[0] + out.offset;
-      out.radius = S(epsilon * 66) * (longer + size);
+      out.radius = S(algorithm1_slack(1)) * (longer + size);
       return;
     }
     const PaletteEntry<S> palette{transforms, rotation_center, center_images, {}};
@@ -126,7 +123,7 @@ struct Spherical {
     out.offset = turned.center;
     out.sum = sum + out.offset * count;
     longest_inverse = choose(bound.center_ratio == S(0), S(1), longest_inverse);  // of all rotations none is off
-    out.radius = turned.radius + S(epsilon * float(64 + 2 * n)) * (longer * longest_inverse + size);
+    out.radius = turned.radius + S(algorithm1_slack(n)) * (longer * longest_inverse + size);
   }
 };
 
@@ -206,7 +203,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
         }
       }
       store(center, out, first);
-      store(S((radius + r) * S(1 + 8 * epsilon) + S(underflow_slack)), out[3], first);
+      store(S((radius + r) * S(refit_radius_stretch) + S(underflow_slack)), out[3], first);
     }
 }
 
@@ -257,7 +254,7 @@ REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const 
     }
     float* ball = balls + node->place;
     for (int i = 0; i < 3; ++i) ball[i * Lanes<float>::count] = center[i];
-    ball[3 * Lanes<float>::count] = (hmax(radius) + node->radius) * (1 + 8 * epsilon) + underflow_slack;
+    ball[3 * Lanes<float>::count] = (hmax(radius) + node->radius) * refit_radius_stretch + underflow_slack;
   }
 }
 

@@ -11,8 +11,10 @@
 // bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||), and,
 // as of rotations whose ||q_i||^2 = 1 + e are off by e (palette_rounding.hpp), 2 |e| r.
 // Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few
-// of them (balls/round_up.hpp).
+// of them (balls/round_up.hpp). proptests/algorithms/bound_budgets.cpp derives what the slacks must be at least.
 #pragma once
+
+#include <limits>
 
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
@@ -21,6 +23,16 @@
 
 namespace refitlab {
 
+// Of a joint-set of so many joints, as shares of the lengths above: of Algorithm 1, of the same one node at a time
+// (node_refit.cpp), and of the linear refit.
+constexpr float algorithm1_slack(int joints) {
+  return std::numeric_limits<float>::epsilon() * static_cast<float>(64 + 2 * joints);
+}
+constexpr float node_refit_slack(int joints) {
+  return std::numeric_limits<float>::epsilon() * static_cast<float>(66 + 2 * joints);
+}
+constexpr float linear_refit_slack(int joints) { return std::numeric_limits<float>::epsilon() * static_cast<float>(8 + joints); }
+inline constexpr float refit_radius_stretch = 1 + 8 * std::numeric_limits<float>::epsilon();
 inline constexpr float underflow_slack = underflow_of_distance<float>();  // of each radius
 
 // Numbers of one joint-set in one frame. Spherical: r_c (3), size (1), then q_i (4) and r_i (3) of each joint. Linear: slack

@@ -55,18 +55,20 @@ void merge(float& side, double outside) { side = std::min(side, std::isnan(outsi
 void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPalette<double>& palette,
                   const Quaternion<double>& rotation, std::span<FlippedBox> boxes) {
   for (const SimplexPiece& piece : pieces.others) {
-    constexpr double stretch = 1 + 4.1e-6;
     const PaletteEntry<double>& set = palette[piece.joint_set];
-    const double rounding = 1e-12 + 1e-15 * static_cast<double>(set.transforms.size());
+    const double rounding = lost_of_hull(static_cast<int>(set.transforms.size()));
     const Ball3<double>& ball = piece.reference;
-    double reach = ball.radius;
+    double reach = ball.radius, size = norm(ball.center);
     if (skinning == Skinning::dual_quaternion) reach = std::numeric_limits<double>::infinity();
-    else if (skinning != Skinning::linear) reach += norm<double, 3>(ball.center - set.rotation_center);
+    else if (skinning != Skinning::linear)
+      reach += norm<double, 3>(ball.center - set.rotation_center), size += norm(set.rotation_center);
     float* of = boxes[piece.target].of;
     for (std::size_t i = 0; i < set.transforms.size(); ++i) {
       const Point3 image = skinning == Skinning::linear ? apply(set.transforms[i], ball.center) : set.center_images[i];
       const Point3 at = rotate(rotation, image);
-      const double by = stretch * reach + rounding * (norm(image) + reach) + least_box;
+      // The image may be much shorter than what it is a sum of.
+      const double parts = size + norm(skinning == Skinning::linear ? set.transforms[i].translation : image);
+      const double by = stretch_of_hull * reach + rounding * (parts + reach) + least_box;
       for (int c = 0; c < 3; ++c) merge(of[c], by - at[c]), merge(of[4 + c], by + at[c]);
     }
   }

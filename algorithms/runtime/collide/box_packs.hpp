@@ -23,6 +23,20 @@ inline constexpr int most_box_joints = 4;  // of a piece in a pack
 // less than 1e5 times 2^-150. Lengths greater than largest_box are excluded, because their sums of products might overflow.
 inline constexpr float least_box = 1e-37f, largest_box = 1e35f;
 
+// What float may lose, as a share of the sizes that a box is made from. proptests/algorithms/float_budgets.cpp derives it from
+// the kernel's own operations. Let u = 2^-24. All numbers are rounded to float, but the weights have no error. Quaternions and
+// their blends are at most 1, up to what is accepted. Where weight vertices are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2
+// >= 1/8, so the denominators are at least 3/8. A control point in spherical blending then loses at most 1900 u |x| + 20 u |p|
+// + 1700 u |r|, where r is the largest of its joints' center images. For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) >
+// 1/6, it loses 990 u |p| + 820 u 2 |d|, and in linear blending 50 u of its sizes. Quaternions whose squared lengths are off by
+// 1e-6 stretch the radius by 34 u each: the placement's, and the joint's in linear blending.
+inline constexpr float lost_of_box = 2048 * 0x1p-24f;
+
+// Pieces of more joints than a pack takes are bounded in double. What this loses is a share of the lengths of all that it
+// computes with, for so many joints. Quaternions whose squared lengths are off by 1e-6 stretch a ball by up to 4e-6.
+constexpr double lost_of_hull(int joints) { return 1e-12 + 1e-15 * joints; }
+inline constexpr double stretch_of_hull = 1 + 4.1e-6;
+
 // These are plain arrays by lane. Lanes beyond the last piece repeat it.
 struct BoxPack {
   alignas(64) std::int32_t slot[most_box_joints][box_lanes];  // of the joint's data in the frame: JointFloats

@@ -17,7 +17,7 @@ Box<float> float_box(const Box<double>& box, double lost) {
   Box<float> out;
   double largest = 0;
   for (int i = 0; i < 3; ++i) largest = max_of(largest, max_of(std::abs(box.low[i]), std::abs(box.high[i])));
-  const auto off = static_cast<float>(lost + 0x1p-21 * largest + least_float_slack);
+  const auto off = static_cast<float>(lost + roundings_of_float_box * largest + least_float_slack);
   for (int i = 0; i < 3; ++i)
     out.low[i] = static_cast<float>(box.low[i]) - off, out.high[i] = static_cast<float>(box.high[i]) + off;
   // What is undefined, by coordinates beyond what float holds, may be anywhere.

@@ -51,7 +51,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
     offset_[i] = static_cast<float>(offset);
     largest = std::max(largest, std::abs(offset));
   }
-  lost_ = 0x1p-22f * static_cast<float>(largest);
+  lost_ = four_roundings * static_cast<float>(largest);
   room.first.reserve(first.tree().most_triangles(), first.tree().most_vertices());
   room.second.reserve(second.tree().most_triangles(), second.tree().most_vertices());
   const std::size_t pairs =

@@ -11,13 +11,6 @@
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 
 namespace refitlab {
-namespace {
-
-// What float leaves of 1e-6 when it finds the squared length of a quaternion.
-constexpr float surely_rigid = 5e-7f, surely_not_rigid = 2e-6f;
-
-}  // namespace
-
 MotionBound::MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
     : mesh_(mesh),
       sets_(sets),

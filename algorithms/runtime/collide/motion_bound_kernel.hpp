@@ -12,7 +12,7 @@
 // are the images seen from the first. n sum ||y_k||^2 is at most n A^2, because these squares are among the summands of
 // A^2. So A is computed within n (n + 8) u / 2 of itself, a small part of error_share A. A dot product has an error of 64
 // u, including that of lengths, and c is lowered by `positive`, which is more. Products and sums that are fused
-// (CMakeLists.txt) lose less.
+// (CMakeLists.txt) lose less. proptests/algorithms/bound_budgets.cpp derives all of these from the templates.
 #pragma once
 
 #include <cstdint>

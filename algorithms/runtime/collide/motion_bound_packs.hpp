@@ -9,6 +9,8 @@ namespace refitlab {
 
 // The share of all lengths that is lost by rounding, for each joint; see motion_bound_kernel.hpp.
 inline constexpr float lost_of_motion_bound = 0x1p-15;
+// What float leaves of 1e-6 when it finds the squared length of a quaternion.
+inline constexpr float surely_rigid = 5e-7f, surely_not_rigid = 2e-6f;
 // Squares of larger numbers may overflow, and squares of smaller numbers may underflow.
 inline constexpr double largest_length = 1e15, least_length = 1e-18;
 

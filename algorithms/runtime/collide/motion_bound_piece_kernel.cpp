@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
 
-#include <array>
-
 #include "algorithms/runtime/collide/motion_bound_lanes.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
-
-// Of rotations: the rows.
-using Matrix = std::array<Point, 3>;
-
-[[gnu::always_inline]] inline Matrix matrix_of(const Quaternion<S>& q) {
-  const S x = q[1] + q[1], y = q[2] + q[2], z = q[3] + q[3];
-  const S wx = q[0] * x, wy = q[0] * y, wz = q[0] * z;
-  const S xx = q[1] * x, xy = q[1] * y, xz = q[1] * z, yy = q[2] * y, yz = q[2] * z, zz = q[3] * z;
-  return {Point(S(1) - (yy + zz), xy - wz, xz + wy), Point(xy + wz, S(1) - (xx + zz), yz - wx),
-          Point(xz - wy, yz + wx, S(1) - (xx + yy))};
-}
 
 // The lanes from first on: a ball's and a box's bounds cut, to merge(box), and whether all are known.
 template <int slots, bool deviates, bool few, class Merge>
@@ -30,7 +17,7 @@ template <int slots, bool deviates, bool few, class Merge>
 #pragma GCC unroll 8
   for (int k = 0; k < slots; ++k) {
     const Transform joint = joints.of_lanes(pack.ball.joint[k] + first);
-    const Matrix turn = matrix_of(joint.rotation);
+    const std::array<Point, 3> turn = matrix_of(joint.rotation);
     Point at_f, at_middle;
     Box<S> box;
     for (int i = 0; i < 3; ++i) {

@@ -10,6 +10,9 @@
 
 namespace refitlab {
 
+// What placing two bodies may lose, as a share of the coordinates' size; see collide.cpp.
+inline constexpr double lost_of_placements = 160 * 0x1p-53;
+
 // Throws std::invalid_argument for a placement that is not finite or whose rotation differs from unit length by more than
 // 1e-6. The message contains the given name.
 inline void check_placement(const RigidTransform<double>& placement, const char* name) {

@@ -15,7 +15,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // Four roundings of what is in a box.
 float roundings(const Box<float>& box) {
-  return 0x1p-22f * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  return four_roundings * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& plac
   for (int i = 0; i < 3; ++i) float_placement_.translation[i] = placement.translation[i] - origin[i];
   float_placement_.defect = std::abs(squared_norm(placement.rotation) - 1);
   // The world's doubles are the sum of a turned vertex and the translation, and the origin is subtracted from both.
-  float_placement_.lost = 0x1p-51 * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
+  float_placement_.lost = lost_in_world * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
   float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin(), reached_.begin();
   clusters_skinned_ = corners_skinned_ = clusters_reached_ = 0;
 }

@@ -10,6 +10,13 @@
 
 namespace refitlab {
 
+// Boxes in float have four roundings of their coordinates to spare, each of 2^-24. What grows them rounds, too, and so does what
+// converts them to float (cluster_body.cpp).
+inline constexpr float four_roundings = 0x1p-22f;
+inline constexpr double roundings_of_float_box = 0x1p-21;
+// What the doubles of the world lose, as a share of how far the placement and the origin are from the world's.
+inline constexpr double lost_in_world = 0x1p-51;
+
 // A cluster's vertices in float. Coordinates are those of the world, seen from SkinnedClusters::origin().
 struct FloatCluster {
   // Of each coordinate: what it is off by against the doubles of apply(placement, skin()), less the origin, and four roundings

@@ -20,7 +20,7 @@
 // floats' exact differences, and X, Y, Z of these are within 1 + u of the computed ones. Rounding has 67 u XYZ < 4.1e-6 XYZ as
 // above. The code takes 6.1 times the former and 6e-6 XYZ, which leaves more than a hundredth and a fourth for its own
 // roundings. With X + Y + Z below 1e12 and the bound above 1e-28, six products of two that underflow have at most 1e-44
-// times a third difference each, below 1e-31, and nothing overflows.
+// times a third difference each, below 1e-31, and nothing overflows. proptests/algorithms/float_budgets.cpp derives both.
 #pragma once
 
 #include <array>

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The budgets of rounding in float of the batch refit and of the motion bound, and of the boxes in float that collisions
+// compare: as float_budgets.cpp, for kernels whose steps are repeated here with the templates that they call.
+#include "algorithms/runtime/batch/refit_kernel.hpp"
+#include "algorithms/runtime/collide/box_packs.hpp"
+#include "algorithms/runtime/collide/cluster_pairs.hpp"
+#include "algorithms/runtime/collide/motion_bound_lanes.hpp"
+#include "algorithms/runtime/collide/motion_bound_packs.hpp"
+#include "algorithms/runtime/collide/placement.hpp"
+#include "algorithms/runtime/skinning/palette_rounding.hpp"
+#include "lemmas/rotation_bound.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/derived_budgets.hpp"
+#include "proptests/oracles/norm_budget.hpp"
+
+namespace proptests::suite_bound_budgets {
+namespace {
+
+using namespace refitlab;
+using oracle::Budget;
+using oracle::DerivedBudgets;
+using oracle::of_length;
+using oracle::whole;
+constexpr double u = Budget::u;
+// In place of 0, with which sums would be exact.
+constexpr double tiny = 1e-30;
+
+// A vector that is rounded to float.
+template <int D>
+Vec<Budget, D> rounded_input(double length) {
+  return of_length<0, D>(length, u * length);
+}
+
+// --- The refit ---
+
+// The greatest error of sum w_i v_i, of so many rounded vectors of length 1. It is linear in the weights, and so greatest at a
+// vertex of their simplex.
+template <int D>
+double error_of_blend(int joints) {
+  double worst = 0;
+  for (int most = 0; most < joints; ++most) {
+    std::vector<Budget> w(joints, Budget(tiny));
+    w[most] = Budget(1 - joints * tiny - 0x1p-24);
+    const std::vector<Vec<Budget, D>> vectors(joints, rounded_input<D>(1));
+    worst = std::max(worst, whole(combine<Budget, D>(w, vectors)).in_u());
+  }
+  return worst;
+}
+
+// The error of v / ||v|| for an exact v of this length.
+double error_of_unit(double length) {
+  Budget::least_squared_norm = length * length;
+  const Quaternion<Budget> q = of_length<0, 4>(length);
+  const double error = whole(Quaternion<Budget>(q * (Budget(1) / root(squared_norm(q))))).in_u();
+  Budget::least_squared_norm = 0;
+  return error;
+}
+
+// What Algorithm 1 may lose per ||x|| and kappa = 1 / min ||q'_k||, for caps of less than a right angle; beyond, the ball has all
+// rotations of x.
+double error_of_cap(int joints, double kappa) {
+  const double of_unit = error_of_blend<4>(joints) * kappa + error_of_unit(1 / kappa), of_apex = error_of_unit(1);
+  const Quaternion<Budget> apex = of_length<0, 4>(1, of_apex * u);
+  const Vec<Budget, 3> x = of_length<0, 3>(1, 2 * u);  // p, r_c and their difference are rounded: 2 u ||x|| + 2 u ||r_c||
+  double worst = 0;
+  constexpr double end = 0.1465;  // 8 s^2 (1 - s^2) = 1 at a right angle
+  for (double least = 1e-30; least < end;) {
+    const double most = least < 1e-12 ? 1e-12 : std::min(end, least * 1.01);
+    const Budget s2(most, 0, least);
+    const RotationBound<Budget> bound = bound_of_cap(apex, s2);
+    const Vec<Budget, 3> offset = rotate(bound.apex, x) * bound.center_ratio;
+    const Budget radius = bound.radius_ratio * Budget(1, whole(x).error + 3 * u, 1);  // || x ||: three roundings and a root
+    // The chord 2 s = || n_k - a || has the errors of both and four roundings of itself, and the angle is 4 arcsin s.
+    const double of_chord = of_unit + of_apex + 4 * 2 * std::sqrt(most), of_angle = 2 / std::sqrt(1 - most) * of_chord;
+    worst = std::max(worst, whole(offset).in_u() + radius.in_u() + of_angle);
+    least = most;
+  }
+  // The centers are measured from the ball's center less the offset, which is at most 2 ||x|| and the center images.
+  return (worst + 2) / kappa;
+}
+
+Checked check_refit() {
+  DerivedBudgets budgets;
+  for (const int n : {2, 3, 4, 8, 64})
+    for (const double kappa : {1.0, 1.5, 16.0}) {
+      char name[80];
+      std::snprintf(name, sizeof name, "%d joints, per kappa |x| at kappa %g", n, kappa);
+      budgets.add(name, error_of_cap(n, kappa), algorithm1_slack(n) / u);
+      // A blend alone is turned by without a cap, in node_refit.cpp.
+      const double of_unit = error_of_blend<4>(n) * kappa + error_of_unit(1 / kappa);
+      const double alone = whole(rotate<Budget>(of_length<0, 4>(1, of_unit * u), of_length<0, 3>(1, 2 * u))).in_u() / kappa + 2;
+      budgets.add(std::string(name) + ", node by node", std::max(error_of_cap(n, kappa), alone), node_refit_slack(n) / u);
+    }
+  budgets.add("1 joint, per |x|", whole(rotate<Budget>(rounded_input<4>(1), of_length<0, 3>(1, 2 * u))).in_u() + 2,
+              algorithm1_slack(1) / u);
+  for (const int n : {1, 2, 3, 4, 8, 64}) {
+    // Of size = max ||r|| + 2 ||r_c||: the blended center images and the ball's center less the offset; r_c has 2 in x, and so in
+    // the offset and in the radius.
+    budgets.add(std::to_string(n) + " joints, per size", std::max(error_of_blend<3>(n) + 2, 2.0 * 2), algorithm1_slack(n) / u);
+    // Linear: the rows are rounded, which is sqrt 3 ||p|| of the image, and so is a row's dot product, of three roundings each.
+    const Vec<Budget, 3> p = rounded_input<3>(1), row = rounded_input<3>(1);
+    const double image = std::sqrt(3.0) * (dot(row, p) + Budget(tiny, 0, 0)).in_u();
+    const double translation = 1 + (Budget(tiny, 0, 0) + Budget(1, 0, 0)).in_u();
+    // Blends, and the ball's center less that.
+    const double more = error_of_blend<3>(n) - 1 + 1;
+    budgets.add(std::to_string(n) + " joints, linear, per |p|", image + more, linear_refit_slack(n) / u);
+    budgets.add(std::to_string(n) + " joints, linear, per |t|", translation + more, linear_refit_slack(n) / u);
+  }
+  // A distance and sums of radii, which are relative to the radius.
+  const Vec<Budget, 3> difference = of_length<0, 3>(1, u);
+  const Budget squared = squared_norm(difference), far = root(Budget(1, squared.error, 1));
+  const Budget whole_radius = (far + Budget(tiny, 0, tiny) + Budget(tiny, 0, tiny)) * Budget(1 + 2 * u);
+  budgets.add("per radius", whole_radius.in_u() + 1, (refit_radius_stretch - 1) / u);
+  return budgets.checked();
+}
+
+// --- The motion bound ---
+
+// Each quaternion whose squared length is off by 1e-6 turns with an error of 2e-6.
+constexpr double stretch = 2e-6 / u;
+
+// An image under a joint that the placement has turned, per ||f|| and per ||t||.
+template <class Image>
+double error_of_image(double f, double t, const Image& image) {
+  const RigidTransform<Budget> placement{rounded_input<4>(1), of_length<0, 3>(0)},
+      joint{rounded_input<4>(1), rounded_input<3>(t)};
+  return image(compose(placement, joint), rounded_input<3>(f)) + 3 * stretch;
+}
+double image_by_quaternion(const RigidTransform<Budget>& joint, const Vec<Budget, 3>& f) { return whole(apply(joint, f)).in_u(); }
+// An error of the quaternion has the same effect. A row has three entries, each with an error of its own, and a length of 1;
+// so have the images' coordinates.
+double image_by_matrix(const RigidTransform<Budget>& joint, const Vec<Budget, 3>& f) {
+  const Budget q = whole(joint.rotation), v = whole(f);
+  const double of_quaternion = 2 * (2 * q.error + q.error * q.error) * (v.most + v.error);
+  double of_entry = 0;
+  for (const auto& row : baseline::matrix_of<oracle::PlainBudget>(oracle::exact<4>(q)))
+    for (int i = 0; i < 3; ++i) of_entry = std::max(of_entry, row[i].error);
+  const Vec<Budget, 3> row = of_length<0, 3>(1, std::sqrt(3.0) * of_entry);
+  return std::sqrt(3.0) * (dot(row, f) + joint.translation[0]).in_u() + of_quaternion / u;
+}
+
+Checked check_motion_bound() {
+  DerivedBudgets budgets;
+  // The share of A is at most the root of 9 / 16 and what is added for errors, so that an image's error e adds up to (1 + share
+  // sqrt(n (n - 1) / 2) 2) e.
+  const double share = std::sqrt(squared_deviation_share(0.0)) + baseline::positive + error_share(1e-6);
+  for (const bool is_matrix : {false, true})
+    for (int n = 1; n <= most_motion_bound_joints; ++n) {
+      const double all = 1 + share * std::sqrt(n * (n - 1) / 2.0) * 2;
+      const auto add = [&](const char* what, double f, double t) {
+        const double e = error_of_image(f, t, is_matrix ? image_by_matrix : image_by_quaternion);
+        char name[80];
+        std::snprintf(name, sizeof name, "%d joints%s, per %s", n, is_matrix ? " by matrices" : "", what);
+        // The box grows by a radius, with a rounding each.
+        budgets.add(name, all * (e + 2), lost_of_motion_bound * n / u);
+      };
+      add("|f|", 1, tiny), add("|t|", tiny, 1);
+    }
+  // The radius is rounded, and joints stretch it; so do they with a box's half diagonal, which matrices turn.
+  const Quaternion<Budget> turned = multiply(rounded_input<4>(1), rounded_input<4>(1));
+  const double of_half = image_by_matrix({turned, of_length<0, 3>(tiny)}, rounded_input<3>(1));
+  budgets.add("per radius", 3 * stretch + 3, lost_of_motion_bound / u);
+  budgets.add("per half diagonal", of_half + 3 * stretch + 3, lost_of_motion_bound / u);
+  // Of a dot product of two joints' quaternions, whose squared lengths are off by 2e-6 with the placement's.
+  budgets.add("cosine", dot(turned, turned).in_u() + stretch, baseline::positive / u);
+  // The share of A that is added for errors also has to hold those of A, of the share and of their product, relative to
+  // themselves: n sum ||y_k||^2 is at most n A^2.
+  const int n = most_motion_bound_joints;
+  Vec<Budget, 3> sum = of_length<0, 3>(tiny);
+  Budget squares(tiny, 0, 0);
+  for (int k = 1; k < n; ++k) {
+    const Vec<Budget, 3> y = of_length<0, 3>(1 / std::sqrt(n - 1.0), u / std::sqrt(n - 1.0));
+    sum = sum + y, squares = squares + squared_norm(y);
+  }
+  const Budget spread = squared_spread_of_sums(Budget(n), squares, sum);
+  budgets.add("A", share * (spread.in_u() + 8), error_share(0) / u);
+  // What is found of | ||q||^2 - 1 |, next to 1e-6.
+  const double of_square = squared_norm(rounded_input<4>(1)).in_u();
+  budgets.add("surely rigid", of_square, (1e-6 - surely_rigid) / u);
+  budgets.add("surely not rigid", of_square, (surely_not_rigid - 1e-6) / u);
+  return budgets.checked();
+}
+
+// --- Boxes in float, and placed bodies ---
+
+Budget scalar(double most, double error = 0) { return {most, error, 0}; }
+
+// A box of a cluster or of a node, of coordinates up to this, converted to float or not, grown by so much.
+double error_of_grown_box(double coordinate, bool is_converted, double by) {
+  Box<Budget> box{of_length<0, 3>(coordinate, is_converted ? u * coordinate : 0), {}};
+  box.high = box.low;
+  box.grow(scalar(by));
+  return whole(box.low).in_u();
+}
+// What ClusterPairs::moved finds, for a coordinate of a box and one of the offset between two origins. So does place, without the
+// second rounding.
+double error_of_moved_box(double coordinate, double offset) {
+  return (scalar(coordinate) + scalar(offset, u * offset) - scalar(tiny)).in_u();
+}
+
+Checked check_float_boxes() {
+  DerivedBudgets budgets;
+  constexpr double spare = four_roundings / u, twice = 2 * spare;
+  budgets.add("a cluster's box, with what is to spare", error_of_grown_box(1, false, tiny) + spare, twice);
+  // Of the slack that it grows by: rounded to float, added up and subtracted. The slack has float_slack_and_more for this.
+  budgets.add("a cluster's box, per slack", 2 + error_of_grown_box(tiny, false, 1) + spare, (float_slack_and_more - 1) / u);
+  budgets.add("a cluster's box of doubles, with what is to spare", error_of_grown_box(1, true, tiny) + spare, twice);
+  budgets.add("a node's box, with what is to spare", error_of_grown_box(1, true, tiny) + spare, roundings_of_float_box / u);
+  budgets.add("a moved box, per coordinate", error_of_moved_box(1, tiny), spare);
+  budgets.add("a moved box, per offset", error_of_moved_box(tiny, 1), spare);
+  // Which is then grown.
+  budgets.add("a box moved back, per coordinate", error_of_moved_box(1, tiny) + error_of_grown_box(1, false, tiny), twice);
+  budgets.add("a box moved back, per offset", error_of_moved_box(tiny, 1) + error_of_grown_box(1, false, tiny), twice);
+  // In u of double: turned + translation, translation - origin, and what that leaves of the world's.
+  const double translation = scalar(1).rounded().in_u() * 3, origin = scalar(1).rounded().in_u() * 2;
+  budgets.add("the world's doubles, per translation", translation, lost_in_world / 0x1p-53);
+  budgets.add("the world's doubles, per origin", origin, lost_in_world / 0x1p-53);
+  return budgets.checked();
+}
+
+// Hulls of whole images of more joints than a pack takes, in u of double: those of the box, and those of the vertices. Each is
+// relative to the lengths of the parts of an image.
+Checked check_hulls() {
+  DerivedBudgets budgets;
+  const Quaternion<Budget> unit = of_length<0, 4>(1);
+  for (const int n : {5, 8, 64, 1024}) {
+    const std::string joints = std::to_string(n) + " joints, ";
+    // A blend of n images has an error of n.
+    const auto error_of_linear = [&](double point, double translation) {
+      const Vec<Budget, 3> p = of_length<0, 3>(point), t = of_length<0, 3>(translation), image = rotate<Budget>(unit, p) + t;
+      const Vec<Budget, 3> vertex = of_length<0, 3>(point + translation, whole(image).error + n * u * (point + translation));
+      return (whole(rotate<Budget>(unit, image)).error + whole(rotate<Budget>(unit, vertex)).error) / u;
+    };
+    // Besides, the sum of lengths and the sides of the box are rounded, which is less than 16 of the same.
+    budgets.add(joints + "linear, per center", error_of_linear(1, tiny) + 16, lost_of_hull(n) / 0x1p-53);
+    budgets.add(joints + "linear, per translation", error_of_linear(tiny, 1) + 16, lost_of_hull(n) / 0x1p-53);
+    // Skinning takes x = v - r_c, which loses a rounding of its parts; turning it, and the center's image, are as skinning has
+    // them, for blends of any length.
+    const PaletteRounding<double> rounding = rounding_spherical(PaletteScales<double>{double(n), 1, 1, 1, 0});
+    const double of_x = rounding.vertex.per_length / 0x1p-53, of_image = rounding.vertex.offset / 0x1p-53;
+    const double of_turn = whole(rotate<Budget>(unit, of_length<0, 3>(1))).in_u();
+    budgets.add(joints + "spherical, per center or rotation center", 2 + of_turn + 16, lost_of_hull(n) / 0x1p-53);
+    budgets.add(joints + "spherical, per center image", of_image + 2 * of_turn + 16, lost_of_hull(n) / 0x1p-53);
+    // x is within the reach, which is stretched for quaternions off unit length by more than its rounding.
+    budgets.add(joints + "spherical, per reach", of_x + 2 * of_turn + 16, lost_of_hull(n) / 0x1p-53);
+  }
+  budgets.add("per reach, for quaternions off unit length", 2 * 2e-6 / 0x1p-53, (stretch_of_hull - 1) / 0x1p-53);
+  return budgets.checked();
+}
+
+// In u of double.
+Checked check_placements() {
+  DerivedBudgets budgets;
+  const auto transform = [](double translation) {
+    return RigidTransform<Budget>{of_length<0, 4>(1), of_length<0, 3>(translation)};
+  };
+  const auto error = [&](double of_first, double of_second, double center) {
+    const RigidTransform<Budget> first = transform(of_first), second = transform(of_second);
+    const Vec<Budget, 3> at = of_length<0, 3>(center);
+    // Of the ball's center, of the triangles' corners of both bodies, and of the distance and the reach.
+    return whole(apply(compose(inverse(first), second), at)).in_u() + whole(apply(first, at)).in_u() +
+           whole(apply(second, at)).in_u() + 10;
+  };
+  constexpr double allowed = lost_of_placements / 0x1p-53;
+  budgets.add("two bodies, per center", error(tiny, tiny, 1), allowed);
+  budgets.add("two bodies, per first translation", error(1, tiny, tiny), allowed);
+  budgets.add("two bodies, per second translation", error(tiny, 1, tiny), allowed);
+  return budgets.checked();
+}
+
+// --- Skinned vertices ---
+
+// The greatest error of a formula that turns x by a quaternion of length 1, for all angles. All exact sums in it are at most this
+// long. formula(q) returns the image.
+template <class Formula>
+double error_of_turn(double longest, const Formula& formula) {
+  using oracle::PlainBudget;
+  constexpr int cells = 512;
+  double worst = 0;
+  PlainBudget::longest = longest, PlainBudget::least_squared_norm = 1;
+  for (int cell = 0; cell < cells; ++cell) {
+    Quaternion<PlainBudget> q = of_length<1, 4>(std::sin((cell + 1) * std::acos(0.0) / cells));
+    q[0] = PlainBudget(std::cos(cell * std::acos(0.0) / cells), 0, 0);
+    worst = std::max(worst, whole(formula(q)).in_u());
+  }
+  PlainBudget::longest = HUGE_VAL, PlainBudget::least_squared_norm = 0;
+  return worst;
+}
+
+// The rates of palette_rounding.hpp for a skinned vertex, without what the blend's own error turns: 2 n kappa. In u of any type.
+Checked check_vertices() {
+  using oracle::PlainBudget;
+  DerivedBudgets budgets;
+  const double u_double = 0x1p-53;
+  const auto scales = [](double n, double image, double translation) {
+    return PaletteScales<double>{n, image, translation, 1, 0};
+  };
+  // keep x + along v is symmetric in x, of eigenvalues 1 and w^2 - ||v||^2.
+  const auto spherical = [&](double x, double image) {
+    return error_of_turn(x + image, [&](const Quaternion<PlainBudget>& q) {
+      return turn_and_place<PlainBudget>({q, of_length<1, 3>(image)}, squared_norm(q), of_length<1, 3>(x));
+    });
+  };
+  const auto linear = [&](double p, double translation) {
+    return error_of_turn(p + translation, [&](const Quaternion<PlainBudget>& q) {
+      return apply(RigidTransform<PlainBudget>{q, of_length<1, 3>(translation)}, of_length<1, 3>(p));
+    });
+  };
+  const auto dual = [&](double p, double translation) {
+    return error_of_turn(p + translation, [&](const Quaternion<PlainBudget>& q) {
+      return move_rigidly<PlainBudget>({q, of_length<1, 4>(translation / 2)}, squared_norm(q), of_length<1, 3>(p));
+    });
+  };
+  for (const int n : {1, 2, 4, 64}) {
+    const std::string joints = std::to_string(n) + " joints, ";
+    const auto of_spherical = rounding_spherical(scales(n, 1, 0)).vertex, of_linear = rounding_linear(scales(n, 0, 1)).vertex,
+               of_dual = rounding_dual_quaternion(scales(n, 0, 1)).vertex;
+    // x has an error of 1, and blends of centers and translations of n.
+    budgets.add(joints + "spherical, per |x|", 1 + spherical(1, tiny), of_spherical.per_length / u_double - 2 * n);
+    budgets.add(joints + "spherical, per center image", n + spherical(tiny, 1), of_spherical.offset / u_double);
+    budgets.add(joints + "linear, per |p|", n + linear(1, tiny), of_linear.per_length / u_double);
+    budgets.add(joints + "linear, per |t|", n + linear(tiny, 1), of_linear.offset / u_double);
+    budgets.add(joints + "dual quaternions, per |p|", dual(1, tiny), of_dual.per_length / u_double - 2 * n);
+    budgets.add(joints + "dual quaternions, per |t|", dual(tiny, 1), of_dual.offset / u_double - 2 * n);
+  }
+  return budgets.checked();
+}
+
+}  // namespace
+
+PROPTEST(bound_budgets) {
+  const Options options{.number_type = "bounds of float"};
+  t.example("the refit's slack allows for what float may lose", options, check_refit);
+  t.example("the motion bound allows for what float may lose of images", options, check_motion_bound);
+  t.example("boxes in float allow for what growing and moving them may lose", options, check_float_boxes);
+  t.example("hulls of whole images allow for what double may lose", {.number_type = "bounds of double"}, check_hulls);
+  t.example("the rates of skinned vertices allow for what the formulas may lose", {.number_type = "bounds of any float"},
+            check_vertices);
+  t.example("the traversal of placed bodies allows for what double may lose", {.number_type = "bounds of double"},
+            check_placements);
+}
+
+}  // namespace proptests::suite_bound_budgets

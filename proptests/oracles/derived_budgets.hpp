@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Derived and allowed budgets of rounding, by name. No allowance may be less than what was derived.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "proptests/harness.hpp"
+
+namespace proptests::oracle {
+
+class DerivedBudgets {
+ public:
+  // Both in u, the unit roundoff of the kernel's numbers.
+  void add(const std::string& name, double derived, double allowed) {
+    char text[200];
+    std::snprintf(text, sizeof text, "%s: derived %.4g u, allowed %.4g u; ", name.c_str(), derived, allowed);
+    ++count_;
+    if (!(derived > 0 && derived <= allowed)) too_little_ += text;
+    if (derived / allowed > greatest_share_) greatest_share_ = derived / allowed, tightest_ = text;
+  }
+  // Names what is too little, and the tightest.
+  Checked checked() const {
+    if (!too_little_.empty()) return Checked(false, count_, "TOO LITTLE: " + too_little_);
+    return Checked(true, count_, "the tightest of " + std::to_string(count_) + ": " + tightest_);
+  }
+
+ private:
+  long count_ = 0;
+  double greatest_share_ = 0;
+  std::string too_little_, tightest_;
+};
+
+}  // namespace proptests::oracle
