@@ -8,7 +8,8 @@
 namespace refitlab {
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "synthetic", "over_time"};
+const char* const experiments[] = {"tightness", "speed",     "volumes",   "rounding", "collisions",
+                                   "growth",    "synthetic", "over_time", "engines"};
 
 // Whether everything runs at all: collisions of one character only, too few repetitions for times to mean much.
 void measure_quickly(Options& o) {
@@ -23,6 +24,7 @@ void measure_quickly(Options& o) {
   o.synthetic.count = 1000;
   o.over_time = {.random_times = 20, .halvings = 2, .exact_checks = 1, .clips = 1};
   o.over_time_growth = {.subdivisions = 1};
+  o.engines = {.times_per_clip = 10, .clips = 1, .speed = once};
 }
 
 // What the paper and README say.
@@ -38,6 +40,7 @@ void measure_fully(Options& o) {
   o.synthetic.count = 50000;
   o.over_time = {.random_times = 10000, .halvings = 12, .exact_checks = 200};
   o.over_time_growth = {.repetitions = 3, .subdivisions = 3, .up_to_a_million = true};
+  o.engines = {.times_per_clip = 10000, .speed = {.seconds_per_run = 0.05, .repetitions = 15}};
 }
 
 }  // namespace

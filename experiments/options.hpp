@@ -8,6 +8,7 @@
 
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/engines/engines.hpp"
 #include "experiments/growth/triangles.hpp"
 #include "experiments/over_time/growth.hpp"
 #include "experiments/over_time/over_time.hpp"
@@ -33,6 +34,7 @@ struct Options {
   SyntheticSettings synthetic{.count = 2000};
   OverTimeSettings over_time;
   OverTimeGrowthSettings over_time_growth;
+  EngineSettings engines{.speed = speed};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }
