@@ -88,22 +88,20 @@ JointCapsules::JointCapsules(const SkinnedMesh& mesh, const std::vector<JointCap
   for (std::size_t j = 0; j < capsules.size(); ++j) {
     const JointCapsule& c = capsules[j];
     if (c.radius < 0) continue;
+    double farthest = 0;
     for (int end = 0; end < 2; ++end) {
       for (int i = 0; i < 3; ++i) numbers_.at(3 * end + i, static_cast<int>(j)) = static_cast<float>(c.ends[end][i]);
-      farthest_ = std::max(farthest_, float_above(1.0001 * norm<double, 3>(c.ends[end])));
+      farthest = std::max(farthest, norm<double, 3>(c.ends[end]));
     }
-    numbers_.at(6, static_cast<int>(j)) = float_above(c.radius * (1 + stretch_of_joints));
+    numbers_.at(6, static_cast<int>(j)) = float_above(c.radius * (1 + stretch_of_joints) + 2.1 * lost_of_capsules * farthest);
   }
 }
 
 Box<float> JointCapsules::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
-  float out[6], largest = 0;
-  joint_kernels(target).capsules(matrices.data(), numbers_.data(), numbers_.room(), out);
-  for (const float x : out) largest = std::max(largest, std::abs(x));
-  Box<float> box = box_of_numbers(out);
-  box.grow(lost_of_capsules * (2 * largest + 2 * farthest_));
-  return box;
+  float out[6];
+  joint_kernels(target).capsules(matrices.data(), numbers_.data(), numbers_.room(), 2 * lost_of_capsules, out);
+  return box_of_numbers(out);
 }
 
 }  // namespace refitlab

@@ -6,7 +6,8 @@
 //
 // Rounding. Let u = 2^-24. Entries of matrices from quaternions in float have an error below 10 u, an image of p has four
 // roundings of each of its products, and a quaternion whose squared length is off by 1e-6 turns p by 34 u of its length:
-// together below 256 u (||p|| + ||t||), of which ||t|| <= ||C p|| + ||p||, and all C p are in the box. Radii have a share of
+// together below 256 u (||p|| + ||t||), of which ||t|| <= ||C p|| + ||p||. All C p are in the box,
+// which is grown by its farthest coordinate's share, and what p is off is in the radius. Radii have a share of
 // 1e-5 for the joints' stretch.
 #pragma once
 
@@ -38,7 +39,6 @@ class JointCapsules {
 
  private:
   JointNumbers numbers_;
-  float farthest_ = 0;  // end of an axis from the origin
 };
 
 }  // namespace refitlab

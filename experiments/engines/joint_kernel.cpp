@@ -27,15 +27,23 @@ struct MatrixRow {
           load(numbers + (number + 2) * room + first)};
 }
 
-// Merges what add(first, merge) merges for all joints: three least and three greatest coordinates at a time.
-template <class Add>
-[[gnu::always_inline]] inline void merge_joints(int room, float* out, const Add& add) {
+// Merges what add(first, merge) merges for all joints: three least and three greatest coordinates at a time. is_grown: by lost
+// times the greatest absolute value.
+template <bool is_grown, class Add>
+[[gnu::always_inline]] inline void merge_joints(int room, float lost, float* out, const Add& add) {
   S low[3] = {S(infinity), S(infinity), S(infinity)}, high[3] = {S(-infinity), S(-infinity), S(-infinity)};
   for (int first = 0; first < room; first += width)
     add(first, [&](int axis, const S& least, const S& greatest) {
       low[axis] = min_of(low[axis], least), high[axis] = max_of(high[axis], greatest);
     });
-  for (int i = 0; i < 3; ++i) out[i] = std::experimental::hmin(low[i]), out[3 + i] = std::experimental::hmax(high[i]);
+  float by = 0;
+  if constexpr (is_grown) {
+    // A lane of volumes that are nowhere counts for less than nothing.
+    S farthest = max_of(S(-low[0]), high[0]);
+    for (int i = 1; i < 3; ++i) farthest = max_of(farthest, max_of(S(-low[i]), high[i]));
+    by = lost * std::experimental::hmax(farthest);
+  }
+  for (int i = 0; i < 3; ++i) out[i] = std::experimental::hmin(low[i]) - by, out[3 + i] = std::experimental::hmax(high[i]) + by;
 }
 
 REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* scratch, int room, float* matrices) {
@@ -54,7 +62,7 @@ REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* s
 }
 
 REFITLAB_KERNEL void merge_boxes(const float* matrices, const float* boxes, int room, float* out) {
-  merge_joints(room, out, [&](int first, const auto& merge) {
+  merge_joints<false>(room, 0, out, [&](int first, const auto& merge) {
     const Point center = load_row(boxes, 0, room, first), half = load_row(boxes, 3, room, first);
 #pragma GCC unroll 3
     for (int axis = 0; axis < 3; ++axis) {
@@ -65,8 +73,8 @@ REFITLAB_KERNEL void merge_boxes(const float* matrices, const float* boxes, int 
   });
 }
 
-REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* boxes, int room, float* out) {
-  merge_joints(room, out, [&](int first, const auto& merge) {
+REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* boxes, int room, float lost, float* out) {
+  merge_joints<true>(room, lost, out, [&](int first, const auto& merge) {
     const Point center = load_row(boxes, 0, room, first), half = load_row(boxes, 3, room, first);
     const S radius = load(boxes + 6 * room + first);
 #pragma GCC unroll 3
@@ -78,8 +86,8 @@ REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* box
   });
 }
 
-REFITLAB_KERNEL void merge_capsules(const float* matrices, const float* capsules, int room, float* out) {
-  merge_joints(room, out, [&](int first, const auto& merge) {
+REFITLAB_KERNEL void merge_capsules(const float* matrices, const float* capsules, int room, float lost, float* out) {
+  merge_joints<true>(room, lost, out, [&](int first, const auto& merge) {
     const Point one = load_row(capsules, 0, room, first), other = load_row(capsules, 3, room, first);
     const S radius = load(capsules + 6 * room + first);
 #pragma GCC unroll 3

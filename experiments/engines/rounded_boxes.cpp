@@ -210,19 +210,16 @@ RoundedBoxes::RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox
       numbers_.at(i, static_cast<int>(j)) = static_cast<float>(b.center[i]);
       numbers_.at(3 + i, static_cast<int>(j)) = float_above(b.half[i] * (1 + share_of_stretch));
     }
-    numbers_.at(6, static_cast<int>(j)) = float_above(b.radius * (1 + share_of_stretch));
-    farthest_ = std::max(farthest_, float_above(1.0001 * (norm<double, 3>(b.center) + norm<double, 3>(b.half))));
+    const double farthest = norm<double, 3>(b.center) + norm<double, 3>(b.half);
+    numbers_.at(6, static_cast<int>(j)) = float_above(b.radius * (1 + share_of_stretch) + 2.1 * lost_of_boxes * farthest);
   }
 }
 
 Box<float> RoundedBoxes::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
-  float out[6], largest = 0;
-  joint_kernels(target).rounded_boxes(matrices.data(), numbers_.data(), numbers_.room(), out);
-  for (const float x : out) largest = std::max(largest, std::abs(x));
-  Box<float> box = box_of_numbers(out);
-  box.grow(lost_of_boxes * (2 * largest + 2 * farthest_));
-  return box;
+  float out[6];
+  joint_kernels(target).rounded_boxes(matrices.data(), numbers_.data(), numbers_.room(), 2 * lost_of_boxes, out);
+  return box_of_numbers(out);
 }
 
 }  // namespace refitlab

@@ -64,10 +64,21 @@ def costs(results, method):
             "ns_of_matrices": mean_of("ns_of_matrices"), "ratio_of_matrices": mean_of("ratio_to_joint_boxes_of_matrices")}
 
 
+def volumes_by_model(results, method):
+    """{model: volumes over joint boxes, by clip}, linear skinning."""
+    found = {}
+    for row in results.select("engines", variant=method, quantity="volume_to_joint_boxes", kind="clip", skinning="linear"):
+        found.setdefault(row.model, []).append(row.value)
+    return found
+
+
 def volume_goal(results):
-    """Ours over joint boxes with linear skinning: the mean over all clips, what even the true box has, and the clips that reach the goal."""
+    """Ours over joint boxes with linear skinning: the mean over all clips, what even the true box has, and the clips that reach the goal. either: the
+    mean if a bake takes rounded boxes or capsules, model by model."""
     ours, true = (of_clips(results, method, "volume_to_joint_boxes", skinning="linear") for method in (OURS, "all_skinned"))
-    return {"mean": mean(ours), "true": mean(true), "reached": sum(ratio <= GOALS["volume"] for ratio in ours), "clips": len(ours)}
+    settings = [volumes_by_model(results, method) for method in (OURS, "joint_capsules")]
+    either = [volume for model in settings[0] for volume in min((s[model] for s in settings), key=mean)]
+    return {"mean": mean(ours), "true": mean(true), "either": mean(either), "reached": sum(ratio <= GOALS["volume"] for ratio in ours), "clips": len(ours)}
 
 
 def clip_rows(results):
