@@ -6,9 +6,9 @@
 //
 // Rounding. Let u = 2^-24. Entries of matrices from quaternions in float have an error below 10 u, an image of p has four
 // roundings of each of its products, and a quaternion whose squared length is off by 1e-6 turns p by 34 u of its length:
-// together below 256 u (||p|| + ||t||), of which ||t|| <= ||C p|| + ||p||. All C p are in the box,
-// which is grown by its farthest coordinate's share, and what p is off is in the radius. Radii have a share of
-// 1e-5 for the joints' stretch.
+// together, of the coordinate along an axis, below 256 u (||p|| + |t|), where t is the joint's translation along it, which is
+// at most that of C p and ||p||. All C p are in the box. So along each axis it is grown by its own farthest coordinate's
+// share, and what p is off is in the radius. Radii have a share of 1e-5 for the joints' stretch.
 #pragma once
 
 #include <array>

@@ -27,8 +27,8 @@ struct MatrixRow {
           load(numbers + (number + 2) * room + first)};
 }
 
-// Merges what add(first, merge) merges for all joints: three least and three greatest coordinates at a time. is_grown: by lost
-// times the greatest absolute value.
+// Merges what add(first, merge) merges for all joints: three least and three greatest coordinates at a time. is_grown: along
+// each axis by lost times the greatest absolute value.
 template <bool is_grown, class Add>
 [[gnu::always_inline]] inline void merge_joints(int room, float lost, float* out, const Add& add) {
   S low[3] = {S(infinity), S(infinity), S(infinity)}, high[3] = {S(-infinity), S(-infinity), S(-infinity)};
@@ -36,14 +36,11 @@ template <bool is_grown, class Add>
     add(first, [&](int axis, const S& least, const S& greatest) {
       low[axis] = min_of(low[axis], least), high[axis] = max_of(high[axis], greatest);
     });
-  float by = 0;
-  if constexpr (is_grown) {
-    // A lane of volumes that are nowhere counts for less than nothing.
-    S farthest = max_of(S(-low[0]), high[0]);
-    for (int i = 1; i < 3; ++i) farthest = max_of(farthest, max_of(S(-low[i]), high[i]));
-    by = lost * std::experimental::hmax(farthest);
+  for (int i = 0; i < 3; ++i) {
+    const float least = std::experimental::hmin(low[i]), greatest = std::experimental::hmax(high[i]);
+    const float by = is_grown ? lost * max_of(-least, greatest) : 0;
+    out[i] = least - by, out[3 + i] = greatest + by;
   }
-  for (int i = 0; i < 3; ++i) out[i] = std::experimental::hmin(low[i]) - by, out[3 + i] = std::experimental::hmax(high[i]) + by;
 }
 
 REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* scratch, int room, float* matrices) {

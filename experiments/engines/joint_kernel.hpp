@@ -21,7 +21,7 @@ struct JointKernels {
   void (*matrices)(const double* pose, int joint_count, float* scratch, int room, float* matrices);
   // out: the least x, y, z, then the greatest.
   void (*boxes)(const float* matrices, const float* boxes, int room, float* out);
-  // Likewise, grown by lost times the greatest absolute value of what comes out.
+  // Likewise, grown along each axis by lost times the greatest absolute value of what comes out.
   void (*rounded_boxes)(const float* matrices, const float* boxes, int room, float lost, float* out);
   void (*capsules)(const float* matrices, const float* capsules, int room, float lost, float* out);
 };
