@@ -15,25 +15,42 @@ function(refitlab_kernels library)
     return()
   endif()
   target_compile_definitions(${library} PUBLIC REFITLAB_X86_TARGETS)
+  refitlab_wide_kernels(${library} refitlab ${kernels})
+endfunction()
+
+# refitlab_wide_kernels(TARGET NAME FILE...): the kernels once more for each wider target, as object libraries that are named NAME_avx2
+# and NAME_avx512, and that several targets may share.
+function(refitlab_wide_kernels user name)
   foreach(row avx2:x86-64-v3 avx512:x86-64-v4)
     string(REPLACE ":" ";" row ${row})
     list(GET row 0 target)
     list(GET row 1 architecture)
-    add_library(refitlab_${target} OBJECT ${kernels})
-    target_compile_definitions(refitlab_${target} PRIVATE REFITLAB_TARGET=${target} EIGEN_MAX_ALIGN_BYTES=16)
-    target_compile_options(refitlab_${target} PRIVATE -march=${architecture})
-    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-      target_compile_options(refitlab_${target} PRIVATE -Wno-maybe-uninitialized)  # in its own intrinsics (GCC bug 105593)
-    else()
-      # Clang's flatten inlines what an entry point calls, and leaves what that calls to these limits.
-      target_compile_options(refitlab_${target} PRIVATE "SHELL:-mllvm -inline-threshold=100000"
-                             "SHELL:-mllvm -locally-hot-callsite-threshold=100000" -Wno-pass-failed)
+    if(NOT TARGET ${name}_${target})
+      add_library(${name}_${target} OBJECT ${ARGN})
+      target_compile_definitions(${name}_${target} PRIVATE REFITLAB_TARGET=${target} EIGEN_MAX_ALIGN_BYTES=16)
+      target_compile_options(${name}_${target} PRIVATE -march=${architecture})
+      if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        target_compile_options(${name}_${target} PRIVATE -Wno-maybe-uninitialized)  # in its own intrinsics (GCC bug 105593)
+      else()
+        # Clang's flatten inlines what an entry point calls, and leaves what that calls to these limits.
+        target_compile_options(${name}_${target} PRIVATE "SHELL:-mllvm -inline-threshold=100000"
+                               "SHELL:-mllvm -locally-hot-callsite-threshold=100000" -Wno-pass-failed)
+      endif()
+      target_link_libraries(${name}_${target} PRIVATE refitlab::lemmas refitlab_flags)
     endif()
-    target_link_libraries(refitlab_${target} PRIVATE refitlab::lemmas refitlab_flags)
-    target_sources(${library} PRIVATE $<TARGET_OBJECTS:refitlab_${target}>)
-    add_custom_command(TARGET ${library} POST_BUILD VERBATIM
+    target_sources(${user} PRIVATE $<TARGET_OBJECTS:${name}_${target}>)
+    add_custom_command(TARGET ${user} POST_BUILD VERBATIM
                        COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} -DTARGET=${target}
-                               "-DOBJECTS=$<JOIN:$<TARGET_OBJECTS:refitlab_${target}>,$<SEMICOLON>>"
+                               "-DOBJECTS=$<JOIN:$<TARGET_OBJECTS:${name}_${target}>,$<SEMICOLON>>"
                                -P ${PROJECT_SOURCE_DIR}/.ci/lone_kernels.cmake)
   endforeach()
+endfunction()
+
+# refitlab_engine_kernels(TARGET): those of the experiment on what engines ship, for the programs that are made of it.
+function(refitlab_engine_kernels user)
+  set(kernel ${PROJECT_SOURCE_DIR}/experiments/engines/joint_kernel.cpp)
+  set_source_files_properties(${kernel} PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=fast")
+  if(REFITLAB_WIDE_TARGETS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    refitlab_wide_kernels(${user} refitlab_engine ${kernel})
+  endif()
 endfunction()

@@ -7,12 +7,14 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/catalogue/catalogue.hpp"
+#include "experiments/engines/engines.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/over_time/crossfades.hpp"
 #include "experiments/over_time/growth.hpp"
 #include "experiments/over_time/over_time.hpp"
 #include "experiments/pictures/cap_figure.hpp"
+#include "experiments/pictures/engine_boxes_figure.hpp"
 #include "experiments/pictures/failing_figure.hpp"
 #include "experiments/pictures/sampled_miss_figure.hpp"
 #include "experiments/pictures/scenario_figures.hpp"
@@ -39,6 +41,7 @@ struct ModelResults {
   std::vector<CollisionResult> collisions;
   std::vector<OverTimeResult> over_time;
   std::vector<CrossfadesResult> crossfades;
+  std::vector<EngineResult> engines;
 };
 
 // The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
@@ -104,6 +107,15 @@ void run_over_time_on(const std::vector<Model>& models, const Options& options, 
   draw_sampled_miss(models, results.over_time, pictures);
 }
 
+void run_engines_on(const std::vector<Model>& models, const Options& options, Units& run, PictureTable& pictures,
+                    ModelResults& results) {
+  if (!options.wants("engines")) return;
+  for (const Model& model : models)
+    results.engines.push_back(resumed_or(run, "engines' bounds of " + model.name, options.engines, identify(model),
+                                         [&] { return run_engines(model, options.engines); }));
+  if (!models.empty()) draw_engine_boxes(models[0], pictures);
+}
+
 // Each file once all of its rows are there: until then the one of the last whole run stays.
 void write_results_by_model(const Options& options, const ModelResults& results, RunFile& result) {
   if (options.wants("tightness")) write_tightness(results.tightness, result("tightness.csv"));
@@ -118,6 +130,7 @@ void write_results_by_model(const Options& options, const ModelResults& results,
     write_over_time(results.over_time, options.over_time, result("over_time.csv"));
     write_crossfades(results.crossfades, result("crossfades.csv"));
   }
+  if (options.wants("engines")) write_engines(results.engines, result("engines.csv"));
 }
 
 // What has nothing to do with a model.
@@ -152,7 +165,8 @@ std::size_t unit_count(const Options& options, std::size_t models) {
   const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
-                      count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models);
+                      count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models) +
+                      count("engines", models);
   if (runs_without_model(options))
     units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;
@@ -182,7 +196,8 @@ int main(int argc, char** argv) try {
 
   DefaultModels models;
   const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") ||
-                            options.wants("rounding") || options.wants("collisions") || options.wants("over_time");
+                            options.wants("rounding") || options.wants("collisions") || options.wants("over_time") ||
+                            options.wants("engines");
   if (options.files.empty() && wants_models) models = default_models(options.models);
   else
     for (const auto& file : options.files) models.models.push_back(load_named(file));
@@ -195,6 +210,7 @@ int main(int argc, char** argv) try {
   PictureTable pictures(options.out + "/report/pictures");
   ModelResults results;
   run_over_time_on(models.models, options, run, pictures, results);
+  run_engines_on(models.models, options, run, pictures, results);
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);

@@ -8,7 +8,8 @@
 namespace refitlab {
 namespace {
 
-const char* const experiments[] = {"tightness", "speed", "volumes", "rounding", "collisions", "growth", "synthetic", "over_time"};
+const char* const experiments[] = {"tightness", "speed",     "volumes",   "rounding", "collisions",
+                                   "growth",    "synthetic", "over_time", "engines"};
 
 // Whether everything runs at all: collisions of one character only, too few repetitions for times to mean much.
 void measure_quickly(Options& o) {
@@ -24,6 +25,7 @@ void measure_quickly(Options& o) {
   o.over_time = {.random_times = 20, .halvings = 2, .exact_checks = 1, .clips = 1};
   o.crossfades = {.times = 3, .weights = 3, .clips = 2, .cluster_triangles = 0};
   o.over_time_growth = {.subdivisions = 1};
+  o.engines = {.times_per_clip = 10, .clips = 1, .speed = once};
 }
 
 // What the paper and README say.
@@ -40,6 +42,7 @@ void measure_fully(Options& o) {
   o.over_time = {.random_times = 10000, .halvings = 12, .exact_checks = 200};
   o.crossfades = {.times = 25, .weights = 9, .all_skinnings = true};
   o.over_time_growth = {.repetitions = 3, .subdivisions = 3, .up_to_a_million = true};
+  o.engines = {.times_per_clip = 10000, .speed = {.seconds_per_run = 0.05, .repetitions = 15}};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/engines/engines.hpp"
 #include "experiments/growth/triangles.hpp"
 #include "experiments/over_time/crossfades.hpp"
 #include "experiments/over_time/growth.hpp"
@@ -35,6 +36,7 @@ struct Options {
   OverTimeSettings over_time;
   CrossfadeSettings crossfades{.times = 9, .weights = 5, .clips = 2, .cluster_triangles = 512};
   OverTimeGrowthSettings over_time_growth;
+  EngineSettings engines{.speed = speed};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }

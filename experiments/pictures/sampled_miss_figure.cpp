@@ -6,13 +6,13 @@
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "experiments/over_time/sampled_boxes.hpp"
+#include "experiments/pictures/box_edges.hpp"
 #include "experiments/pictures/character_scene.hpp"
 
 namespace refitlab {
 namespace {
 
 constexpr int miss_width = 640, miss_height = 600;
-constexpr double line_share = 0.0025;  // of the picture
 
 struct Worst {
   const OverTimeResult* result = nullptr;
@@ -29,20 +29,6 @@ Worst worst_of(const std::vector<OverTimeResult>& results, bool of_cluster) {
         if (const Miss& miss = of_cluster ? m.of_cluster : m.of_whole; miss.vertex >= 0 && miss.by > worst.miss.by)
           worst = {&r, clip.clip, m.way, of_cluster ? m.worst_cluster : -1, miss};
   return worst;
-}
-
-std::vector<Point3> corners_of(const Box<float>& box) {
-  std::vector<Point3> corners;
-  for (int c = 0; c < 8; ++c)
-    corners.emplace_back(c & 1 ? box.high[0] : box.low[0], c & 2 ? box.high[1] : box.low[1], c & 4 ? box.high[2] : box.low[2]);
-  return corners;
-}
-
-void add_edges(render::Scene& scene, const Box<float>& box, double radius, render::Color color) {
-  const std::vector<Point3> corners = corners_of(box);
-  for (int c = 0; c < 8; ++c)
-    for (const int bit : {1, 2, 4})
-      if (!(c & bit)) scene.lines.push_back({{corners[c], corners[c | bit]}, radius, color});
 }
 
 bool is_in(const Box<float>& box, const Point3& p) {

@@ -69,6 +69,7 @@ SCHEMAS = {
     "over_time": {**LONG, "skinning": skinning},
     "crossfades": {**LONG, "skinning": skinning},
     "over_time_growth": {**LONG, "length": count, "triangles": count, "clusters": count},
+    "engines": {**LONG, "skinning": one_of("all", "linear", "spherical", "dual_quaternion"), "kind": one_of("model", "clip", "twists", "cost")},
     "synthetic": LONG,
     "pictures": {**LONG, "figure": text, "file": text},
     "picture_labels": {"file": text, "label": text, "x": number, "y": number},

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/engines/engines.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/growth/triangles.hpp"
@@ -149,6 +150,26 @@ inline auto fields(CrossfadesResult& v) {
 inline auto fields(OverTimeGrowth& v) {
   auto& [by, length, triangles, clusters, seconds, bounding, all] = v;
   return std::tie(by, length, triangles, clusters, seconds, bounding, all);
+}
+inline auto fields(EngineSettings& v) {
+  auto& [times, clips, speed] = v;
+  return std::tie(times, clips, speed);
+}
+inline auto fields(BoxMeasure& v) {
+  auto& [method, poses, misses, undecided, unbounded, volume, area, radius, greatest, to_reference, by, at] = v;
+  return std::tie(method, poses, misses, undecided, unbounded, volume, area, radius, greatest, to_reference, by, at);
+}
+inline auto fields(EnginePoses& v) {
+  auto& [name, kind, skinning, measures] = v;
+  return std::tie(name, kind, skinning, measures);
+}
+inline auto fields(EngineCost& v) {
+  auto& [method, skinning, ns, ratio, ns_of_matrices, ratio_of_matrices] = v;
+  return std::tie(method, skinning, ns, ratio, ns_of_matrices, ratio_of_matrices);
+}
+inline auto fields(EngineResult& v) {
+  auto& [model, vertices, joints, refused, poses, costs] = v;
+  return std::tie(model, vertices, joints, refused, poses, costs);
 }
 inline auto fields(SyntheticResult& v) {
   auto& [variant, share, cases, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns] = v;

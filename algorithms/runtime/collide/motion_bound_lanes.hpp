@@ -75,7 +75,7 @@ struct Joints {
   }
 };
 
-[[maybe_unused]] Point load_point(const float (&numbers)[3][motion_bound_lanes], int first) {
+inline Point load_point(const float (&numbers)[3][motion_bound_lanes], int first) {
   return {load(numbers[0] + first), load(numbers[1] + first), load(numbers[2] + first)};
 }
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The box of the bind pose, and that box scaled by a guess.
+//
+// Filament culls a renderable by the box that it was built with, and Unity a skinned renderer by its local bounds: both stay
+// unless a program changes them, so they are those of the bind pose, or that made larger by hand until nothing seems to
+// vanish.
+#pragma once
+
+#include "algorithms/runtime/balls/box.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+
+namespace refitlab {
+
+inline Box<double> bind_box(const SkinnedMesh& mesh) {
+  auto box = Box<double>::empty();
+  for (const Point3& v : mesh.vertices) box.merge(v);
+  return box;
+}
+
+// About its center.
+template <class S>
+Box<S> scaled(const Box<S>& box, const S& factor) {
+  const Vec<S, 3> center = box.center(), half = box.edges() * S(factor / S(2));
+  return {center - half, center + half};
+}
+
+}  // namespace refitlab

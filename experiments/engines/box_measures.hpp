@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How tight the boxes of some methods are in some poses, and in how many poses a vertex is outside.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algorithms/runtime/balls/box.hpp"
+#include "lemmas/vocabulary/verdict.hpp"
+
+namespace refitlab {
+
+// Of one method in some poses. Ratios are to the true box of each pose, which is the smallest around its vertices.
+struct BoxMeasure {
+  std::string method;
+  long poses = 0, misses = 0, undecided = 0;  // misses: poses in which a vertex is outside
+  long unbounded = 0;                         // poses for which the method has no bound, which count for no ratio
+  double volume = 0, area = 0, radius = 0;    // mean ratios; radius: of the ball around the box
+  double greatest_volume = 0;                 // ratio
+  double to_reference = 0;                    // mean ratio to the reference method's volume
+  // The farthest that a vertex is outside as a share of the true box's longest side, and the time or the number of the pose.
+  double missed_by = 0, missed_at = 0;
+};
+
+inline double volume_of_box(const Box<double>& box) { return box.edges().prod(); }
+double area_of_box(const Box<double>& box);
+
+// The length by which the true box extends beyond another one; less than 0 where it does not.
+double beyond_box(const Box<double>& truth, const Box<double>& box);
+
+class BoxMeasures {
+ public:
+  // reference: the position of a method.
+  BoxMeasures(const std::vector<std::string>& methods, std::size_t reference);
+
+  // A pose: by method its box, infinite where there is no bound (not of the reference), and what the true box's places may be off. decide says whether a box, by
+  // position, holds all vertices, where these errors do not.
+  void add(double pose, const Box<double>& truth, const std::vector<Box<double>>& boxes, double error,
+           const std::function<Verdict(std::size_t)>& decide);
+
+  // By method. Ratios are 0 where no pose has a bound.
+  std::vector<BoxMeasure> measures() const;
+
+ private:
+  std::vector<BoxMeasure> sums_;
+  std::size_t reference_;
+};
+
+}  // namespace refitlab

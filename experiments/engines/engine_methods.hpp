@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The methods by which engines bound animated characters, and ours, behind one interface: from a pose to a box, or from a clip
+// to one box for all of its poses. Methods are named after what they do.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algorithms/model/model.hpp"
+#include "algorithms/runtime/collide/motion_bound.hpp"
+#include "experiments/engines/all_skinned.hpp"
+#include "experiments/engines/joint_boxes.hpp"
+#include "experiments/engines/joint_capsules.hpp"
+#include "experiments/engines/padded_pivots.hpp"
+#include "experiments/engines/rounded_boxes.hpp"
+
+namespace refitlab {
+
+struct EngineMethod {
+  std::string name;
+  bool is_ours;
+};
+
+// The joint boxes are the reference that the others are compared with.
+inline constexpr std::size_t reference_method = 0;
+
+// The volumes that joints carry, fitted once for all ways of skinning.
+struct JointVolumes {
+  // Poses of the model's clips are expected.
+  explicit JointVolumes(const Model& model);
+
+  JointBoxes boxes;
+  JointCapsules capsules;
+  RoundedBoxes rounded_boxes;
+};
+
+class PoseMethods {
+ public:
+  // All arguments outlive this.
+  PoseMethods(const Model& model, const JointSets& sets, const JointVolumes& volumes, Skinning skinning);
+
+  static const std::vector<EngineMethod>& methods();
+  // Of all methods in one pose, with the room for a renderer's rounding that bounds over time have, too. Infinite where the
+  // method has no bound for the pose.
+  std::vector<Box<double>> boxes(const Pose& pose);
+  // By position in methods(), as it is without the room: what is timed.
+  Box<double> box(std::size_t method, const Pose& pose);
+  // The true box.
+  Box<double> truth(const Pose& pose) { return all_.box(pose, skinning_); }
+
+ private:
+  const Model& model_;
+  const JointVolumes& volumes_;
+  Skinning skinning_;
+  JointMatrices matrices_;
+  MotionBound motion_bound_;
+  AllSkinned all_;
+  double padding_;
+  std::vector<Point3> pivots_;
+};
+
+// With room for a renderer's rounding (ModelBoundsOptions::renderer_rounding), outward to floats.
+Box<double> with_room(Box<double> box);
+
+// The joints' origins in a pose.
+void place_pivots(const SkinnedMesh& mesh, const Pose& pose, std::vector<Point3>& pivots);
+
+// A clip as it is played.
+struct PlayedClip {
+  std::vector<double> key_times;  // 0 and the duration among them
+  std::function<Pose(double)> sample;
+};
+
+struct ClipBox {
+  std::string method;
+  Box<double> box;  // with room for a renderer's rounding
+};
+
+// The boxes of a clip: of the bind pose, scaled by 2, around sampled times (experiments/over_time/sampled_boxes.hpp:
+// flutter_scene takes the keys), and of joint boxes at fixed steps, which Babylon.js's computeMaxExtents merges: every vertex
+// counts for each of its bones, whatever its weight.
+std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, PoseMethods& methods);
+// Their methods, in this order.
+const std::vector<EngineMethod>& clip_methods();
+
+}  // namespace refitlab

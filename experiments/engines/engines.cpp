@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/engines/engines.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <iostream>
+#include <numbers>
+#include <optional>
+
+#include "algorithms/results/result_file.hpp"
+#include "experiments/over_time/exact_places.hpp"
+#include "experiments/over_time/over_time.hpp"
+#include "experiments/scenes/skinning_name.hpp"
+#include "experiments/scenes/twist.hpp"
+
+namespace refitlab {
+namespace {
+
+constexpr Skinning compared_skinnings[] = {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical};
+// Of what a place is made of: what places in double may be off, and more.
+constexpr double error_of_places = 1e-11;
+constexpr std::size_t most_keys = 100000;
+
+std::vector<std::string> names_of_methods(bool of_clip) {
+  std::vector<std::string> names;
+  for (const EngineMethod& m : PoseMethods::methods()) names.push_back(m.name);
+  if (of_clip)
+    for (const EngineMethod& m : clip_methods()) names.push_back(m.name);
+  return names;
+}
+
+double size_of_place(const Box<double>& box) { return box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff(); }
+
+class EngineExperiment {
+ public:
+  EngineExperiment(const Model& model, const EngineSettings& settings)
+      : model_(model),
+        sets_(model),
+        volumes_(model),
+        settings_(settings) {
+    result_.model = model.name;
+    result_.vertices = static_cast<long>(model.vertices.size()), result_.joints = static_cast<long>(model.joints.size());
+  }
+
+  EngineResult run() {
+    for (const Skinning skinning : compared_skinnings) {
+      PoseMethods methods(model_, sets_, volumes_, skinning);
+      for (const Clip& clip : model_.clips) play(clip, skinning, methods);
+      twist(skinning, methods);
+      measure_costs(skinning, methods);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void play(const Clip& clip, Skinning skinning, PoseMethods& methods) try {
+    const PlayedClip played{key_times(clip.animation, most_keys), clip.sample};
+    const std::vector<ClipBox> of_clip = clip_boxes(model_, played, methods);
+    ExactPlaces exact(model_, clip.animation, skinning);
+    BoxMeasures measures(names_of_methods(true), reference_method);
+    for (int i = 0; i < settings_.times_per_clip; ++i) {
+      const double time = clip.duration * i / std::max(1, settings_.times_per_clip - 1);
+      const Pose pose = clip.sample(time);
+      std::vector<Box<double>> boxes = methods.boxes(pose);
+      for (const ClipBox& c : of_clip) boxes.push_back(c.box);
+      const Box<double> truth = methods.truth(pose);
+      // Of places closer to a wall than doubles can tell, 60 digits decide.
+      measures.add(time, truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
+        Verdict verdict = Verdict::holds;
+        for (int v = 0; v < result_.vertices; ++v) verdict &= exact.is_in({v, time, Side::after}, box_of<float>(boxes[m]));
+        return verdict;
+      });
+    }
+    keep({clip.name, "clip", skinning, measures.measures()});
+  } catch (const ModelError& e) {
+    if (skinning == compared_skinnings[0]) result_.refused.push_back("clip '" + clip.name + "': " + e.what());
+  }
+
+  // Each joint turned about its bone by up to nearly half a turn.
+  void twist(Skinning skinning, PoseMethods& methods) {
+    BoxMeasures measures(names_of_methods(false), reference_method);
+    int number = 0;
+    for (std::size_t j = 0; j < model_.joints.size(); ++j)
+      for (const double degrees : {90., 135., 170., 179.}) {
+        const Pose pose = twist_pose(model_, static_cast<int>(j), degrees * std::numbers::pi / 180);
+        const Box<double> truth = methods.truth(pose);
+        measures.add(number++, truth, methods.boxes(pose), error_of_places * size_of_place(truth),
+                     [](std::size_t) { return Verdict::undecided; });
+      }
+    keep({"every joint twisted", "twists", skinning, measures.measures()});
+  }
+
+  void keep(EnginePoses poses) {
+    std::printf("  %-16s %-16s", table_name_of(poses.skinning), poses.name.c_str());
+    for (const BoxMeasure& m : poses.measures) std::printf(" %s %.2f/%ld", m.method.c_str(), m.volume, m.misses);
+    std::cout << std::endl;
+    result_.poses.push_back(std::move(poses));
+  }
+
+  void measure_costs(Skinning skinning, PoseMethods& methods) {
+    const Pose pose = model_.clips.empty() ? twist_pose(model_, twist_joint(model_), 2) : middle_pose();
+    JointMatrices matrices(model_.joints.size());
+    matrices.set(pose);
+    std::vector<Timed> timed;
+    for (std::size_t m = 0; m < PoseMethods::methods().size(); ++m)
+      timed.push_back({PoseMethods::methods()[m].name, 1, [&, m] { benchmark::DoNotOptimize(methods.box(m, pose)); }});
+    const std::string of_matrices = " of matrices";
+    timed.push_back({"joint_boxes" + of_matrices, 1, [&] { benchmark::DoNotOptimize(volumes_.boxes.box(matrices)); }});
+    timed.push_back({"joint_capsules" + of_matrices, 1, [&] { benchmark::DoNotOptimize(volumes_.capsules.box(matrices)); }});
+    timed.push_back({"rounded_boxes" + of_matrices, 1, [&] { benchmark::DoNotOptimize(volumes_.rounded_boxes.box(matrices)); }});
+    const auto times = ns_per_item(timed, settings_.speed);
+    const auto& reference = PoseMethods::methods()[reference_method].name;
+    for (const EngineMethod& method : PoseMethods::methods()) {
+      EngineCost cost{method.name, skinning, median(times.at(method.name)),
+                      median_ratio(times.at(method.name), times.at(reference))};
+      if (const auto found = times.find(method.name + of_matrices); found != times.end()) {
+        cost.ns_of_matrices = median(found->second);
+        cost.ratio_of_matrices = median_ratio(found->second, times.at(reference + of_matrices));
+      }
+      std::printf("  %-16s %-16s %9.1f ns, %.2f of joint boxes; of matrices %.1f ns, %.2f\n", table_name_of(skinning),
+                  cost.method.c_str(), cost.ns, cost.ratio, cost.ns_of_matrices, cost.ratio_of_matrices);
+      result_.costs.push_back(std::move(cost));
+    }
+    std::cout << std::flush;
+  }
+
+  Pose middle_pose() const {
+    for (const Clip& clip : model_.clips) try {
+        return clip.sample(clip.duration / 2);
+      } catch (const ModelError&) {
+      }
+    return reference_pose(model_);
+  }
+
+  const Model& model_;
+  const JointSets sets_;
+  const JointVolumes volumes_;
+  const EngineSettings& settings_;
+  EngineResult result_;
+};
+
+}  // namespace
+
+EngineResult run_engines(const Model& made, const EngineSettings& settings) {
+  Model model = with_keys(made);
+  if (settings.clips > 0 && model.clips.size() > static_cast<std::size_t>(settings.clips)) model.clips.resize(settings.clips);
+  return EngineExperiment(model, settings).run();
+}
+
+void write_engines(const std::vector<EngineResult>& results, const std::string& path) {
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "skinning", "kind"});
+  for (const EngineResult& r : results) {
+    const auto add = [&](const std::string& pose, const std::string& kind, const std::string& method, const char* quantity,
+                         double value, const char* unit, const char* skinning) {
+      file.add({"engines", r.model, pose, method, "all", quantity, format_number(value), unit, skinning, kind});
+    };
+    add("all", "model", "model", "vertices", static_cast<double>(r.vertices), "1", "all");
+    add("all", "model", "model", "joints", static_cast<double>(r.joints), "1", "all");
+    add("all", "model", "model", "refused_clips", static_cast<double>(r.refused.size()), "1", "all");
+    for (const EnginePoses& p : r.poses)
+      for (const BoxMeasure& m : p.measures) {
+        const auto of_poses = [&](const char* quantity, double value, const char* unit = "1") {
+          add(p.name, p.kind, m.method, quantity, value, unit, table_name_of(p.skinning));
+        };
+        of_poses("poses", static_cast<double>(m.poses));
+        of_poses("misses", static_cast<double>(m.misses));
+        of_poses("undecided", static_cast<double>(m.undecided));
+        of_poses("unbounded", static_cast<double>(m.unbounded));
+        if (m.unbounded == m.poses) continue;
+        of_poses("volume_ratio", m.volume);
+        of_poses("area_ratio", m.area);
+        of_poses("radius_ratio", m.radius);
+        of_poses("greatest_volume_ratio", m.greatest_volume);
+        of_poses("volume_to_joint_boxes", m.to_reference);
+        of_poses("missed_by", m.missed_by);
+        of_poses("missed_at", m.missed_at, p.kind == "clip" ? "s" : "1");
+      }
+    for (const EngineCost& c : r.costs) {
+      const auto of_cost = [&](const char* quantity, double value, const char* unit) {
+        add("middle of the first clip", "cost", c.method, quantity, value, unit, table_name_of(c.skinning));
+      };
+      of_cost("ns", c.ns, "ns");
+      of_cost("ratio_to_joint_boxes", c.ratio, "1");
+      if (c.ns_of_matrices > 0) {
+        of_cost("ns_of_matrices", c.ns_of_matrices, "ns");
+        of_cost("ratio_to_joint_boxes_of_matrices", c.ratio_of_matrices, "1");
+      }
+    }
+  }
+  file.write(path);
+}
+
+}  // namespace refitlab

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// JointMatrices: the matrices of a pose's joints in float, as engines hand them to shaders, laid out for packs.
+#pragma once
+
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "algorithms/runtime/balls/box.hpp"
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/lanes.hpp"
+#include "experiments/engines/joint_kernel.hpp"
+
+namespace refitlab {
+
+// Numbers by joint, of which the lanes behind the last joint have `padding`.
+class JointNumbers {
+ public:
+  JointNumbers(int numbers, std::size_t joints, float padding = 0)
+      : blocks_(blocks_for<float>(static_cast<int>(joints))),
+        lanes_(static_cast<std::size_t>(numbers) * blocks_) {
+    for (Lanes<float>& block : lanes_) block.lane.fill(padding);
+  }
+  // Of one number: so many.
+  int room() const { return blocks_ * Lanes<float>::count; }
+  float* data() { return lanes_.data()->lane.data(); }
+  const float* data() const { return lanes_.data()->lane.data(); }
+  float& at(int number, int joint) { return data()[number * room() + joint]; }
+  float at(int number, int joint) const { return data()[number * room() + joint]; }
+
+ private:
+  int blocks_;
+  std::vector<Lanes<float>> lanes_;
+};
+
+class JointMatrices {
+ public:
+  // Of poses of so many joints, at least one.
+  explicit JointMatrices(std::size_t joints)
+      : joints_(static_cast<int>(joints)),
+        scratch_(pose_numbers, joints),
+        matrices_(matrix_numbers, joints) {}
+
+  void set(const Pose& pose, Target target = best_target()) {
+    static_assert(sizeof(pose[0]) == pose_numbers * sizeof(double));
+    const DefaultFloatEnvironment environment;
+    joint_kernels(target).matrices(pose[0].rotation.data(), joints_, scratch_.data(), scratch_.room(), matrices_.data());
+  }
+  int room() const { return matrices_.room(); }
+  const float* data() const { return matrices_.data(); }
+
+ private:
+  int joints_;
+  JointNumbers scratch_, matrices_;
+};
+
+inline Box<float> box_of_numbers(const float (&numbers)[6]) {
+  return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+}
+
+}  // namespace refitlab

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Padded pivots: a box around the joints' pivots in a pose, padded by one length, which is the most by which the mesh's box at
+// rest extends beyond that of the pivots at rest.
+//
+// It is what OpenUSD computes for skinned prims: UsdSkelSkinningQuery::ComputeExtentsPadding the length, which its
+// comment calls approximate, and UsdSkelComputeJointsExtent the box. It is not conservative. The suite whole_character_boxes has the
+// smallest rig on which it fails, one joint and one vertex: the length is the vertex's greatest coordinate from the pivot,
+// and a turn brings its whole distance along one axis. With two joints the length may even be 0: the other pivot is beyond
+// the vertex at rest, and not when it has turned.
+#pragma once
+
+#include <span>
+
+#include "algorithms/runtime/balls/box.hpp"
+
+namespace refitlab {
+
+// At least one point.
+template <class S>
+Box<S> box_around(std::span<const Vec<S, 3>> points) {
+  Box<S> box{points[0], points[0]};
+  for (const Vec<S, 3>& p : points) box.merge(p);
+  return box;
+}
+
+// Of the pivots at rest, and of the mesh at rest.
+template <class S>
+S pivot_padding(const Box<S>& pivots, const Box<S>& mesh) {
+  S most(0);
+  for (int i = 0; i < 3; ++i) {
+    most = max_of<S>(most, pivots.low[i] - mesh.low[i]);
+    most = max_of<S>(most, mesh.high[i] - pivots.high[i]);
+  }
+  return most;
+}
+
+// pivots: in the pose.
+template <class S>
+Box<S> padded_pivots(std::span<const Vec<S, 3>> pivots, const S& padding) {
+  Box<S> box = box_around(pivots);
+  box.grow(padding);
+  return box;
+}
+
+}  // namespace refitlab

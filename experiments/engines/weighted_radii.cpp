@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/engines/weighted_radii.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace refitlab {
+namespace {
+
+constexpr int radius_passes = 12;
+using Inequality = std::vector<WeightedDistance>;
+
+double lack_of(const Inequality& inequality, const std::vector<double>& radii) {
+  double lack = 0;
+  for (const WeightedDistance& t : inequality) lack += t.weight * (t.distance - radii[t.joint]);
+  return lack;
+}
+
+// Raises radii, in the proportion of weights over costs, until the inequality holds.
+void satisfy(const Inequality& inequality, const std::vector<double>& costs, std::vector<double>& radii) {
+  const double lack = lack_of(inequality, radii);
+  if (lack <= 0) return;
+  double sum = 0;
+  for (const WeightedDistance& t : inequality) sum += t.weight * t.weight / costs[t.joint];
+  for (const WeightedDistance& t : inequality) radii[t.joint] += lack * t.weight / costs[t.joint] / sum;
+}
+
+}  // namespace
+
+std::vector<double> weighted_radii(const std::vector<Inequality>& inequalities, const std::vector<double>& costs) {
+  struct Use {
+    const Inequality* inequality;
+    double weight;
+  };
+  const std::size_t joints = costs.size();
+  std::vector<std::vector<Use>> uses(joints);
+  std::vector<double> radii(joints);
+  for (const Inequality& i : inequalities) {
+    if (lack_of(i, radii) <= 0) continue;
+    for (const WeightedDistance& t : i) uses[t.joint].push_back({&i, t.weight});
+  }
+  for (const Inequality& i : inequalities) satisfy(i, costs, radii);
+  std::vector<std::size_t> order(joints);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
+  // Half-way at first, so that all joints give way, and not those before others.
+  for (int pass = 0; pass < radius_passes; ++pass)
+    for (const std::size_t j : order) {
+      double least = 0;
+      for (const Use& use : uses[j]) least = std::max(least, radii[j] + lack_of(*use.inequality, radii) / use.weight);
+      radii[j] = pass < radius_passes / 2 ? (radii[j] + least) / 2 : least;
+    }
+  return radii;
+}
+
+std::vector<std::vector<Point3>> own_vertices(const SkinnedMesh& mesh, double least_weight) {
+  std::vector<std::vector<Point3>> own(mesh.joints.size()), moved_most(mesh.joints.size());
+  std::vector<double> most(mesh.joints.size());
+  std::vector<Point3> of_most(mesh.joints.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const auto& influences = mesh.influences[v];
+    const auto by_weight = [](const Influence& a, const Influence& b) { return a.weight < b.weight; };
+    moved_most[std::max_element(influences.begin(), influences.end(), by_weight)->joint].push_back(mesh.vertices[v]);
+    for (const Influence& i : influences) {
+      if (i.weight >= least_weight) own[i.joint].push_back(mesh.vertices[v]);
+      if (i.weight > most[i.joint]) most[i.joint] = i.weight, of_most[i.joint] = mesh.vertices[v];
+    }
+  }
+  for (std::size_t j = 0; j < own.size(); ++j) {
+    if (own[j].empty()) own[j] = moved_most[j];
+    if (own[j].empty() && most[j] > 0) own[j].push_back(of_most[j]);
+  }
+  return own;
+}
+
+}  // namespace refitlab

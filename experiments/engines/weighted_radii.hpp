@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Weighted radii: how far volumes that joints carry must be grown so that linearly skinned vertices stay inside a box around
+// all of them, which is less than it takes to hold every vertex in every volume.
+//
+// Let a vertex v have the weights w_k, and let p_k be a point of the k-th joint's convex volume at the distance d_k from v.
+// A rigid joint keeps d_k, so along any direction e of unit length
+//   (e, v') = sum w_k (e, C_k v) <= sum w_k ((e, C_k p_k) + d_k) = sum w_k ((e, C_k p_k) + r_k) + sum w_k (d_k - r_k).
+// The first sum is at most the greatest of what the volumes grown by r_k reach along e. So v' is in the hull of the grown
+// volumes, whatever rigid pose the joints have, if
+//   sum w_k d_k <= sum w_k r_k,
+// which asks of the mean what d_k <= r_k would ask of every joint. A vertex that a far joint moves a little no longer makes
+// that joint's volume large. The radii solve one such inequality a vertex.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
+
+namespace refitlab {
+
+// A joint's share of a vertex's inequality.
+struct WeightedDistance {
+  int joint;
+  double weight, distance;  // of v from the joint's volume
+};
+
+// Radii by joint, none of which can be less by itself: of the inequalities by vertex. 0 for a joint in none of them. Where
+// several joints could give way, those of small costs do, which are positive, by joint.
+std::vector<double> weighted_radii(const std::vector<std::vector<WeightedDistance>>& inequalities,
+                                   const std::vector<double>& costs);
+
+// By joint the vertices that it moves with this weight or more, or most of its vertex's joints where no vertex has that;
+// of a joint that moves none so, the one that it moves most; none of a joint that moves no vertex.
+std::vector<std::vector<Point3>> own_vertices(const SkinnedMesh& mesh, double least_weight);
+
+}  // namespace refitlab

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The boxes of the experiment on what engines ship: which of them hold every vertex, exactly, and the smallest rigs on which
+// the others do not.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "algorithms/model/keyed.hpp"
+#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/engines/bind_box.hpp"
+#include "experiments/engines/box_measures.hpp"
+#include "experiments/engines/engine_methods.hpp"
+#include "experiments/engines/weighted_radii.hpp"
+#include "lemmas/a1_affine_image.hpp"
+#include "proptests/gen/affine.hpp"
+#include "proptests/gen/list.hpp"
+#include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/rigid.hpp"
+#include "proptests/gen/weights.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/skinning.hpp"
+#include "proptests/oracles/upper_root.hpp"
+
+namespace proptests::suite_whole_character_boxes {
+namespace {
+
+using namespace refitlab;
+using gen::RationalVec;
+using RationalBox = Box<Rational>;
+
+bool is_inside(const RationalBox& box, const RationalVec<3>& x) {
+  for (int i = 0; i < 3; ++i)
+    if (x[i] < box.low[i] || x[i] > box.high[i]) return false;
+  return true;
+}
+
+// Around boxes by their middles and half extents, at least one.
+RationalBox around(const std::vector<HalfBox<Rational>>& boxes) {
+  RationalBox out{boxes[0].center - boxes[0].half, boxes[0].center + boxes[0].half};
+  for (const auto& b : boxes) out.merge(RationalBox{b.center - b.half, b.center + b.half});
+  return out;
+}
+
+// A box that holds the point.
+HalfBox<Rational> box_with(const RationalVec<3>& point) {
+  HalfBox<Rational> box{point + *gen::rational_vector<3>() * Rational(*rc::gen::inRange(0, 3), 2), RationalVec<3>::Zero()};
+  for (int i = 0; i < 3; ++i) box.half[i] = absolute<Rational>(point[i] - box.center[i]) + *gen::unit_interval_rational();
+  return box;
+}
+
+AffineMap<Rational> affine_map_of(const gen::RationalTransform& c) {
+  AffineMap<Rational> map;
+  for (int i = 0; i < 3; ++i) {
+    RationalVec<3> unit = RationalVec<3>::Zero();
+    unit[i] = 1;
+    map.columns[static_cast<std::size_t>(i)] = rotate<Rational>(c.rotation, unit);
+  }
+  map.offset = c.translation;
+  return map;
+}
+
+// The smallest rig on which joint boxes fail for blended rotations: one vertex, midway between a joint at rest and one that
+// turns by the angle of cosine -7/25 about z. Both images of the vertex have x = 3/5, and the blend turns it to x = 1.
+struct TwoTurns {
+  std::vector<gen::RationalTransform> joints = std::vector<gen::RationalTransform>(2);
+  const std::vector<Rational> weights = {Rational(1, 2), Rational(1, 2)};
+  const RationalVec<3> vertex = {Rational(3, 5), Rational(-4, 5), Rational(0)};
+
+  TwoTurns() { joints[1].rotation = {Rational(3, 5), Rational(0), Rational(0), Rational(4, 5)}; }
+
+  RationalBox joint_boxes() const {
+    std::vector<HalfBox<Rational>> boxes;
+    for (const auto& j : joints) boxes.push_back(image_of_box(affine_map_of(j), {vertex, RationalVec<3>::Zero()}));
+    return around(boxes);
+  }
+};
+
+// The nearest point of a box without its radius, and an upper bound of the distance from it.
+std::pair<RationalVec<3>, Rational> nearest(const HalfBox<Rational>& box, const RationalVec<3>& x) {
+  RationalVec<3> p;
+  for (int i = 0; i < 3; ++i)
+    p[i] = std::clamp<Rational>(x[i], Rational(box.center[i] - box.half[i]), Rational(box.center[i] + box.half[i]));
+  return {p, upper_root(squared_norm<Rational, 3>(x - p))};
+}
+
+// Whether grown boxes of joints hold a linear blend, and whether the inequality of weighted radii holds.
+struct GrownCase {
+  bool inequality, holds;
+  GrownCase() {
+    const std::vector<gen::RationalTransform> joints = *gen::rigid_transforms(1, 4);
+    const std::vector<Rational> weights = *gen::convex_weights(static_cast<int>(joints.size()));
+    const RationalVec<3> v = *gen::rational_vector<3>();
+    std::vector<HalfBox<Rational>> boxes;
+    Rational of_distances(0), of_radii(0);
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      HalfBox<Rational> box{*gen::rational_vector<3>(), *gen::rational_vector<3>()};
+      for (int i = 0; i < 3; ++i) box.half[i] = absolute<Rational>(box.half[i]) / 8;
+      const Rational distance = nearest(box, v).second, radius = Rational(2) * *gen::unit_interval_rational() * distance;
+      of_distances += weights[k] * distance, of_radii += weights[k] * radius;
+      HalfBox<Rational> image = image_of_box(affine_map_of(joints[k]), box);
+      for (int i = 0; i < 3; ++i) image.half[i] += radius;
+      boxes.push_back(image);
+    }
+    inequality = of_distances <= of_radii;
+    holds = is_inside(around(boxes), oracle::linear<Rational>(joints, weights, v));
+  }
+};
+
+const Model& man() {
+  static const Model model = keyed(make_man(1500), 10);
+  return model;
+}
+const JointSets& sets() {
+  static const JointSets made(man());
+  return made;
+}
+const JointVolumes& volumes() {
+  static const JointVolumes made(man());
+  return made;
+}
+const std::vector<RoundedBox>& fitted_boxes() {
+  static const std::vector<RoundedBox> made = fit_rounded_boxes(man(), {});
+  return made;
+}
+
+Pose some_pose() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  Pose pose = gen::random_pose(man(), random);
+  const double away = *rc::gen::element(0., 1., 1000.);
+  for (auto& joint : pose) joint.translation += Point3(away, -away, away / 2);
+  return pose;
+}
+
+// What a joint's volume reaches in a pose, written from the definition, in double.
+Box<double> reach(const RigidTransform<double>& joint, const std::vector<Point3>& points, const Point3& half, double radius) {
+  auto box = Box<double>::empty();
+  Point3 extent = Point3::Constant(radius);
+  for (int i = 0; i < 3; ++i) extent += rotate<double>(joint.rotation, Point3::Unit(i)).cwiseAbs() * half[i];
+  for (const Point3& p : points) {
+    const Point3 image = apply(joint, p);
+    box.merge(image - extent), box.merge(image + extent);
+  }
+  return box;
+}
+
+// Of the rigs' sizes.
+bool are_near(const Box<double>& a, const Box<double>& b) {
+  const double size = 1 + a.low.cwiseAbs().maxCoeff() + a.high.cwiseAbs().maxCoeff();
+  return (a.low - b.low).cwiseAbs().maxCoeff() < 2e-4 * size && (a.high - b.high).cwiseAbs().maxCoeff() < 2e-4 * size;
+}
+
+// Whether the sum of weights times distances is no more than that of weights times radii, for all vertices.
+template <class Distance, class Radius>
+bool inequalities_hold(const Distance& distance, const Radius& radius) {
+  for (std::size_t v = 0; v < man().vertices.size(); ++v) {
+    double lack = 0;
+    for (const Influence& i : man().influences[v]) lack += i.weight * (distance(i.joint, man().vertices[v]) - radius(i.joint));
+    if (lack > 1e-9) return false;
+  }
+  return true;
+}
+
+const BoxMeasure& of_method(const std::vector<BoxMeasure>& measures, const std::string& name) {
+  return *std::find_if(measures.begin(), measures.end(), [&](const BoxMeasure& m) { return m.method == name; });
+}
+
+}  // namespace
+
+PROPTEST(whole_character_boxes) {
+  t.holds("joint boxes hold every linear blend, also of joints that scale and shear",
+          {.number_type = "rational", .cases = 600, .tags_at_least = {{"of several joints", 0.3}}}, [] {
+            const int joints = *rc::gen::inRange(1, 5);
+            const RationalVec<3> v = *gen::rational_vector<3>();
+            const std::vector<Rational> weights = *gen::convex_weights(joints);
+            std::vector<AffineMap<Rational>> maps;
+            std::vector<HalfBox<Rational>> boxes;
+            for (int k = 0; k < joints; ++k) {
+              maps.push_back(gen::affine_map().map);
+              boxes.push_back(image_of_box(maps.back(), box_with(v)));
+            }
+            RC_CLASSIFY(joints > 1, "of several joints");
+            RC_ASSERT(is_inside(around(boxes), linear_blend<Rational>(maps, weights, v)));
+          });
+  t.example("joint boxes do not hold a spherical blend of two joints, nor one of dual quaternions", {.number_type = "rational"},
+            [] {
+              const TwoTurns rig;
+              const RationalBox box = rig.joint_boxes();
+              const RationalVec<3> center(0, 0, 0), expected(1, 0, 0);
+              const auto spherical = oracle::spherical<Rational>(rig.joints, rig.weights, center, rig.vertex),
+                         dual = oracle::dual_quaternion<Rational>(rig.joints, rig.weights, rig.vertex),
+                         linear = oracle::linear<Rational>(rig.joints, rig.weights, rig.vertex);
+              return spherical == expected && dual == expected && box.high[0] == Rational(3, 5) && !is_inside(box, dual) &&
+                     is_inside(box, linear);
+            });
+  t.example("padded pivots miss a vertex of one joint: the padding is its greatest coordinate, and it turns by its length",
+            {.number_type = "rational"}, [] {
+              const RationalVec<3> vertex(3, 4, 0);
+              const std::vector<RationalVec<3>> pivots = {{0, 0, 0}};
+              const Rational padding = pivot_padding(box_around<Rational>(pivots), RationalBox{vertex, vertex});
+              // By the angle of cosine 3/5, clockwise about z.
+              const auto turn = oracle::affine_of<Rational>({2, 0, 0, -1}, {0, 0, 0});
+              const RationalVec<3> turned = oracle::times(turn, vertex), expected(5, 0, 0);
+              const RationalBox box = padded_pivots<Rational>(pivots, padding);
+              return padding == 4 && is_inside(box, vertex) && turned == expected && !is_inside(box, turned);
+            });
+  t.example("padded pivots have no padding where the mesh is between two pivots, and miss what turns away",
+            {.number_type = "rational"}, [] {
+              const RationalVec<3> vertex(1, 0, 0);
+              const std::vector<RationalVec<3>> pivots = {{0, 0, 0}, {2, 0, 0}};
+              const Rational padding = pivot_padding(box_around<Rational>(pivots), RationalBox{vertex, vertex});
+              // Half a turn about the second pivot, which stays.
+              const RationalVec<3> turned = oracle::times(oracle::affine_of<Rational>({0, 0, 0, 1}, {4, 0, 0}), vertex),
+                                   expected(3, 0, 0);
+              return padding == 0 && turned == expected && !is_inside(padded_pivots<Rational>(pivots, padding), turned);
+            });
+  t.holds("padded pivots hold the mesh at rest, and with less padding they do not", {.number_type = "rational"}, [] {
+    const auto mesh = *gen::list_with_repeats<RationalVec<3>>(1, 4, gen::rational_vector<3>()),
+               pivots = *gen::list_with_repeats<RationalVec<3>>(1, 3, gen::rational_vector<3>());
+    const auto box = box_around<Rational>(mesh);
+    const Rational padding = pivot_padding(box_around<Rational>(pivots), box);
+    const auto holds = [&](const Rational& some) {
+      const auto padded = padded_pivots<Rational>(pivots, some);
+      return is_inside(padded, box.low) && is_inside(padded, box.high);
+    };
+    RC_ASSERT(padding >= 0);
+    RC_ASSERT(holds(padding));
+    if (padding > 0) RC_ASSERT(!holds(padding * Rational(9, 10)));
+  });
+  t.holds("boxes that are grown by weighted radii hold linear blends of rigid joints",
+          {.number_type = "rational", .tags_at_least = {{"the inequality holds", 0.2}}}, [] {
+            const GrownCase c;
+            if (c.inequality) RC_TAG("the inequality holds");
+            RC_ASSERT(!c.inequality || c.holds);
+          });
+  t.refuted("boxes that are grown by any radii hold linear blends of rigid joints", {.number_type = "rational"}, [] {
+    const GrownCase c;
+    RC_ASSERT(c.holds);
+  });
+  t.holds("weighted radii solve their inequalities, and none of them can be less", {.cases = 200}, [] {
+    const int joints = *rc::gen::inRange(1, 5), count = *rc::gen::inRange(1, 20);
+    std::vector<std::vector<WeightedDistance>> inequalities(count);
+    for (auto& inequality : inequalities) {
+      double sum = 0;
+      for (int j = 0; j < joints; ++j)
+        if (*rc::gen::inRange(0, 3) > 0 || j == joints - 1)
+          inequality.push_back({j, *rc::gen::inRange(1, 9) / 8., *rc::gen::inRange(0, 30) / 8.});
+      for (const auto& term : inequality) sum += term.weight;
+      for (auto& term : inequality) term.weight /= sum;
+    }
+    std::vector<double> costs;
+    for (int j = 0; j < joints; ++j) costs.push_back(*rc::gen::element(0.01, 1., 20.));
+    const std::vector<double> radii = weighted_radii(inequalities, costs);
+    for (int j = 0; j < joints; ++j) {
+      double least = 0;
+      for (const auto& inequality : inequalities) {
+        double lack = 0, weight = 0;
+        for (const auto& term : inequality) {
+          lack += term.weight * (term.distance - radii[term.joint]);
+          if (term.joint == j) weight = term.weight;
+        }
+        RC_ASSERT(lack < 1e-9);
+        if (weight > 0) least = std::max(least, radii[j] + lack / weight);
+      }
+      RC_ASSERT(radii[j] >= 0);
+      RC_ASSERT(std::abs(radii[j] - least) < 1e-9);
+    }
+  });
+  t.example("the fitted capsules and rounded boxes solve the man's inequalities", {}, [] {
+    const auto capsules = fit_capsules(man());
+    const auto& boxes = fitted_boxes();
+    return inequalities_hold([&](int j, const Point3& v) { return distance_from_axis(capsules[j], v); },
+                             [&](int j) { return capsules[j].radius; }) &&
+           inequalities_hold([&](int j, const Point3& v) { return distance_from_box(boxes[j], v); },
+                             [&](int j) { return boxes[j].radius; });
+  });
+  t.holds("joint boxes hold what their joints move, and are around the images of all of them, by every target", {.cases = 60},
+          [] {
+            const Pose pose = some_pose();
+            const JointBoxes boxes(man());
+            for (std::size_t v = 0; v < man().vertices.size(); ++v)
+              for (const Influence& i : man().influences[v])
+                RC_ASSERT(beyond_box({man().vertices[v], man().vertices[v]}, boxes.bind()[i.joint]) <= 0);
+            auto expected = Box<double>::empty();
+            for (std::size_t j = 0; j < pose.size(); ++j) {
+              if (boxes.bind()[j].is_empty()) continue;
+              expected.merge(reach(pose[j], {boxes.bind()[j].center()}, boxes.bind()[j].edges() / 2, 0));
+            }
+            for (const Target target : available_targets()) {
+              JointMatrices matrices(pose.size());
+              matrices.set(pose, target);
+              RC_ASSERT(are_near(box_of<double>(boxes.box(matrices, target)), expected));
+            }
+          });
+  t.holds("capsules and rounded boxes hold all vertices in any rigid pose, hardly larger than what they carry, by every target",
+          {.cases = 100}, [] {
+            const Pose pose = some_pose();
+            const auto capsules = fit_capsules(man());
+            auto of_capsules = Box<double>::empty(), of_boxes = Box<double>::empty();
+            for (std::size_t j = 0; j < pose.size(); ++j) {
+              const JointCapsule& c = capsules[j];
+              const RoundedBox& b = fitted_boxes()[j];
+              if (c.radius >= 0) of_capsules.merge(reach(pose[j], {c.ends[0], c.ends[1]}, Point3::Zero(), c.radius));
+              if (b.radius >= 0) of_boxes.merge(reach(pose[j], {b.center}, b.half, b.radius));
+            }
+            AllSkinned all(man(), sets());
+            const Box<double> truth = all.box(pose, Skinning::linear);
+            for (const Target target : available_targets()) {
+              JointMatrices matrices(pose.size());
+              matrices.set(pose, target);
+              const auto c = box_of<double>(JointCapsules(man(), capsules).box(matrices, target)),
+                         b = box_of<double>(RoundedBoxes(man(), fitted_boxes()).box(matrices, target));
+              RC_ASSERT(are_near(c, of_capsules) && beyond_box(of_capsules, c) < 0 && beyond_box(truth, c) < 0);
+              RC_ASSERT(are_near(b, of_boxes) && beyond_box(of_boxes, b) < 0 && beyond_box(truth, b) < 0);
+            }
+          });
+  t.holds("the box of all skinned vertices is around what skin() yields, and touches it", {.cases = 30}, [] {
+    const Pose pose = some_pose();
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+      AllSkinned all(man(), sets());
+      auto box = Box<double>::empty();
+      for (const Point3& v : skin(man(), sets(), make_skinning_palette(man(), sets(), pose, skinning), skinning)) box.merge(v);
+      const Box<double> found = all.box(pose, skinning);
+      RC_ASSERT(found.low == box.low && found.high == box.high);
+    }
+  });
+  t.example("of a clip, unions of boxes hold the times that they are made of, and a scaled box has the volume of the scale", {},
+            [] {
+              const Clip& clip = man().clips[0];
+              PoseMethods methods(man(), sets(), volumes(), Skinning::linear);
+              const std::vector<double> keys = key_times(clip.animation, 100000);
+              const std::vector<ClipBox> boxes = clip_boxes(man(), {keys, clip.sample}, methods);
+              if (boxes.size() != clip_methods().size()) return false;
+              const auto box_named = [&](const std::string& name) {
+                return std::find_if(boxes.begin(), boxes.end(), [&](const ClipBox& b) { return b.method == name; })->box;
+              };
+              for (const double time : keys)
+                if (beyond_box(methods.truth(clip.sample(time)), box_named("sampled_union_keys")) >= 0) return false;
+              if (beyond_box(methods.truth(clip.sample(clip.duration)), box_named("sampled_joint_boxes")) >= 0) return false;
+              if (beyond_box(methods.truth(clip.sample(1. / 6)), box_named("sampled_joint_boxes")) >= 0) return false;
+              const double ratio = volume_of_box(box_named("scaled_bind_box")) / volume_of_box(box_named("bind_box"));
+              return std::abs(ratio - 8) < 1e-3 && beyond_box(bind_box(man()), box_named("bind_box")) < 0 &&
+                     beyond_box(bind_box(man()), box_named("bind_box")) > -1e-4;
+            });
+  t.example("every sound method holds the man in his clips, and padded pivots miss him", {}, [] {
+    const auto names = [] {
+      std::vector<std::string> all;
+      for (const EngineMethod& m : PoseMethods::methods()) all.push_back(m.name);
+      return all;
+    }();
+    PoseMethods methods(man(), sets(), volumes(), Skinning::linear);
+    BoxMeasures measures(names, reference_method);
+    long poses = 0;
+    for (const Clip& clip : man().clips)
+      for (int i = 0; i <= 20; ++i, ++poses) {
+        const Pose pose = clip.sample(clip.duration * i / 20);
+        measures.add(poses, methods.truth(pose), methods.boxes(pose), 1e-9, [](std::size_t) { return Verdict::undecided; });
+      }
+    const auto found = measures.measures();
+    for (const char* sound : {"joint_boxes", "all_skinned", "joint_capsules", "rounded_boxes", "motion_bound"})
+      if (of_method(found, sound).misses > 0 || of_method(found, sound).volume < 1) return Checked(false, poses);
+    return Checked(of_method(found, "padded_pivots").misses > 0 && of_method(found, "padded_pivots").missed_by > 0 &&
+                       of_method(found, "rounded_boxes").to_reference < 1,
+                   poses);
+  });
+  t.example(
+      "measures are the means over the poses, and a box that is too small is a miss by the greatest share of a side", {}, [] {
+        BoxMeasures measures({"reference", "small"}, 0);
+        const Box<double> truth{{0, 0, 0}, {1, 2, 4}}, twice{{0, 0, 0}, {2, 2, 4}}, small{{0, 0, 0}, {1, 2, 3}},
+            smaller{{0, 0.5, 2}, {1, 2, 4}};
+        int asked = 0;
+        const auto decide = [&](std::size_t) { return ++asked, Verdict::fails; };
+        measures.add(3, truth, {twice, small}, 1e-9, decide);
+        measures.add(5, truth, {twice, smaller}, 1e-9, decide);
+        measures.add(7, truth, {twice, truth}, 1e-9, [&](std::size_t) { return Verdict::undecided; });
+        measures.add(9, truth, {twice, Box<double>::everything()}, 1e-9, [&](std::size_t) { return Verdict::holds; });
+        const auto found = measures.measures();
+        const BoxMeasure &of_twice = found[0], &of_small = found[1];
+        const double small_volume = (6. / 8 + 3. / 8 + 1) / 3;
+        // All boxes of the first method touch the true box, and what decides says that they fail.
+        return of_twice.misses == 2 && asked == 2 && of_twice.undecided == 1 && of_twice.volume == 2 &&
+               of_twice.greatest_volume == 2 && of_twice.to_reference == 1 && std::abs(of_twice.area - 40. / 28) < 1e-12 &&
+               std::abs(of_twice.radius - std::sqrt(24. / 21)) < 1e-12 && of_small.misses == 2 && of_small.poses == 4 &&
+               of_small.unbounded == 1 && of_twice.unbounded == 0 && of_small.missed_at == 5 && of_small.missed_by == 0.5 &&
+               std::abs(of_small.volume - small_volume) < 1e-12 && std::abs(of_small.to_reference - small_volume / 2) < 1e-12;
+      });
+}
+
+}  // namespace proptests::suite_whole_character_boxes
