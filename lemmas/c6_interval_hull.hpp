@@ -21,15 +21,10 @@
 #pragma once
 
 #include "lemmas/c1_chord_bound.hpp"
+#include "lemmas/vocabulary/slab.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {
-
-// {x : low <= (n, x) <= high}, for a direction that is known.
-template <class S>
-struct Slab {
-  S low, high;
-};
 
 // That of the interval, by those of its ends.
 template <class S>

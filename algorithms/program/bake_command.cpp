@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ namespace po = boost::program_options;
 struct BakeCall {
   std::string in, out, json, report, certificate;
   ModelBoundsOptions bounds;
-  bool with_character = true;
+  bool with_character = true, with_nodes = false;
 };
 
 po::options_description options() {
@@ -40,6 +41,9 @@ po::options_description options() {
                                                         "linear, as glTF says; dual-quaternion; or spherical")(
       "clusters", po::value<int>()->default_value(128),
       "most triangles of a cluster, a multiple of 4 up to 512; 0 bakes no clusters")(
+      "dop", po::value<int>()->default_value(6),
+      "6, 14, 18 or 26: bounds are k-DOPs of as many planes, of which the box is a part")(
+      "nodes", "bound each node of the character's tree, too; in clips alone")(
       "no-character", "leave out the character for refits on demand, which takes most of the memory and of the file")(
       "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
       "crossfade-tolerance", po::value<double>()->default_value(0.2), "the same of crossfades")(
@@ -63,7 +67,12 @@ BakeCall parse(const po::variables_map& map) {
     call.certificate = map["certificate"].as<std::string>();
     call.bounds.with_intervals = true;
   }
-  call.with_character = !map.count("no-character");
+  call.with_character = !map.count("no-character"), call.with_nodes = map.count("nodes");
+  if (call.with_nodes && !call.with_character)
+    throw UsageError("--nodes are those of the character that --no-character leaves out");
+  call.bounds.dop = map["dop"].as<int>();
+  if (std::find(dop_sizes.begin(), dop_sizes.end(), call.bounds.dop) == dop_sizes.end())
+    throw UsageError("--dop takes 6, 14, 18 or 26");
   const std::string purpose = map["for"].as<std::string>();
   if (purpose != "clip" && purpose != "crossfade" && purpose != "any")
     throw UsageError("--for " + purpose + ": there are clip, crossfade and any");
@@ -91,6 +100,8 @@ nlohmann::ordered_json json_of_parts(const ModelBounds& bounds, const std::vecto
       for (const float x : *point) part["box"].push_back(static_cast<double>(x));
     for (const float x : bounded[p].ball.center) part["ball"].push_back(static_cast<double>(x));
     part["ball"].push_back(static_cast<double>(bounded[p].ball.radius));
+    for (const Slab<float>& slab : bounded[p].slabs)
+      part["slabs"].push_back({static_cast<double>(slab.low), static_cast<double>(slab.high)});
     out.push_back(part);
   }
   return out;
@@ -120,6 +131,12 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
   return out.dump(1) + "\n";
 }
 
+Character baked_character(const Model& model) {
+  SkinnedMesh mesh(model);
+  mesh.name.clear();  // what is written does not depend on where the file was
+  return bake(std::move(mesh), {}, {Pieces::mixed});
+}
+
 int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
   const po::variables_map map = parse_arguments(arguments, options(), {"IN.glb", "OUT.glb"});
   if (map.count("help")) {
@@ -136,11 +153,17 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const bool is_linear = call.bounds.skinning == Skinning::linear;
   const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
+  ModelBoundsOptions bounded = call.bounds;
+  std::optional<Character> character;
+  if (call.with_nodes) {
+    character = baked_character(model);
+    for (int n = 0; n < static_cast<int>(character->tree.nodes.size()); ++n)
+      bounded.nodes.emplace_back(character->vertices[n].begin(), character->vertices[n].end());
+  }
   const auto start = std::chrono::steady_clock::now();
   ModelBounds bounds;
   {
     ProgressBar bar(errors, !map.count("quiet") && isatty(STDERR_FILENO) != 0);
-    ModelBoundsOptions bounded = call.bounds;
     bounded.progress = [&](double share) { bar.show(share); };
     bounds = bound_model(model, bounded);
   }
@@ -150,11 +173,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds.tolerance, call.in);
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
   BakedFile baked_file{bounds.skinning, bounds.rotations, std::nullopt, clusters_of(model, bounds)};
-  if (call.with_character) {
-    SkinnedMesh mesh(model);
-    mesh.name.clear();  // what is written does not depend on where the file was
-    baked_file.character = bake(std::move(mesh), {}, {Pieces::mixed});
-  }
+  if (call.with_character) baked_file.character = character ? *std::move(character) : baked_character(model);
   chunks.push_back({refitlab_chunk, chunk_of(baked_file)});
   const std::string baked = glb_of(chunks, call.out);
   write_whole(call.out, baked);

@@ -29,13 +29,19 @@ struct Tally {
 double beyond(const BoundedPart& part, const Point3& p) {
   double most = norm<double, 3>(p - part.ball.center.cast<double>()) - part.ball.radius;
   for (int i = 0; i < 3; ++i) most = std::max({most, part.box.low[i] - p[i], p[i] - part.box.high[i]});
+  const auto directions = slab_directions(static_cast<int>(2 * part.slabs.size() + 6)).subspan(3);
+  for (std::size_t k = 0; k < part.slabs.size(); ++k) {
+    const SlabDirection& d = directions[k];
+    const double along = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+    most = std::max(most, std::max(part.slabs[k].low - along, along - part.slabs[k].high) / length_bound(d));
+  }
   return most;
 }
 
-// Looks at one cluster at some moments, and where they show a vertex to be nearest to the bound, ever closer to it.
-class ClusterCheck {
+// Looks at one cluster or node at some moments, and where they show a vertex to be nearest to the bound, ever closer to it.
+class PartCheck {
  public:
-  ClusterCheck(const MovingJoints& joints, const MovingVertices& vertices, const BoundedPart& bound)
+  PartCheck(const MovingJoints& joints, const MovingVertices& vertices, const BoundedPart& bound)
       : joints_(joints),
         vertices_(vertices),
         bound_(bound) {
@@ -117,10 +123,35 @@ std::vector<int> vertices_of(const Model& model, const ClusterBounds& bounds, co
   return vertices;
 }
 
-// All clusters, at these moments, and at as many random ones as there are samples.
-Tally check_clusters(const Model& model, const JointSets& sets, const BakedFile& baked, const MovingJoints& joints,
-                     const std::vector<BoundedPart>& bounds, std::vector<ParameterMoment> moments, int samples, unsigned seed,
-                     const std::string& file) {
+// What a file has bounds of, and the vertices of each.
+struct CheckedParts {
+  std::string kind;
+  std::vector<std::vector<int>> vertices;
+};
+
+CheckedParts clusters_of(const Model& model, const ClusterBounds& bounds, const std::string& file) {
+  CheckedParts out{"cluster", {}};
+  for (const ClusterBounds::Cluster& cluster : bounds.clusters) out.vertices.push_back(vertices_of(model, bounds, cluster, file));
+  return out;
+}
+
+// None of a file that has no bounds of nodes.
+CheckedParts nodes_of(const Model& model, const BakedFile& baked, const std::string& file) {
+  CheckedParts out{"node", {}};
+  const std::size_t count = baked.clusters.clips[0].nodes.size();
+  if (count > 0 && baked.character->mesh.vertices.size() != model.vertices.size())
+    throw ModelError(file, "nodes", "they are not of this file's vertices");
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto vertices = baked.character->vertices[static_cast<int>(n)];
+    out.vertices.emplace_back(vertices.begin(), vertices.end());
+  }
+  return out;
+}
+
+// All parts, at these moments, and at as many random ones as there are samples.
+Tally check_parts(const Model& model, const JointSets& sets, Skinning skinning, const MovingJoints& joints,
+                  const CheckedParts& parts, const std::vector<BoundedPart>& bounds, std::vector<ParameterMoment> moments,
+                  int samples, unsigned seed) {
   const std::vector<ParameterBox> boxes = joints.boxes();
   std::vector<std::pair<double, double>> ranges;
   for (std::size_t k = 0; k < boxes[0].ranges.size(); ++k)
@@ -135,16 +166,16 @@ Tally check_clusters(const Model& model, const JointSets& sets, const BakedFile&
   }
   Tally all;
   std::mutex guard;
-  parallel_for(baked.clusters.clusters.size(), [&](std::size_t c) {
+  parallel_for(parts.vertices.size(), [&](std::size_t p) {
     const DefaultFloatEnvironment environment;
-    const std::vector<int> vertices = vertices_of(model, baked.clusters, baked.clusters.clusters[c], file);
-    if (vertices.empty()) return;
-    const MovingVertices moving(model, sets, baked.skinning, vertices);
-    ClusterCheck check(joints, moving, bounds[c]);
+    if (parts.vertices[p].empty()) return;
+    const MovingVertices moving(model, sets, skinning, parts.vertices[p]);
+    PartCheck check(joints, moving, bounds[p]);
     check.look(moments, ranges);
     const std::lock_guard lock(guard);
     all.vertices += check.tally.vertices, all.missed += check.tally.missed, all.undecided += check.tally.undecided;
-    if (check.tally.by > all.by) all.by = check.tally.by, all.worst = "cluster " + std::to_string(c) + ", " + check.tally.worst;
+    if (check.tally.by > all.by)
+      all.by = check.tally.by, all.worst = parts.kind + " " + std::to_string(p) + ", " + check.tally.worst;
   });
   return all;
 }
@@ -165,7 +196,7 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   if (map.count("help")) {
     out << "usage: refitlab check [OPTION...] FILE.glb\n\nSkins a baked file's vertices at the keys' times, at random times and "
            "where they\n"
-           "come closest to their bounds, and says whether one is outside of its cluster's box or ball. Vertices that are\n"
+           "come closest to their bounds, and says whether one is outside of its cluster's or node's bounds. Vertices that are\n"
            "nearer to a bound than skinning in double is exact are counted as undecided.\n\n"
         << options;
     return exit_done;
@@ -178,6 +209,7 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   if (baked.clusters.clips.size() != model.clips.size() + 1)
     throw ModelError(file, "clips", "there are not as many as were baked");
   const JointSets sets(model);
+  const CheckedParts clusters = clusters_of(model, baked.clusters, file), nodes = nodes_of(model, baked, file);
   const int samples = map["samples"].as<int>();
   const unsigned seed = map["seed"].as<unsigned>();
   const bool needs_pose = baked.skinning != Skinning::linear;
@@ -193,8 +225,12 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   for (std::size_t c = 0; c < baked.clusters.clips.size(); ++c) {
     const ClusterBounds::Clip& clip = baked.clusters.clips[c];
     const AnimatedJoints joints(model, c < model.clips.size() ? model.clips[c].animation : rest, needs_pose);
-    report(c < model.clips.size() ? "clip '" + clip.name + "'" : "rest pose",
-           check_clusters(model, sets, baked, joints, clip.clusters, moments_of_keys(joints), samples, seed, file));
+    const std::string name = c < model.clips.size() ? "clip '" + clip.name + "'" : "rest pose";
+    const std::vector<ParameterMoment> keys = moments_of_keys(joints);
+    report(name, check_parts(model, sets, baked.skinning, joints, clusters, clip.clusters, keys, samples, seed));
+    if (!nodes.vertices.empty())
+      report(name + ", nodes of the tree",
+             check_parts(model, sets, baked.skinning, joints, nodes, clip.nodes, keys, samples, seed));
   }
   std::vector<int> all(model.joints.size());
   std::iota(all.begin(), all.end(), 0);
@@ -202,7 +238,7 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
     const Clip &first = model.clips[fade.first], &second = model.clips[fade.second];
     const CrossfadedJoints joints(model, first.animation, second.animation, all, baked.rotations, needs_pose);
     report("crossfade of '" + first.name + "' and '" + second.name + "'",
-           check_clusters(model, sets, baked, joints, fade.clusters, {}, samples, seed, file));
+           check_parts(model, sets, baked.skinning, joints, clusters, fade.clusters, {}, samples, seed));
   }
   return missed > 0 ? exit_found : exit_done;
 }

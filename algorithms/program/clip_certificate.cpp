@@ -40,7 +40,13 @@ json json_of_proven(const BoundedPart& part, const PartIntervals& intervals) {
     for (const float x : *end) box.push_back(static_cast<double>(x));
   for (const float x : part.ball.center) ball.push_back(static_cast<double>(x));
   ball.push_back(static_cast<double>(part.ball.radius));
-  return {{"box", box}, {"ball", ball}, {"box_intervals", list_of(intervals.box)}, {"ball_intervals", list_of(intervals.ball)}};
+  json slabs = json::array();
+  for (const Slab<float>& slab : part.slabs) slabs.push_back({static_cast<double>(slab.low), static_cast<double>(slab.high)});
+  return {{"box", box},
+          {"ball", ball},
+          {"slabs", slabs},
+          {"box_intervals", list_of(intervals.box)},
+          {"ball_intervals", list_of(intervals.ball)}};
 }
 
 }  // namespace
@@ -66,7 +72,12 @@ std::string clip_certificate(const Model& model, const ModelBounds& bounds, cons
     add(static_cast<int>(c), bounds.clips[c].duration, bounds.clips[c].parts, bounds.clips[c].intervals);
   const PartIntervals moment{{{0, 0, 0}}, {{0, 0, 0}}};
   add(-1, 0, bounds.rest, std::vector<PartIntervals>(bounds.parts.size(), moment));
-  return json{{"version", 1}, {"skinning", "linear"}, {"file", sha256(baked)}, {"parts", parts}, {"clips", clips}}.dump() + "\n";
+  json directions = json::array();
+  for (const SlabDirection& d : slab_directions(bounds.dop).subspan(3)) directions.push_back(d);
+  return json{{"version", 2},   {"skinning", "linear"}, {"file", sha256(baked)}, {"directions", directions},
+              {"parts", parts}, {"clips", clips}}
+             .dump() +
+         "\n";
 }
 
 }  // namespace refitlab

@@ -23,12 +23,16 @@ Json json_of(const BoundedPart& part) {
     for (const float x : *weight_vertex) box.push_back(static_cast<double>(x));
   for (const float x : part.ball.center) ball.push_back(static_cast<double>(x));
   ball.push_back(static_cast<double>(part.ball.radius));
-  return {{"box", box}, {"ball", ball}};
+  Json out = {{"box", box}, {"ball", ball}};
+  for (const Slab<float>& slab : part.slabs)
+    out["slabs"].push_back({static_cast<double>(slab.low), static_cast<double>(slab.high)});
+  return out;
 }
 
 Json header(const ModelBounds& bounds, double tolerance) {
   Json out = {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", tolerance}};
   if (!bounds.crossfades.empty()) out["rotations"] = bounds.rotations == RotationBlend::slerp ? "slerp" : "nlerp";
+  for (const SlabDirection& d : slab_directions(bounds.dop).subspan(3)) out["directions"].push_back(d);
   return out;
 }
 

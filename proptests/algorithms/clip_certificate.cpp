@@ -31,12 +31,12 @@ using nlohmann::json;
 // A baked file and its certificate, in a folder of their own.
 class Certified {
  public:
-  explicit Certified(const std::string& bytes, const std::string& tolerance = "0.01") {
+  explicit Certified(const std::string& bytes, const std::string& tolerance = "0.01", const std::string& dop = "14") {
     write_whole(in(), bytes);
     std::ostringstream out, errors;
-    if (run_program(
-            {"bake", "--clusters", "4", "--tolerance", tolerance, "--certificate", folder_.file("it.json"), in(), baked()}, out,
-            errors) != 0) {
+    if (run_program({"bake", "--clusters", "4", "--tolerance", tolerance, "--dop", dop, "--certificate", folder_.file("it.json"),
+                     in(), baked()},
+                    out, errors) != 0) {
       refusal = errors.str();
       return;
     }
@@ -130,6 +130,22 @@ std::vector<Forgery> forgeries() {
       {"a box is wider than the file's", "is not what the certificate implies",
        [=](json& d) { narrower(bound_of(d, 0)["box"][4], 1); }},
       {"a ball is elsewhere", "is not what the certificate implies", [=](json& d) { narrower(bound_of(d, 0)["ball"][1], 10); }},
+      {"a slab is narrower at its low side", "a vertex may leave its box",
+       [=](json& d) { narrower(bound_of(d, 0)["slabs"][1][0], 0.05); }},
+      {"a slab is narrower at its high side", "a vertex may leave its box",
+       [=](json& d) { narrower(bound_of(d, 0)["slabs"][3][1], -0.05); }},
+      {"a slab is wider than the file's", "is not what the certificate implies",
+       [=](json& d) { narrower(bound_of(d, 0)["slabs"][2][1], 1); }},
+      {"a slab is missing", "has not 4", [](json& d) { bound_of(d, 0)["slabs"].erase(3); }},
+      {"two directions are exchanged", "other directions", [](json& d) { std::swap(d["directions"][0], d["directions"][1]); }},
+      {"a direction is none", "no direction",
+       [](json& d) {
+         d["directions"][0] = {0, 0, 0};
+       }},
+      {"a direction is longer", "no direction",
+       [](json& d) {
+         d["directions"][0] = {2, 1, 1};
+       }},
       {"an interval is left out", "do not cover", [](json& d) { intervals_of(d).erase(1); }},
       {"the first interval is left out", "do not cover", [](json& d) { intervals_of(d).erase(0); }},
       {"the last interval is left out", "do not cover", [](json& d) { intervals_of(d).erase(intervals_of(d).size() - 1); }},
@@ -206,7 +222,7 @@ std::vector<Forgery> forgeries() {
       {"there is no such clip", "an animation is not there",
        [](json& d) { d["clips"].push_back(d["clips"][0]), d["clips"][2]["animation"] = 1; }},
       {"it is of another skinning", "linear skinning", [](json& d) { d["skinning"] = "spherical"; }},
-      {"it is of another version", "version 1", [](json& d) { d["version"] = 2; }},
+      {"it is of another version", "version 2", [](json& d) { d["version"] = 1; }},
       {"it has a member more", "has not the members", [](json& d) { d["trust"] = "me"; }},
       {"a bound has a member less", "has not the members", [](json& d) { bound_of(d, 0).erase("ball"); }},
       {"a number is a text", "no number", [](json& d) { bound_of(d, 0)["box"][0] = "-1000"; }},
@@ -230,9 +246,21 @@ struct Seen {
   void add(const Eigen::Vector3d& p) {
     low = low.cwiseMin(p), high = high.cwiseMax(p);
     farthest = std::max(farthest, (p - center).norm());
+    for (std::size_t k = 0; k < slabs.size(); ++k) {
+      const SlabDirection n = slab_directions<26>()[k + 3];
+      const double along = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
+      slabs[k] = {std::min(slabs[k].low, along), std::max(slabs[k].high, along)};
+    }
   }
-  // A bound that is cut to leave out something that was seen: a side of the box, from 0 to 5, or the ball's radius.
+  // A bound that is cut to leave out something that was seen: a side of the box, from 0 to 5, the ball's radius, or a side of one of
+  // the ten slabs of a 26-DOP.
   json cut(json bound, int side, double by) const {
+    if (side > 6) {
+      json& slab = bound["slabs"][(side - 7) / 2];
+      if (side % 2 == 1) slab[0] = slabs[(side - 7) / 2].low + by;
+      else slab[1] = slabs[(side - 7) / 2].high - by;
+      return bound;
+    }
     if (side < 3) bound["box"][side] = low[side] + by;
     else if (side < 6) bound["box"][side] = high[side - 3] - by;
     else bound["ball"][3] = farthest - by;
@@ -240,6 +268,7 @@ struct Seen {
   }
   Eigen::Vector3d center, low = Eigen::Vector3d::Constant(1e300), high = -low;
   double farthest = 0;
+  std::vector<Slab<double>> slabs = std::vector<Slab<double>>(10, {1e300, -1e300});
 };
 
 // Two nodes, one below the other, that turn, move and grow all at once, from one key to the next; a vertex near each, and one by both.
@@ -290,7 +319,7 @@ PROPTEST(clip_certificate) {
         for (const bool uneven : {false, true})
           for (const bool moving : {false, true}) {
             const gen::RichGltf rich(uneven, moving);
-            Certified certified(rich.file.binary_file());
+            Certified certified(rich.file.binary_file(), "0.01", "26");
             if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
             Seen seen(bound_of(certified.document, 0)["ball"]);
             for (const auto& primitive : rich.primitives()) {
@@ -304,7 +333,7 @@ PROPTEST(clip_certificate) {
               }
             }
             std::vector<json> documents = {certified.document};
-            for (int side = 0; side < 7; ++side) {
+            for (int side = 0; side < 27; ++side) {
               documents.push_back(certified.document);
               json& bound = bound_of(documents.back(), 0);
               bound = seen.cut(bound, side, 1e-9);
@@ -396,6 +425,7 @@ PROPTEST(clip_certificate) {
       };
     };
     const auto narrower = [](json& bound) { bound["box"][3] = bound["box"][3].get<double>() - 0.01; };
+    const auto flatter = [](json& bound) { bound["slabs"][1][0] = bound["slabs"][1][0].get<double>() + 0.01; };
     const auto smaller = [](json& bound) { bound["ball"][3] = 0.999 * bound["ball"][3].get<double>(); };
     expect("nothing changes", "", [](auto&) {});
     for (const char* owners : {"animations", "skins", "meshes"}) {
@@ -403,6 +433,11 @@ PROPTEST(clip_certificate) {
              in_description([&](json& d) { narrower(d[owners][0]["extras"]["refitlab"]); }));
       expect(std::string("a ball of ") + owners, "is not what the certificate implies",
              in_description([&](json& d) { smaller(d[owners][0]["extras"]["refitlab"]); }));
+      expect(std::string("a slab of ") + owners, "is not what the certificate implies",
+             in_description([&](json& d) { flatter(d[owners][0]["extras"]["refitlab"]); }));
+      expect(std::string("directions of ") + owners, "other directions", in_description([&](json& d) {
+               d[owners][0]["extras"]["refitlab"]["directions"][2] = {1, 0, 1};
+             }));
     }
     for (const char* parts : {"skins", "meshes", "primitives"})
       expect(std::string("a box of an animation's ") + parts, "is not what the certificate implies",
@@ -412,6 +447,15 @@ PROPTEST(clip_certificate) {
     expect("a box of a cluster", "cluster 0 of clip 0 is not what the certificate implies",
            in_clusters([](ClusterBounds& clusters) {
              clusters.clips[0].clusters[0].box.high[0] = clusters.clips[0].clusters[0].box.low[0];
+           }));
+    expect("a slab of a cluster", "cluster 0 of clip 0 is not what the certificate implies",
+           in_clusters([](ClusterBounds& clusters) {
+             clusters.clips[0].clusters[0].slabs[3].low = clusters.clips[0].clusters[0].slabs[3].high;
+           }));
+    expect("k of the clusters", "k-DOPs of other directions", in_clusters([](ClusterBounds& clusters) {
+             clusters.dop = 6;
+             for (auto& clip : clusters.clips)
+               for (auto& bound : clip.clusters) bound.slabs.clear();
            }));
     expect("a ball of a cluster in the rest pose", "of clip 1 is not what the certificate implies",
            in_clusters([](ClusterBounds& clusters) { clusters.clips[1].clusters[0].ball.radius *= 0.5f; }));
@@ -479,7 +523,8 @@ PROPTEST(clip_certificate) {
               RC_TAG("no file");
               return;
             }
-            Certified certified(bytes, plan.seed % 3 == 0 ? "0.3" : "0.01");
+            const char* const dops[] = {"6", "14", "18", "26"};
+            Certified certified(bytes, plan.seed % 3 == 0 ? "0.3" : "0.01", dops[plan.seed % 4]);
             if (!certified.refusal.empty()) {
               RC_TAG("refused");
               return;

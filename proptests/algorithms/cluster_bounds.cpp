@@ -2,6 +2,7 @@
 // The file of clusters with bounds over time.
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/runtime/tree/binary.hpp"
@@ -14,26 +15,44 @@ using namespace refitlab;
 
 float real() { return static_cast<float>(*rc::gen::inRange(-1000, 1001)) / 7; }
 
-BoundedPart drawn_bound() {
+BoundedPart drawn_bound(int dop) {
   BoundedPart part{{}, {{real(), real(), real()}, std::abs(real())}};
   for (int i = 0; i < 3; ++i) part.box.low[i] = real(), part.box.high[i] = part.box.low[i] + std::abs(real());
+  for (int k = 3; k < dop / 2; ++k) {
+    const float low = real();
+    part.slabs.push_back({low, low + std::abs(real())});
+  }
   return part;
+}
+std::vector<BoundedPart> drawn_bounds(std::size_t count, int dop) {
+  std::vector<BoundedPart> out;
+  while (out.size() < count) out.push_back(drawn_bound(dop));
+  return out;
+}
+
+bool are_equal(const std::vector<BoundedPart>& a, const std::vector<BoundedPart>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const BoundedPart& x, const BoundedPart& y) {
+    return x.box.low == y.box.low && x.box.high == y.box.high && x.ball.center == y.ball.center &&
+           x.ball.radius == y.ball.radius &&
+           std::equal(x.slabs.begin(), x.slabs.end(), y.slabs.begin(), y.slabs.end(),
+                      [](const Slab<float>& s, const Slab<float>& t) { return s.low == t.low && s.high == t.high; });
+  });
 }
 
 ClusterBounds drawn_bounds() {
-  ClusterBounds out;
+  ClusterBounds out{.dop = *rc::gen::elementOf(dop_sizes)};
+  const auto nodes = static_cast<std::size_t>(*rc::gen::inRange(0, 4));
   for (int n = *rc::gen::inRange(1, 4); n > 0; --n) out.primitives.push_back({n, *rc::gen::inRange(-1, 3), 0, -1});
   for (int n = *rc::gen::inRange(0, 4); n > 0; --n)
     out.clusters.push_back({*rc::gen::inRange(0, static_cast<int>(out.primitives.size())),
                             *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 100))});
   for (int n = *rc::gen::inRange(1, 4); n > 0; --n) {
-    out.clips.push_back({*rc::gen::element<std::string>("", "Walk", "\xC3\xA4\""), std::abs(static_cast<double>(real())), {}});
-    for (std::size_t c = 0; c < out.clusters.size(); ++c) out.clips.back().clusters.push_back(drawn_bound());
+    out.clips.push_back({*rc::gen::element<std::string>("", "Walk", "\xC3\xA4\""), std::abs(static_cast<double>(real())),
+                         drawn_bounds(out.clusters.size(), out.dop), drawn_bounds(nodes, out.dop)});
   }
   for (int n = out.clips.size() > 1 ? *rc::gen::inRange(0, 3) : 0; n > 0; --n) {
     const auto clip = [&] { return *rc::gen::inRange(0, static_cast<int>(out.clips.size()) - 1); };
-    out.crossfades.push_back({clip(), clip(), {}});
-    for (std::size_t c = 0; c < out.clusters.size(); ++c) out.crossfades.back().clusters.push_back(drawn_bound());
+    out.crossfades.push_back({clip(), clip(), drawn_bounds(out.clusters.size(), out.dop)});
   }
   return out;
 }
@@ -55,14 +74,12 @@ PROPTEST(cluster_bounds) {
     const std::string bytes = bytes_of(bounds);
     const ClusterBounds again = cluster_bounds_of(bytes, "test");
     RC_ASSERT(bytes_of(again) == bytes);
-    RC_ASSERT(again.clusters.size() == bounds.clusters.size() && again.clips.size() == bounds.clips.size());
+    RC_ASSERT(again.dop == bounds.dop && again.clusters.size() == bounds.clusters.size() &&
+              again.clips.size() == bounds.clips.size());
     for (std::size_t k = 0; k < bounds.clips.size(); ++k) {
       RC_ASSERT(again.clips[k].name == bounds.clips[k].name && again.clips[k].duration == bounds.clips[k].duration);
-      for (std::size_t c = 0; c < bounds.clusters.size(); ++c)
-        RC_ASSERT(again.clips[k].clusters[c].box.low == bounds.clips[k].clusters[c].box.low &&
-                  again.clips[k].clusters[c].box.high == bounds.clips[k].clusters[c].box.high &&
-                  again.clips[k].clusters[c].ball.center == bounds.clips[k].clusters[c].ball.center &&
-                  again.clips[k].clusters[c].ball.radius == bounds.clips[k].clusters[c].ball.radius);
+      RC_ASSERT(are_equal(again.clips[k].clusters, bounds.clips[k].clusters));
+      RC_ASSERT(are_equal(again.clips[k].nodes, bounds.clips[k].nodes));
     }
     for (std::size_t c = 0; c < bounds.clusters.size(); ++c)
       RC_ASSERT(again.clusters[c].triangles == bounds.clusters[c].triangles);
@@ -81,14 +98,16 @@ PROPTEST(cluster_bounds) {
     std::string bytes = bytes_of(drawn_bounds());
     for (int n = *rc::gen::inRange(1, 4); n > 0; --n)
       bytes[*rc::gen::inRange<std::size_t>(28, bytes.size())] = *rc::gen::arbitrary<char>();
-    const std::string sealed_again = sealed("rfltimes", 2, std::string_view(bytes).substr(28));
+    const std::string sealed_again = sealed("rfltimes", 3, std::string_view(bytes).substr(28));
     reason_against(sealed_again);
   });
   t.example(
-      "indices out of range, reversed boxes, numbers that are none, and a list without a rest pose are refused by name", {}, [] {
-        ClusterBounds good;
+      "indices out of range, reversed boxes and slabs, numbers that are none, and a list without a rest pose are refused by name",
+      {}, [] {
+        ClusterBounds good{.dop = 14};
         good.primitives = {{0, 0, 0, 0}}, good.clusters = {{0, {0, 1}}};
-        good.clips = {{"", 0, {{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, 2}}}}};
+        const BoundedPart bound{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, 2}, {{0, 3}, {-1, 2}, {-1, 2}, {-2, 1}}};
+        good.clips = {{"", 0, {bound}, {bound, bound}}};
         const auto reason = [&](auto&& change) {
           ClusterBounds bad = good;
           change(bad);
@@ -111,6 +130,13 @@ PROPTEST(cluster_bounds) {
                     "test: clip '', cluster 0: its bound is none" &&
                 reason([](auto& b) { b.clips[0].clusters[0].ball.radius = -1; }) ==
                     "test: clip '', cluster 0: its bound is none" &&
+                reason([](auto& b) { b.clips[0].clusters[0].slabs[3].low = 2; }) ==
+                    "test: clip '', cluster 0: its bound is none" &&
+                reason([&](auto& b) { b.clips[0].nodes[1].slabs[0].high = nan; }) == "test: clip '', node 1: its bound is none" &&
+                reason([](auto& b) { b.clips.push_back(b.clips[0]), b.clips[1].nodes.pop_back(); }) ==
+                    "test: clip '': it does not have a bound for each node" &&
+                reason([](auto& b) { b.dop = 16, b.clusters.clear(), b.clips[0].clusters.clear(), b.clips[0].nodes.clear(); }) ==
+                    "test: k-DOPs: there are none of 16 planes" &&
                 reason([&](auto& b) {
                   b.clips.push_back(b.clips[0]), b.crossfades = {{0, 1, b.clips[0].clusters}};
                 }) == "test: crossfades: a clip is out of range" &&
@@ -120,7 +146,7 @@ PROPTEST(cluster_bounds) {
                 reason([&](auto& b) {
                   b.clips.push_back(b.clips[0]), b.crossfades = {{0, 0, {}}};
                 }) == "test: crossfade of '' and '': it does not have a bound for each cluster",
-            14);
+            18);
       });
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
@@ -88,6 +89,60 @@ PROPTEST(model_bounds) {
               }
               return Checked(good, looked_at);
             });
+  t.example("k-DOPs and the nodes of a tree hold what is sampled, and are of what was asked for; other k are refused", {}, [] {
+    bool good = true;
+    long looked_at = 0;
+    const Character character = bake(SkinnedMesh(man()), {}, {});
+    std::vector<std::vector<int>> nodes;
+    for (int n = 0; n < static_cast<int>(character.tree.nodes.size()); n += n < 40 ? 1 : 50)
+      nodes.emplace_back(character.vertices[n].begin(), character.vertices[n].end());
+    const JointSets sets(man());
+    for (const int k : dop_sizes) {
+      const ModelBounds made = bound_model(man(), {.tolerance = 0.1, .cluster_triangles = 512, .dop = k, .nodes = nodes});
+      const auto directions = slab_directions(k);
+      const auto all = bounds_of_all(made);
+      good = good && made.dop == k && made.rest_nodes.size() == nodes.size() && clusters_of(man(), made).dop == k;
+      for (std::size_t c = 0; c < man().clips.size(); ++c) {
+        const AnimatedJoints joints(man(), man().clips[c].animation, false);
+        const BoundedClip& clip = made.clips[c];
+        good = good && clip.nodes.size() == nodes.size() && clip.parts.size() == made.parts.size();
+        for (std::size_t i = 0; i < made.parts.size() + nodes.size(); ++i) {
+          const bool is_part = i < made.parts.size();
+          const BoundedPart& bound = is_part ? clip.parts[i] : clip.nodes[i - made.parts.size()];
+          const auto& of = is_part ? made.parts[i].vertices : nodes[i - made.parts.size()];
+          const MovingVertices vertices(man(), sets, Skinning::linear, of);
+          good = good && bound.slabs.size() == directions.size() - 3;
+          for (std::size_t d = 0; is_part && d < bound.slabs.size(); ++d)
+            good = good && all[i].slabs[d].low <= bound.slabs[d].low && bound.slabs[d].high <= all[i].slabs[d].high;
+          std::vector<Point3> points;
+          std::vector<Slab<double>> seen(bound.slabs.size(), {1e300, -1e300});
+          for (int step = 0; step < 40; ++step) {
+            vertices.place(*joints.at(joints.times().back() * step / 39, Side::after), Followed::skinned, points);
+            for (const Point3& x : points) {
+              ++looked_at;
+              good = good && (x.array() >= bound.box.low.cast<double>().array()).all() &&
+                     (x.array() <= bound.box.high.cast<double>().array()).all();
+              for (std::size_t d = 0; d < seen.size(); ++d) {
+                const SlabDirection& n = directions[d + 3];
+                const double along = n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
+                seen[d] = {std::min(seen[d].low, along), std::max(seen[d].high, along)};
+              }
+            }
+          }
+          const double size = bound.ball.radius;
+          for (std::size_t d = 0; d < seen.size(); ++d)
+            good = good && bound.slabs[d].low <= seen[d].low && seen[d].high <= bound.slabs[d].high &&
+                   bound.slabs[d].high - bound.slabs[d].low <= seen[d].high - seen[d].low + 0.25 * size;
+        }
+      }
+    }
+    try {
+      bound_model(man(), {.dop = 8});
+      good = false;
+    } catch (const std::invalid_argument&) {
+    }
+    return Checked(good, looked_at);
+  });
   t.example("the box of the whole is little larger than those of its clusters together", {}, [] {
     bool good = true;
     for (const BoundedClip& clip : bounds().clips) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "algorithms/bake/bake.hpp"
 #include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
@@ -45,6 +46,15 @@ bool is_in(const json& box, const Eigen::Vector3d& p) {
 }
 bool is_in_ball(const json& ball, const Eigen::Vector3d& p) {
   return (p - Eigen::Vector3d(ball[0], ball[1], ball[2])).norm() <= ball[3].get<double>();
+}
+
+bool is_in_slabs(const json& directions, const json& slabs, const Eigen::Vector3d& p) {
+  for (std::size_t k = 0; k < slabs.size(); ++k) {
+    const double along =
+        directions[k][0].get<int>() * p[0] + directions[k][1].get<int>() * p[1] + directions[k][2].get<int>() * p[2];
+    if (along < slabs[k][0].get<double>() || along > slabs[k][1].get<double>()) return false;
+  }
+  return true;
 }
 
 json description_of(const std::string& path) { return json::parse(read_glb(read_whole(path), path)[0].data); }
@@ -83,10 +93,12 @@ PROPTEST(program) {
               long looked_at = 0, missed = 0;
               for (const bool uneven : {false, true})
                 for (const bool moving : {false, true}) {
-                  const Rich rich(uneven, moving);
+                  const Rich rich(uneven, moving, {"--dop", "26"});
                   if (rich.called.code != 0) return Checked(false, 1, rich.called.errors);
                   const json file = description_of(rich.folder.file("out.glb"));
                   const json& clip = file["animations"][0]["extras"]["refitlab"];
+                  if (clip["directions"].size() != 10 || clip["slabs"].size() != 10)
+                    return Checked(false, 1, "slabs are missing");
                   for (const auto& primitive : rich.gltf.primitives()) {
                     const auto& bounds = clip["primitives"];
                     const auto own = std::find_if(bounds.begin(), bounds.end(), [&](const json& b) {
@@ -105,7 +117,8 @@ PROPTEST(program) {
                         if (!is_used[v]) continue;
                         ++looked_at;
                         for (const json* bound : {&clip, &*own, &always, &mesh})
-                          missed += !is_in((*bound)["box"], posed[v]) + !is_in_ball((*bound)["ball"], posed[v]);
+                          missed += !is_in((*bound)["box"], posed[v]) + !is_in_ball((*bound)["ball"], posed[v]) +
+                                    !is_in_slabs(clip["directions"], bound->at("slabs"), posed[v]);
                       }
                     }
                   }
@@ -130,6 +143,33 @@ PROPTEST(program) {
                        without.code == 0 && checked_without.code == 0 && is_bare &&
                        found.out.find("cluster 0, vertex ") != std::string::npos,
                    7, checked.out + found.out + twice.errors + without.errors);
+  });
+  t.example("nodes and slabs are baked and checked, and found where a bound is too small", {}, [] {
+    const Rich rich(true, true, {"--nodes", "--dop", "18"});
+    const std::string baked = rich.folder.file("out.glb"), bad = rich.folder.file("bad.glb");
+    const Called checked = call({"check", "--samples", "50", baked});
+    const BakedFile file = read_baked(baked);
+    bool good = rich.called.code == 0 && checked.code == 0 &&
+                checked.out.find("clip 'move', nodes of the tree: ") != std::string::npos &&
+                file.clusters.clips[0].nodes.size() == file.character->tree.nodes.size() && file.clusters.dop == 18;
+    std::string found;
+    const auto finds = [&](const std::string& where, const std::function<void(ClusterBounds&)>& change) {
+      tamper(baked, bad, [&](BakedFile& b) { change(b.clusters); });
+      const Called called = call({"check", "--samples", "50", bad});
+      found += called.out;
+      good = good && called.code == 1 && called.out.find(where) != std::string::npos;
+    };
+    const auto narrow = [](Slab<float>& slab) { slab.high = slab.low + (slab.high - slab.low) / 2; };
+    for (std::size_t k = 0; k < 6; ++k) {
+      finds("cluster 0, vertex ", [&](ClusterBounds& b) { narrow(b.clips[0].clusters[0].slabs[k]); });
+      finds("cluster 0, vertex ", [&](ClusterBounds& b) {
+        Slab<float>& slab = b.clips[0].clusters[0].slabs[k];
+        slab.low = slab.high - (slab.high - slab.low) / 2;
+      });
+    }
+    finds("node 1, vertex ", [&](ClusterBounds& b) { narrow(b.clips[0].nodes[1].slabs[2]); });
+    finds("node 0, vertex ", [](ClusterBounds& b) { b.clips[1].nodes[0].ball.radius /= 2; });
+    return Checked(good, 15, rich.called.errors + checked.out + found);
   });
   t.example("crossfades of all clips are baked, checked, and found where a bound is too small", {}, [] {
     const gen::TemporaryFolder folder;
@@ -215,6 +255,8 @@ PROPTEST(program) {
                   fails(2, {"bake", "--rotations", "linear", in, out}, "there are slerp and nlerp") &&
                   fails(2, {"bake", "--crossfade-tolerance", "2", in, out}, "a number above 0") &&
                   fails(2, {"bake", "--nonsense", in, out}, "nonsense") &&
+                  fails(2, {"bake", "--dop", "8", in, out}, "--dop takes 6, 14, 18 or 26") &&
+                  fails(2, {"bake", "--nodes", "--no-character", in, out}, "that --no-character leaves out") &&
                   fails(2, {"bake", "--skinning", "spherical", "--certificate", out, in, out}, "for linear skinning alone") &&
                   fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
                   fails(2, {"collide", rigid, rigid, "--at", "1", "2"}, "three numbers") &&
@@ -236,6 +278,19 @@ PROPTEST(program) {
                      tampered([](BakedFile& b) { b.clusters.clips.pop_back(); }, "not as many as were baked") &&
                      tampered([](BakedFile& b) { b.clusters.clusters[0].triangles[0] = 1000; }, "not of this file's triangles") &&
                      tampered([](BakedFile& b) { b.clusters.primitives[0].mesh = 7; }, "not of this file's triangles") &&
+                     tampered(
+                         [](BakedFile& b) {
+                           for (auto& clip : b.clusters.clips) clip.nodes = {clip.clusters[0]};
+                         },
+                         "bounds of nodes that are not the character's") &&
+                     tampered(
+                         [](BakedFile& b) {
+                           const Model other = make_man(100);
+                           b.character = bake(SkinnedMesh(other), {}, {});
+                           for (auto& clip : b.clusters.clips)
+                             clip.nodes.assign(b.character->tree.nodes.size(), clip.clusters[0]);
+                         },
+                         "nodes: they are not of this file's vertices") &&
                      fails(2, {"collide", "--clip-a", "move", "--time-a", "5", rigid, rigid}, "the clip goes from 0 to 2");
               // Extras that are no object.
               const std::vector<GlbChunk> chunks = read_glb(bytes, in);
@@ -245,7 +300,7 @@ PROPTEST(program) {
               other[0].data = description.dump();
               write_whole(broken, glb_of(other, broken));
               good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
-              return Checked(good, 119, wrong);
+              return Checked(good, 123, wrong);
             });
 }
 

@@ -278,8 +278,6 @@ Point3 near_center(std::span<const Point3> points) {
   }
 }
 
-float float_below(double x) { return -float_above(-x); }
-
 }  // namespace
 
 BoundOverTime bound_over_time(const MovingJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options) {

@@ -15,6 +15,7 @@
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/runtime/packs/float_above.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
@@ -74,12 +75,19 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
   return out;
 }
 
-// Parts of the same vertices have the same bounds: the first of them, by part.
-std::vector<std::size_t> firsts_of(const std::vector<ModelPart>& parts) {
-  std::map<std::vector<int>, std::size_t> known;
+// Parts and nodes of the same vertices have the same bounds: the first of them.
+std::vector<std::size_t> firsts_of(const std::vector<const std::vector<int>*>& vertices) {
+  const auto less = [](const std::vector<int>* a, const std::vector<int>* b) { return *a < *b; };
+  std::map<const std::vector<int>*, std::size_t, decltype(less)> known(less);
   std::vector<std::size_t> first;
-  for (std::size_t p = 0; p < parts.size(); ++p) first.push_back(known.try_emplace(parts[p].vertices, p).first->second);
+  for (std::size_t p = 0; p < vertices.size(); ++p) first.push_back(known.try_emplace(vertices[p], p).first->second);
   return first;
+}
+
+std::vector<Point3> directions_of_dop(int dop) {
+  std::vector<Point3> out;
+  for (const SlabDirection& d : slab_directions(dop)) out.emplace_back(d[0], d[1], d[2]);
+  return out;
 }
 
 BoundedPart outward(const BoundOverTime& bound, double renderer_rounding) {
@@ -88,7 +96,14 @@ BoundedPart outward(const BoundOverTime& bound, double renderer_rounding) {
   for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
   const double more = renderer_rounding * 2 * farthest;  // no less than the share of the farthest vertex's distance
   box.grow(more);
-  return {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
+  BoundedPart out = {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
+  const auto directions = slab_directions(static_cast<int>(2 * bound.slabs.size()));
+  for (std::size_t d = 3; d < directions.size(); ++d) {
+    // Three terms are summed up, and rounded.
+    const double wider = (more + 0x1p-50 * farthest) * length_bound(directions[d]);
+    out.slabs.push_back({float_below(bound.slabs[d].low - wider), float_above(bound.slabs[d].high + wider)});
+  }
+  return out;
 }
 
 // Whether the part has all triangles of the cluster.
@@ -172,24 +187,33 @@ std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
 
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   const DefaultFloatEnvironment environment;
+  if (std::find(dop_sizes.begin(), dop_sizes.end(), options.dop) == dop_sizes.end())
+    throw std::invalid_argument("bound_model: there are k-DOPs of 6, 14, 18 and 26 planes");
   const JointSets sets(model);
-  ModelBounds out{
-      .skinning = options.skinning, .parts = parts_of(model, options.cluster_triangles), .rotations = options.rotations};
+  ModelBounds out{.skinning = options.skinning,
+                  .parts = parts_of(model, options.cluster_triangles),
+                  .rotations = options.rotations,
+                  .dop = options.dop};
+  const std::vector<Point3> directions = directions_of_dop(options.dop);
   const Animation none;
   std::deque<AnimatedJoints> clips;  // the last one rests
   const bool needs_pose = options.skinning != Skinning::linear;
   for (const Clip& clip : model.clips) clips.emplace_back(model, clip.animation, needs_pose);
   clips.emplace_back(model, none, needs_pose);
 
-  const std::vector<std::size_t> first = firsts_of(out.parts);
+  std::vector<const std::vector<int>*> vertices_of_thing;  // parts, then nodes
+  for (const ModelPart& part : out.parts) vertices_of_thing.push_back(&part.vertices);
+  for (const std::vector<int>& node : options.nodes) vertices_of_thing.push_back(&node);
+  const std::size_t things = vertices_of_thing.size();
+  const std::vector<std::size_t> first = firsts_of(vertices_of_thing);
   struct Task {
-    std::size_t clip, part, cost;
+    std::size_t clip, thing, cost;
   };
   std::vector<Task> tasks;
   std::size_t cost = 0;
-  for (std::size_t p = 0; p < out.parts.size(); ++p)
-    for (std::size_t c = 0; first[p] == p && c < clips.size(); ++c) {
-      tasks.push_back({c, p, out.parts[p].vertices.size() * clips[c].times().size()});
+  for (std::size_t i = 0; i < things; ++i)
+    for (std::size_t c = 0; first[i] == i && c < clips.size(); ++c) {
+      tasks.push_back({c, i, vertices_of_thing[i]->size() * clips[c].times().size()});
       cost += tasks.back().cost;
     }
   // The largest first, so that no processor is left with one at the end.
@@ -204,9 +228,9 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   const std::size_t fades = options.crossfades ? model.clips.size() * (model.clips.size() - 1) / 2 : 0,
                     cost_of_fade = 100 * cost / std::max<std::size_t>(1, tasks.size());
   ProgressCount progress(cost + fades * looked_at.size() * cost_of_fade, options.progress);
-  std::vector<std::vector<BoundedPart>> bounded(clips.size(), std::vector<BoundedPart>(out.parts.size()));
+  std::vector<std::vector<BoundedPart>> bounded(clips.size(), std::vector<BoundedPart>(things));
   std::vector<std::vector<PartIntervals>> intervals(clips.size());
-  if (options.with_intervals) intervals.assign(clips.size(), std::vector<PartIntervals>(out.parts.size()));
+  if (options.with_intervals) intervals.assign(clips.size(), std::vector<PartIntervals>(things));
   std::atomic<long> moments = 0;
   const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
                             const OverTimeOptions& how, PartIntervals* kept) {
@@ -222,9 +246,9 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     const DefaultFloatEnvironment own_environment;
     const Task& task = tasks[t];
     const MovingJoints* const joints[] = {&clips[task.clip]};
-    PartIntervals* const kept = options.with_intervals ? &intervals[task.clip][task.part] : nullptr;
-    bounded[task.clip][task.part] =
-        bound_of(joints, {model, sets, options.skinning, out.parts[task.part].vertices}, {.tolerance = options.tolerance}, kept);
+    PartIntervals* const kept = options.with_intervals ? &intervals[task.clip][task.thing] : nullptr;
+    bounded[task.clip][task.thing] = bound_of(joints, {model, sets, options.skinning, *vertices_of_thing[task.thing]},
+                                              {.tolerance = options.tolerance, .directions = directions}, kept);
     progress.add(task.cost);
   });
   for (auto& parts : bounded) share_among_same(parts);
@@ -240,7 +264,9 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
                                     options.rotations, needs_pose);
         const MovingJoints* const joints[] = {&clips[a], &clips[b], &fade};
         bounds.parts[p] = bound_of(
-            joints, vertices, {.tolerance = options.crossfade_tolerance, .most_halvings = most_halvings_of_crossfade}, nullptr);
+            joints, vertices,
+            {.tolerance = options.crossfade_tolerance, .directions = directions, .most_halvings = most_halvings_of_crossfade},
+            nullptr);
         progress.add(cost_of_fade);
       });
       share_among_same(bounds.parts);
@@ -253,8 +279,19 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
         bounds.parts[p] = around(within);
       }
     }
-  for (std::size_t c = 0; c < model.clips.size(); ++c)
-    out.clips.push_back({model.clips[c].name, model.clips[c].duration, std::move(bounded[c]), std::move(intervals[c])});
+  const auto without_nodes = [&](std::vector<BoundedPart>& bounds) {
+    const auto nodes = bounds.begin() + static_cast<std::ptrdiff_t>(out.parts.size());
+    std::vector<BoundedPart> taken(std::make_move_iterator(nodes), std::make_move_iterator(bounds.end()));
+    bounds.erase(nodes, bounds.end());
+    return taken;
+  };
+  for (std::size_t c = 0; c < model.clips.size(); ++c) {
+    if (options.with_intervals) intervals[c].resize(out.parts.size());
+    std::vector<BoundedPart> nodes = without_nodes(bounded[c]);
+    out.clips.push_back(
+        {model.clips[c].name, model.clips[c].duration, std::move(bounded[c]), std::move(intervals[c]), std::move(nodes)});
+  }
+  out.rest_nodes = without_nodes(bounded.back());
   out.rest = std::move(bounded.back());
   out.moments = moments;
   if (options.any_pose)
@@ -271,6 +308,8 @@ BoundedPart around(std::span<const BoundedPart> parts) {
   std::vector<Ball3<double>> balls;
   for (const BoundedPart& part : parts) {
     out.box.merge(part.box);
+    for (std::size_t d = 0; d < out.slabs.size(); ++d)
+      out.slabs[d] = {std::min(out.slabs[d].low, part.slabs[d].low), std::max(out.slabs[d].high, part.slabs[d].high)};
     balls.push_back({part.ball.center.cast<double>(), part.ball.radius});
   }
   if (parts.size() > 1) out.ball = rounded_outward(smallest_ball_of_balls(balls));
@@ -289,7 +328,7 @@ std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds) {
 }
 
 ClusterBounds clusters_of(const Model& model, const ModelBounds& bounds) {
-  ClusterBounds out;
+  ClusterBounds out{.dop = bounds.dop};
   std::vector<int> in_source(model.triangles.size(), -1);  // by triangle of the model; its own where there are no sources
   std::iota(in_source.begin(), in_source.end(), 0);
   for (const SourcePrimitive& s : model.sources) out.primitives.push_back({s.node, s.mesh, s.primitive, s.skin});
@@ -310,13 +349,14 @@ ClusterBounds clusters_of(const Model& model, const ModelBounds& bounds) {
     out.clusters.push_back(std::move(cluster));
     parts.push_back(p);
   }
-  const auto add = [&](const std::string& name, double duration, const std::vector<BoundedPart>& of_parts) {
-    ClusterBounds::Clip clip{name, duration, {}};
+  const auto add = [&](const std::string& name, double duration, const std::vector<BoundedPart>& of_parts,
+                       const std::vector<BoundedPart>& of_nodes) {
+    ClusterBounds::Clip clip{name, duration, {}, of_nodes};
     for (const std::size_t p : parts) clip.clusters.push_back(of_parts[p]);
     out.clips.push_back(std::move(clip));
   };
-  for (const BoundedClip& clip : bounds.clips) add(clip.name, clip.duration, clip.parts);
-  add("", 0, bounds.rest);
+  for (const BoundedClip& clip : bounds.clips) add(clip.name, clip.duration, clip.parts, clip.nodes);
+  add("", 0, bounds.rest, bounds.rest_nodes);
   for (const BoundedCrossfade& fade : bounds.crossfades) {
     ClusterBounds::Crossfade crossfade{fade.first, fade.second, {}};
     for (const std::size_t p : parts) crossfade.clusters.push_back(fade.parts[p]);

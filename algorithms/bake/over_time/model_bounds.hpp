@@ -36,6 +36,7 @@ struct BoundedClip {
   double duration;                       // seconds
   std::vector<BoundedPart> parts;        // by part
   std::vector<PartIntervals> intervals;  // by part; empty unless asked for
+  std::vector<BoundedPart> nodes;        // by node of ModelBoundsOptions::nodes
 };
 
 // While a clip fades to another, or back: at any time of either, and before and after.
@@ -52,6 +53,8 @@ struct ModelBounds {
   std::vector<BoundedCrossfade> crossfades;        // of each two clips; empty unless asked for
   std::vector<AnyPoseBound> any_pose;              // by part, clusters left out; empty unless asked for
   std::vector<BoundedPart> rest;                   // by part: the joints where the file's nodes leave them without a clip
+  std::vector<BoundedPart> rest_nodes;             // the same by node
+  int dop = 6;                                     // as in the options
   long moments = 0;                                // at which some part's vertices were skinned
 };
 
@@ -59,7 +62,10 @@ struct ModelBoundsOptions {
   Skinning skinning = Skinning::linear;
   double tolerance = 0.01;      // as in OverTimeOptions
   int cluster_triangles = 128;  // of a cluster at most, a multiple of 4 from 4 to 512; 0 for no clusters
-  bool crossfades = false;      // bound what is between two clips, too
+  int dop = 6;                  // k of the k-DOPs, of which boxes are a part: one of dop_sizes
+  // The vertices of each node of a tree (NodeVertices), in increasing order: bounded in clips and in the rest pose, too.
+  std::vector<std::vector<int>> nodes = {};
+  bool crossfades = false;  // bound what is between two clips, too
   double crossfade_tolerance = 0.2;
   RotationBlend rotations = RotationBlend::slerp;  // of crossfades
   bool any_pose = false;                           // bound what poses of code could do, too
@@ -75,10 +81,11 @@ struct ModelBoundsOptions {
 // out of range.
 std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles);
 
-// On all processors. Throws ModelError where there is no bound, and for a model without keys.
+// On all processors. Throws ModelError where there is no bound, and for a model without keys; std::invalid_argument for a k that is
+// none of dop_sizes, and what parts_of throws.
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options = {});
 
-// What encloses all of them, at least one: the smallest box, and the smallest ball rounded outward.
+// What encloses all of them, at least one, of one k: the smallest k-DOP, and the smallest ball rounded outward.
 BoundedPart around(std::span<const BoundedPart> parts);
 
 // What holds in all clips, in the rest pose and in all crossfades that were asked for; by part.

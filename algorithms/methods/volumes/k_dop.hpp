@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // KDop: a discrete-orientation polytope, the points between k/2 pairs of parallel planes of fixed directions [Klosowski
 // et al. 1998, "Efficient collision detection using bounding volume hierarchies of k-DOPs"].
-//
-// The directions are integer vectors that are not normalised, so that all but the length of a direction is rational.
 #pragma once
 
 #include <array>
@@ -11,45 +9,10 @@
 #include <utility>
 
 #include "algorithms/methods/volumes/polytope.hpp"
+#include "algorithms/runtime/balls/slab_directions.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {
-
-using SlabDirection = std::array<int, 3>;  // of -1, 0, 1; the first that is not 0 is 1
-
-constexpr int squared_length(const SlabDirection& d) { return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; }
-
-// A double that is not below ||d||, by 2e-16 at most: radii grow, never shrink, in any number type.
-constexpr double length_bound(const SlabDirection& d) {
-  return std::array{1.0, 1.4142135623730951, 1.7320508075688774}[squared_length(d) - 1];
-}
-
-// One of each pair of opposite directions. k = 6: the axes; 14: and the cube's corners; 18: the axes and the cube's
-// edges; 26: all of them. The axes x, y, z come first.
-template <int k>
-constexpr std::array<SlabDirection, k / 2> slab_directions() {
-  static_assert(k == 6 || k == 14 || k == 18 || k == 26);
-  std::array<SlabDirection, k / 2> out{};
-  std::size_t count = 0;
-  for (int length = 1; length <= 3; ++length) {
-    if ((length == 2 && k != 18 && k != 26) || (length == 3 && k != 14 && k != 26)) continue;
-    for (int code = 26; code > 13; --code) {  // whose digits to the base 3 are d + 1
-      const SlabDirection d{code / 9 - 1, code / 3 % 3 - 1, code % 3 - 1};
-      if (squared_length(d) == length) out[count++] = d;
-    }
-  }
-  return out;
-}
-
-// (x, d), of additions alone.
-template <SlabDirection d, class S>
-S along(const Vec<S, 3>& x) {
-  constexpr int first = d[0] ? 0 : d[1] ? 1 : 2;
-  S sum = x[first];
-  for (int i = first + 1; i < 3; ++i)
-    if (d[i] != 0) sum = d[i] > 0 ? S(sum + x[i]) : S(sum - x[i]);
-  return sum;
-}
 
 template <class S, int k>
 struct KDop {

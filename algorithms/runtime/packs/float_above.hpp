@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The least float that is not below a double.
+// The least float that is not below a double, and the greatest that is not above it.
 #pragma once
 
 #include <cmath>
@@ -11,5 +11,7 @@ inline float float_above(double x) {
   const auto f = static_cast<float>(x);
   return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
+
+inline float float_below(double x) { return -float_above(-x); }
 
 }  // namespace refitlab

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/runtime/tree/binary.hpp"
@@ -9,7 +10,12 @@ namespace refitlab {
 namespace {
 
 constexpr std::string_view clusters_magic = "rfltimes";
-constexpr std::uint32_t clusters_version = 2;
+constexpr std::uint32_t clusters_version = 3;
+
+// Beyond the box; none for a k that there is not, which is refused later.
+std::size_t slab_count(const ClusterBounds& bounds) {
+  return std::find(dop_sizes.begin(), dop_sizes.end(), bounds.dop) == dop_sizes.end() ? 0 : bounds.dop / 2 - 3;
+}
 
 // The fields of all that is in a file, once for writing and once for reading.
 void transfer_members(auto& io, auto& list, const auto& transfer_member) {
@@ -21,17 +27,21 @@ void transfer_members(auto& io, auto& list, const auto& transfer_member) {
 
 void transfer_clusters(auto& io, auto& bounds) {
   const auto number = [&](auto& x) { io.number(x); };
+  number(bounds.dop);
   transfer_members(io, bounds.primitives, [&](auto& p) { number(p.node), number(p.mesh), number(p.primitive), number(p.skin); });
   transfer_members(io, bounds.clusters, [&](auto& c) { number(c.primitive), transfer_members(io, c.triangles, number); });
   const auto part_bounds = [&](auto& part) {
     for (auto* point : {&part.box.low, &part.box.high, &part.ball.center})
       for (int i = 0; i < 3; ++i) number((*point)[i]);
     number(part.ball.radius);
+    if constexpr (requires { io.checked_count(0); }) part.slabs.resize(slab_count(bounds));
+    for (auto& slab : part.slabs) number(slab.low), number(slab.high);
   };
   transfer_members(io, bounds.clips, [&](auto& clip) {
     transfer_members(io, clip.name, number);
     number(clip.duration);
     transfer_members(io, clip.clusters, part_bounds);
+    transfer_members(io, clip.nodes, part_bounds);
   });
   transfer_members(io, bounds.crossfades, [&](auto& fade) {
     number(fade.first), number(fade.second);
@@ -44,13 +54,16 @@ bool is_sound(const BoundedPart& part) {
     if (!(std::isfinite(part.box.low[i]) && std::isfinite(part.box.high[i]) && std::isfinite(part.ball.center[i]) &&
           part.box.low[i] <= part.box.high[i]))
       return false;
+  for (const Slab<float>& slab : part.slabs)
+    if (!(std::isfinite(slab.low) && std::isfinite(slab.high) && slab.low <= slab.high)) return false;
   return part.ball.radius >= 0 && std::isfinite(part.ball.radius);
 }
 
-void check(const std::vector<BoundedPart>& parts, std::size_t clusters, const std::string& file, const std::string& thing) {
-  if (parts.size() != clusters) throw ModelError(file, thing, "it does not have a bound for each cluster");
-  for (std::size_t c = 0; c < parts.size(); ++c)
-    if (!is_sound(parts[c])) throw ModelError(file, thing + ", cluster " + std::to_string(c), "its bound is none");
+void check(const std::vector<BoundedPart>& parts, const char* kind, std::size_t count, const std::string& file,
+           const std::string& thing) {
+  if (parts.size() != count) throw ModelError(file, thing, std::string("it does not have a bound for each ") + kind);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (!is_sound(parts[p])) throw ModelError(file, thing + ", " + kind + " " + std::to_string(p), "its bound is none");
 }
 
 }  // namespace
@@ -66,6 +79,8 @@ ClusterBounds cluster_bounds_of(std::string_view bytes, const std::string& file)
   ClusterBounds out;
   transfer_clusters(in, out);
   in.end();
+  if (std::find(dop_sizes.begin(), dop_sizes.end(), out.dop) == dop_sizes.end())
+    throw ModelError(file, "k-DOPs", "there are none of " + std::to_string(out.dop) + " planes");
   for (std::size_t c = 0; c < out.clusters.size(); ++c) {
     const std::string thing = "cluster " + std::to_string(c);
     if (out.clusters[c].primitive < 0 || out.clusters[c].primitive >= static_cast<int>(out.primitives.size()))
@@ -77,13 +92,14 @@ ClusterBounds cluster_bounds_of(std::string_view bytes, const std::string& file)
   for (const ClusterBounds::Clip& clip : out.clips) {
     const std::string thing = "clip '" + clip.name + "'";
     if (!(clip.duration >= 0 && std::isfinite(clip.duration))) throw ModelError(file, thing, "its duration is not a time");
-    check(clip.clusters, out.clusters.size(), file, thing);
+    check(clip.clusters, "cluster", out.clusters.size(), file, thing);
+    check(clip.nodes, "node", out.clips[0].nodes.size(), file, thing);
   }
   const int clips = static_cast<int>(out.clips.size()) - 1;
   for (const ClusterBounds::Crossfade& fade : out.crossfades) {
     if (fade.first < 0 || fade.first >= clips || fade.second < 0 || fade.second >= clips)
       throw ModelError(file, "crossfades", "a clip is out of range");
-    check(fade.clusters, out.clusters.size(), file,
+    check(fade.clusters, "cluster", out.clusters.size(), file,
           "crossfade of '" + out.clips[fade.first].name + "' and '" + out.clips[fade.second].name + "'");
   }
   return out;

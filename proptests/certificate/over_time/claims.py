@@ -46,9 +46,23 @@ def read_thing(thing, what):
     return thing
 
 
-def read_bound(bound, what):
-    read(bound, {"ball": list, "ball_intervals": list, "box": list, "box_intervals": list}, what)
+def read_directions(directions):
+    """Of slabs beyond the axes; each of -1, 0 and 1."""
+    for d in directions:
+        require(type(d) is list and len(d) == 3 and all(type(x) is int and abs(x) <= 1 for x in d) and any(d),
+                "certificate.directions has what is no direction")
+    return directions
+
+
+def read_slabs(slabs, count, what):
+    """(count, 2)"""
+    return numbers(slabs, (count, 2), what) if count or slabs else np.empty((0, 2))
+
+
+def read_bound(bound, slab_count, what):
+    read(bound, {"ball": list, "ball_intervals": list, "box": list, "box_intervals": list, "slabs": list}, what)
     return {"ball": numbers(bound["ball"], (4,), what + ".ball"), "box": numbers(bound["box"], (6,), what + ".box"),
+            "slabs": read_slabs(bound["slabs"], slab_count, what + ".slabs"),
             **{name: numbers(bound[name], (-1, 3), f"{what}.{name}") for name in ("ball_intervals", "box_intervals")}}
 
 
@@ -64,8 +78,9 @@ def no_constant(text):
 def read_certificate(text):
     """Parts, each a list of things of the file, and clips, each with a bound by part."""
     document = json.loads(text, parse_int=integer, parse_constant=no_constant, object_pairs_hook=unique_members)
-    read(document, {"clips": list, "file": str, "parts": list, "skinning": str, "version": int}, "certificate")
-    require(document["version"] == 1 and document["skinning"] == "linear", "the certificate is not of version 1 and linear skinning")
+    read(document, {"clips": list, "directions": list, "file": str, "parts": list, "skinning": str, "version": int}, "certificate")
+    require(document["version"] == 2 and document["skinning"] == "linear", "the certificate is not of version 2 and linear skinning")
+    slab_count = len(read_directions(document["directions"]))
     require(re.fullmatch("[0-9a-f]{64}", document["file"]), "certificate.file is no SHA-256")
     require(document["parts"] and document["clips"], "the certificate has no parts or no clips")
     for p, part in enumerate(document["parts"]):
@@ -77,7 +92,7 @@ def read_certificate(text):
              f"clips[{c}]")
         clip["duration"] = float(numbers([clip["duration"]], (1,), f"clips[{c}].duration")[0])
         require(len(clip["bounds"]) == len(document["parts"]), f"clips[{c}] has not a bound for each part")
-        clip["bounds"] = [read_bound(bound, f"clips[{c}].bounds[{b}]") for b, bound in enumerate(clip["bounds"])]
+        clip["bounds"] = [read_bound(bound, slab_count, f"clips[{c}].bounds[{b}]") for b, bound in enumerate(clip["bounds"])]
     animations = [clip["animation"] for clip in document["clips"]]
     require(len(set(animations)) == len(animations), "an animation has two clips")
     return document

@@ -158,8 +158,8 @@ class Clip:
         return Chain(rows(lambda chain: chain.linear), rows(lambda chain: chain.offset))
 
 
-def require_enclosed(clip, parts, bounds, duration):
-    """bounds: by part."""
+def require_enclosed(clip, parts, bounds, directions, duration):
+    """bounds: by part; directions: of their slabs."""
     for bound in bounds:
         for kind in ("box", "ball"):
             clip.require_covered(bound[kind + "_intervals"], duration)
@@ -173,7 +173,7 @@ def require_enclosed(clip, parts, bounds, duration):
     matrices, weights, errors = (np.concatenate(found) for found in zip(*posed))
     for number, (part, bound) in enumerate(zip(parts, bounds)):
         below_joints = part.below(weight_motions)
-        for kind, excess in (("box", beyond_box), ("ball", beyond_ball)):
+        for kind, excess in (("box", beyond_slabs), ("ball", beyond_ball)):
             start, end, stated = bound[kind + "_intervals"].T
             lasts = start < end
             span = np.array([span_numbers[key] for key in zip(start.tolist(), end.tolist())])
@@ -189,21 +189,27 @@ def require_enclosed(clip, parts, bounds, duration):
             step = max(1, BATCH // len(part.vertex))
             for i in range(0, len(moments), step):
                 some = moments[i:i + step]
-                outside[some] = excess(bound[kind], part.placed(matrices[some], weights[some])) + errors[some]
+                outside[some] = excess(bound, directions, part.placed(matrices[some], weights[some])) + errors[some]
             worst = np.maximum(outside[firsts], outside[lates]) + above(np.maximum(slack, stated) + light) * (1 + 4 * UNIT)
             require(np.all(above(worst) <= 0) and above(outside[len(after) - 1]) <= 0, f"part {number}: a vertex may leave its {kind}")
 
 
-def beyond_box(box, placed):
-    """How far the vertices are out of it at most, by time; not more than 0 where all are inside."""
-    out = -np.inf
+def beyond_slabs(bound, directions, placed):
+    """How far the vertices are out of the box or a slab at most, by time; not more than 0 where all are inside."""
+    out, box, placed = -np.inf, bound["box"], list(placed)
     for i, x in enumerate(placed):
         out = np.maximum(out, np.maximum(above(box[i] - x.min(axis=1)), above(x.max(axis=1) - box[i + 3])))
+    for n, (low, high) in zip(directions, bound["slabs"]):
+        terms = [x if sign > 0 else -x for sign, x in zip(n, placed) if sign]
+        along, error = sum(terms[1:], terms[0]), 4 * UNIT * sum(np.abs(x) for x in terms).max(axis=1)
+        length = above(np.sqrt(float(len(terms))))
+        beyond = np.maximum(above(low - along.min(axis=1)), above(along.max(axis=1) - high))
+        out = np.maximum(out, above(above(beyond + error) / length))
     return out
 
 
-def beyond_ball(ball, placed):
-    squared = 0.0
+def beyond_ball(bound, _, placed):
+    ball, squared = bound["ball"], 0.0
     for i, x in enumerate(placed):
         squared = squared + (x - ball[i]) ** 2
     return above(np.sqrt(squared.max(axis=1)) * (1 + 8 * UNIT) - ball[3])
