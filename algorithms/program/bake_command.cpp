@@ -148,8 +148,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
     return exit_done;
   }
   const BakeCall call = parse(map);
-  const std::string bytes = read_whole(call.in);
-  std::vector<GlbChunk> chunks = read_glb(bytes, call.in);
+  std::vector<GlbChunk> chunks = read_glb(read_whole(call.in), call.in);
   const bool is_linear = call.bounds.skinning == Skinning::linear;
   const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
