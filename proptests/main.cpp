@@ -36,7 +36,7 @@ int main(int argc, char** argv) try {
   std::string out;
   po::options_description options("proptests: the property tests of refitlab");
   options.add_options()("help", "this text")("list", "the stems, a line each")("only", po::value(&only)->multitoken(),
-                                                                               "run the suites whose stem contains one of these")(
+                                                                               "run the suites whose stem contains one of these, or is what follows '='")(
       "seed", po::value(&seed_text), "seed of the random cases, or 'random' for a fresh one (fixed unless given)")(
       "cases", po::value(&cases), "cases of every property, for a campaign as long as wanted")(
       "out", po::value(&out), "folder for verdicts.csv")("print-cases",
@@ -63,7 +63,8 @@ int main(int argc, char** argv) try {
   for (const auto& [stem, suites] : session.suites()) {
     ++done;
     bool wanted = only.empty();
-    for (const auto& part : only) wanted = wanted || stem.find(part) != std::string::npos;
+    for (const auto& part : only)
+      wanted = wanted || (part.starts_with('=') ? stem == part.substr(1) : stem.find(part) != std::string::npos);
     if (!wanted) continue;
     std::cout << "[" << done << "/" << session.suites().size() << "] " << stem << '\n';
     proptests::Suite suite(stem);

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a campaign runs: shards, each a suite of property tests with a seed, or a fuzz target with a seed."""
+import hashlib
+import json
+
+FIRST_SEED = 2006
+
+
+class PlanError(Exception):
+    pass
+
+
+def digest_of(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+
+
+def planned(suites, only, seeds, cases, targets, fuzz_seconds, programs):
+    """The plan, as it is kept beside the results: what another plan has found is not mixed with it.
+
+    programs: the digests of what runs, by name."""
+    chosen = [s for s in suites if not only or any(text in s for text in only)]
+    if not chosen:
+        raise PlanError("no suite's stem contains what --only names; proptests/run --list lists them")
+    shards = [{"name": f"tests.{suite}.{seed}", "kind": "tests", "of": suite, "seed": seed}
+              for seed in range(FIRST_SEED, FIRST_SEED + seeds) for suite in chosen]
+    shards += [{"name": f"fuzz.{target}.{seed}", "kind": "fuzz", "of": target, "seed": seed}
+               for seed in range(FIRST_SEED, FIRST_SEED + seeds) for target in targets]
+    return {"cases": cases, "fuzz_seconds": fuzz_seconds, "programs": programs, "shards": shards}
+
+
+def text_of(plan):
+    return json.dumps(plan, indent=1) + "\n"
