@@ -2,7 +2,7 @@
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
 import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
-from report import growth, original, over_time, statements
+from report import engines, growth, original, over_time, statements
 from report.statistics import mean, span
 from report.tables import ALL, ResultError
 from report.verdicts import of_lemma, said_of_claims, summed_up
@@ -124,6 +124,10 @@ def numbers(results):
         out[f"overtime.exponent.{by}"] = f"${digits(over_time.growth_exponent(results, by), 2)}$"
     triangles, bounding, written = over_time.peaks(results)[-1]
     out["overtime.triangles"], out["overtime.bounding"], out["overtime.written"] = map(whole_number, (triangles, bounding, written))
+    volume = engines.volume_goal(results)
+    out["engines.volume"], out["engines.true"] = f"{volume['mean']:.2f}", f"{volume['true']:.2f}"
+    out["engines.reached"], out["engines.clips"] = whole_number(volume["reached"]), whole_number(volume["clips"])
+    out["engines.cost"] = digits(engines.costs(results, engines.OURS)["ratio"])
     verdicts = summed_up(results.rows("verdicts"))
     out["verdicts.refuted"] = whole_number(sum(v.refuted_after > 0 for v in verdicts))
     out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
@@ -235,9 +239,27 @@ def over_time_table(results):
     return table("lrrrr", ["", "characters out", "by", "clusters out", "by"], rows)
 
 
+def engines_table(results):
+    """Linear skinning, clips; and the poses missed with all skinnings, where the method is for them."""
+    rows = []
+    for method in engines.METHODS:
+        row = engines.row_of(results, method, "linear")
+        if not row:
+            continue
+        missed = []
+        for skinning in over_time.SKINNINGS:
+            other = engines.row_of(results, method, skinning)
+            missed.append(whole_number(other["misses"]) if other else "")
+        name = row["method"].replace("’", "'") + (f" ({row['who']})" if row["who"] else "")
+        cost = engines.costs(results, method)["ratio"]
+        rows.append([name, "" if row["volume_ratio"] is None else f"{row['volume_ratio']:.2f}", *missed, "" if cost is None else digits(cost, 2)])
+    head = ["", "volume / true box", *over_time.SKINNINGS.values(), "cost / joint boxes"]
+    return table("p{58mm}" + "r" * (len(head) - 1), head, rows)
+
+
 def provenance_table(results):
     for name in ["tightness", "speed", "volumes", "batch_speed", "rounding", "collision", "triangle_growth", "joint_growth",
-                 "character_growth", "over_time", "over_time_growth", "verdicts"]:
+                 "character_growth", "over_time", "over_time_growth", "engines", "verdicts"]:
         results.rows(name)
     rows = [[f"\\texttt{{{escaped(name)}.csv}}", f"\\texttt{{{p['commit']}}}", escaped(p["compiler"]), escaped(p["cpu"])]
             for name, p in results.provenance.items()]
@@ -272,7 +294,7 @@ def tables(results, lemmas, root):
             "tightness_twist": tightness_table(results, "man", "full twist"),
             "worst": worst_table(results), "misses": misses_table(results), "cost": cost_table(results),
             "batch": batch_table(results), "volumes": volumes_table(results), "rounding": rounding_table(results), "collisions": collision_table(results),
-            "over_time": over_time_table(results),
+            "over_time": over_time_table(results), "engines": engines_table(results),
             "provenance": provenance_table(results), "verdicts": verdict_table(results, lemmas), "statements": statement_table(results, root)}
 
 

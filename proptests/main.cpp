@@ -35,8 +35,8 @@ int main(int argc, char** argv) try {
   int cases = 0;
   std::string out;
   po::options_description options("proptests: the property tests of refitlab");
-  options.add_options()("help", "this text")("list", "the stems, a line each")("only", po::value(&only)->multitoken(),
-                                                                               "run the suites whose stem contains one of these, or is what follows '='")(
+  options.add_options()("help", "this text")("list", "the stems, a line each")(
+      "only", po::value(&only)->multitoken(), "run the suites whose stem contains one of these, or is what follows '='")(
       "seed", po::value(&seed_text), "seed of the random cases, or 'random' for a fresh one (fixed unless given)")(
       "cases", po::value(&cases), "cases of every property, for a campaign as long as wanted")(
       "out", po::value(&out), "folder for verdicts.csv")("print-cases",

@@ -4,6 +4,7 @@
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/a2_two_phase_skinning.hpp"
 #include "lemmas/a3_morph_displacement.hpp"
+#include "lemmas/a4_joint_volumes.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "lemmas/c5_skinned_motion.hpp"
 #include "lemmas/c6_interval_hull.hpp"
@@ -163,6 +164,28 @@ void a3(Plane &p) {
   p.path("line", {{0, 0}, flat(displacements[0].center)});
 }
 
+// A vertex that is in the volume of a joint at rest, and is pulled along by another one, which turns.
+void a4(Plane &p) {
+  const Point3D vertex(0, 0, 0);
+  const RigidTransform<double> at_rest;
+  std::vector<CarriedVolume<double>> volumes{{at_rest, {-0.2, 0, 0}, 0.2, 0.35}, {at_rest, {1.2, 0, 0}, 1.2, 0.35}};
+  const std::vector<double> weights{0.85, 0.15};
+  std::vector<Point> way;
+  for (int i = 0; i <= 8; ++i) {
+    const double half = i * 10 * std::numbers::pi / 180;
+    volumes[1].joint.rotation = {std::cos(half), 0, 0, std::sin(half)};
+    volumes[1].joint.translation = volumes[1].point - rotate<double>(volumes[1].joint.rotation, volumes[1].point);
+    way.push_back(flat(skinned_among<double>(volumes, weights, vertex)));
+    p.dot("dot", way.back());
+  }
+  for (const auto &k : volumes) {
+    p.ball("outer", {flat(apply(k.joint, k.point)), k.growth});
+    p.dot("dot_in", flat(k.point));
+  }
+  p.ball("ball", flat(mean_ball<double>(volumes, weights)));
+  p.path("curve", way);
+}
+
 }  // namespace
 
 const std::vector<Drawing> &drawings_of_motion() {
@@ -187,7 +210,10 @@ const std::vector<Drawing> &drawings_of_motion() {
       {"a2_two_phase_skinning", a2, "A reference ball under two scales, and where the weights put a vertex before it is turned."},
       {"a3_morph_displacement", a3,
        "A ball displaced by a morph target of the weights 0, 1/2 and 1, and the ball of all weights between "
-       "(dashed)."}};
+       "(dashed)."},
+      {"a4_joint_volumes", a4,
+       "Two points that joints carry, grown (dashed), and the way of a vertex that the turning one pulls along: it stays in "
+       "the ball between them."}};
   return all;
 }
 

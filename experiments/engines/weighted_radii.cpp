@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lemmas/a4_joint_volumes.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -12,7 +14,7 @@ using Inequality = std::vector<WeightedDistance>;
 
 double lack_of(const Inequality& inequality, const std::vector<double>& radii) {
   double lack = 0;
-  for (const WeightedDistance& t : inequality) lack += t.weight * (t.distance - radii[t.joint]);
+  for (const WeightedDistance& t : inequality) lack += lack_of_growth<double>(t.weight, t.distance, radii[t.joint]);
   return lack;
 }
 

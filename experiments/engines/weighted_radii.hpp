@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Weighted radii: how far volumes that joints carry must be grown so that linearly skinned vertices stay inside a box around
-// all of them, which is less than it takes to hold every vertex in every volume.
-//
-// Let a vertex v have the weights w_k, and let p_k be a point of the k-th joint's convex volume at the distance d_k from v.
-// A rigid joint keeps d_k, so along any direction e of unit length
-//   (e, v') = sum w_k (e, C_k v) <= sum w_k ((e, C_k p_k) + d_k) = sum w_k ((e, C_k p_k) + r_k) + sum w_k (d_k - r_k).
-// The first sum is at most the greatest of what the volumes grown by r_k reach along e. So v' is in the hull of the grown
-// volumes, whatever rigid pose the joints have, if
-//   sum w_k d_k <= sum w_k r_k,
-// which asks of the mean what d_k <= r_k would ask of every joint. A vertex that a far joint moves a little no longer makes
-// that joint's volume large. The radii solve one such inequality a vertex.
+// all of them, which is less than it takes to hold every vertex in every volume
+// (a4_joint_volumes). A vertex that a far joint moves a little no longer makes that joint's volume large. The radii solve one
+// inequality a vertex.
 #pragma once
 
 #include <vector>

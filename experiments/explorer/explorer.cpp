@@ -17,15 +17,15 @@ namespace {
 
 constexpr int snake_joints = 24;
 
-Pose pose_of(const Model& model, const ExplorerSettings& s) {
-  if (s.joint < 0 || s.joint >= static_cast<int>(model.joints.size())) throw std::invalid_argument("no such joint");
-  Pose pose = reference_pose(model);
+Pose pose_of(const AnimatedCharacter& c, const ExplorerSettings& s) {
+  if (s.joint < 0 || s.joint >= static_cast<int>(c.mesh.joints.size())) throw std::invalid_argument("no such joint");
+  Pose pose = reference_pose(c.mesh);
   if (!s.clip.empty()) {
-    const auto clip = std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == s.clip; });
-    if (clip == model.clips.end()) throw std::invalid_argument("no clip named '" + s.clip + "'");
+    const auto clip = std::find_if(c.clips.begin(), c.clips.end(), [&](const Clip& known) { return known.name == s.clip; });
+    if (clip == c.clips.end()) throw std::invalid_argument("no clip named '" + s.clip + "'");
     pose = clip->sample(std::clamp(s.time, 0., clip->duration));
   }
-  return twisted(model, std::move(pose), s.joint, s.twist);
+  return twisted(c.mesh, std::move(pose), s.joint, s.twist);
 }
 
 // A skinning of the pose, and the smallest balls of the level's nodes under it.
@@ -105,7 +105,7 @@ std::vector<std::string> Explorer::models() const {
   return names;
 }
 
-const std::vector<std::string>& compared_variants() {
+const std::vector<std::string>& shown_variants() {
   static const std::vector<std::string> names{
       "linear",       "spherical_printed", "spherical_printed_signed", "spherical_repaired", "spherical_miniball",
       "control_mean", "control_mixed"};
@@ -115,14 +115,14 @@ const std::vector<std::string>& compared_variants() {
 const AnimatedCharacter& Explorer::character(const std::string& model) {
   if (const auto known = characters_.find(model); known != characters_.end()) return known->second;
   for (const Maker& m : makers_)
-    if (m.name == model) return characters_.emplace(model, m.make()).first->second;
+    if (m.name == model) return characters_.emplace(model, bake(m.make())).first->second;
   throw std::invalid_argument("no model named '" + model + "'");
 }
 
 ExplorerView Explorer::view(const ExplorerSettings& s) {
   const AnimatedCharacter& c = character(s.model);
   const RefitVariant& chosen = compared_variant(s.variant);
-  const Pose pose = pose_of(c.mesh, s);
+  const Pose pose = pose_of(c, s);
   LevelView level(c, pose, std::clamp(s.level, 1, c.tree.level_count()));
 
   ExplorerView view;
@@ -135,7 +135,7 @@ ExplorerView Explorer::view(const ExplorerSettings& s) {
   view.ball_vertices = static_cast<int>(c.vertices[level.nodes()[view.ball]].size());
   view.ball_optimal = level.frame(chosen.skinning).optimal_radii[view.ball];
 
-  std::vector<std::string> names = compared_variants();
+  std::vector<std::string> names = shown_variants();
   if (std::find(names.begin(), names.end(), s.variant) == names.end()) names.push_back(s.variant);
   for (const std::string& name : names) {
     const RefitVariant& variant = compared_variant(name);

@@ -44,11 +44,11 @@ struct ExplorerView {
   int ball = 0;
   int ball_vertices = 0;                  // of the one that is looked at
   double ball_optimal = 0;                // the radius of the smallest ball of these
-  std::vector<VariantSummary> summaries;  // of compared_variants, and the chosen one
+  std::vector<VariantSummary> summaries;  // of shown_variants, and the chosen one
 };
 
 // The variants whose numbers stand beside each other in every view: those that need no large tables.
-const std::vector<std::string>& compared_variants();
+const std::vector<std::string>& shown_variants();
 
 class Explorer {
  public:

@@ -24,7 +24,7 @@ FURTHER = [
     ("More beyond the paper", ["b3_subdivision", "b4_cap_fallback", "b5_rotation_axis", "b6_dual_quaternion_ball", "b7_motion_bound"]),
     ("Bounds over time", ["c1_chord_bound", "c2_channel_motion", "c3_normalized_motion", "c4_chain_motion", "c5_skinned_motion", "c6_interval_hull", "c7_crossfade",
                           "c8_any_pose"]),
-    ("Joints that scale, vertices that are displaced", ["a1_affine_image", "a2_two_phase_skinning", "a3_morph_displacement"]),
+    ("Joints that scale, vertices that are displaced", ["a1_affine_image", "a2_two_phase_skinning", "a3_morph_displacement", "a4_joint_volumes"]),
 ]
 
 PROGRAMMER = """

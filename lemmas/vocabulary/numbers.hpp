@@ -53,6 +53,12 @@ S choose(const Mask& first, const S& a, const S& b) {
   if constexpr (std::is_convertible_v<Mask, bool>) return first ? a : b;
   else return NumberTraits<S>::choose(first, a, b);
 }
+// Whether a comparison holds, in some lane if there are several.
+template <class Mask>
+bool any_lane(const Mask& mask) {
+  if constexpr (std::is_same_v<Mask, bool>) return mask;
+  else return any_of(mask);
+}
 template <class S>
 Verdict less_equal(const S& a, const S& b) {
   return NumberTraits<S>::less_equal(a, b);

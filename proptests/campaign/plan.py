@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a campaign runs: shards, each a suite of property tests with a seed, or a fuzz target with a seed."""
+"""What a campaign runs: shards, each a suite of property tests with a seed, a fuzz target with a seed, or some mutants."""
 import hashlib
 import json
 
 FIRST_SEED = 2006
+MUTANTS_OF_SHARD = 8
 
 
 class PlanError(Exception):
@@ -14,17 +15,19 @@ def digest_of(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
-def planned(suites, only, seeds, cases, targets, fuzz_seconds, programs):
+def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs):
     """The plan, as it is kept beside the results: what another plan has found is not mixed with it.
 
     programs: the digests of what runs, by name."""
-    chosen = [s for s in suites if not only or any(text in s for text in only)]
-    if not chosen:
+    chosen = [s for s in suites if not only or any(text in s for text in only)] if seeds else []
+    if seeds and not chosen:
         raise PlanError("no suite's stem contains what --only names; proptests/run --list lists them")
     shards = [{"name": f"tests.{suite}.{seed}", "kind": "tests", "of": suite, "seed": seed}
               for seed in range(FIRST_SEED, FIRST_SEED + seeds) for suite in chosen]
     shards += [{"name": f"fuzz.{target}.{seed}", "kind": "fuzz", "of": target, "seed": seed}
                for seed in range(FIRST_SEED, FIRST_SEED + seeds) for target in targets]
+    shards += [{"name": f"mutants.{first:05d}", "kind": "mutants", "of": [first, min(first + MUTANTS_OF_SHARD, mutants)], "seed": 0}
+               for first in range(0, mutants, MUTANTS_OF_SHARD)]
     return {"cases": cases, "fuzz_seconds": fuzz_seconds, "programs": programs, "shards": shards}
 
 

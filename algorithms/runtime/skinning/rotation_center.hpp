@@ -17,7 +17,7 @@
 #include <span>
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
-#include "algorithms/runtime/packs/pack.hpp"
+#include "lemmas/vocabulary/vector.hpp"
 
 namespace refitlab {
 namespace rotation_centers {
@@ -81,8 +81,7 @@ class NormalEquations {
     const auto is_determined = t * S(4) > S(squared_angle);
     const auto is_singular = is_determined && !has_full_rank;
     Point x = regular;
-    using std::experimental::any_of;
-    if (any_of(is_singular)) {
+    if (any_lane(is_singular)) {
       // The eigenvector of the smallest eigenvalue is that of the largest one of the adjugate. Nothing moves along it. So g
       // gets no component along it, and m gets one that makes it regular.
       const Symmetric<S> power = adjugate.scaled_square().scaled_square().scaled_square();

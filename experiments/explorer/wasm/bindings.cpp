@@ -76,7 +76,7 @@ EMSCRIPTEN_KEEPALIVE const char* add_model() {
 EMSCRIPTEN_KEEPALIVE const char* catalog() {
   static std::string text;
   return answer(text, [] {
-    json out{{"models", the_explorer().models()}, {"compared", compared_variants()}};
+    json out{{"models", the_explorer().models()}, {"compared", shown_variants()}};
     for (const RefitVariant& v : compared_variants())
       out["variants"].push_back({{"name", v.name}, {"description", v.description}, {"sound", v.sound}});
     for (const auto& live : explorer::live_pages<Exact>()) {
@@ -96,7 +96,7 @@ EMSCRIPTEN_KEEPALIVE const char* character(const char* model) {
   static std::string text;
   static SharedList<int> triangles;
   return answer(text, [&] {
-    const Character& c = the_explorer().character(model);
+    const AnimatedCharacter& c = the_explorer().character(model);
     triangles.values.clear();
     for (const Triangle& t : c.mesh.triangles) triangles.values.insert(triangles.values.end(), t.begin(), t.end());
     json out{{"triangles", triangles.place()}, {"levels", c.tree.level_count()}, {"twist_joint", twist_joint(c.mesh)}};

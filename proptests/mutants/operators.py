@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mutants by rule: every place of a source file where a rule could plant an error, and an order in which to take a sample of them.
+
+The rules know C++ and Python by their tokens alone. That is enough because sources are laid out by clang-format: an operator of two
+operands has a space on either side, and the brackets of a template have none.
+"""
+import re
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Mutant:
+    file: str      # from the root of the sources
+    rule: str
+    at: int        # where old stands in the file's text
+    old: str
+    new: str
+
+    def applied_to(self, text):
+        assert text[self.at:self.at + len(self.old)] == self.old
+        return text[:self.at] + self.new + text[self.at + len(self.old):]
+
+    def lines(self, text):
+        """The line, and what becomes of it."""
+        start, end = text.rfind("\n", 0, self.at) + 1, text.find("\n", self.at + len(self.old))
+        end = len(text) if end < 0 else end
+        return text[start:end].strip(), self.applied_to(text)[start:end + len(self.new) - len(self.old)].strip()
+
+
+SWAPPED = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||",
+           "||": "&&", "and": "or", "or": "and", "true": "false", "false": "true", "True": "False", "False": "True", "low": "high",
+           "high": "low", "min": "max", "max": "min", "Min": "Max", "Max": "Min", "above": "below", "below": "above", "floor": "ceil",
+           "ceil": "floor", "holds": "fails", "fails": "holds"}
+OPERAND = r"(?<=[\w)\]])"
+
+
+def swaps(name, pattern, text):
+    """Each match of the pattern's group 1 becomes its opposite."""
+    return [(name, m.start(1), m[1], SWAPPED[m[1]]) for m in re.finditer(pattern, text)]
+
+
+def numbers(text):
+    out = []
+    for m in re.finditer(r"(?<![\w.])(0x[\da-fA-F.]+p[+-]?\d+|\d+\.\d+(?:e[+-]?\d+)?f?|\d+e[+-]?\d+|\d+)(?![\w.']|, ?\w*>|>)", text):
+        number = m[1]
+        if number.isdigit():
+            out.append(("constant", m.start(1), number, str(int(number) + 1)))
+        else:
+            out.append(("constant", m.start(1), number, f"({number} * 2)" if float_of(number) else "1.0"))
+    return out
+
+
+def float_of(text):
+    return float.fromhex(text) if text.startswith("0x") else float(text.rstrip("f"))
+
+
+def end_of_term(text, at, operators):
+    """Where what begins at this place ends: before the next of these operators on its level, or before what closes it."""
+    depth = 0
+    for i in range(at, len(text)):
+        c = text[i]
+        if c in "([{":
+            depth += 1
+        elif c in ")]}":
+            if depth == 0:
+                return i
+            depth -= 1
+        elif depth == 0 and (c in ";,?" or c in operators and text[i - 1] == " " and i > at):
+            return i - 1 if text[i - 1] == " " else i
+        elif c == "\n" and text[i:i + 2] == "\n\n":
+            return None
+    return None
+
+
+def dropped_terms(text):
+    """a + b becomes a, and a && b becomes a."""
+    out = []
+    for m in re.finditer(OPERAND + r"( (?:\+|-|&&|\|\||and|or) )(?=[\w(!-])", text):
+        is_logic = m[1].strip() not in ("+", "-")
+        end = end_of_term(text, m.end(1), "&|:" if is_logic else "+-<>=!&|:")
+        if end:
+            out.append(("term left out", m.start(1), text[m.start(1):end], ""))
+    return out
+
+
+def closing(text, at):
+    """Of the bracket that opens at this place."""
+    depth = 0
+    for i in range(at, len(text)):
+        depth += (text[i] in "([{") - (text[i] in ")]}")
+        if depth == 0:
+            return i
+    return None
+
+
+def guards(text):
+    out = []
+    for m in re.finditer(r"\bif \(", text):
+        end = closing(text, m.end() - 1)
+        if end and ";" not in text[m.end():end]:
+            for value in ("false", "true"):
+                out.append(("guard " + value, m.end(), text[m.end():end], value))
+    return out
+
+
+def swapped_arguments(text):
+    out = []
+    for m in re.finditer(r"(?<!\bif)(?<!\bfor)(?<!\bwhile)(?<=\w)\(", text):
+        end = closing(text, m.start())
+        if not end:
+            continue
+        inside, depth, commas = text[m.end():end], 0, []
+        for i, c in enumerate(inside):
+            depth += (c in "([{") - (c in ")]}")
+            if c == "," and depth == 0:
+                commas.append(i)
+        if len(commas) != 1 or "\n\n" in inside:
+            continue
+        first, second = inside[:commas[0]], inside[commas[0] + 1:].strip()
+        is_declaration = re.search(r"\bconst\b|[\w>][&*]* \w+$", first) or re.search(r"\bconst\b", second)
+        if first.strip() and second and first.strip() != second and not is_declaration:
+            out.append(("arguments", m.end(), inside, f"{second}, {first.strip()}"))
+    return out
+
+
+def dropped_statements(text):
+    """Statements that change what is there already: x += y; v &= ...; raise(x);"""
+    pattern = r"(?m)^[ ]+([\w.\[\]>()*-]+ (?:\+|-|\*|/|&|\|)= [^;\n]*;|(?!return|throw|delete)\w[\w.]*\([^;\n{}]*\);)$"
+    return [("statement left out", m.start(1), m[1], ";") for m in re.finditer(pattern, text)]
+
+
+def masked(text, is_python):
+    """The text with comments, strings and what the preprocessor reads as blanks, each character in its place."""
+    if is_python:
+        pattern = r'"""(?:.|\n)*?"""|[frb]?"(?:\\.|[^"\\\n])*"|[frb]?\'(?:\\.|[^\'\\\n])*\'|#[^\n]*|(?m:^(?:from|import) [^\n]*)'
+    else:
+        pattern = (r'//[^\n]*|/\*(?:.|\n)*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|(?m:^\s*#(?:[^\n]*\\\n)*[^\n]*)|'
+                   r'\bstatic_assert\((?:[^;])*;|(?m:^\s*(?:template|using|namespace)\b[^\n]*)|\bif constexpr \([^\n]*\)|\brequires\b[^{;]*')
+    return re.sub(pattern, lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+
+
+def mutants_of(file, text):
+    """All of the file, in the order of their places."""
+    is_python = not file.endswith((".cpp", ".hpp"))
+    code = masked(text, is_python)
+    found = swaps("sign", OPERAND + r" ([+-]) (?=[\w(-])", code)
+    found += swaps("sign", r" ([+-])= ", code)
+    found += [("sign", m.start(1), "-", "") for m in re.finditer(r"(?:[(,=?:] ?|return )(-)(?=[a-zA-Z(])", code)]
+    found += swaps("factor", OPERAND + r" ([*/]) (?=[\w(-])", code)
+    found += swaps("comparison", r" (<=|>=|==|!=|<|>) ", code)
+    found += [("comparison turned", m.start(1), m[1], {"<": ">", ">": "<", "<=": ">=", ">=": "<="}[m[1]])
+              for m in re.finditer(r" (<=|>=|<|>) ", code)]
+    found += swaps("logic", r" (&&|\|\||and|or) ", code)
+    found += [("negation", m.start(1), m[1], "") for m in re.finditer(r"(!|\bnot )(?=[\w(])", code)]
+    found += swaps("truth", r"(?<!\w)(true|false|True|False|holds|fails)\b(?!\()", code)
+    found += swaps("bound", r"(?:\b|_|::)(min|max|low|high)(?=\b|_of\b)(?!:)", code) + swaps("bound", r"\w(Min|Max)\b", code)
+    found += swaps("rounding", r"\b(?:float_)?(above|below|floor|ceil)\(", code)
+    found += numbers(code) + dropped_terms(code) + swapped_arguments(code) + dropped_statements(code)
+    if not is_python:
+        found += guards(code)
+    unique = {(at, old, new): Mutant(file, rule, at, text[at:at + len(old)], new) for rule, at, old, new in found}
+    # What a rule saw is the text without its comments and strings.
+    seen = {key: m for key, m in unique.items() if m.old == key[1] or m.rule in ("arguments", "term left out")}
+    kept = [m if m.rule != "arguments" else rebuilt_arguments(m, text) for m in seen.values()]
+    return sorted((m for m in kept if m), key=lambda m: (m.at, m.old, m.new))
+
+
+def rebuilt_arguments(mutant, text):
+    """Strings among the arguments would have been blanked: then there is none."""
+    return mutant if '"' not in mutant.old and "//" not in mutant.old else None
+
+
+def in_even_order(count, seed):
+    """The numbers below count in an order of which every beginning is spread evenly (van der Corput's, shifted by the seed)."""
+    bits, order = max(1, (count - 1).bit_length()), []
+    shift = seed * 0x9E3779B1 % (1 << bits)
+    for i in range(1 << bits):
+        place = (int(format(i, f"0{bits}b")[::-1], 2) + shift) % (1 << bits)
+        if place < count:
+            order.append(place)
+    return order

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Copies of the sources in which mutants are planted, each with a build of its own, and programs of a few suites each."""
+import fcntl
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import threading
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TIME_LIMIT = 900  # seconds, of one run of the suites
+
+
+class Copy:
+    """A copy of the sources, its build, and a program made of some of the suites."""
+
+    def __init__(self, number):
+        self.folder = ROOT / "out" / "mutants" / str(number)
+        self.source, self.build_folder = self.folder / "source", self.folder / "build"
+        self.needed = {}  # by suites: the link command and the objects that it takes
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.lock = open(self.folder / "lock", "w")
+
+    def is_free(self):
+        """Whether it was, and is this process's now."""
+        try:
+            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return True
+        except BlockingIOError:
+            return False
+
+    def prepare(self):
+        self.copy_sources()
+        subprocess.run(["cmake", "-S", self.source, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DREFITLAB_EXPERIMENTS=OFF", "-DREFITLAB_UNITY=OFF"], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def copy_sources(self):
+        """Brings the copy up to date without touching files that did not change, so that builds stay incremental."""
+        files = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True, text=True,
+                               capture_output=True).stdout.split("\n")
+        wanted = {f for f in files if f and (ROOT / f).is_file()}
+        for name in wanted:
+            target = self.source / name
+            text = (ROOT / name).read_bytes()
+            if not target.exists() or target.read_bytes() != text:
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.write_bytes(text)
+                shutil.copymode(ROOT / name, target)
+        for path in [p for p in self.source.rglob("*") if p.is_file()]:
+            if str(path.relative_to(self.source)) not in wanted:
+                path.unlink()
+
+    def ninja(self, *arguments):
+        # All copies share what is compiled: to ccache their paths are relative, and a header's text counts, not its age.
+        environment = {**os.environ, "CCACHE_BASEDIR": str(self.folder),
+                       "CCACHE_SLOPPINESS": "include_file_mtime,include_file_ctime"}
+        done = subprocess.run(["ninja", "-C", self.build_folder, *arguments], text=True, capture_output=True,
+                              env=environment)
+        return done.returncode == 0, done.stdout + done.stderr
+
+    def members(self, library):
+        """The objects of one of the build's libraries."""
+        ok, text = self.ninja("-t", "query", library)
+        return re.findall(r"^    ([^ :|][^ ]*\.o)$", text, re.M) if ok else []
+
+    def link(self, stems, jobs):
+        """The command that links these suites, and the objects that the linker takes for it: what a mutant does not reach is not compiled.
+        It is found once, with the sources as they are, before a mutant is planted.
+
+        The suites and the main program are objects; all else is in archives that name objects where they are, of which the linker takes
+        what it needs."""
+        key = tuple(sorted(stems))
+        if key in self.needed:
+            return self.needed[key]
+        ok, commands = self.ninja("-t", "commands", "proptests/proptests")
+        if not ok:
+            sys.exit("mutants: no way to build the tests: " + commands)
+        words, command, objects, helpers = shlex.split(commands.strip().split("\n")[-1].split("&&")[1]), [], [], []
+        suite_count = 0
+        for word in words:
+            path = pathlib.Path(word)
+            is_suite = path.name.endswith(".cpp.o") and path.parent.name in ("lemmas", "algorithms")
+            if is_suite and path.name.removesuffix(".cpp.o") not in stems:
+                continue
+            suite_count += is_suite
+            if path.suffix == ".o" and not is_suite and path.parent.name != "proptests.dir":
+                helpers.append(word)
+                continue
+            if path.suffix == ".a" and not path.is_absolute():
+                thin, members = self.build_folder / ("thin_" + path.name), self.members(word)
+                ok, output = self.ninja("-j", str(jobs), *members)
+                if not ok:
+                    return None, output
+                self.archive(thin, members)
+                command.append(str(thin))
+                continue
+            command.append(word)
+            if path.suffix == ".o":
+                objects.append(word)
+        ok, output = self.ninja("-j", str(jobs), *helpers, *objects)
+        if not ok:
+            return None, output
+        self.archive(self.build_folder / "thin_helpers.a", helpers)
+        at = command.index("-o")
+        program = self.build_folder / ("mutant_" + str(abs(hash(key))))
+        command[at + 1] = str(program)
+        # In front of the libraries, which helpers need, too.
+        command.insert(max(i for i, word in enumerate(command) if word.endswith(".o")) + 1, str(self.build_folder / "thin_helpers.a"))
+        traced = subprocess.run([*command, "-Wl,--trace"], cwd=self.build_folder, text=True, capture_output=True)
+        if traced.returncode != 0:
+            return None, traced.stdout + traced.stderr
+        taken = set(re.findall(r"(?:^|\()((?:[^\s()]*/)?(?:CMakeFiles|algorithms|proptests|lemmas)/[^\s()]*\.o)\)?$", traced.stdout, re.M))
+        taken = {os.path.relpath(t, self.build_folder) if os.path.isabs(t) else t for t in taken}
+        self.needed[key] = (command, sorted(taken | set(objects)), program)
+        return self.needed[key]
+
+    def archive(self, path, members):
+        path.unlink(missing_ok=True)
+        subprocess.run(["ar", "rcsT", path, *members], cwd=self.build_folder, check=True)
+
+    def build(self, stems, jobs):
+        """(the program, or None, and what the compiler said)."""
+        command, parts, *program = self.link(stems, jobs)
+        if command is None:
+            return None, parts[-4000:]
+        ok, output = self.ninja("-j", str(jobs), *parts)
+        if ok:
+            done = subprocess.run(command, cwd=self.build_folder, text=True, capture_output=True)
+            ok, output = done.returncode == 0, done.stdout + done.stderr
+        return program[0] if ok else None, output[-4000:]
+
+    def first_failure(self, program, limit=TIME_LIMIT):
+        """The sentence of the first test that fails, or None if all pass."""
+        process = subprocess.Popen([program], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT)
+        is_late = threading.Event()
+        alarm = threading.Timer(limit, lambda: (is_late.set(), process.kill()))
+        alarm.start()
+        try:
+            for line in process.stdout:
+                if failed := re.match(r"  (.*)  \[ FAIL \]", line):
+                    process.kill()
+                    return failed[1]
+            code = process.wait()
+            if is_late.is_set():
+                return f"no end within {limit:.0f} s"
+            return None if code == 0 else f"the run ended with code {code}"
+        finally:
+            alarm.cancel()
+            process.wait()
+
+    def planted(self, file, text):
+        """A context in which the copy's file has this text."""
+        return Planted(self.source / file, text)
+
+
+class Planted:
+    def __init__(self, file, text):
+        self.file, self.text, self.original = file, text, file.read_text()
+
+    def __enter__(self):
+        self.file.write_text(self.text)
+
+    def __exit__(self, *_):
+        self.file.write_text(self.original)
+
+
+def free_copy():
+    """The first that no other process uses."""
+    number = 0
+    while not (copy := Copy(number)).is_free():
+        number += 1
+    copy.prepare()
+    return copy

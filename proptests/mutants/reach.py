@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which suites a source file reaches, by the include directives: those that are nearest first."""
+import collections
+import re
+
+FOLDERS = ("lemmas", "algorithms", "proptests", "experiments")
+
+
+class Reach:
+    def __init__(self, root):
+        files = [p for folder in FOLDERS for p in sorted((root / folder).rglob("*")) if p.suffix in (".hpp", ".cpp")]
+        self.users = collections.defaultdict(set)  # by file, who needs what is in it
+        known = {str(p.relative_to(root)) for p in files}
+        for path in files:
+            name = str(path.relative_to(root))
+            included = [i for i in re.findall(r'^#include "([^"]+)"', path.read_text(), re.M) if i in known]
+            for other in included:
+                self.users[other].add(name)
+            # Who includes a header needs what is defined beside it: in the file of the same name, or in one that has none of its own.
+            if path.suffix == ".cpp":
+                own = name.removesuffix(".cpp") + ".hpp"
+                beside = [i for i in included if i.rpartition("/")[0] == name.rpartition("/")[0]]
+                for header in [own] if own in known else beside:
+                    self.users[name].add(header)
+
+    def suites(self, file):
+        """(distance, stem) of the suites, the nearest first; among those as near, the one that is named after the file."""
+        if file.startswith("proptests/certificate/"):
+            return [(1, "clip_certificate" if "clip" in file or "over_time" in file else "certificate")]
+        distance, queue = {file: 0}, collections.deque([file])
+        while queue:
+            at = queue.popleft()
+            for user in self.users[at]:
+                if user not in distance:
+                    distance[user] = distance[at] + 1
+                    queue.append(user)
+        own = file.rpartition("/")[2].rpartition(".")[0]
+        found = []
+        for name, far in distance.items():
+            folder, _, stem = name.removesuffix(".cpp").rpartition("/")
+            if name.endswith(".cpp") and folder in ("proptests/lemmas", "proptests/algorithms"):
+                found.append((0 if stem == own else far, stem))
+        return sorted(found)

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A sample of the mutants by rule, spread evenly over lemmas, algorithms and the checkers of certificates, and their verdicts."""
+import csv
+import functools
+import time
+
+import operators
+from planting import ROOT
+from reach import Reach
+
+SEED = 2006
+# The nearest suites are built first, and if a mutant lives, some more. What no suite so near sees, no test is about.
+SUITES_AT_FIRST, SUITES_AT_MOST = 2, 6
+COLUMNS = ["file", "rule", "line", "mutant", "verdict", "by", "suites"]
+# Shapes: another nose is as good.
+LEFT_OUT = ("algorithms/model/procedural/",)
+
+
+def sources():
+    paths = [p for folder in ("lemmas", "algorithms") for p in (ROOT / folder).rglob("*") if p.suffix in (".hpp", ".cpp")]
+    paths += [ROOT / "proptests/certificate/check", ROOT / "proptests/certificate/check_clip", *(ROOT / "proptests/certificate/over_time").glob("*.py")]
+    return sorted(f for f in (str(p.relative_to(ROOT)) for p in paths) if not f.startswith(LEFT_OUT))
+
+
+@functools.cache
+def all_mutants():
+    mutants = [m for f in sources() for m in operators.mutants_of(f, (ROOT / f).read_text())]
+    return [mutants[i] for i in operators.in_even_order(len(mutants), SEED)]
+
+
+@functools.cache
+def reach():
+    return Reach(ROOT)
+
+
+@functools.cache
+def equivalents():
+    """By file, line and mutant: why no test can see the difference."""
+    with open(ROOT / "proptests/mutants/equivalent.csv", newline="") as file:
+        return {(row["file"], row["line"], row["mutant"]): row["reason"] for row in csv.DictReader(file)}
+
+
+@functools.cache
+def seconds_of(copy, stems):
+    """Of a run of these suites with the sources as they are, which has to pass."""
+    program, output = copy.build(stems, 1)
+    if not program:
+        raise RuntimeError(f"the unchanged sources do not build: {output}")
+    start = time.monotonic()
+    if failure := copy.first_failure(program):
+        raise RuntimeError(f"the unchanged sources fail: {failure}")
+    return time.monotonic() - start
+
+
+def verdict_of(copy, mutant):
+    """A row of COLUMNS: killed, not built, alive, or equivalent by the list."""
+    text = (ROOT / mutant.file).read_text()
+    line, changed = mutant.lines(text)
+    stems = [stem for _, stem in reach().suites(mutant.file)][:SUITES_AT_MOST]
+    row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": "", "suites": " ".join(stems)}
+    for group in (stems[:SUITES_AT_FIRST], stems[SUITES_AT_FIRST:]):
+        if not group:
+            continue
+        limit = 60 + 10 * seconds_of(copy, tuple(group))
+        with copy.planted(mutant.file, mutant.applied_to(text)):
+            program, output = copy.build(group, 1)
+            if not program:
+                return {**row, "verdict": "not built"}
+            if killer := copy.first_failure(program, limit):
+                return {**row, "verdict": "killed", "by": killer}
+    reason = equivalents().get((mutant.file, line, changed))
+    return {**row, "verdict": "equivalent", "by": reason} if reason else row
