@@ -250,11 +250,11 @@ def engines_table(results):
         for skinning in over_time.SKINNINGS:
             other = engines.row_of(results, method, skinning)
             missed.append(whole_number(other["misses"]) if other else "")
-        name = row["method"].replace("’", "'") + (f" ({row['who']})" if row["who"] else "")
+        name = escaped(row["method"].replace("’", "'") + (f" ({row['who']})" if row["who"] else ""))
         cost = engines.costs(results, method)["ratio"]
         rows.append([name, "" if row["volume_ratio"] is None else f"{row['volume_ratio']:.2f}", *missed, "" if cost is None else digits(cost, 2)])
-    head = ["", "volume / true box", *over_time.SKINNINGS.values(), "cost / joint boxes"]
-    return table("p{58mm}" + "r" * (len(head) - 1), head, rows)
+    head = ["", "volume", *over_time.SKINNINGS.values(), "cost"]
+    return table("p{62mm}" + "r" * (len(head) - 1), head, rows)
 
 
 def provenance_table(results):
