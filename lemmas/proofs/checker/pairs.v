@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* Certificates of which triangles of two posed characters meet (algorithms/certificate/pairs_certificate.hpp): the document,
    what an accepted one claims, the program, and the proof over any exact numbers. *)
-From Coq Require Import List Reals Lra Lia Bool PeanoNat PArith FMapPositive.
+From Coq Require Import List Permutation FinFun Reals Lra Lia Bool PeanoNat PArith FMapPositive.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.
 Require Import Refitlab.checker.certificate Refitlab.checker.check Refitlab.checker.exact Refitlab.checker.sound.
 Require Import Refitlab.checker.against.
@@ -42,11 +42,11 @@ Definition triangle_at {T} (b : body T) (k : positive) : option (list (vec T)) :
 (* The triangles have a point in common. *)
 Definition meet (s t : list (vec R)) : Prop := exists x, in_hull s x /\ in_hull t x.
 
-(* All corners of all triangles are there, and those pairs of triangles meet that are listed, and no others. *)
+(* All corners of all triangles are there, and those pairs of triangles meet that are listed, each once, and no others. *)
 Definition has_all_corners (b : body R) : Prop := forall k, face_at b k <> None -> triangle_at b k <> None.
 Definition listed {T} (c : pairs T) : list (positive * positive) := map meeting (contacts c).
 Definition pairs_claim (c : pairs R) : Prop :=
-  has_all_corners (first c) /\ has_all_corners (second c) /\
+  has_all_corners (first c) /\ has_all_corners (second c) /\ NoDup (listed c) /\
   forall i j, In (i, j) (listed c) <->
     exists s t, triangle_at (first c) i = Some s /\ triangle_at (second c) j = Some t /\ meet s t.
 
@@ -152,6 +152,13 @@ Proof.
     + intros z [<-|I]; [exists y; split; [auto|now left]|]. destruct (A z I) as (w & ? & ?). exists w. split; [auto|now right].
     + intros z [<-|I]; [exists x; split; [now left|auto]|]. destruct (B z I) as (w & ? & ?). exists w. split; [now right|auto].
 Qed.
+Lemma all_some_keys {X Y} (f : X -> option Y) (key : Y -> X) xs ys : (forall x y, f x = Some y -> key y = x) ->
+  all_some (map f xs) = Some ys -> map key ys = xs.
+Proof.
+  intros K. revert ys; induction xs as [|x xs IH]; intros ys; cbn [map all_some]; [now intros [= <-]|].
+  destruct (f x) as [y|] eqn:F; [|discriminate]. destruct (all_some (map f xs)) as [zs|]; [|discriminate].
+  intros [= <-]. cbn [map]. now rewrite (K x y F), (IH zs eq_refl).
+Qed.
 Lemma numbered_complete {X} (j : positive) (xs : list X) i x : nth_error xs i = Some x ->
   PositiveMap.find (Pos.of_nat (Pos.to_nat j + i)) (numbered j xs) = Some x.
 Proof.
@@ -177,6 +184,39 @@ Proof.
   destruct (Pos.eq_dec k j) as [->|N]; [now left|]. rewrite PositiveMap.gso by exact N. intros F. right. now apply IH.
 Qed.
 
+(* Lists in which nothing is twice. *)
+Lemma nodup_app {X} (a b : list X) : NoDup (a ++ b) <-> NoDup a /\ NoDup b /\ forall x, In x a -> ~ In x b.
+Proof.
+  induction a as [|x a IH]; cbn [app].
+  - split; [intros N; repeat split; auto using NoDup_nil; intros ? []|tauto].
+  - rewrite !NoDup_cons_iff, IH, in_app_iff. cbn. split.
+    + intros (N & A & B & D). split; [tauto|]. split; [auto|]. intros y [<-|I]; [tauto|auto].
+    + intros ((N & A) & B & D). split; [intros [I|I]; [tauto|apply (D x); auto]|]. auto.
+Qed.
+Lemma nodup_products {X Y} (xs : list X) (ys : list Y) : NoDup xs -> NoDup ys -> NoDup (list_prod xs ys).
+Proof.
+  intros A B. induction A as [|x xs N A IH]; cbn [list_prod]; [constructor|]. apply nodup_app. split; [|split; [exact IH|]].
+  - apply Injective_map_NoDup; [intros y z [= ->]; reflexivity|exact B].
+  - intros (u, v) I J. apply in_map_iff in I as (w & [= <- _] & _). apply in_prod_iff in J as [J _]. contradiction.
+Qed.
+Lemma products_of_first_parts {X Y} (a b : list X) (ys : list Y) : list_prod (a ++ b) ys = list_prod a ys ++ list_prod b ys.
+Proof. induction a as [|x a IH]; cbn [app list_prod]; [reflexivity|]. now rewrite IH, app_assoc. Qed.
+Lemma products_of_second_parts {X Y} (xs : list X) (a b : list Y) :
+  Permutation (list_prod xs (a ++ b)) (list_prod xs a ++ list_prod xs b).
+Proof.
+  induction xs as [|x xs IH]; cbn [list_prod]; [constructor|]. rewrite map_app, <- !app_assoc.
+  apply Permutation_app_head. rewrite IH, !app_assoc. apply Permutation_app_tail, Permutation_app_comm.
+Qed.
+(* As many numbers as the first ones, which are among them. *)
+Lemma nodup_order (order : list positive) k : length order = k ->
+  (forall j, (Pos.to_nat j <= k)%nat -> In j order) -> NoDup order.
+Proof.
+  intros L A. apply (NoDup_incl_NoDup (l := map Pos.of_succ_nat (seq 0 k))).
+  - apply Injective_map_NoDup; [intros i j E; now apply SuccNat2Pos.inj|apply seq_NoDup].
+  - rewrite map_length, seq_length. lia.
+  - intros j I. apply in_map_iff in I as (i & <- & I). apply in_seq in I. apply A. rewrite SuccNat2Pos.id_succ. lia.
+Qed.
+
 Section Soundness.
 Context {T : Type} {n : Num T} (value : T -> R) {ex : Exact value}.
 Notation vmap := (vmap value).
@@ -199,13 +239,17 @@ Proof.
   destruct (nth_error (corners b) (Pos.to_nat j - 1)); [|reflexivity].
   destruct (nth_error (corners b) (Pos.to_nat l - 1)); reflexivity.
 Qed.
-(* What is in order are all triangles of the body. *)
+(* What is in order are all triangles of the body, each once. *)
 Lemma in_order_sound (b : body T) order fs : in_order b order = Some fs ->
-  (forall k, face_at b k <> None -> triangle_at b k <> None) /\
+  (forall k, face_at b k <> None -> triangle_at b k <> None) /\ NoDup (map fst fs) /\
   forall k ps, In (k, ps) fs <-> triangle_at b k = Some ps.
 Proof.
-  unfold in_order. destruct (_ && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [_ C].
-  rewrite forallb_forall in C. intros A. apply all_some_sound in A as [A B].
+  unfold in_order. destruct (_ && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [N C].
+  rewrite forallb_forall in C. apply Nat.eqb_eq in N. intros A.
+  assert (K : map fst fs = order).
+  { apply (all_some_keys _ fst _ _) in A; [exact A|]. intros k f. rewrite find_facet_is.
+    destruct (triangle_at b k); [now intros [= <-]|discriminate]. }
+  rewrite K. apply all_some_sound in A as [A B].
   assert (O : forall k, face_at b k <> None -> In k order).
   { intros k F. unfold face_at in F. destruct (nth_error (faces b) (Pos.to_nat k - 1)) as [f|] eqn:E; [|contradiction].
     apply numbered_from_one in E. apply PositiveMap.elements_correct in E. apply C in E. now apply named_sound. }
@@ -214,7 +258,9 @@ Proof.
     destruct (triangle_at b k) as [ps|]; [|discriminate]. injection F as <-. now exists ps. }
   split.
   - intros k F. apply O, L in F as (ps & F & _). congruence.
-  - intros k ps. split.
+  - split.
+    { apply (nodup_order _ _ N). intros j J. apply O. unfold face_at. rewrite nth_error_Some. pose proof (Pos2Nat.is_pos j). lia. }
+    intros k ps. split.
     + intros I. destruct (B _ I) as (j & _ & F). rewrite find_facet_is in F.
       destruct (triangle_at b j) as [qs|] eqn:E; [|discriminate]. now injection F as -> ->.
     + intros F. assert (G : face_at b k <> None) by (unfold triangle_at in F; destruct (face_at b k); congruence).
@@ -290,6 +336,27 @@ Proof.
       * intros (a' & b' & [[[<-|[]] [<-|[]]]|I] & E & N); [now left|right; exists a', b'; auto].
 Qed.
 
+(* Pairs that are left are each there once, and so then are those of the contacts. *)
+Definition left_over (todo : list (list (positive * list (vec T)) * list (positive * list (vec T)))) : list (positive * positive) :=
+  flat_map (fun sets => list_prod (map fst (fst sets)) (map fst (snd sets))) todo.
+Lemma walk_once ss todo cs : walk todo ss cs = true -> NoDup (left_over todo) -> NoDup (map meeting cs).
+Proof.
+  revert todo cs; induction ss as [|s ss IH]; intros todo cs W N.
+  - destruct todo as [|[xs ys] todo]; [|discriminate]. destruct cs; [constructor|discriminate].
+  - destruct s as [normal offset| | |]; destruct todo as [|[xs ys] todo]; try discriminate W; cbn [walk] in W;
+      unfold left_over in N; cbn [flat_map fst snd] in N; fold (left_over todo) in N.
+    + apply andb_true_iff in W as [_ W]. apply nodup_app in N as (_ & N & _). now apply (IH _ _ W).
+    + apply (IH _ _ W). unfold left_over, halves. cbn [flat_map fst snd]. fold (left_over todo).
+      rewrite app_assoc, <- products_of_first_parts, <- map_app, firstn_skipn. exact N.
+    + apply (IH _ _ W). unfold left_over, halves. cbn [flat_map fst snd]. fold (left_over todo).
+      rewrite app_assoc, <- products_of_second_parts, <- map_app, firstn_skipn. exact N.
+    + destruct xs as [|a [|? ?]]; try discriminate W. destruct ys as [|b [|? ?]]; try discriminate W.
+      destruct cs as [|c cs]; [discriminate W|]. apply andb_true_iff in W as [C W]. cbn in N. apply NoDup_cons_iff in N as [O N].
+      cbn [map]. apply NoDup_cons_iff. split; [|now apply (IH _ _ W)]. apply check_contact_sound in C as [-> _].
+      rewrite (walk_sound _ _ _ W). intros (a' & b' & (xs & ys & I & A & B) & E & _). rewrite E in O. apply O.
+      apply in_flat_map. exists (xs, ys). split; [exact I|]. apply in_prod; now apply in_map.
+Qed.
+
 Lemma triangle_at_map (b : body T) k : triangle_at (body_map value b) k = option_map (map vmap) (triangle_at b k).
 Proof.
   unfold triangle_at, face_at, corner_at. cbn [body_map faces corners].
@@ -303,12 +370,14 @@ Lemma check_pairs_sound (c : pairs T) : check_pairs c = true -> pairs_claim (pai
 Proof.
   unfold check_pairs. destruct (in_order (first c) (first_order c)) as [xs|] eqn:X; [|discriminate].
   destruct (in_order (second c) (second_order c)) as [ys|] eqn:Y; [|discriminate]. intros W.
-  apply in_order_sound in X as [CX X]. apply in_order_sound in Y as [CY Y].
+  apply in_order_sound in X as (CX & NX & X). apply in_order_sound in Y as (CY & NY & Y).
   assert (H : forall b : body T, (forall k, face_at b k <> None -> triangle_at b k <> None) -> has_all_corners (body_map value b)).
   { intros b C k F. rewrite triangle_at_map. apply C in F. destruct (triangle_at b k); [discriminate|contradiction]. }
-  split; [now apply H|]. split; [now apply H|]. intros i j. cbn [pairs_map first second].
+  split; [now apply H|]. split; [now apply H|].
   assert (L : listed (pairs_map value c) = listed c) by (unfold listed; cbn [pairs_map contacts]; now rewrite map_map).
-  rewrite L. unfold listed. rewrite (walk_sound _ _ _ W (i, j)). split.
+  rewrite L. unfold listed. split.
+  { apply (walk_once _ _ _ W). cbn. rewrite app_nil_r. now apply nodup_products. }
+  intros i j. cbn [pairs_map first second]. rewrite (walk_sound _ _ _ W (i, j)). split.
   - intros ([i' s] & [j' t] & I & E & M). cbn [fst snd] in E, M. injection E as <- <-. apply are_in_cons in I.
     destruct I as [[A B]|(? & ? & [] & _)]. apply X in A. apply Y in B. exists (map vmap s), (map vmap t).
     now rewrite !triangle_at_map, A, B.
