@@ -4,7 +4,9 @@
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 
-#include "algorithms/certificate/gmpzf.hpp"
+#include <span>
+
+#include "algorithms/certificate/linear_program.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
@@ -37,7 +39,8 @@ std::variant<CommonPoint, PartingPlane> common_point(const TrianglePoints& a, co
   std::array<Rational, 5> y;
   auto certificate = solution.infeasibility_certificate_begin();
   for (Rational& n : y) n = as_rational(*certificate++);
-  return PartingPlane{{-y[0], -y[1], -y[2]}, (y[3] - y[4]) / 2};
+  const Rational scale = make_whole(std::span(y).first(3));
+  return PartingPlane{{-y[0], -y[1], -y[2]}, scale * (y[3] - y[4]) / 2};
 }
 
 }  // namespace refitlab

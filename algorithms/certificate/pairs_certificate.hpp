@@ -30,7 +30,8 @@
 namespace refitlab {
 
 // That those triangles of the bodies meet that are listed, in any order, and no others.
-// Throws NoProof if that is not so, and what separate() throws.
+// Throws NoProof if that is not so, and what separate() throws; NoProof also for reasons with longer numbers than checkers read, which
+// coordinates may need that are 10^-100 and 1.
 std::string pairs_certificate(const std::string& about, const PosedBody& first, const PosedBody& second,
                               std::vector<TrianglePair> pairs);
 

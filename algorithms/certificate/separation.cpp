@@ -17,13 +17,13 @@ namespace {
 using Triangles = std::span<const int>;
 
 void require_whole(const PosedBody& body) {
-  if (body.triangles.empty()) throw std::invalid_argument("certificate: a body has no triangles");
+  if (body.triangles.empty()) throw std::invalid_argument("separation: a body has no triangles");
   for (const Point3& p : body.vertices)
-    if (!p.allFinite()) throw std::invalid_argument("certificate: a number is not finite");
+    if (!p.allFinite()) throw std::invalid_argument("separation: a coordinate is not finite");
   for (const auto& triangle : body.triangles)
     for (const int v : triangle)
       if (v < 0 || v >= static_cast<int>(body.vertices.size()))
-        throw std::invalid_argument("certificate: a triangle has a vertex that is not there");
+        throw std::invalid_argument("separation: a triangle has a vertex that is not there");
 }
 
 // The sides of the box around the middles of triangles, which are times 3.

@@ -9,20 +9,10 @@
 #include <vector>
 
 #include "algorithms/certificate/common_point.hpp"
+#include "algorithms/certificate/posed_body.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
 
 namespace refitlab {
-
-// The posed vertices of a character, and its triangles.
-struct PosedBody {
-  std::string name;  // for the reader
-  std::vector<Point3> vertices;
-  std::vector<std::array<int, 3>> triangles;
-
-  TrianglePoints triangle(int t) const {
-    return {vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]};
-  }
-};
 
 // What is done with a pair of sets: in the order, a set of n triangles has its first n / 2, rounded down, in its first half.
 enum class Halved { first, second };

@@ -6,24 +6,10 @@
 
 #include <algorithm>
 
-#include "algorithms/certificate/gmpzf.hpp"
+#include "algorithms/certificate/linear_program.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
-namespace {
-
-// The same proportions in whole numbers without a common divisor.
-void make_whole(std::vector<Rational>& shares) {
-  CGAL::Gmpz multiple(1), divisor(0);
-  for (const Rational& s : shares) mpz_lcm(multiple.mpz(), multiple.mpz(), s.denominator().mpz());
-  for (Rational& s : shares) {
-    s *= multiple;
-    mpz_gcd(divisor.mpz(), divisor.mpz(), s.numerator().mpz());
-  }
-  for (Rational& s : shares) s /= divisor;
-}
-
-}  // namespace
 
 std::optional<Shares> find_shares(const std::vector<std::span<const double>>& weight_vertices, std::span<const double> weights) {
   const DefaultFloatEnvironment environment;

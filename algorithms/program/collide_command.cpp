@@ -23,16 +23,6 @@ const Clip* clip_of(const std::vector<Clip>& clips, const std::string& file, con
   return &*found;
 }
 
-// The vertices in the world that a query decides pairs of. A vertex of no triangle is left where the model has it.
-PosedBody posed(ClusterBody& body, const SkinnedMesh& mesh, const std::string& name) {
-  PosedBody out{name, mesh.vertices, mesh.triangles};
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const TrianglePoints corners = body.triangle(static_cast<int>(t));
-    for (int i = 0; i < 3; ++i) out.vertices[mesh.triangles[t][i]] = corners[i];
-  }
-  return out;
-}
-
 // "man.glb, clip walk at 0.5 s"
 std::string posed_name(const std::string& file, const po::variables_map& map, const std::string& side) {
   const std::string clip = map["clip-" + side].as<std::string>(), name = std::filesystem::path(file).filename().string();
@@ -96,7 +86,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   if (map.count("certificate")) {
     const std::string about = std::string("touching triangles, ") + name_of(skinning) + " skinning";
     write_whole(map["certificate"].as<std::string>(),
-                pairs_certificate(about, posed(body_a, first.mesh, name_a), posed(body_b, second.mesh, name_b), pairs));
+                pairs_certificate(about, posed_body(body_a, name_a), posed_body(body_b, name_b), pairs));
   }
   if (map.count("json")) {
     nlohmann::ordered_json summary = {{"first", name_a}, {"second", name_b}, {"skinning", name_of(skinning)}};
