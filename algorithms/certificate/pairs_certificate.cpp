@@ -70,9 +70,8 @@ std::string pairs_certificate(const std::string& about, const PosedBody& first, 
                 {"second", json_of(second)},
                 {"second_order", separation.second_order}};
   for (const auto& [pair, point] : separation.contacts)
-    document["contacts"].push_back({{"pair", {pair.first, pair.second}},
-                                    {"first", json_of_all(point.first)},
-                                    {"second", json_of_all(point.second)}});
+    document["contacts"].push_back(
+        {{"pair", {pair.first, pair.second}}, {"first", json_of_all(point.first)}, {"second", json_of_all(point.second)}});
   for (const SeparationStep& step : separation.steps) document["steps"].push_back(json_of(step));
   document["digest"] = sha256(canonical(document));
   return canonical(document);

@@ -45,6 +45,9 @@ po::options_description collide_options() {
   add("pairs", "list the pairs");
   add("json", "write the pairs to this file", po::value<std::string>());
   add("certificate", "write why these pairs touch, and no others, to this file, for others to verify", po::value<std::string>());
+  add("documents",
+      "write the posed bodies to files of this name with .first and .second, for a certificate to be checked against",
+      po::value<std::string>());
   return description;
 }
 
@@ -83,6 +86,11 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   QueryCounts counts;
   std::vector<TrianglePair> pairs = collide(body_a, body_b, Query::full, counts);
   std::sort(pairs.begin(), pairs.end());
+  if (map.count("documents")) {
+    const std::string name = map["documents"].as<std::string>();
+    write_whole(name + ".first", body_document(posed_body(body_a, name_a)));
+    write_whole(name + ".second", body_document(posed_body(body_b, name_b)));
+  }
   if (map.count("certificate")) {
     const std::string about = std::string("touching triangles, ") + name_of(skinning) + " skinning";
     write_whole(map["certificate"].as<std::string>(),

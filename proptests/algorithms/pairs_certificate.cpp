@@ -93,9 +93,8 @@ Checked check_file(const std::string& file) {
 
 // Two triangles of the first in the plane z = 0, and three of the second: two touch, and one is apart.
 const PosedBody flat{"flat", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}}, {{0, 1, 2}, {1, 3, 2}}};
-const PosedBody upright{"upright",
-                        {{1, 1, -1}, {1, 1, 1}, {1, 2, 2}, {3, 3, 0}, {3, 3, 5}, {4, 3, 6}, {9, 9, 9}},
-                        {{0, 1, 2}, {3, 4, 5}, {6, 6, 6}}};
+const PosedBody upright{
+    "upright", {{1, 1, -1}, {1, 1, 1}, {1, 2, 2}, {3, 3, 0}, {3, 3, 5}, {4, 3, 6}, {9, 9, 9}}, {{0, 1, 2}, {3, 4, 5}, {6, 6, 6}}};
 
 json honest() { return json::parse(pairs_certificate("", flat, upright, {{0, 0}, {1, 1}})); }
 
@@ -125,23 +124,56 @@ const std::vector<Forgery>& forgeries() {
       {"no single triangle", [](json& d) { d["steps"] = {"contact"}; }},
       {"not before the plane", [](json& d) { step_of(d, "plane")["offset"] = "-1000"; }},
       {"not behind the plane", [](json& d) { step_of(d, "plane")["offset"] = "1000"; }},
-      {"the plane", [](json& d) { step_of(d, "plane")["normal"] = {"0", "0", "0"}; }},
-      {"not before the plane", [](json& d) { step_of(d, "contact") = {{"normal", {"0", "0", "1"}}, {"offset", "0"}}; }},
-      {"not behind the plane", [](json& d) { step_of(d, "contact") = {{"normal", {"0", "0", "1"}}, {"offset", "1/2"}}; }},
+      {"the plane",
+       [](json& d) {
+         step_of(d, "plane")["normal"] = {"0", "0", "0"};
+       }},
+      {"not before the plane",
+       [](json& d) {
+         step_of(d, "contact") = {{"normal", {"0", "0", "1"}}, {"offset", "0"}};
+       }},
+      {"not behind the plane",
+       [](json& d) {
+         step_of(d, "contact") = {{"normal", {"0", "0", "1"}}, {"offset", "1/2"}};
+       }},
       {"steps too few", [](json& d) { d["steps"].erase(d["steps"].size() - 1); }},
       {"steps too many", [](json& d) { d["steps"].push_back("first"); }},
-      {"each triangle once", [](json& d) { d["first_order"] = {0, 0}; }},
+      {"each triangle once",
+       [](json& d) {
+         d["first_order"] = {0, 0};
+       }},
       {"each triangle once", [](json& d) { d["first_order"] = {0}; }},
-      {"each triangle once", [](json& d) { d["second_order"] = {0, 1, 2, 2}; }},
-      {"each triangle once", [](json& d) { d["second_order"] = {0, 1, 3}; }},
+      {"each triangle once",
+       [](json& d) {
+         d["second_order"] = {0, 1, 2, 2};
+       }},
+      {"each triangle once",
+       [](json& d) {
+         d["second_order"] = {0, 1, 3};
+       }},
       {"vertex that is not there", [](json& d) { d["first"]["triangles"][0][0] = 4; }},
       {"vertex that is not there", [](json& d) { d["first"]["triangles"][0][0] = -1; }},
       {"each triangle once", [](json& d) { d["first"]["triangles"].erase(1); }},
-      {"not convex", [](json& d) { d["contacts"][0]["first"] = {"2", "-1", "0"}; }},
-      {"not convex", [](json& d) { d["contacts"][0]["second"] = {"1", "1", "0"}; }},
-      {"not convex", [](json& d) { d["contacts"][0]["first"] = d["contacts"][0]["second"] = {"0", "0", "0"}; }},
-      {"two points", [](json& d) { d["contacts"][0]["second"] = {"1", "0", "0"}; }},
-      {"two points", [](json& d) { d["contacts"][0]["second"] = {"0", "1", "0"}; }},
+      {"not convex",
+       [](json& d) {
+         d["contacts"][0]["first"] = {"2", "-1", "0"};
+       }},
+      {"not convex",
+       [](json& d) {
+         d["contacts"][0]["second"] = {"1", "1", "0"};
+       }},
+      {"not convex",
+       [](json& d) {
+         d["contacts"][0]["first"] = d["contacts"][0]["second"] = {"0", "0", "0"};
+       }},
+      {"two points",
+       [](json& d) {
+         d["contacts"][0]["second"] = {"1", "0", "0"};
+       }},
+      {"two points",
+       [](json& d) {
+         d["contacts"][0]["second"] = {"0", "1", "0"};
+       }},
       {"digits each", [](json& d) { step_of(d, "plane")["offset"] = std::string(401, '7'); }},
       {"more than 8192 bits",
        [](json& d) {
@@ -201,7 +233,8 @@ std::string against(const std::string& first, const std::string& second) {
     return folder.file(name);
   };
   const std::string one = put("one.json", sealed(honest()));
-  const auto run = oracle::run_checker("--against " + put("a", first) + " " + put("b", second) + " " + one, oracle::pairs_checker());
+  const auto run =
+      oracle::run_checker("--against " + put("a", first) + " " + put("b", second) + " " + one, oracle::pairs_checker());
   return run.lines.empty() ? "" : run.lines[0];
 }
 

@@ -111,8 +111,8 @@ PROPTEST(separation) {
               return Checked(oracle::sorted(pairs) == wanted && pairs.size() > 50 && found.steps.size() < 60 * pairs.size(),
                              long(pairs.size()), std::to_string(found.steps.size()) + " steps");
             });
-  t.example("bodies far apart take one step, and in the units of the smallest numbers too many digits are not tried in double", {},
-            [] {
+  t.example("bodies far apart take one step, and in the units of the smallest numbers too many digits are not tried in double",
+            {}, [] {
               const auto body = [](double x, double unit) {
                 return PosedBody{"", {{x, 0, 0}, {x + unit, 0, 0}, {x, unit, 0}}, {{0, 1, 2}, {2, 1, 0}}};
               };
