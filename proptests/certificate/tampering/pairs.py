@@ -230,5 +230,5 @@ FOR_KERNEL = plane_onto_a_vertex  # which every checker has to look at the numbe
 def parts(document):
     """What it is made of, to be counted."""
     out = collections.Counter(step if type(step) is str else "plane" for step in document["steps"])
-    out["certificate without contacts"] = not document["contacts"]
+    out["certificate without contacts"] = int(not document["contacts"])
     return out
