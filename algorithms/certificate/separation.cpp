@@ -89,13 +89,13 @@ class Corners {
 };
 
 // Short numbers for a plane with this normal, if it parts them for certain. A dot product in double is off by less than
-// 4 roundings of the sum of its products' absolute values; 16 leave room for those of sums, of this bound and of underflow.
+// 4 roundings of the sum of its products' absolute values; 16 leave room for those of sums, of this bound and of underflow. The
+// offset is within an eighth of the gap of its middle.
 std::optional<PartingPlane> plane_between(const Corners& a, const Corners& b, const Point3& normal) {
   const double highest = -a.least(-normal).first, lowest = b.least(normal).first, gap = lowest - highest;
   const double off = 16 * 0x1p-53 * normal.cwiseAbs().dot(a.largest().cwiseMax(b.largest())) + 0x1p-1000;
   if (!(gap > 4 * off) || !std::isfinite(gap)) return {};
   const double grid = std::exp2(std::floor(std::log2(gap)) - 2), offset = std::round((highest / 2 + lowest / 2) / grid) * grid;
-  if (!(offset - off > highest && offset + off < lowest)) return {};
   return PartingPlane{convert<Rational>(normal), Rational(offset)};
 }
 
