@@ -136,6 +136,12 @@ const std::vector<Forgery>& forgeries() {
        [](json& d) {
          step_of(d, "contact") = {{"normal", {"0", "0", "1"}}, {"offset", "1/2"}};
        }},
+      {"not behind the plane",
+       [](json& d) {
+         for (json& vertex : d["second"]["vertices"]) vertex = {"0", "0", "1"};
+         d["contacts"] = json::array();
+         d["steps"] = json::array({{{"normal", {"0", "0", "1"}}, {"offset", "1"}}});
+       }},
       {"steps too few", [](json& d) { d["steps"].erase(d["steps"].size() - 1); }},
       {"steps too many", [](json& d) { d["steps"].push_back("first"); }},
       {"each triangle once",
