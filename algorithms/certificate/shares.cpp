@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/certificate/shares.hpp"
 
-#include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 
 #include <algorithm>
 
+#include "algorithms/certificate/linear_program.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
-namespace {
-
-Rational as_rational(const CGAL::Gmpzf& x) {
-  CGAL::Gmpz power(1);
-  mpz_mul_2exp(power.mpz(), power.mpz(), static_cast<mp_bitcnt_t>(std::abs(x.exp())));
-  return x.exp() < 0 ? Rational(x.man(), power) : Rational(x.man() * power);
-}
-
-// The same proportions in whole numbers without a common divisor.
-void make_whole(std::vector<Rational>& shares) {
-  CGAL::Gmpz multiple(1), divisor(0);
-  for (const Rational& s : shares) mpz_lcm(multiple.mpz(), multiple.mpz(), s.denominator().mpz());
-  for (Rational& s : shares) {
-    s *= multiple;
-    mpz_gcd(divisor.mpz(), divisor.mpz(), s.numerator().mpz());
-  }
-  for (Rational& s : shares) s /= divisor;
-}
-
-}  // namespace
 
 std::optional<Shares> find_shares(const std::vector<std::span<const double>>& weight_vertices, std::span<const double> weights) {
   const DefaultFloatEnvironment environment;

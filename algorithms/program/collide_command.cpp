@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/certificate/pairs_certificate.hpp"
 #include "algorithms/model/guarded_load.hpp"
 #include "algorithms/program/command.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 
 namespace refitlab {
@@ -19,22 +23,41 @@ const Clip* clip_of(const std::vector<Clip>& clips, const std::string& file, con
   return &*found;
 }
 
+// "man.glb, clip walk at 0.5 s"
+std::string posed_name(const std::string& file, const po::variables_map& map, const std::string& side) {
+  const std::string clip = map["clip-" + side].as<std::string>(), name = std::filesystem::path(file).filename().string();
+  if (clip.empty()) return name + " at rest";
+  return name + ", clip " + clip + " at " + std::to_string(map["time-" + side].as<double>()) + " s";
+}
+
+po::options_description collide_options() {
+  po::options_description description("options");
+  const auto add = [&](const char* name, const char* text, auto... value) { description.add_options()(name, value..., text); };
+  add("help", "this text");
+  for (const std::string side : {"a", "b"}) {
+    const std::string body = side == "a" ? "A" : "B";
+    add(("clip-" + side).c_str(), ("the clip of " + body + "; else it rests").c_str(),
+        po::value<std::string>()->default_value(""));
+    add(("time-" + side).c_str(), "seconds", po::value<double>()->default_value(0));
+  }
+  add("at", "x, y and z: where B stands; options of files come before it", po::value<std::vector<double>>()->multitoken());
+  add("skinning", "linear, dual-quaternion or spherical", po::value<std::string>()->default_value("linear"));
+  add("pairs", "list the pairs");
+  add("json", "write the pairs to this file", po::value<std::string>());
+  add("certificate", "write why these pairs touch, and no others, to this file, for others to verify", po::value<std::string>());
+  add("documents",
+      "write the posed bodies to files of this name with .first and .second, for a certificate to be checked against",
+      po::value<std::string>());
+  return description;
+}
+
 int run_collide(const std::vector<std::string>& arguments, std::ostream& out, std::ostream&) {
-  po::options_description options("options");
-  options.add_options()("help", "this text")("clip-a", po::value<std::string>()->default_value(""),
-                                             "the clip of A; else it rests")(
-      "time-a", po::value<double>()->default_value(0), "seconds")("clip-b", po::value<std::string>()->default_value(""),
-                                                                  "the clip of B")(
-      "time-b", po::value<double>()->default_value(0), "seconds")("at", po::value<std::vector<double>>()->multitoken(),
-                                                                  "x, y and z: where B stands; options of files come before it")(
-      "skinning", po::value<std::string>()->default_value("linear"), "linear, dual-quaternion or spherical")("pairs",
-                                                                                                             "list the pairs");
-  const po::variables_map map = parse_arguments(arguments, options, {"A", "B"});
+  const po::variables_map map = parse_arguments(arguments, collide_options(), {"A", "B"});
   if (map.count("help")) {
     out << "usage: refitlab collide [OPTION...] A B\n\nSays which triangles of two characters touch, exactly. With --pairs a "
            "line a pair: the\n"
            "triangle of A and that of B.\n\n"
-        << options;
+        << collide_options();
     return exit_done;
   }
   const Skinning skinning = skinning_of(map["skinning"].as<std::string>());
@@ -55,6 +78,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   const std::string file_a = map["A"].as<std::string>(), file_b = map["B"].as<std::string>();
   Model a = load_model_guarded(file_a), b = load_model_guarded(file_b);
   const Pose pose_a = pose_of(a, file_a, "a"), pose_b = pose_of(b, file_b, "b");
+  const std::string name_a = posed_name(file_a, map, "a"), name_b = posed_name(file_b, map, "b");
   const Character first = bake(SkinnedMesh(std::move(a))), second = bake(SkinnedMesh(std::move(b)));
   const ClusterTree tree_a(first), tree_b(second);
   ClusterBody body_a(tree_a, skinning), body_b(tree_b, skinning);
@@ -62,6 +86,22 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   QueryCounts counts;
   std::vector<TrianglePair> pairs = collide(body_a, body_b, Query::full, counts);
   std::sort(pairs.begin(), pairs.end());
+  if (map.count("documents")) {
+    const std::string name = map["documents"].as<std::string>();
+    write_whole(name + ".first", body_document(posed_body(body_a, name_a)));
+    write_whole(name + ".second", body_document(posed_body(body_b, name_b)));
+  }
+  if (map.count("certificate")) {
+    const std::string about = std::string("touching triangles, ") + name_of(skinning) + " skinning";
+    write_whole(map["certificate"].as<std::string>(),
+                pairs_certificate(about, posed_body(body_a, name_a), posed_body(body_b, name_b), pairs));
+  }
+  if (map.count("json")) {
+    nlohmann::ordered_json summary = {{"first", name_a}, {"second", name_b}, {"skinning", name_of(skinning)}};
+    summary["pairs"] = nlohmann::json::array();
+    for (const TrianglePair& pair : pairs) summary["pairs"].push_back({pair.first, pair.second});
+    write_whole(map["json"].as<std::string>(), summary.dump() + "\n");
+  }
   out << pairs.size() << " pairs of triangles touch\n";
   if (map.count("pairs"))
     for (const TrianglePair& pair : pairs) out << pair.first << ' ' << pair.second << '\n';

@@ -21,6 +21,7 @@
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/oracles/checked_folder.hpp"
 
 namespace proptests::suite_program {
 namespace {
@@ -231,6 +232,33 @@ PROPTEST(program) {
     }
     expect(call({"--help"}).code == 0 && call({}).code == 2, "no command");
     return Checked(wrong.empty(), 10, wrong);
+  });
+  t.example("collide writes the pairs that it prints, and a certificate of them that is accepted against its documents", {}, [] {
+    const Rich rich(false, false);
+    const gen::TemporaryFolder& folder = rich.folder;
+    const std::string in = folder.file("in.glb"), pairs = folder.file("pairs.json"), why = folder.file("why.json");
+    std::string wrong;
+    long printed = 0;
+    for (const char* skinning : {"linear", "dual-quaternion", "spherical"}) {
+      const Called called = call({"collide", "--pairs", "--skinning", skinning, "--clip-a", "move", "--time-a", "0", "--json",
+                                  pairs, "--certificate", why, "--documents", folder.file("body"), in, in});
+      if (called.code != 0) return Checked(false, 0, called.errors);
+      const json summary = json::parse(read_whole(pairs)), certificate = json::parse(read_whole(why));
+      std::ostringstream lines;
+      lines << summary.at("pairs").size() << " pairs of triangles touch\n";
+      for (const json& pair : summary.at("pairs")) lines << pair[0] << ' ' << pair[1] << '\n';
+      printed += static_cast<long>(summary.at("pairs").size());
+      if (lines.str() != called.out || summary.at("skinning") != skinning ||
+          summary.at("first") != "in.glb, clip move at 0.000000 s" || summary.at("second") != "in.glb at rest" ||
+          certificate.at("second").at("name") != "in.glb at rest")
+        wrong += "the pairs; ";
+      const auto checked = oracle::run_checker(
+          "--against " + folder.file("body.first") + " " + folder.file("body.second") + " " + why, oracle::pairs_checker());
+      if (checked.lines.size() != 1 || !checked.lines[0].starts_with("accepted: ")) wrong += "the certificate; ";
+    }
+    const Called unwritten = call({"collide", "--certificate", in + "/why.json", in, in});
+    if (unwritten.code != 3 || unwritten.errors.find("in.glb") == std::string::npos) wrong += unwritten.errors;
+    return Checked(wrong.empty() && printed > 0, printed, wrong);
   });
   t.example("wrong calls exit with 2, files that cannot be used with 3, each with a line that says why, and nothing is written",
             {}, [] {

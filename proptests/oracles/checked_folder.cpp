@@ -35,7 +35,9 @@ CheckerRun run(const std::string& command) {
 
 std::string checker() { return PROPTESTS_CHECKER; }
 
-CheckerRun run_checker(const std::string& path) { return run("python3 '" + checker() + "' " + path); }
+std::string pairs_checker() { return checker() + "_pairs"; }
+
+CheckerRun run_checker(const std::string& path, const std::string& program) { return run("python3 '" + program + "' " + path); }
 
 CheckerRun run_clip_checker(const std::string& arguments) { return run("'" PROPTESTS_CLIP_CHECKER "' " + arguments); }
 
@@ -70,7 +72,7 @@ void CheckedFolder::add(const std::string& text) { std::ofstream(file(count_++),
 
 std::vector<CheckedLine> CheckedFolder::check() const {
   if (count_ == 0) return {};
-  const CheckerRun run = run_checker(path());
+  const CheckerRun run = run_checker(path(), program_);
   std::vector<CheckedLine> out;
   bool all_accepted = true;
   for (const std::string& line : run.lines) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Running proptests/certificate/check on certificates in a folder, and proptests/certificate/check_clip on some.
+// Running proptests/certificate/check or check_pairs on certificates in a folder, and proptests/certificate/check_clip on some.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,9 +14,10 @@ struct CheckerRun {
   int status;
   std::vector<std::string> lines;  // of both its streams
 };
-std::string checker();  // the path of its program
+std::string checker();        // the path of its program
+std::string pairs_checker();  // and of check_pairs
 // path: a file or folder without spaces, or several, or nothing. A run of more than two minutes of processor time is ended.
-CheckerRun run_checker(const std::string& path);
+CheckerRun run_checker(const std::string& path, const std::string& program = checker());
 // The same of proptests/certificate/check_clip; arguments are separated by spaces.
 CheckerRun run_clip_checker(const std::string& arguments);
 
@@ -38,6 +39,7 @@ struct CheckedLine {
 // A folder of its own, gone afterwards.
 class CheckedFolder {
  public:
+  explicit CheckedFolder(std::string program = checker()) : program_(std::move(program)) {}
   void add(const std::string& text);
   std::size_t size() const { return count_; }
   std::string path() const { return folder_.path(); }
@@ -49,6 +51,7 @@ class CheckedFolder {
  private:
   std::string file(std::size_t number) const;
 
+  std::string program_;
   gen::TemporaryFolder folder_;
   std::size_t count_ = 0;
 };

@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: MIT *)
-(* The checker over exact numbers, m 2^e where that is enough and fractions in lowest terms elsewhere, and the theorem about
-   it. *)
+(* The checkers over exact numbers, m 2^e where that is enough and fractions in lowest terms elsewhere, and the theorems about
+   them. *)
 From Coq Require Import List Reals Lra Lia ZArith QArith Qreals.
 Require Import Refitlab.theory.linear Refitlab.checker.certificate Refitlab.checker.check Refitlab.checker.exact.
-Require Import Refitlab.checker.sound Refitlab.checker.against.
+Require Import Refitlab.checker.sound Refitlab.checker.against Refitlab.checker.pairs.
 Import ListNotations.
 
 Inductive number := Dyadic (m e : Z) | Fraction (q : Q).
@@ -60,6 +60,8 @@ Definition num_dyadic : Num number :=
 Definition check_exactly (c : certificate number) : bool := check (n := num_fractions) c.
 Definition check_exactly_against (m : model number) (c : named number) : bool := check_against (n := num_fractions) m c.
 Definition check_dyadic (c : certificate number) : bool := check (n := num_dyadic) c.
+(* There are no quotients here: what is extracted is also what the kernel computes. *)
+Definition check_pairs_exactly (c : pairs number) : bool := check_pairs (n := num_fractions) c.
 
 (* --- The real numbers that they stand for --- *)
 
@@ -71,6 +73,7 @@ Definition exact_checker_is_sound : Prop := forall c, check_exactly c = true -> 
 Definition exact_checker_against_is_sound : Prop :=
   forall m c, check_exactly_against m c = true -> node_is_held (model_map real m) (named_map real c).
 Definition dyadic_checker_is_sound : Prop := forall c, check_dyadic c = true -> claim (certificate_map real c).
+Definition pairs_checker_is_sound : Prop := forall c, check_pairs_exactly c = true -> pairs_claim (pairs_map real c).
 
 (* --- Proofs --- *)
 
@@ -199,6 +202,8 @@ Theorem exact_checker_against_is_sound_holds : exact_checker_against_is_sound.
 Proof. intros m c. exact (check_against_sound (n := num_fractions) real (ex := exact_fractions) m c). Qed.
 Theorem dyadic_checker_is_sound_holds : dyadic_checker_is_sound.
 Proof. intros c. exact (check_is_sound (n := num_dyadic) real (ex := exact_dyadic) c). Qed.
+Theorem pairs_checker_is_sound_holds : pairs_checker_is_sound.
+Proof. intros c. exact (check_pairs_sound (n := num_fractions) real (ex := exact_fractions) c). Qed.
 
 (* The hypotheses can be met: two joints, a turn by 74 degrees between them, and a vertex of equal weights. With the ball a
    little smaller it is not accepted. *)
@@ -220,4 +225,17 @@ Example against_instance :
   check_exactly_against (turned_model (Dyadic 1 (-2)) (Dyadic 3 (-2))) named_pair = false.
 Proof. split; vm_compute; reflexivity. Qed.
 Example dyadic_instance : check_dyadic (turned_pair (Dyadic 3 0)) = true /\ check_dyadic (turned_pair (Dyadic 1 0)) = false.
+Proof. split; vm_compute; reflexivity. Qed.
+(* Two triangles of the first body and one of the second, which meets the first of them in its edge's third. With a plane that
+   does not part the other two it is not accepted. *)
+Definition meeting_bodies (offset : number) : pairs number := (
+  let n z := Dyadic z 0 in let third z := Fraction (Qmake z 3) in
+  Pairs
+    (Body [Vec (n 0) (n 0) (n 0); Vec (n 3) (n 0) (n 0); Vec (n 0) (n 3) (n 0); Vec (n 0) (n 0) (n (-3))]
+      [(1, 2, 3); (1, 4, 3)]%positive)
+    (Body [Vec (n 1) (n 0) (n 0); Vec (n 1) (n 0) (n 2); Vec (n 2) (n (-1)) (n 2)] [(1, 2, 3)]%positive)
+    [2; 1]%positive [1]%positive [Halve_first; Plane (Vec (n 1) (n 0) (n 0)) offset; Touch]
+    [Contact (1, 1)%positive [third 2; third 1; n 0] [n 1; n 0; n 0]])%Z.
+Example pairs_instance :
+  check_pairs_exactly (meeting_bodies (Dyadic 1 (-1))) = true /\ check_pairs_exactly (meeting_bodies (Dyadic 1 0)) = false.
 Proof. split; vm_compute; reflexivity. Qed.

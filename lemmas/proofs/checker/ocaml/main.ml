@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* check [--against MODEL [--pose POSE]] FILE_OR_FOLDER...: what proptests/certificate/check does, by the program that is
-   extracted from the proofs. Its verdicts are the same; the sentences after them need not be. *)
+   extracted from the proofs. check --pairs [--against FIRST SECOND] FILE_OR_FOLDER...: what check_pairs there does. The verdicts
+   are the same; the sentences after them need not be. *)
 open Canonical
 open Document
 
@@ -25,19 +26,22 @@ let require_of_pose (c : certificate_file) (p : pose_file) =
       require (Hashtbl.find_opt p.sets joints = Some set) "a joint-set is not as the pose has it")
     c.sets_of_joints c.document.joint_sets
 
+(* What a text is about, if it is proved. *)
+let prove_ball model pose text =
+  let c = certificate text in
+  (match model with
+   | None -> require (Checker.check_exactly c.document) "a piece or a vertex is not proved"
+   | Some m -> require_of_model c m);
+  Option.iter (require_of_pose c) pose;
+  Printf.sprintf "%d %s pieces, said to be %s" (List.length c.document.pieces) c.skinning (string_of c.about)
+
 (* The exit status, the verdict and the reason. *)
-let judge model pose path =
+let judge prove path =
   try
     require (Unix.((stat path).st_kind = S_REG)) "Not a regular file";
     require (Unix.((stat path).st_size <= most_bytes)) "the file has more than 16777216 bytes";
     let text = read path in
-    try
-      let c = certificate text in
-      (match model with
-       | None -> require (Checker.check_exactly c.document) "a piece or a vertex is not proved"
-       | Some m -> require_of_model c m);
-      Option.iter (require_of_pose c) pose;
-      0, "accepted", Printf.sprintf "%d %s pieces, said to be %s" (List.length c.document.pieces) c.skinning (string_of c.about)
+    try 0, "accepted", prove text
     with Rejected reason -> 1, "rejected", reason | Stack_overflow -> 1, "rejected", "nested too deeply"
   with
   | Rejected "Not a regular file" -> 2, "unreadable", "Not a regular file"
@@ -56,15 +60,23 @@ let say verdict path reason = Printf.printf "%s: %s: %s\n" verdict (string_of pa
 
 let () =
   let bound_to reader path =
-    try Some (reader (read path)) with
+    try reader (read path) with
     | Rejected reason | Sys_error reason -> say "unreadable" path (string_of reason); exit 2 in
-  let model, pose, arguments = match List.tl (Array.to_list Sys.argv) with
-    | "--against" :: m :: "--pose" :: p :: rest -> bound_to Document.model m, bound_to Document.pose p, rest
-    | "--against" :: m :: rest -> bound_to Document.model m, None, rest
-    | rest -> None, None, rest in
-  if arguments = [] then prerr_endline "usage: check [--against MODEL [--pose POSE]] FILE_OR_FOLDER...";
+  let prove, arguments = match List.tl (Array.to_list Sys.argv) with
+    | "--pairs" :: "--against" :: first :: second :: rest ->
+        let first = bound_to Pairs.body_document first in
+        let second = bound_to Pairs.body_document second in
+        Pairs.prove (Some (first, second)), rest
+    | "--pairs" :: rest -> Pairs.prove None, rest
+    | "--against" :: m :: "--pose" :: p :: rest ->
+        let model = bound_to Document.model m in
+        prove_ball (Some model) (Some (bound_to Document.pose p)), rest
+    | "--against" :: m :: rest -> prove_ball (Some (bound_to Document.model m)) None, rest
+    | rest -> prove_ball None None, rest in
+  if arguments = [] then
+    prerr_endline "usage: check [--against MODEL [--pose POSE] | --pairs [--against FIRST SECOND]] FILE_OR_FOLDER...";
   let status = List.fold_left (fun worst path ->
-      let failed, verdict, reason = judge model pose path in
+      let failed, verdict, reason = judge prove path in
       say verdict path reason;
       max worst failed) (if arguments = [] then 2 else 0) (List.concat_map files arguments) in
   exit status

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PosedBody: the vertices of a character in one frame, which certificates of touching triangles are about.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "algorithms/runtime/collide/cluster_body.hpp"
+
+namespace refitlab {
+
+struct PosedBody {
+  std::string name;  // for the reader
+  std::vector<Point3> vertices;
+  std::vector<std::array<int, 3>> triangles;
+
+  TrianglePoints triangle(int t) const {
+    return {vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]};
+  }
+};
+
+// The doubles that queries decide pairs of. A vertex of no triangle is left where the mesh has it. The body has begun a frame.
+PosedBody posed_body(ClusterBody& body, const std::string& name);
+
+}  // namespace refitlab
