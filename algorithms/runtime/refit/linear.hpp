@@ -18,21 +18,29 @@ S stretched_radius(const PaletteEntry<S>& palette, std::span<const S> w, const S
   return root(blended_squared_stretch(palette.maps, palette.stretches, w)) * radius;
 }
 
-// Makes balls in lists.cap.balls, whose convex hull contains the node's vertices under linear blending. The reason: a
-// convex combination of rigid images of S lies in the ball of the same radius about the same combination of the images of
-// its center. So does one of affine images, for a radius that is stretched.
-template <class S>
-std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, ControlLists<S>& lists) {
-  lists.cap.balls.clear();
+// Appends the control balls of a node's pieces. Rigid joints are known to have no maps before the first weight vertex.
+template <bool is_affine, class S>
+void add_control_balls_linear(const RefitNode<S>& node, ControlLists<S>& lists) {
   for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     const NodePiece& set = node.pieces[i];
-    const PaletteEntry<S> palette = node.palette[set.joint_set];
+    PaletteEntry<S> palette = node.palette[set.joint_set];
+    if constexpr (!is_affine) palette.maps = {};
     const Ball3<S>& reference = node.piece_reference(i);
     for (int k = 0; k < set.weight_vertex_count; ++k) {
       const std::span<const S> w = node.weight_vertex(set, k);
       lists.cap.balls.push_back({blend_linear(palette, w, reference.center), stretched_radius(palette, w, reference.radius)});
     }
   }
+}
+
+// Makes balls in lists.cap.balls, whose convex hull contains the node's vertices under linear blending. The reason: a
+// convex combination of rigid images of S lies in the ball of the same radius about the same combination of the images of
+// its center. So does one of affine images, for a radius that is stretched.
+template <class S>
+std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, ControlLists<S>& lists) {
+  lists.cap.balls.clear();
+  if (node.palette.is_affine()) add_control_balls_linear<true>(node, lists);
+  else add_control_balls_linear<false>(node, lists);
   return lists.cap.balls;
 }
 
