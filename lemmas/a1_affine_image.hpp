@@ -5,40 +5,30 @@
 // (i) C carries the ball about c of radius r into that about C c of radius s r. If the columns of A are at right angles, as of a
 //   rotation behind a scale along axes, no smaller radius will do;
 // (ii) a box about c with the half extents e into that about C c with |A| e, and no smaller box about C c will do; and a slab
-//   {x : low <= (n, x) <= high} holds an image just if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the point;
+//   {x : low <= (n, x) <= high} holds an image just if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the point. In
+//   the direction n the images of a ball are within ||A^T n|| r of C c, and reach that far;
 // (iii) a point within r of the hull of points p_k to within s r of the hull of the C p_k. So a control hull may be carried.
 // (iv) Linear blending by any affine C_i, v' = sum w_i C_i v, stays in any convex set that holds all C_i v.
+// (v) Let C_c = sum c_i C_i be the blend at a weight vertex c, and s_i no less than what C_i stretches by. A vertex within r of p
+//   whose weights are a convex combination of some c is in the hull of the balls about the C_c p of the radii s(c) r, where s(c)
+//   is the s of C_c, or sum c_i s_i if that is less. So rigid joints leave r as it is, and a scale of all joints is exact.
 //
 // Replaces: section 3, where joints are rigid.
 // Notation: A -> columns, b -> offset, s^2 -> squared_stretch, e -> half.
 //
 // Proof. ||A d||^2 = (d, A^T A d), and the greatest eigenvalue of a symmetric matrix is at most its greatest row sum; A^T A is
 // diagonal if columns are at right angles. (ii) |(A d)_i| <= sum |A_ij| |d_j|, with equality at a corner; (n, C x) = (A^T n, x) + (n,
-// b). (iii) C of a convex combination is that of the images, and C(p + d) = C p + A d. (iv) v' is a convex combination.
+// b), and (n, A d) = (A^T n, d) is ||A^T n|| r for d along A^T n. (iii) C of a convex combination is that of the images, and C(p + d) = C p + A d. (iv) v' is a convex combination. (v) With
+// w = sum u_k c_k, v' = sum u_k C_{c_k} v is a convex combination of images, of which that by c is within s(c) r of C_c p by (i):
+// ||A_c d|| is also at most sum c_i ||A_i d||.
 #pragma once
 
-#include <array>
-
+#include "lemmas/vocabulary/affine.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 
 namespace refitlab {
-
-template <class S>
-struct AffineMap {
-  std::array<Vec<S, 3>, 3> columns;
-  Vec<S, 3> offset;
-};
-
-template <class S>
-Vec<S, 3> turned_by(const AffineMap<S>& map, const Vec<S, 3>& x) {
-  return map.columns[0] * x[0] + map.columns[1] * x[1] + map.columns[2] * x[2];
-}
-template <class S>
-Vec<S, 3> apply(const AffineMap<S>& map, const Vec<S, 3>& x) {
-  return turned_by(map, x) + map.offset;
-}
 
 template <class S>
 S absolute(const S& x) {
@@ -82,6 +72,12 @@ HalfBox<S> image_of_box(const AffineMap<S>& map, const HalfBox<S>& box) {
 template <class S>
 Vec<S, 3> direction_before(const AffineMap<S>& map, const Vec<S, 3>& direction) {
   return {dot(map.columns[0], direction), dot(map.columns[1], direction), dot(map.columns[2], direction)};
+}
+
+// (ii): ||A^T n||, how far the image of the unit ball reaches in a direction.
+template <class S>
+S reach_along(const AffineMap<S>& map, const Vec<S, 3>& direction) {
+  return norm(direction_before(map, direction));
 }
 
 // --- Hypotheses ---
@@ -145,12 +141,35 @@ Verdict hull_is_carried(const AffineMap<S>& map, std::span<const Vec<S, 3>> poin
   return less_equal(squared_distance(image, of_images), S(squared_stretch(map) * squared_radius));
 }
 
-// (iv): sum w_i C_i v.
+// (v), squared: of the weights w, for factors that stretch no less than the joints do.
 template <class S>
-Vec<S, 3> linear_blend(std::span<const AffineMap<S>> maps, std::span<const S> w, const Vec<S, 3>& v) {
-  Vec<S, 3> sum = apply(maps[0], v) * w[0];
-  for (std::size_t i = 1; i < w.size(); ++i) sum = sum + apply(maps[i], v) * w[i];
-  return sum;
+S blended_squared_stretch(std::span<const AffineMap<S>> maps, std::span<const S> stretches, std::span<const S> w) {
+  S blended = stretches[0] * w[0];
+  for (std::size_t i = 1; i < w.size(); ++i) blended = blended + stretches[i] * w[i];
+  return min_of(squared_stretch(blended_map(maps, w)), sq(blended));
+}
+
+// (v): the control ball at a weight vertex, of a vertex within the reference ball.
+template <class S>
+SquaredBall<S, 3> linear_control_ball(std::span<const AffineMap<S>> maps, std::span<const S> stretches, std::span<const S> w,
+                                      const SquaredBall<S, 3>& reference) {
+  return {linear_blend(maps, w, reference.center), blended_squared_stretch(maps, stretches, w) * reference.squared_radius};
+}
+
+// Of (v): no factor stretches less than its joint.
+template <class S>
+Verdict are_stretches(std::span<const AffineMap<S>> maps, std::span<const S> stretches) {
+  Verdict v = Verdict::holds;
+  for (std::size_t i = 0; i < maps.size(); ++i)
+    v &= less_equal(S(0), stretches[i]) & less_equal(squared_stretch(maps[i]), sq(stretches[i]));
+  return v;
+}
+
+// (v) at one weight vertex: the blend of a point of the reference ball is in the control ball.
+template <class S>
+Verdict is_in_control_ball(std::span<const AffineMap<S>> maps, std::span<const S> stretches, std::span<const S> w,
+                           const SquaredBall<S, 3>& reference, const Vec<S, 3>& point) {
+  return encloses(linear_control_ball(maps, stretches, w, reference), linear_blend(maps, w, point));
 }
 
 // --- Erratum: as if joints were rigid ---
@@ -165,4 +184,5 @@ Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>
 
 // Sources: none.
 // Used by: a2_two_phase_skinning, a3_morph_displacement; algorithms/bake/over_time/node_motions.cpp,
-// experiments/drawings/motion.cpp.
+// algorithms/runtime/collide/affine_boxes.cpp, algorithms/runtime/refit/linear.hpp,
+// algorithms/runtime/skinning/palette_rounding.hpp, experiments/drawings/motion.cpp.

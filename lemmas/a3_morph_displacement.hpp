@@ -20,28 +20,35 @@
 
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/c6_interval_hull.hpp"
+#include "lemmas/vocabulary/displacement.hpp"
 
 namespace refitlab {
 
-// (i).
+// (i), one target at a time.
+template <class S>
+Ball3<S> displaced_by(const Ball3<S>& ball, const Ball3<S>& displacement, const S& weight) {
+  return {displaced_by<S>(ball.center, displacement.center, weight), ball.radius + absolute<S>(weight) * displacement.radius};
+}
 template <class S>
 Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> displacements, std::span<const S> weights) {
   Ball3<S> out = reference;
-  for (std::size_t k = 0; k < weights.size(); ++k)
-    out = {out.center + displacements[k].center * weights[k], out.radius + absolute<S>(weights[k]) * displacements[k].radius};
+  for (std::size_t k = 0; k < weights.size(); ++k) out = displaced_by<S>(out, displacements[k], weights[k]);
   return out;
 }
 
-// (ii). lengths: no less than those of the centers of the displacements.
+// (ii), likewise. length: no less than that of the center of the displacements. A weight that does not move gives (i).
+template <class S>
+Ball3<S> displaced_by(const Ball3<S>& ball, const Ball3<S>& displacement, const Slab<S>& weight, const S& length) {
+  const S middle = (weight.low + weight.high) / S(2), half = (weight.high - weight.low) / S(2);
+  const S greatest = max_of(absolute<S>(weight.low), absolute<S>(weight.high));
+  return {displaced_by<S>(ball.center, displacement.center, middle),
+          ball.radius + half * length + greatest * displacement.radius};
+}
 template <class S>
 Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> displacements, std::span<const Slab<S>> weights,
                         std::span<const S> lengths) {
   Ball3<S> out = reference;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const S middle = (weights[k].low + weights[k].high) / S(2), half = (weights[k].high - weights[k].low) / S(2);
-    const S greatest = max_of(absolute<S>(weights[k].low), absolute<S>(weights[k].high));
-    out = {out.center + displacements[k].center * middle, out.radius + half * lengths[k] + greatest * displacements[k].radius};
-  }
+  for (std::size_t k = 0; k < weights.size(); ++k) out = displaced_by<S>(out, displacements[k], weights[k], lengths[k]);
   return out;
 }
 
@@ -98,7 +105,7 @@ Verdict are_in_ranges(std::span<const S> weights, std::span<const Slab<S>> range
 template <class S>
 Vec<S, 3> displaced(const MorphedVertex<S>& vertex, std::span<const S> weights) {
   Vec<S, 3> v = vertex.reference;
-  for (std::size_t k = 0; k < weights.size(); ++k) v = v + vertex.displacements[k] * weights[k];
+  for (std::size_t k = 0; k < weights.size(); ++k) v = displaced_by<S>(v, vertex.displacements[k], weights[k]);
   return v;
 }
 
@@ -156,4 +163,5 @@ Verdict stays_in_reference(const MorphedVertex<S>& vertex, const Ball3<S>& refer
 
 // Sources: none; for what displaces vertices [James, Pai 2004, "BD-tree: output-sensitive collision detection for reduced
 // deformable models"].
-// Used by: algorithms/bake/over_time/moving_vertices.cpp, experiments/drawings/motion.cpp.
+// Used by: algorithms/bake/over_time/moving_vertices.cpp, algorithms/runtime/refit/deformed_reference.cpp,
+// experiments/drawings/motion.cpp.

@@ -170,4 +170,5 @@ Slab<S> slab_of_keys(const Slab<S>& start, const Slab<S>& end) {
 
 // Sources: none.
 // Used by: a3_morph_displacement, c7_crossfade; algorithms/bake/over_time/bound_over_time.hpp,
-// algorithms/bake/over_time/moving_vertices.cpp, experiments/drawings/motion.cpp.
+// algorithms/bake/over_time/moving_vertices.cpp, algorithms/runtime/refit/deformed_reference.hpp,
+// experiments/drawings/motion.cpp.

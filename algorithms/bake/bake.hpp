@@ -16,7 +16,7 @@ inline constexpr std::initializer_list<Pieces> all_pieces{Pieces::joint_sets, Pi
 // Baking takes some thirty microseconds a triangle. Throws std::invalid_argument for triangles_per_leaf < 1.
 Character bake(SkinnedMesh mesh, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces);
 
-// A character with the clips of the model that it was made from.
+// A character with the clips of the model that it was made from. It has the model's morph targets, mesh after mesh.
 struct AnimatedCharacter : Character {
   std::vector<Clip> clips;
 };

@@ -5,6 +5,7 @@
 #include <map>
 #include <queue>
 
+#include "algorithms/bake/build_displacements.hpp"
 #include "algorithms/bake/weight_hull.hpp"
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
@@ -18,7 +19,8 @@ struct Cluster {
   int joint_set;
   std::vector<int> vertices;
   Ball3<double> ball;
-  double spread;  // how far a refit may be off: the ball's radius and the extent of the weights, in model units
+  double spread;        // how far a refit may be off: the ball's radius and the extent of the weights, in model units
+  double displacement;  // how far morph targets may take vertices from each other, relative to the node's radius
 };
 
 class Clustering {
@@ -28,8 +30,10 @@ class Clustering {
   Cluster make(int joint_set, std::vector<int> vertices) const {
     std::vector<Point3> points;
     for (const int v : vertices) points.push_back(mesh_.vertices[v]);
-    Cluster c{joint_set, std::move(vertices), rounded_up(as_ball(smallest_ball<double, 3>(points))), 0};
+    Cluster c{joint_set, std::move(vertices), rounded_up(as_ball(smallest_ball<double, 3>(points))), 0, 0};
     c.spread = c.ball.radius + extent_ * weight_range(c).second;
+    if (mesh_.targets.count > 0)
+      for (const TargetBall& by : build_displacements(mesh_, {&c.vertices, 1}).balls) c.displacement += by.ball.radius / extent_;
     return c;
   }
 
@@ -107,6 +111,7 @@ class NodeClusters {
   }
 
   bool is_better_as_vertices(const Cluster& c, const WeightVertices& weight_vertices) const {
+    if (c.displacement > options_.least_displacement && c.vertices.size() <= options_.most_displaced_vertices) return true;
     const auto m = static_cast<double>(weight_vertices.size());
     return static_cast<double>(c.vertices.size()) <= options_.vertices_per_control_point * m * (m + 1) * (m + 2) / 6;
   }
@@ -135,6 +140,7 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
   const DefaultFloatEnvironment environment;
   PieceTable table;
   // In the order of the leaves, so that what a node lists lies close together.
+  std::vector<std::vector<int>> vertices_of;                           // by reference
   std::vector<NodePiece> listed(mesh.vertices.size(), {-1, 0, 1, 0});  // by vertex
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     if (tree.nodes[n].child_count > 0) continue;
@@ -145,6 +151,7 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
                    static_cast<int>(table.references.size())};
       table.weight_vertices.insert(table.weight_vertices.end(), weights.begin(), weights.end());
       table.references.push_back({mesh.vertices[v], 0});
+      vertices_of.push_back({v});
     }
   }
   const NodeClusters clusters(mesh, sets, options);
@@ -153,7 +160,7 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
     const auto of_node = clusters.of(tree.nodes[n], vertices[static_cast<int>(n)]);
     for (const Cluster& c : of_node) {
       const auto weight_vertices = clusters.weight_vertices_of(c);
-      const bool is_exact = of_node.size() == 1 && weight_vertices.size() == 1;
+      const bool is_exact = of_node.size() == 1 && weight_vertices.size() == 1 && c.displacement <= options.least_displacement;
       if (c.vertices.size() == 1 || (!is_exact && clusters.is_better_as_vertices(c, weight_vertices))) {
         for (const int v : c.vertices) table.pieces.push_back(listed[v]);
         continue;
@@ -161,12 +168,14 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
       table.pieces.push_back({c.joint_set, static_cast<int>(table.weight_vertices.size()),
                               static_cast<int>(weight_vertices.size()), static_cast<int>(table.references.size())});
       table.references.push_back(c.ball);
+      vertices_of.push_back(c.vertices);
       for (const auto& weight_vertex : weight_vertices)
         table.weight_vertices.insert(table.weight_vertices.end(), weight_vertex.begin(), weight_vertex.end());
     }
     order_by_support({table.pieces.data() + table.first.back(), table.pieces.size() - table.first.back()}, table.references);
   }
   table.first.push_back(table.pieces.size());
+  table.displacements = build_displacements(mesh, vertices_of);
   return table;
 }
 

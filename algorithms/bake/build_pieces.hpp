@@ -19,6 +19,10 @@ struct PieceOptions {
   // piece is a ball of radius 0 with one weight vertex, and its bound is the skinned vertex itself. A node of a single
   // rigid piece keeps it, because it is bounded exactly as it is. 0 means never.
   double vertices_per_control_point = 0;
+  // A piece whose vertices morph targets take farther from each other than this share of the node's radius, all targets with the
+  // weight 1, is listed by its vertices too if these are no more. Its ball would be as much larger as they may be apart.
+  double least_displacement = 0.02;
+  std::size_t most_displaced_vertices = 0;
 };
 
 PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, const SkinnedMesh& mesh, const JointSets& sets,

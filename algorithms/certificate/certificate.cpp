@@ -113,6 +113,7 @@ const char* certified_name(Skinning skinning) {
 
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball, const CertifiedNode& of) {
   const DefaultFloatEnvironment environment;
+  if (node.palette.is_affine()) throw std::invalid_argument("certificate: of affine joints there are none");
   json document;
   document["about"] = of.about;
   document["ball"] = exact_json(ball);

@@ -53,4 +53,10 @@ struct Model : SkinnedMesh {
   std::vector<MorphedMesh> morphs = {};
 };
 
+// All targets of all morphed meshes, those of the first mesh first.
+MorphTargets morph_targets(const Model& model);
+
+// In their order, the weights at a time of an animation of the model.
+std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side = Side::after);
+
 }  // namespace refitlab

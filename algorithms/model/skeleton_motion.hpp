@@ -118,6 +118,9 @@ std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const 
 std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const Animation& animation, double time,
                                            Side side = Side::after);
 
+// The same for a palette.
+AffinePose affine_pose(const BoundSkeleton& skeleton, const Animation& animation, double time, Side side = Side::after);
+
 // By target.
 Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side = Side::after);
 

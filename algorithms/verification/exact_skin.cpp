@@ -10,11 +10,14 @@
 
 namespace refitlab {
 
-ExactSkin::ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning)
+ExactSkin::ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning,
+                     const Deformation& deformation)
     : mesh_(mesh),
       sets_(sets),
       palette_(palette),
       skinning_(skinning),
+      weights_(deformation.weights),
+      scales_(make_scale_palette(mesh, sets, deformation.scales)),
       quick_(mesh.vertices.size()),
       exact_(mesh.vertices.size()) {}
 
@@ -23,7 +26,14 @@ Vec<S, 3> ExactSkin::skinned(int vertex) const {
   const OwnedPaletteEntry<S> palette = convert<S>(palette_[sets_.of_vertex(vertex)]);
   std::vector<S> weights;
   for (const double w : sets_.weights(vertex)) weights.push_back(S(w));
-  return blend<S>(skinning_, palette, weights, convert<S>(mesh_.vertices[vertex]));
+  OwnedPaletteEntry<S> scales;
+  if (scales_.is_affine()) scales = convert<S>(scales_[sets_.of_vertex(vertex)]);
+  std::vector<Displacement<S>> displacements;
+  for (const auto& d : mesh_.displacements(vertex)) displacements.push_back({d.target, convert<S>(d.by)});
+  std::vector<S> by_target;
+  for (const double weight : weights_) by_target.push_back(S(weight));
+  const Vec<S, 3> v = deformed<S>(convert<S>(mesh_.vertices[vertex]), displacements, by_target, scales, weights);
+  return blend<S>(skinning_, palette, weights, v);
 }
 
 const Vec<Rational, 3>& ExactSkin::exact(int vertex) {

@@ -3,14 +3,15 @@
 //
 // The numbers of a palette (quaternions, rotation centers, images of the centers, dual parts) are taken as they stand. Equation
 // (1) and the dual quaternions' divide by the squared norm, so their rotations are exact although quaternions in double
-// are not quite of unit length; in linear blending the slight stretch of such rotations is part of what is skinned.
+// are not quite of unit length; in linear blending the slight stretch of such rotations is part of what is skinned. The numbers
+// of affine joints and of a deformation are taken as they stand, too.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
-#include "algorithms/runtime/skinning/skinning_palette.hpp"
+#include "algorithms/runtime/skinning/deformation.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "lemmas/exact/interval.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
@@ -20,7 +21,8 @@ namespace refitlab {
 class ExactSkin {
  public:
   // model, sets and palette outlive this.
-  ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning);
+  ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning,
+            const Deformation& deformation = {});
 
   // The vertex in rationals, computed when first asked for.
   const Vec<Rational, 3>& exact(int vertex);
@@ -37,6 +39,8 @@ class ExactSkin {
   const JointSets& sets_;
   const SkinningPalette<double>& palette_;
   const Skinning skinning_;
+  const std::vector<double> weights_;  // of morph targets
+  const SkinningPalette<double> scales_;
   // The vertex is within error of about.
   struct Enclosure {
     Point3 about;

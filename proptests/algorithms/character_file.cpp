@@ -7,6 +7,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
+#include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/temporary_folder.hpp"
@@ -17,7 +18,13 @@ namespace {
 
 using namespace refitlab;
 
-Character small_character() { return bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1})); }
+// With a morph target that moves every second vertex.
+Character small_character() {
+  SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
+  mesh.targets = {2, std::vector<std::vector<Displacement<double>>>(mesh.vertices.size())};
+  for (std::size_t v = 0; v < mesh.vertices.size(); v += 2) mesh.targets.of_vertex[v] = {{1, Point3(0.1, 0, 0.2)}};
+  return bake(std::move(mesh));
+}
 
 // The message of the refusal; empty if the bytes are read.
 std::string refusal(std::string_view bytes) {
@@ -75,6 +82,18 @@ std::vector<Fault> faults() {
       {"name a ball out of range", [](Character& c) { mixed(c).pieces[0].reference = 1 << 30; }},
       {"one names a joint-set", [](Character& c) { mixed(c).pieces[0].joint_set = -1; }},
       {"one has a weight vertex", [](Character& c) { mixed(c).weight_vertices[0] = 2; }},
+      {"not one list of displacements", [](Character& c) { c.mesh.targets.of_vertex.pop_back(); }},
+      {"not one list of displacements", [](Character& c) { c.mesh.targets.count = -1; }},
+      {"increasing targets", [](Character& c) { c.mesh.targets.of_vertex[0][0].target = 2; }},
+      {"increasing targets", [](Character& c) { c.mesh.targets.of_vertex[0].push_back(c.mesh.targets.of_vertex[0][0]); }},
+      {"its displacement is not finite", [](Character& c) { c.mesh.targets.of_vertex[0][0].by[1] = std::nan(""); }},
+      {"its displacement is out of range", [](Character& c) { c.mesh.targets.of_vertex[0][0].by[1] = -2e40; }},
+      {"tree: its displacements are missing", [](Character& c) { c.tree.displacements = {}; }},
+      {"tree: its displacements are not of as many", [](Character& c) { c.tree.displacements.first.pop_back(); }},
+      {"tree: its displacements have a ball", [](Character& c) { c.tree.displacements.balls[0].ball.radius = -1; }},
+      {"pieces: their displacements are missing", [](Character& c) { mixed(c).displacements = {}; }},
+      {"pieces: their displacements are not by", [](Character& c) { mixed(c).displacements.balls[0].target = 7; }},
+      {"belong to no node", [](Character& c) { c.pieces[0].displacements.first = {0}; }},
   };
 }
 
@@ -82,14 +101,25 @@ std::vector<Fault> faults() {
 
 PROPTEST(character_file) {
   t.holds("a character that was read refits as the one that was written, to the last bit, and has the same bytes",
-          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3, .tags_at_least = {{"morphed", 0.5}}}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Character c = bake(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 3)});
+            std::mt19937 random(plan.seed);
+            SkinnedMesh mesh = gen::make_mesh(plan);
+            gen::add_targets(mesh, random);
+            RC_CLASSIFY(mesh.targets.count > 0, "morphed");
+            const Character c = bake(mesh, {.triangles_per_leaf = *rc::gen::element(1, 3)});
             const std::string bytes = bytes_of(c);
             const Character read = character_of(bytes, "any");
             RC_ASSERT(bytes_of(read) == bytes);
-            std::mt19937 random(plan.seed);
+            const Deformation deformation{gen::random_weights(mesh, random), {}};
+            DeformedReference there(c, Pieces::mixed), here(read, Pieces::mixed);
+            there.begin(deformation), here.begin(deformation);
+            for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) RC_ASSERT(there.vertex(v) == here.vertex(v));
+            for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
+              const auto a = there.refit_node(n, {}).reference, b = here.refit_node(n, {}).reference;
+              RC_ASSERT(a.center == b.center && a.radius == b.radius);
+            }
             const Pose pose = gen::random_pose(c.mesh, random, 1);
             for (const RefitVariant& variant : refit_variants()) {
               const auto written = refit_all(c, variant, make_skinning_palette(c.mesh, c.sets, pose, variant.skinning)),
@@ -127,9 +157,9 @@ PROPTEST(character_file) {
   });
   t.example("what is no baked character, of another version, or not there is refused by name", {}, [] {
     std::string bytes = bytes_of(small_character()), other = bytes;
-    other[8] = 2;
+    other[8] = 3;
     const bool named = refusal("solid cube") == "man.refitlab: file: is no baked character" &&
-                       refusal(other) == "man.refitlab: file: is of version 2, not 1" &&
+                       refusal(other) == "man.refitlab: file: is of version 3, not 2" &&
                        refusal(bytes + "x") == "man.refitlab: file: goes on after its end" &&
                        refusal(bytes.substr(0, 40)) == "man.refitlab: file: ends early";
     bytes.back() ^= 1;

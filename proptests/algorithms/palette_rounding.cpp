@@ -157,6 +157,54 @@ Checked check_linear_vertex() {
   return share.checked();
 }
 
+AffineMap<Running> draw_map(Draw& draw, int i) {
+  return {{draw.point(), draw.point(), draw.point()}, draw.point() * Running(i % 3)};
+}
+double matrix_length(const AffineMap<Running>& map) {
+  return std::hypot(length(map.columns[0]), length(map.columns[1]), length(map.columns[2]));
+}
+// Scales of n affine joints, with matrices and offsets of these sizes.
+PaletteScales<double> affine_scales(std::size_t n, double matrix, double offset) { return {double(n), 0, offset, 1, 0, matrix}; }
+
+Checked check_affine_vertex() {
+  Draw draw;
+  Share share(0.4);
+  for (int i = 0; i < samples; ++i) {
+    std::vector<AffineMap<Running>> maps;
+    const std::size_t n = 1 + i % 4;
+    double matrix = 0, offset = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      maps.push_back(draw_map(draw, i));
+      matrix = std::max(matrix, matrix_length(maps.back())), offset = std::max(offset, length(maps.back().offset));
+    }
+    const std::vector<Running> w(n, Running(1.0 / double(n)));
+    const Vec<Running, 3> v = draw.point();
+    const auto placed = blend_linear<Running>({{}, v, {}, {}, maps, {}}, w, v);
+    share.see(error_length(placed), left(rounding_affine(affine_scales(n, matrix, offset)).vertex, length(v), 0, 0, 0),
+              offset == 0);
+  }
+  return share.checked();
+}
+
+// The factor that a radius is stretched by, of joints with factors so great that the blended matrix counts.
+Checked check_affine_stretch() {
+  Draw draw;
+  Share share(0.2);
+  for (int i = 0; i < samples; ++i) {
+    std::vector<AffineMap<Running>> maps;
+    const std::size_t n = 1 + i % 4;
+    double matrix = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      maps.push_back(draw_map(draw, 0));
+      matrix = std::max(matrix, matrix_length(maps.back()));
+    }
+    const std::vector<Running> w(n, Running(1.0 / double(n))), factors(n, Running(100.0));
+    const Running stretch = root(blended_squared_stretch<Running>(maps, factors, w)) * Running(0.7);
+    share.see(stretch.error, 0.7 * rounding_affine(affine_scales(n, matrix, 0)).weight_vertices.per_radius);
+  }
+  return share.checked();
+}
+
 Checked check_dual_quaternion_vertex() {
   Draw draw;
   Share share(0.5);
@@ -381,6 +429,9 @@ PROPTEST(palette_rounding) {
   t.example("Gappa proves the elementary bounds, and not three quarters of them", {.number_type = "double"}, check_elementary);
   t.example("a vertex under spherical blending is off by no more than its rate, and by half", options, check_spherical_vertex);
   t.example("a vertex under linear blending is off by no more than its rate, and by half", options, check_linear_vertex);
+  t.example("a vertex under linear blending by affine joints is off by no more than its rate, and by two fifths", options,
+            check_affine_vertex);
+  t.example("what a radius is stretched by is off by no more than its rate, and by a fifth", options, check_affine_stretch);
   t.example("a vertex under dual quaternion blending is off by no more than its rate, and by half", options,
             check_dual_quaternion_vertex);
   t.example("control points of degree 3 are off by no more than the weight vertices' rate, and by half", options,

@@ -31,6 +31,32 @@ struct BallCase {
   bool is_degenerate() const { return ball.squared_radius == 0 || squared_stretch(affine.map) == 0; }
 };
 
+// Joints with factors that are no less than what they stretch by, some of them tight, and weight vertices.
+struct ControlBallCase {
+  BallCase ball;
+  std::vector<AffineMap<Rational>> maps;
+  std::vector<Rational> stretches, coefficients;
+  std::vector<std::vector<Rational>> weight_vertices;
+  ControlBallCase() {
+    const std::size_t joints = 1 + gen::any_place(4), count = 1 + gen::any_place(3);
+    const bool are_rotations = *rc::gen::arbitrary<bool>();
+    for (std::size_t i = 0; i < joints; ++i) {
+      maps.push_back(gen::affine_map().map);
+      const auto turn = *gen::unit_quaternion();
+      for (int j = 0; are_rotations && j < 3; ++j)
+        maps.back().columns[static_cast<std::size_t>(j)] = rotate<Rational>(turn, RationalVec<3>::Unit(j));
+      stretches.push_back(upper_root(squared_stretch(maps.back())) * *rc::gen::element(Rational(1), Rational(1), Rational(3)));
+    }
+    for (std::size_t k = 0; k < count; ++k) weight_vertices.push_back(*gen::convex_weights(static_cast<int>(joints)));
+    coefficients = *gen::convex_weights(static_cast<int>(count));
+  }
+  Rational squared_of_factors(std::span<const Rational> w) const {
+    Rational sum(0);
+    for (std::size_t i = 0; i < w.size(); ++i) sum += stretches[i] * w[i];
+    return sum * sum;
+  }
+};
+
 template <class S>
 AffineMap<S> lifted(const std::vector<Vec<S, 3>>& parts) {
   return {{parts[0], parts[1], parts[2]}, parts[3]};
@@ -79,6 +105,13 @@ PROPTEST(a1_affine_image) {
             const RationalVec<3> n = *gen::rational_vector<3>();
             const RationalVec<3> before = direction_before(map, n);
             RC_ASSERT(before.dot(point) == n.dot(apply(map, point)) - n.dot(map.offset));
+            // The image of a ball reaches as far as that of its point along A^T n.
+            const Rational reach = upper_root(squared_norm(before));
+            for (const RationalVec<3>& way : {point, before}) {
+              const Rational along = n.dot(turned_by(map, way));
+              RC_ASSERT(along * along <= reach * reach * squared_norm(way));
+              if (way == before) RC_ASSERT(along * along == squared_norm(before) * squared_norm(way));
+            }
           });
   t.holds("what is near the hull of points is carried near the hull of theirs",
           {.form = "beyond", .number_type = "rational", .cases = 400}, [] {
@@ -110,6 +143,58 @@ PROPTEST(a1_affine_image) {
                 at[i] <= (*std::max_element(images.begin(), images.end(), by))[i]);
     }
   });
+  t.holds("a vertex of weights between weight vertices is in the hull of the control balls there",
+          {.form = "beyond",
+           .number_type = "rational",
+           .cases = 500,
+           .degenerate_at_least = 0.02,
+           .degenerate_at_most = 0.5,
+           .tags_at_least = {{"by the blended matrix", 0.1}, {"by the blended factors", 0.05}}},
+          [] {
+            const ControlBallCase c;
+            RC_CLASSIFY(c.ball.is_degenerate(), "degenerate");
+            RC_ASSERT(are_stretches<Rational>(c.maps, c.stretches) == Verdict::holds);
+            RationalVec<3> between = RationalVec<3>::Zero();
+            std::vector<Rational> w(c.maps.size(), Rational(0));
+            for (std::size_t k = 0; k < c.weight_vertices.size(); ++k) {
+              const std::span<const Rational> at(c.weight_vertices[k]);
+              RC_ASSERT(is_in_control_ball<Rational>(c.maps, c.stretches, at, c.ball.ball, c.ball.point) == Verdict::holds);
+              between += linear_blend<Rational>(c.maps, at, c.ball.point) * c.coefficients[k];
+              for (std::size_t i = 0; i < w.size(); ++i) w[i] += c.coefficients[k] * at[i];
+              RC_CLASSIFY(blended_squared_stretch<Rational>(c.maps, c.stretches, at) < c.squared_of_factors(at),
+                          "by the blended matrix");
+              RC_CLASSIFY(
+                  blended_squared_stretch<Rational>(c.maps, c.stretches, at) < squared_stretch(blended_map<Rational>(c.maps, at)),
+                  "by the blended factors");
+            }
+            // Its image is that combination of points that are in the balls.
+            RC_ASSERT(linear_blend<Rational>(c.maps, w, c.ball.point) == between);
+            RC_ASSERT(apply(blended_map<Rational>(c.maps, w), c.ball.point) == between);
+          });
+  t.holds("rigid joints leave the radius of a control ball, and a scale of all of them is exact",
+          {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
+            const Rational scale = abs(*gen::rational());
+            std::vector<AffineMap<Rational>> maps(3);
+            for (auto& map : maps) {
+              const auto turn = *gen::unit_quaternion();
+              for (int j = 0; j < 3; ++j)
+                map.columns[static_cast<std::size_t>(j)] =
+                    rotate<Rational>(turn, RationalVec<3>(RationalVec<3>::Unit(j) * scale));
+              map.offset = *gen::rational_vector<3>();
+            }
+            const std::vector<Rational> stretches(3, scale), w = *gen::convex_weights(3), one{1, 0, 0};
+            RC_ASSERT(blended_squared_stretch<Rational>(maps, stretches, w) <= scale * scale);
+            RC_ASSERT(blended_squared_stretch<Rational>(maps, stretches, one) == scale * scale);
+          });
+  t.example("factors that are less than what a joint stretches by lose a vertex",
+            {.form = "beyond", .hypothesis = "no factor stretches less than its joint"}, [] {
+              using namespace a1;
+              const std::vector<Map> maps{twice};
+              const std::vector<Q> less{1}, one{1};
+              return are_stretches<Q>(maps, less) == Verdict::fails &&
+                     is_in_control_ball<Q>(maps, less, one, unit_ball, pole) == Verdict::fails &&
+                     is_in_control_ball<Q>(maps, {{2}}, one, unit_ball, pole) == Verdict::holds;
+            });
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const BallCase c;
     const Rational squared = c.ball.squared_radius * *rc::gen::element(Rational(1), Rational(1, 3));

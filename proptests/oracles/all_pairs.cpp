@@ -22,15 +22,18 @@ std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
   return pairs;
 }
 
-std::vector<TrianglePair> all_pairs(const Posed& a, const Posed& b, Skinning skinning) {
-  const auto p = a.vertices(skinning), q = b.vertices(skinning);
-  const auto &s = a.character.mesh.triangles, &t = b.character.mesh.triangles;
+std::vector<TrianglePair> all_pairs(const Triangles& a, const std::vector<Point3>& p, const Triangles& b,
+                                    const std::vector<Point3>& q) {
   std::vector<TrianglePair> pairs;
-  for (std::size_t i = 0; i < s.size(); ++i)
-    for (std::size_t j = 0; j < t.size(); ++j)
-      if (triangles_meet({p[s[i][0]], p[s[i][1]], p[s[i][2]]}, {q[t[j][0]], q[t[j][1]], q[t[j][2]]}))
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      if (triangles_meet({p[a[i][0]], p[a[i][1]], p[a[i][2]]}, {q[b[j][0]], q[b[j][1]], q[b[j][2]]}))
         pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
   return pairs;
+}
+
+std::vector<TrianglePair> all_pairs(const Posed& a, const Posed& b, Skinning skinning) {
+  return all_pairs(a.character.mesh.triangles, a.vertices(skinning), b.character.mesh.triangles, b.vertices(skinning));
 }
 
 }  // namespace proptests::oracle

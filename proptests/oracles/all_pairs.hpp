@@ -19,7 +19,10 @@ struct Posed {
 // A query's pairs in increasing order.
 std::vector<refitlab::TrianglePair> sorted(std::vector<refitlab::TrianglePair> pairs);
 
-// In increasing order.
+// In increasing order; of triangles whose corners are among the points.
+using Triangles = std::vector<refitlab::Triangle>;
+std::vector<refitlab::TrianglePair> all_pairs(const Triangles& a, const std::vector<refitlab::Point3>& p, const Triangles& b,
+                                              const std::vector<refitlab::Point3>& q);
 std::vector<refitlab::TrianglePair> all_pairs(const Posed& a, const Posed& b, refitlab::Skinning skinning);
 
 }  // namespace proptests::oracle

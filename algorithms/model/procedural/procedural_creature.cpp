@@ -272,11 +272,7 @@ Model make_creature() {
   const SkinMesh skin = mesh_of(body, 0.014, 13590, edge_size);
   const std::vector<Bone> bones = bones_of_creature();
   const std::vector<Joint> joints = joints_of(bones);
-  Model creature{"creature",
-                 skin.vertices,
-                 skin.triangles,
-                 joints,
-                 heat_weights(skin, bones),
+  Model creature{{"creature", skin.vertices, skin.triangles, joints, heat_weights(skin, bones)},
                  {walk_of_creature(joints), twist_of_creature(joints)}};
   validate(creature);
   return creature;

@@ -205,7 +205,8 @@ Model make_man(int triangles) {
   const SkinMesh skin = mesh_of(body, 0.007, triangles, edge_size);
   const std::vector<Bone> bones = bones_of_man();
   const std::vector<Joint> joints = joints_of(bones);
-  Model man{"man", skin.vertices, skin.triangles, joints, heat_weights(skin, bones), {walk_of_man(joints), twist_of_man(joints)}};
+  Model man{{"man", skin.vertices, skin.triangles, joints, heat_weights(skin, bones)},
+            {walk_of_man(joints), twist_of_man(joints)}};
   validate(man);
   return man;
 }

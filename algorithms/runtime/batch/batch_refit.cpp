@@ -2,6 +2,7 @@
 #include "algorithms/runtime/batch/batch_refit.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "algorithms/runtime/batch/single_precision.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
@@ -13,6 +14,20 @@ namespace {
 template <int D>
 void append(std::vector<float>& to, const Vec<double, D>& v) {
   for (int i = 0; i < D; ++i) to.push_back(static_cast<float>(v[i]));
+}
+
+// As of rigid joints. What float loses of an image is a share of F ||p||, which is more than ||p|| for rotations, for which it is
+// derived. r is stretched to s r by adding (s - 1) r, where its own roundings are shares of r: eight are allowed for.
+void append_affine(std::vector<float>& to, const PaletteEntry<double>& set, const PaletteScales<double>& scales,
+                   float largest_reference) {
+  const double lengths = 1.001 * (scales.translation + max_of(scales.matrix, 1.0) * largest_reference);
+  to.push_back(linear_refit_slack(static_cast<int>(set.maps.size())) * static_cast<float>(checked_single(lengths)));
+  double stretch = 0;
+  for (const double s : set.stretches) stretch = max_of(stretch, s);
+  to.push_back(float_above(stretch - 1 + 4 * static_cast<double>(std::numeric_limits<float>::epsilon()) * max_of(stretch, 1.0)));
+  for (const AffineMap<double>& map : set.maps)
+    for (int row = 0; row < 3; ++row)
+      append<4>(to, {map.columns[0][row], map.columns[1][row], map.columns[2][row], map.offset[row]});
 }
 
 }  // namespace
@@ -44,6 +59,10 @@ const PackedBalls& BatchRefit::linear(const SkinningPalette<double>& palette, Ta
   for (std::size_t s = 0; s < palette.size(); ++s) {
     const PaletteEntry<double> set = palette[s];
     first_number_.push_back(static_cast<int>(numbers_.size()));
+    if (palette.is_affine()) {
+      append_affine(numbers_, set, palette.scales(s), packed_.largest_reference());
+      continue;
+    }
     double size = 0, defect = 0;
     for (const auto& t : set.transforms) {
       size = std::max(size, squared_norm(t.translation));

@@ -40,7 +40,7 @@ class BatchRefit {
   // the slack for all rounding is in the radius (refit_kernel.hpp). Throws std::range_error for lengths that single
   // precision cannot square (single_precision.hpp).
   const PackedBalls& spherical(const SkinningPalette<double>& palette, Target target = best_target());
-  // The same for linear blending.
+  // The same for linear blending, by rigid or affine joints.
   const PackedBalls& linear(const SkinningPalette<double>& palette, Target target = best_target());
 
  private:

@@ -12,13 +12,14 @@ namespace {
 constexpr int lanes = Lanes<double>::count;
 
 JointSetNumbers numbers_of(const PaletteEntry<double>& palette) {
-  static_assert(sizeof(RigidTransform<double>) % sizeof(double) == 0);
+  static_assert(sizeof(RigidTransform<double>) % sizeof(double) == 0 && sizeof(AffineMap<double>) == 12 * sizeof(double));
   return {static_cast<int>(palette.transforms.size()),
           palette.transforms[0].rotation.data(),
           sizeof(RigidTransform<double>) / sizeof(double),
           palette.rotation_center.data(),
           palette.center_images[0].data(),
-          palette.duals[0].data()};
+          palette.duals[0].data(),
+          palette.maps.empty() ? nullptr : palette.maps[0].columns[0].data()};
 }
 
 std::vector<int> all_vertices(const SkinnedMesh& mesh) {
@@ -70,7 +71,7 @@ std::span<const int> PackedVertices::vertices(int group) const {
 void PackedVertices::skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                                 Target target) const {
   const DefaultFloatEnvironment environment;
-  const SkinRun run = kernel(skinning, target);
+  const SkinRun run = kernel(palette.is_affine(), skinning, target);
   const std::size_t size = 3 * vertices(group).size() / lanes;
   if (out.blocks.size() < size) out.blocks.resize(size);
   Lanes<double>* to = out.blocks.data();
@@ -87,13 +88,13 @@ void PackedVertices::skin_block(int group, int block, const SkinningPalette<doub
   Run run = after[-1];
   run.first_data += (at - run.first_block) * (3 + static_cast<int>(palette.joint_count(run.joint_set)));
   run.block_count = 1;
-  skin_run(run, palette, kernel(skinning, target), out);
+  skin_run(run, palette, kernel(palette.is_affine(), skinning, target), out);
 }
 
 void PackedVertices::skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out,
                               Target target) const {
   const DefaultFloatEnvironment environment;
-  const SkinRun run = kernel(skinning, target);
+  const SkinRun run = kernel(palette.is_affine(), skinning, target);
   std::vector<Lanes<double>> images;
   for (const Run& r : runs_) {
     if (images.size() < 3 * static_cast<std::size_t>(r.block_count)) images.resize(3 * r.block_count);
@@ -111,8 +112,9 @@ void PackedVertices::skin_run(const Run& run, const SkinningPalette<double>& pal
   kernel(numbers_of(palette[run.joint_set]), data_.data() + run.first_data, run.block_count, out);
 }
 
-SkinRun PackedVertices::kernel(Skinning skinning, Target target) const {
+SkinRun PackedVertices::kernel(bool is_affine, Skinning skinning, Target target) const {
   const SkinKernels& kernels = skin_kernels(target);
+  if (is_affine) return kernels.affine;
   switch (skinning) {
     case Skinning::linear: return kernels.linear;
     case Skinning::dual_quaternion: return kernels.dual_quaternion;

@@ -34,7 +34,7 @@ class PackedVertices {
   std::span<const int> vertices(int group) const;
 
   // Skins one group; out.blocks grows as needed and is used again. palette is of make_skinning_palette for this model, with the
-  // same skinning; so it is for skin_all.
+  // same skinning, or of affine joints; so it is for skin_all.
   void skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                   Target target = best_target()) const;
 
@@ -53,7 +53,7 @@ class PackedVertices {
 
   void add_group(const SkinnedMesh& mesh, const JointSets& sets, std::vector<int> group, int padding);
   void skin_run(const Run& run, const SkinningPalette<double>& palette, SkinRun kernel, Lanes<double>* out) const;
-  SkinRun kernel(Skinning skinning, Target target) const;
+  SkinRun kernel(bool is_affine, Skinning skinning, Target target) const;
 
   std::vector<int> first_run_ = {0};  // by group, and one past the last
   std::vector<Run> runs_;

@@ -15,6 +15,7 @@ struct JointSetNumbers {
   const double* rotation_center;
   const double* center_images;  // 3 each
   const double* duals;          // 4 each
+  const double* maps;           // of affine joints: 12 each, the columns and the offset; all other arrays do not matter then
 };
 
 // data: a block of vertices after the other, each their x, y, z and, by joint of the set, weights. The images go to out,
@@ -22,7 +23,7 @@ struct JointSetNumbers {
 using SkinRun = void (*)(const JointSetNumbers& joints, const Lanes<double>* data, int block_count, Lanes<double>* out);
 
 struct SkinKernels {
-  SkinRun linear, spherical, dual_quaternion;
+  SkinRun linear, spherical, dual_quaternion, affine;  // affine: linear skinning by affine joints
 };
 
 namespace baseline {

@@ -6,11 +6,34 @@
 
 namespace refitlab {
 
-void Body::begin(const Pose& pose) {
+void Body::begin(const Pose& pose, const Deformation& deformation) {
   const DefaultFloatEnvironment environment;
+  deform(deformation);
   palette_packs_.make(pose, palette_);
   palette_.measure();
-  balls_.begin(palette_);
+  start();
+}
+
+void Body::begin(const AffinePose& pose, const std::vector<double>& weights) {
+  if (skinning_ != Skinning::linear) {
+    const auto [rigid, scales] = split(character_.mesh, pose);
+    return begin(rigid, {weights, scales});
+  }
+  const DefaultFloatEnvironment environment;
+  deform({weights, {}});
+  make_skinning_palette(character_.mesh, character_.sets, pose, palette_);
+  start();
+}
+
+void Body::deform(const Deformation& deformation) {
+  is_deformed_ = !deformation.is_none();
+  if (!is_deformed_) return;
+  if (!reference_) reference_.emplace(character_, pieces_);
+  reference_->begin(deformation);
+}
+
+void Body::start() {
+  balls_.begin(palette_, is_deformed_ ? &*reference_ : nullptr);
   vertices_skinned_ = 0;
   made_.begin();
 }
@@ -23,8 +46,8 @@ TrianglePoints Body::triangle(int triangle) {
 const Point3& Body::vertex(int v) {
   const DefaultFloatEnvironment environment;
   if (!made_.is_made(v)) {
-    skinned_[v] =
-        blend<double>(skinning_, palette_[character_.sets.of_vertex(v)], character_.sets.weights(v), character_.mesh.vertices[v]);
+    skinned_[v] = blend<double>(skinning_, palette_[character_.sets.of_vertex(v)], character_.sets.weights(v),
+                                is_deformed_ ? reference_->vertex(v) : character_.mesh.vertices[v]);
     made_.mark(v);
     ++vertices_skinned_;
   }

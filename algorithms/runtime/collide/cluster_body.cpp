@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "algorithms/runtime/collide/affine_boxes.hpp"
 #include "algorithms/runtime/collide/placement.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -53,9 +55,25 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   placement_ = placement;
   motion_bound_box_ = bound;
   are_joints_placed_ = std::isfinite(bound.low[0]);
+  is_affine_ = false;
+  clusters_.begin(pose_, placement_, placement_.translation);
+  start();
+}
+
+void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& placement) {
+  const DefaultFloatEnvironment environment;
+  if (skinning_ != Skinning::linear) throw std::invalid_argument("a body of affine joints is for linear skinning");
+  check_placement(placement, "a body's placement");
+  clusters_.begin(pose, placement, placement.translation);
+  placement_ = placement;
+  motion_bound_box_ = motion_bound_.box(pose, placement);
+  is_affine_ = true;
+  start();
+}
+
+void ClusterBody::start() {
   are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = false;
   wide_nodes_made_.begin();
-  clusters_.begin(pose_, placement_, placement_.translation);
   nodes_bounded_ = 0;
 }
 
@@ -74,8 +92,9 @@ void ClusterBody::bound_wide_node(int f) {
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
   // Seen from the placement's translation, which is the clusters' origin.
-  if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
-      !motion_bound_.boxes(wide_node.motion_bounds, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))
+  if (is_affine_) bound_affine_boxes(wide_node.simplex_pieces, clusters_.whole_palette(), placement_.rotation, boxes);
+  else if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
+           !motion_bound_.boxes(wide_node.motion_bounds, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))
     bound_by_control_points(wide_node, flipped, boxes);
   for (int i = 0; i < wide_node.child_count; ++i) {
     const Box<float> box = float_box(boxes[i], clusters_.lost());

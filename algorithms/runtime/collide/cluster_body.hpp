@@ -17,6 +17,9 @@ class ClusterBody {
   // Starts a frame, of which nothing is computed yet. placement takes model space to the world. Throws ModelError for a
   // pose that make_skinning_palette refuses, and std::invalid_argument for a placement that is not rigid.
   void begin(const Pose& pose, const RigidTransform<double>& placement);
+  // The same for linear skinning by affine joints. (Other skinning takes a tree of deformed_character, of
+  // runtime/refit/deformed_reference.hpp.) Throws std::invalid_argument, too, if the skinning is not linear.
+  void begin(const AffinePose& pose, const RigidTransform<double>& placement);
 
   const ClusterTree& tree() const { return tree_; }
 
@@ -73,6 +76,7 @@ class ClusterBody {
   long corners_skinned() const { return clusters_.corners_skinned(); }
 
  private:
+  void start();
   void bound_wide_node(int wide_node);
   bool has_only_clusters(int wide_node) const;
   void bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
@@ -86,7 +90,8 @@ class ClusterBody {
   RigidTransform<double> placement_;
   Box<double> motion_bound_box_;
   JointFloats joints_;
-  bool are_joints_placed_ = false, are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false;
+  bool is_affine_ = false, are_joints_placed_ = false, are_floats_filled_ = false, is_all_skinned_ = false,
+       is_rather_skinned_ = false;
   FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;
   std::vector<BoxBlock<float>> wide_node_blocks_;

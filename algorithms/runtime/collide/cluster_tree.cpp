@@ -78,7 +78,7 @@ int ClusterTree::add_wide_node(const Part& part) {
   for (const Part& p : open) vertices.push_back(vertices_of(p));
   const std::vector<SimplexPiece> pieces = pieces_of_vertices(*character_, vertices);
   wide_nodes_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()), make_box_pieces(*character_, pieces),
-                         make_motion_bound_packs(*character_, pieces)});
+                         make_motion_bound_packs(*character_, pieces), pieces});
   children_.resize(children_.size() + open.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
     const WideNodeChild child =

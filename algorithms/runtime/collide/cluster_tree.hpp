@@ -38,6 +38,7 @@ struct WideNode {
   int first_child, child_count;                     // all children in one list
   BoxPieces pieces;                                 // the pieces that bound the children, by position in the wide node
   std::vector<MotionBoundPiecePack> motion_bounds;  // the motion bounds of the children; empty where they do not apply
+  std::vector<SimplexPiece> simplex_pieces;         // the same pieces one by one, for affine joints
 };
 
 class ClusterTree {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "algorithms/runtime/balls/smallest_ball.hpp"
+#include "algorithms/runtime/collide/affine_boxes.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/packs/look_up.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
@@ -49,7 +50,7 @@ std::vector<MotionBound::Group> MotionBound::make_groups() const {
     bool is_other = false;
     for (int t = 0; t < sets_.count(); ++t) is_other = is_other || is_within(s, t);
     if (is_other) others.push_back(s);
-    else groups.push_back({{s}, ball_of({s}), {sets_.joints(s).begin(), sets_.joints(s).end()}, 0, 0});
+    else groups.push_back({{s}, ball_of({s}), Box<double>::empty(), {sets_.joints(s).begin(), sets_.joints(s).end()}, 0, 0});
   }
   // Each joins the group whose ball grows least.
   for (const int s : others) {
@@ -68,6 +69,8 @@ std::vector<MotionBound::Group> MotionBound::make_groups() const {
 
   for (Group& g : groups) {
     g.to_prior = 0;
+    for (const int s : g.sets)
+      for (const Point3& p : vertices[s]) g.box.merge(p);
     if (skinning_ == Skinning::spherical)
       for (const int s : g.sets) g.to_prior = std::max(g.to_prior, (g.reference.center - priors[s]).norm());
     g.radius = static_cast<float>(g.reference.radius * (1 + lost_of_motion_bound) +
@@ -142,6 +145,21 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
     for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1) add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
   lost_of_joints_ = lost_of_motion_bound * most_joints_ * std::sqrt(static_cast<double>(squared_farthest));
   move(box, placement.translation);
+  return box;
+}
+
+Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double>& placement) const {
+  const DefaultFloatEnvironment environment;
+  AffinePose placed;
+  for (const AffineMap<double>& map : pose) placed.push_back(turned(placement.rotation, map));
+  auto box = Box<double>::empty();
+  for (const Group& g : groups_)
+    for (const int j : g.joints) box.merge(box_of_image(placed[static_cast<std::size_t>(j)], g.reference, g.box, 1));
+  for (int i = 0; i < 3; ++i) {
+    const double at = placement.translation[i];
+    const double off = 1e-14 * (max_of(std::abs(box.low[i]), std::abs(box.high[i])) + std::abs(at));
+    box.low[i] += at - off, box.high[i] += at + off;
+  }
   return box;
 }
 

@@ -32,6 +32,10 @@ class MotionBound {
   // Returns the same. is_rigid says that check_pose would accept the pose; if it is false, only check_pose can tell.
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target = best_target());
 
+  // Returns a box in the world around everything that apply(placement, skin()) yields, for linear skinning by affine joints. It
+  // looks at all joints in double (affine_boxes.hpp). pose must be as check_pose requires.
+  Box<double> box(const AffinePose& pose, const RigidTransform<double>& placement) const;
+
   // Makes boxes in the world around the targets of packs, in the pose and placement of the last call of box, whose result
   // must have been finite. scratch and out are by target. If no bound is known for some target, it returns false, and out
   // must not be used. Not for Skinning::hejl, because these packs do not have its rotation centers.
@@ -43,6 +47,7 @@ class MotionBound {
   struct Group {
     std::vector<int> sets;    // the largest first
     Ball3<double> reference;  // around their vertices; its center is f, which is the rotation center for Skinning::hejl
+    Box<double> box;          // likewise around their vertices
     std::vector<int> joints;
     double to_prior;  // the farthest of their priors from f, for spherical skinning
     float radius;     // with an allowance for rounding

@@ -34,8 +34,18 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
       clusters_(tree.clusters().size()) {}
 
 void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin) {
-  const DefaultFloatEnvironment environment;
   pose_ = &pose;
+  start(placement, origin);
+}
+
+void SkinnedClusters::begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin) {
+  make_skinning_palette(tree_.character().mesh, tree_.character().sets, pose, affine_palette_);
+  pose_ = nullptr;
+  start(placement, origin);
+}
+
+void SkinnedClusters::start(const RigidTransform<double>& placement, const Point3& origin) {
+  const DefaultFloatEnvironment environment;
   placement_ = placement;
   origin_ = origin;
   for (int i = 0; i < 4; ++i) float_placement_.rotation[i] = placement.rotation[i];
@@ -114,12 +124,12 @@ void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
 
 const SkinningPalette<double>& SkinnedClusters::whole_palette() {
   for (int set = 0; set < tree_.character().sets.count(); ++set) make_palette(set);
-  return palette_;
+  return palette();
 }
 
 void SkinnedClusters::make_palette(int joint_set) {
   const int part = palette_packs_.part_of(joint_set);
-  if (palettes_made_.is_made(part)) return;
+  if (!pose_ || palettes_made_.is_made(part)) return;
   palette_packs_.make_part(part, *pose_, palette_arrays_);
   palettes_made_.mark(part);
 }
@@ -131,7 +141,7 @@ void SkinnedClusters::skin_block(int n, int block) {
   if (corners_.empty()) corners_.resize(tree_.clusters().back().first_vertex + tree_.clusters().back().padded_vertex_count);
   make_palette(tree_.character().sets.of_vertex(tree_.vertices().vertices(n)[lanes * block]));
   Lanes<double> skinned[3];
-  tree_.vertices().skin_block(n, block, palette_, skinning_, skinned);
+  tree_.vertices().skin_block(n, block, palette(), skinning_, skinned);
   const double placement[] = {placement_.rotation[0],   placement_.rotation[1],    placement_.rotation[2],
                               placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
                               placement_.translation[2]};
@@ -146,7 +156,7 @@ TrianglePoints SkinnedClusters::triangle(int triangle) {
   for (int i = 0; i < 3; ++i) {
     const int v = c.mesh.triangles[triangle][i], set = c.sets.of_vertex(v);
     make_palette(set);
-    out[i] = apply(placement_, blend<double>(skinning_, palette_[set], c.sets.weights(v), c.mesh.vertices[v]));
+    out[i] = apply(placement_, blend<double>(skinning_, palette()[set], c.sets.weights(v), c.mesh.vertices[v]));
   }
   return out;
 }

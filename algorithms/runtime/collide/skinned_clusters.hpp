@@ -37,6 +37,8 @@ class SkinnedClusters {
   // Starts a frame, of which nothing is computed yet. pose and placement must be as check_pose and check_placement require,
   // and stay until the next frame. Floats are coordinates seen from origin, and the more exact the nearer that is.
   void begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin);
+  // The same for linear skinning by affine joints. pose need not stay.
+  void begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin);
 
   const ClusterTree& tree() const { return tree_; }
   const Point3& origin() const { return origin_; }
@@ -76,6 +78,8 @@ class SkinnedClusters {
   long corners_skinned() const { return corners_skinned_; }  // in float or in double
 
  private:
+  void start(const RigidTransform<double>& placement, const Point3& origin);
+  const SkinningPalette<double>& palette() const { return pose_ ? palette_ : affine_palette_; }
   void make_float_palette(int part);
   bool can_skin_in_float(int cluster);
   void skin_cluster(int cluster);
@@ -87,13 +91,14 @@ class SkinnedClusters {
   const ClusterTree& tree_;
   const Skinning skinning_;
   const PalettePacks palette_packs_;
-  const Pose* pose_ = nullptr;
+  const Pose* pose_ = nullptr;  // none where joints are affine
   RigidTransform<double> placement_;
   Point3 origin_ = Point3::Zero();
   FloatPlacement float_placement_;
   FrameStamps float_palettes_made_, palettes_made_;  // by part of palette_packs_
   std::vector<FloatPaletteEntry> float_palette_;     // of what parts were made, by joint-set
   SkinningPalette<double> palette_;                  // likewise
+  SkinningPalette<double> affine_palette_;           // of all joint-sets, where joints are affine
   const SkinningPalette<double>::Arrays palette_arrays_;
   FrameStamps clusters_made_, blocks_made_, reached_;
   std::vector<FloatCluster> clusters_;  // their storage is allocated when a query first reaches them

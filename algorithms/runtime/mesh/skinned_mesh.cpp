@@ -31,6 +31,17 @@ void validate_influences(const SkinnedMesh& m, std::size_t vertex) {
   if (sum != 1) throw ModelError(m.name, thing, "the weights do not sum to 1");
 }
 
+void validate_displacements(const SkinnedMesh& m, std::size_t vertex) {
+  const std::string thing = "vertex " + std::to_string(vertex);
+  int last = -1;
+  for (const Displacement<double>& d : m.targets.of_vertex[vertex]) {
+    if (d.target <= last || d.target >= m.targets.count)
+      throw ModelError(m.name, thing, "displacements are not by increasing targets of the mesh");
+    last = d.target;
+    if (const auto reason = reason_against(d.by); !reason.empty()) throw ModelError(m.name, thing, "its displacement " + reason);
+  }
+}
+
 }  // namespace
 
 void validate(const SkinnedMesh& m) {
@@ -50,6 +61,9 @@ void validate(const SkinnedMesh& m) {
       throw ModelError(m.name, "vertex " + std::to_string(v), "its position " + reason);
     validate_influences(m, v);
   }
+  if (m.targets.count < 0 || m.targets.of_vertex.size() != (m.targets.count == 0 ? 0 : m.vertices.size()))
+    throw ModelError(m.name, "morph targets", "not one list of displacements a vertex");
+  for (std::size_t v = 0; v < m.targets.of_vertex.size(); ++v) validate_displacements(m, v);
   const int vertex_count = static_cast<int>(m.vertices.size());
   for (std::size_t t = 0; t < m.triangles.size(); ++t)
     for (const int v : m.triangles[t])

@@ -66,9 +66,13 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
     throw std::invalid_argument(character.mesh.name + ": baked without the pieces of the refit " + variant.name);
 }
 
-void FrameRefits::begin(const SkinningPalette<double>& palette) {
+void FrameRefits::begin(const SkinningPalette<double>& palette, DeformedReference* reference) {
   if (!palette.is_measured()) throw std::invalid_argument("refit: the palette was filled by hand, and not measured");
+  if (palette.is_affine() && variant_.skinning != Skinning::linear)
+    throw std::invalid_argument("refit: a palette of affine joints is for linear skinning, which " + variant_.name +
+                                " does not bound");
   palette_ = &palette;
+  reference_ = reference;
   std::fill(refitted_.begin(), refitted_.end(), 0);
   made_.begin();
 }
@@ -85,8 +89,9 @@ void FrameRefits::refit_all() {
 void FrameRefits::refit(int n) {
   const DefaultFloatEnvironment environment;
   const TreeNode& node = character_.tree.nodes[n];
-  if (cut_[n].empty()) balls_[n] = variant_.refit(character_.refit_node(n, *palette_, variant_.pieces));
-  else balls_[n] = through_descendants(n);
+  if (!cut_[n].empty()) balls_[n] = through_descendants(n);
+  else if (reference_) balls_[n] = variant_.refit(reference_->refit_node(n, *palette_));
+  else balls_[n] = variant_.refit(character_.refit_node(n, *palette_, variant_.pieces));
   if (options_.children_first && are_children_refitted(node)) {
     const Ball3<double> merged = ball_around({balls_.data() + node.first_child, static_cast<std::size_t>(node.child_count)});
     if (merged.radius < balls_[n].radius) balls_[n] = merged;

@@ -13,7 +13,7 @@
 // them.
 #pragma once
 
-#include "algorithms/runtime/refit/frame_stamps.hpp"
+#include "algorithms/runtime/refit/deformed_reference.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 
 namespace refitlab {
@@ -32,9 +32,10 @@ class FrameRefits {
   // character and variant must outlive this. Throws std::invalid_argument for a character without the variant's pieces.
   FrameRefits(const Character& character, const RefitVariant& variant, const FrameOptions& options = {});
 
-  // Starts a frame, and forgets all balls. palette must be made for variant.skinning and must outlive the frame. Throws
-  // std::invalid_argument if it is not measured.
-  void begin(const SkinningPalette<double>& palette);
+  // Starts a frame, and forgets all balls. palette must be made for variant.skinning and must outlive the frame. So must
+  // reference, which has the pieces of the variant, if the frame's reference pose is deformed. Throws std::invalid_argument if
+  // the palette is not measured, or if it is one of affine joints and the skinning is not linear.
+  void begin(const SkinningPalette<double>& palette, DeformedReference* reference = nullptr);
 
   // Returns a ball that encloses all vertices of the node in this frame's pose, if the variant is sound. The reference is
   // valid until begin.
@@ -58,6 +59,7 @@ class FrameRefits {
   const RefitVariant& variant_;
   const FrameOptions options_;
   const SkinningPalette<double>* palette_ = nullptr;
+  DeformedReference* reference_ = nullptr;
   FrameStamps made_;  // by node
   std::vector<Ball3<double>> balls_;
   std::vector<std::vector<int>> cut_;  // by node; empty where a node is refitted by itself

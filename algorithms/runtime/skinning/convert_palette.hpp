@@ -13,6 +13,8 @@ OwnedPaletteEntry<T> convert(const PaletteEntry<S>& palette) {
   out.rotation_center = convert<T>(palette.rotation_center);
   for (const auto& image : palette.center_images) out.center_images.push_back(convert<T>(image));
   for (const auto& dual : palette.duals) out.duals.push_back(convert<T>(dual));
+  for (const auto& map : palette.maps) out.maps.push_back(convert<T>(map));
+  for (const auto& stretch : palette.stretches) out.stretches.push_back(T(stretch));
   return out;
 }
 

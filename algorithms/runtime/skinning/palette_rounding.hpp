@@ -33,6 +33,12 @@
 // the blend of both. But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which
 // stretches r by at most 2 |e| r.
 //
+// Linear blending by affine joints: let F bound the Frobenius norms of their matrices, and t the lengths of their offsets. The
+// image of p is three products and their sum with the offset: 3 F ||p||, and one of F ||p|| + t. The blend adds n of both. The
+// factor that r is stretched by has the squares of a1_affine_image. The blended matrix is off by n F. Each row of its A^T A is
+// off by 6 sqrt 3 ||A||^2, and the root of the greatest row sum, which is at least ||A|| / sqrt 3, by 9 ||A||. The root and the
+// product have one each. Products of tiny numbers underflow, for which least_matrix stands.
+//
 // Dual quaternions: the errors are as for spherical blending with p in place of x, and with 2 ||d_j|| <= t, so that
 // translations are at most kappa t. A vertex has the errors of a spherical one. In addition, Im(d q*) has an error of 7,
 // doubled; the sum adds 1; the squared length and the quotient add theirs; d adds n; and q adds n kappa. For a control
@@ -44,7 +50,6 @@
 // Skinning in double has the error of a vertex, with ||x|| + r in place of ||x||. The certified ball encloses these
 // vertices too. A piece that is one vertex is computed exactly as skinning computes it, to the last bit, so it counts this
 // error once.
-// that are a vertex are skinned as it is, to the last bit, and pay once.
 #pragma once
 
 #include <array>
@@ -53,6 +58,7 @@
 #include <span>
 #include <type_traits>
 
+#include "lemmas/a1_affine_image.hpp"
 #include "lemmas/vocabulary/nonzero.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 
@@ -65,6 +71,7 @@ inline constexpr int squared_length = 5;  // of a quaternion
 inline constexpr int rotate = 24;         // by a quaternion taken to be of unit length
 inline constexpr int rotate_scaled = 24;
 inline constexpr int mix_weight = 6, mix_numerator = 27;  // mix_rotations
+inline constexpr int matrix = 3;                          // times a point, relative to its Frobenius norm
 }  // namespace rounding
 
 // The scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own rounding error.
@@ -75,7 +82,16 @@ struct PaletteScales {
   S translation;    // t, the longest t_j
   S inverse_blend;  // kappa: at least 1 / ||sum w_i q_i|| for all convex weights, but at most 1 / sqrt(least_squared_length)
   S unit_defect;    // the greatest | ||q_j||^2 - 1 |
+  S matrix;         // F of affine joints, to which the scales of rotations do not apply
 };
+
+// What affine joints stretch by: s of a1_affine_image, rounded up.
+template <class S>
+S stretch_of(const AffineMap<S>& map) {
+  if constexpr (std::is_floating_point_v<S>)
+    return root(squared_stretch(map)) * (S(1) + S(64) * std::numeric_limits<S>::epsilon());
+  else return root(squared_stretch(map));
+}
 
 // Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
 //   ||sum w_i q_i||^2 >= d sum w_i^2 + c (1 - sum w_i^2) >= c + (d - c) / n.
@@ -96,7 +112,24 @@ PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, 
   dot_product = min_of(dot_product, shortest);
   const S n(static_cast<double>(transforms.size()));
   const S squared_blend = max_of(S(dot_product + (shortest - dot_product) / n - rounding), S(least_squared_length<S>()));
-  return {n, root(image) * up, root(translation) * up, up / root(squared_blend), defect + rounding};
+  return {n, root(image) * up, root(translation) * up, up / root(squared_blend), defect + rounding, S(0)};
+}
+
+template <class S>
+inline constexpr S least_matrix = S(std::is_same_v<S, double> ? 1e-130 : 1e-12);
+
+// Measures the scales of affine joints, in float or double.
+template <class S>
+PaletteScales<S> measure_affine_palette(std::span<const AffineMap<S>> maps) {
+  static_assert(std::is_floating_point_v<S>);
+  constexpr S up = S(1) + S(64) * std::numeric_limits<S>::epsilon();
+  S translation(0), matrix(0);
+  for (const AffineMap<S>& map : maps) {
+    translation = max_of(translation, squared_norm(map.offset));
+    matrix = max_of(matrix, S(squared_norm(map.columns[0]) + squared_norm(map.columns[1]) + squared_norm(map.columns[2])));
+  }
+  const S n(static_cast<double>(maps.size()));
+  return {n, S(0), root(translation) * up, S(1), S(0), root(matrix) * up + least_matrix<S>};
 }
 
 // The errors of this joint-set are at most per_length (||x|| + r) + per_radius r + offset.
@@ -118,6 +151,13 @@ PaletteRounding<S> rounding_linear(const PaletteScales<S>& palette) {
   const S n = palette.joints, t = palette.translation;
   const RoundingRates<S> vertex{u * (S(rounding::rotate + 1) + n), S(0), u * (n + 1) * t};
   return {vertex, {2 * vertex.per_length, 2 * palette.unit_defect, 2 * vertex.offset}};
+}
+template <class S>
+PaletteRounding<S> rounding_affine(const PaletteScales<S>& palette) {
+  constexpr S u = std::numeric_limits<S>::epsilon() / 2;
+  const S n = palette.joints, f = palette.matrix, t = palette.translation;
+  const RoundingRates<S> vertex{u * (S(rounding::matrix + 1) + n) * f, S(0), u * (n + 1) * t};
+  return {vertex, {2 * vertex.per_length, u * (16 + n) * f, 2 * vertex.offset}};
 }
 template <class S>
 PaletteRounding<S> rounding_spherical(const PaletteScales<S>& palette) {
@@ -150,6 +190,13 @@ using PaletteRoundings = std::array<PaletteRounding<S>, 3>;
 template <class S>
 PaletteRoundings<S> roundings_of(const PaletteScales<S>& palette) {
   return {rounding_linear(palette), rounding_spherical(palette), rounding_dual_quaternion(palette)};
+}
+// Affine joints have no rates but those of linear skinning.
+template <class S>
+PaletteRoundings<S> affine_roundings_of(const PaletteScales<S>& palette) {
+  constexpr S unknown = std::numeric_limits<S>::infinity();
+  constexpr PaletteRounding<S> none{{unknown, unknown, unknown}, {unknown, unknown, unknown}};
+  return {rounding_affine(palette), none, none};
 }
 
 }  // namespace refitlab

@@ -7,13 +7,26 @@
 namespace refitlab {
 
 std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
-                         Skinning skinning) {
+                         Skinning skinning, const Deformation& deformation) {
   const DefaultFloatEnvironment environment;
+  std::vector<Point3> out = deformation.is_none() ? mesh.vertices : deformed_vertices(mesh, sets, deformation);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const int v = static_cast<int>(i);
+    out[i] = blend<double>(skinning, palette[sets.of_vertex(v)], sets.weights(v), out[i]);
+  }
+  return out;
+}
+
+std::vector<Point3> deformed_vertices(const SkinnedMesh& mesh, const JointSets& sets, const Deformation& deformation) {
+  const DefaultFloatEnvironment environment;
+  check_deformation(mesh, deformation);
+  const SkinningPalette<double> scales = make_scale_palette(mesh, sets, deformation.scales);
   std::vector<Point3> out;
   out.reserve(mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const int v = static_cast<int>(i);
-    out.push_back(blend<double>(skinning, palette[sets.of_vertex(v)], sets.weights(v), mesh.vertices[i]));
+    const PaletteEntry<double> set = scales.is_affine() ? scales[sets.of_vertex(v)] : PaletteEntry<double>{};
+    out.push_back(deformed<double>(mesh.vertices[i], mesh.displacements(v), deformation.weights, set, sets.weights(v)));
   }
   return out;
 }

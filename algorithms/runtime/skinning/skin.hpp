@@ -2,13 +2,16 @@
 // Skinning of a whole model: it computes the deformed vertices of a pose.
 #pragma once
 
-#include "algorithms/runtime/skinning/skinning_palette.hpp"
+#include "algorithms/runtime/skinning/deformation.hpp"
 
 namespace refitlab {
 
 // Returns the deformed vertices by index, in model space of the animated pose. palette must come from make_skinning_palette
-// with the same skinning.
+// with the same skinning. Throws ModelError for a deformation that check_deformation refuses.
 std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
-                         Skinning skinning);
+                         Skinning skinning, const Deformation& deformation = {});
+
+// Returns the vertices of the reference pose as the deformation leaves them.
+std::vector<Point3> deformed_vertices(const SkinnedMesh& mesh, const JointSets& sets, const Deformation& deformation);
 
 }  // namespace refitlab

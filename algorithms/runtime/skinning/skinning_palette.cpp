@@ -24,22 +24,44 @@ Point3 shared_joint(const SkinnedMesh& mesh, std::span<const int> joints) {
   return mesh.joints[shared].origin;
 }
 
+void check_joint_count(const SkinnedMesh& mesh, std::size_t count) {
+  if (count != mesh.joints.size())
+    throw ModelError(mesh.name, "pose",
+                     "has " + std::to_string(count) + " transforms for " + std::to_string(mesh.joints.size()) + " joints");
+}
+
+[[noreturn]] void refuse(const SkinnedMesh& mesh, std::size_t joint, const char* reason) {
+  throw ModelError(mesh.name, "pose, joint " + std::to_string(joint) + " (" + mesh.joints[joint].name + ")", reason);
+}
+
 }  // namespace
 
 void check_pose(const SkinnedMesh& mesh, const Pose& pose) {
   const DefaultFloatEnvironment environment;
-  if (pose.size() != mesh.joints.size())
-    throw ModelError(mesh.name, "pose",
-                     "has " + std::to_string(pose.size()) + " transforms for " + std::to_string(mesh.joints.size()) + " joints");
+  check_joint_count(mesh, pose.size());
   for (std::size_t j = 0; j < pose.size(); ++j) {
-    const auto refuse = [&](const char* reason) {
-      throw ModelError(mesh.name, "pose, joint " + std::to_string(j) + " (" + mesh.joints[j].name + ")", reason);
-    };
-    if (!pose[j].rotation.allFinite() || !pose[j].translation.allFinite()) refuse("its transform is not finite");
+    if (!pose[j].rotation.allFinite() || !pose[j].translation.allFinite()) refuse(mesh, j, "its transform is not finite");
     if (pose[j].translation.lpNorm<Eigen::Infinity>() > largest_coordinate)
-      refuse("its translation is out of range, beyond 1e40");
+      refuse(mesh, j, "its translation is out of range, beyond 1e40");
     if (!(std::abs(squared_norm(pose[j].rotation) - 1) <= 1e-6))  // loose enough for rotations read from floats
-      refuse("its rotation is not a quaternion of unit length");
+      refuse(mesh, j, "its rotation is not a quaternion of unit length");
+  }
+}
+
+void check_pose(const SkinnedMesh& mesh, const AffinePose& pose) {
+  const DefaultFloatEnvironment environment;
+  check_joint_count(mesh, pose.size());
+  for (std::size_t j = 0; j < pose.size(); ++j) {
+    double greatest = 0;
+    bool is_finite = pose[j].offset.allFinite();
+    for (const Point3& column : pose[j].columns) {
+      is_finite = is_finite && column.allFinite();
+      greatest = max_of(greatest, column.lpNorm<Eigen::Infinity>());
+    }
+    if (!is_finite) refuse(mesh, j, "its transform is not finite");
+    if (pose[j].offset.lpNorm<Eigen::Infinity>() > largest_coordinate)
+      refuse(mesh, j, "its translation is out of range, beyond 1e40");
+    if (greatest > largest_stretch) refuse(mesh, j, "its matrix is out of range, beyond 1e4");
   }
 }
 
@@ -67,6 +89,25 @@ void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const
     make_signs_consistent(transforms);
     const Point3 prior = center_prior(mesh, joints, skinning);
     palette.complete(skinning == Skinning::hejl ? prior : rotation_center<double>(transforms, prior));
+  }
+}
+
+SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const AffinePose& pose) {
+  SkinningPalette<double> palette;
+  make_skinning_palette(mesh, sets, pose, palette);
+  return palette;
+}
+
+void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const AffinePose& pose,
+                           SkinningPalette<double>& palette) {
+  const DefaultFloatEnvironment environment;
+  check_pose(mesh, pose);
+  palette.clear();
+  std::vector<AffineMap<double>> maps;
+  for (int s = 0; s < sets.count(); ++s) {
+    maps.clear();
+    for (const int j : sets.joints(s)) maps.push_back(pose[j]);
+    palette.push_back_affine(maps);
   }
 }
 

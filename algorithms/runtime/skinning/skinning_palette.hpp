@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SkinningPalette: the data that skinning prepares once a frame for each joint-set. They are the transforms with signed
-// quaternions, the rotation centers and their images (paper 3).
+// quaternions, the rotation centers and their images (paper 3). A palette of affine joints is for linear skinning alone. It has
+// their maps and nothing else.
 #pragma once
 
 #include <span>
@@ -30,6 +31,8 @@ struct PaletteEntry {
   Vec<S, 3> rotation_center;                 // r_c, reference frame
   std::span<const Vec<S, 3>> center_images;  // C_{j_i} r_c
   std::span<const Quaternion<S>> duals;      // d_i = t_i q_i / 2 of the dual quaternions q_i + eps d_i of the C_{j_i}
+  std::span<const AffineMap<S>> maps;        // of affine joints, which are the C_{j_i} then; of rigid ones there are none
+  std::span<const S> stretches;              // likewise: no less than what they stretch by (a1_affine_image)
 };
 
 // Negates quaternions so that each has a non-negative dot product with the first. Then no blend with a positive first
@@ -56,8 +59,10 @@ struct OwnedPaletteEntry {
   Vec<S, 3> rotation_center = {S(0), S(0), S(0)};
   std::vector<Vec<S, 3>> center_images;
   std::vector<Quaternion<S>> duals;
+  std::vector<AffineMap<S>> maps;
+  std::vector<S> stretches;
 
-  operator PaletteEntry<S>() const { return {transforms, rotation_center, center_images, duals}; }
+  operator PaletteEntry<S>() const { return {transforms, rotation_center, center_images, duals, maps, stretches}; }
 };
 
 // Fills center_images from transforms and rotation_center.
@@ -83,11 +88,13 @@ class SkinningPalette {
   std::size_t joint_count(std::size_t joint_set) const { return first_[joint_set + 1] - first_[joint_set]; }
   PaletteEntry<S> operator[](std::size_t joint_set) const {
     const std::size_t first = first_[joint_set], count = first_[joint_set + 1] - first;
-    return {{transforms_.data() + first, count},
-            rotation_centers_[joint_set],
-            {center_images_.data() + first, count},
-            {duals_.data() + first, count}};
+    const std::size_t first_map = is_affine() ? first : 0, map_count = is_affine() ? count : 0;
+    return {{transforms_.data() + first, count},    rotation_centers_[joint_set],
+            {center_images_.data() + first, count}, {duals_.data() + first, count},
+            {maps_.data() + first_map, map_count},  {stretches_.data() + first_map, map_count}};
   }
+  // Says whether the joints are affine. Then the palette is for linear skinning, and there is nothing but maps in it.
+  bool is_affine() const { return !maps_.empty(); }
   const Vec<S, 3>& rotation_center(std::size_t joint_set) const { return rotation_centers_[joint_set]; }
   // Scales and roundings exist in float and double. For a palette whose arrays were filled by hand, call measure() first. They
   // hold for every skinning but Hejl's.
@@ -100,6 +107,7 @@ class SkinningPalette {
   void clear() {
     first_.resize(1);
     transforms_.clear(), rotation_centers_.clear(), center_images_.clear(), duals_.clear(), scales_.clear(), roundings_.clear();
+    maps_.clear(), stretches_.clear();
   }
 
   // Appends a joint-set of joint_count joints, whose transforms the caller sets. Then the caller must call complete().
@@ -118,6 +126,18 @@ class SkinningPalette {
     measure_last();
   }
 
+  // Appends a joint-set of affine joints. All joint-sets of a palette must be affine, or none.
+  void push_back_affine(std::span<const AffineMap<S>> maps) {
+    const std::size_t slots = first_.back() + maps.size();
+    rotation_centers_.push_back(Vec<S, 3>(S(0), S(0), S(0)));
+    transforms_.resize(slots), center_images_.resize(slots, rotation_centers_.back());
+    duals_.resize(slots, Quaternion<S>(S(0), S(0), S(0), S(0)));
+    maps_.insert(maps_.end(), maps.begin(), maps.end());
+    for (const AffineMap<S>& map : maps) stretches_.push_back(stretch_of(map));
+    first_.push_back(slots);
+    measure_last();
+  }
+
   // The arrays themselves, joint-set after joint-set, for code that fills many of them at a time.
   struct Arrays {
     Vec<S, 3>* rotation_centers;  // by joint-set; all other arrays are by joint
@@ -130,7 +150,7 @@ class SkinningPalette {
     first_.assign(first.begin(), first.end());
     rotation_centers_.resize(first.size() - 1);
     transforms_.resize(first.back()), center_images_.resize(first.back()), duals_.resize(first.back());
-    scales_.clear(), roundings_.clear();
+    scales_.clear(), roundings_.clear(), maps_.clear(), stretches_.clear();
     return {rotation_centers_.data(), transforms_.data(), center_images_.data(), duals_.data()};
   }
 
@@ -155,8 +175,8 @@ class SkinningPalette {
   void measure(const PaletteEntry<S>& set) {
     if constexpr (std::is_floating_point_v<S>) {
       const DefaultFloatEnvironment environment;
-      scales_.push_back(measure_palette(set.transforms, set.center_images));
-      roundings_.push_back(roundings_of(scales_.back()));
+      scales_.push_back(set.maps.empty() ? measure_palette(set.transforms, set.center_images) : measure_affine_palette(set.maps));
+      roundings_.push_back(set.maps.empty() ? roundings_of(scales_.back()) : affine_roundings_of(scales_.back()));
     }
   }
   void measure_last() { measure((*this)[size() - 1]); }
@@ -166,6 +186,8 @@ class SkinningPalette {
   std::vector<RigidTransform<S>> transforms_;
   std::vector<Vec<S, 3>> center_images_;
   std::vector<Quaternion<S>> duals_;
+  std::vector<AffineMap<S>> maps_;  // of affine joints; else this and the next are empty
+  std::vector<S> stretches_;
   std::vector<PaletteScales<S>> scales_;  // by joint-set
   std::vector<PaletteRoundings<S>> roundings_;
 };
@@ -173,6 +195,10 @@ class SkinningPalette {
 // Throws ModelError if pose has the wrong length, a number that is not finite, a translation beyond largest_coordinate, or
 // a rotation whose squared length differs from 1 by more than 1e-6.
 void check_pose(const SkinnedMesh& mesh, const Pose& pose);
+
+// Throws ModelError if pose has the wrong length, a number that is not finite, an offset beyond largest_coordinate, or a number
+// in a matrix beyond largest_stretch.
+void check_pose(const SkinnedMesh& mesh, const AffinePose& pose);
 
 // Returns the prior of a joint-set's rotation center, which the center is nearest to where it is not determined. It is the
 // mean of the joints' origins. For Skinning::hejl it is the rotation center itself: the origin of the joint that two
@@ -185,6 +211,11 @@ SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const Joi
 
 // Does the same, but overwrites palette and uses its storage again. If it throws, palette is unchanged.
 void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning,
+                           SkinningPalette<double>& palette);
+
+// Do the same for linear skinning by affine joints.
+SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const AffinePose& pose);
+void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const AffinePose& pose,
                            SkinningPalette<double>& palette);
 
 }  // namespace refitlab

@@ -12,7 +12,7 @@ namespace refitlab {
 namespace {
 
 constexpr std::string_view magic = "refitlab";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 // The fields of all that is in a file, once for writing and once for reading: `io` has a function for each kind of number.
 void transfer(auto& io, auto& x);
@@ -37,9 +37,15 @@ void transfer(auto& io, auto& x) {
     transfer_list(io, x.name), io.number(x.parent), transfer(io, x.origin);
   } else if constexpr (std::is_same_v<T, Influence>) {
     io.number(x.joint), io.number(x.weight);
+  } else if constexpr (std::is_same_v<T, Displacement<double>>) {
+    io.number(x.target), transfer(io, x.by);
+  } else if constexpr (std::is_same_v<T, TargetBall>) {
+    io.number(x.target), transfer(io, x.ball);
+  } else if constexpr (std::is_same_v<T, DisplacementTable>) {
+    transfer_list(io, x.first), transfer_list(io, x.balls);
   } else if constexpr (std::is_same_v<T, SkinnedMesh>) {
     transfer_list(io, x.name), transfer_list(io, x.vertices), transfer_list(io, x.triangles), transfer_list(io, x.joints);
-    transfer_list(io, x.influences);
+    transfer_list(io, x.influences), io.number(x.targets.count), transfer_list(io, x.targets.of_vertex);
   } else if constexpr (std::is_same_v<T, TreeNode>) {
     transfer(io, x.reference);
     for (auto* member : {&x.parent, &x.first_child, &x.child_count, &x.level, &x.first_triangle, &x.triangle_count,
@@ -49,10 +55,10 @@ void transfer(auto& io, auto& x) {
     for (auto* member : {&x.joint_set, &x.first_weight, &x.weight_vertex_count, &x.reference}) io.number(*member);
   } else if constexpr (std::is_same_v<T, SphereTree>) {
     transfer_list(io, x.nodes), transfer_list(io, x.triangle_order), transfer_list(io, x.leaf_vertices);
-    transfer_list(io, x.pieces), transfer_list(io, x.weight_vertices);
+    transfer_list(io, x.pieces), transfer_list(io, x.weight_vertices), transfer(io, x.displacements);
   } else if constexpr (std::is_same_v<T, PieceTable>) {
-    transfer_list(io, x.first), transfer_list(io, x.pieces), transfer_list(io, x.references),
-        transfer_list(io, x.weight_vertices);
+    transfer_list(io, x.first), transfer_list(io, x.pieces), transfer_list(io, x.references);
+    transfer_list(io, x.weight_vertices), transfer(io, x.displacements);
   } else {
     transfer_list(io, x);  // a list of lists
   }
@@ -80,7 +86,7 @@ Character character_of(std::string_view bytes, const std::string& file) {
   validate(mesh);
   JointSets sets(mesh);
   check_tree(tree, mesh, sets, file);
-  for (const PieceTable& table : pieces) check_pieces(table, tree, sets, file);
+  for (const PieceTable& table : pieces) check_pieces(table, tree, mesh, sets, file);
   NodeVertices vertices(tree, mesh);
   return {std::move(mesh), std::move(sets), std::move(tree), std::move(vertices), std::move(pieces)};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A character as bytes: the result of baking, kept in a file that the runtime reads without any other library.
 //
-// Format, version 1. All numbers are little-endian. A list is a count (8 bytes) and its members, one after the other.
+// Format, version 2. All numbers are little-endian. A list is a count (8 bytes) and its members, one after the other.
 //   "refitlab"                            8 bytes
 //   version, size, checksum               4 + 8 + 8 bytes: of what follows; the checksum is FNV-1a of 64 bits
 //   the mesh, the tree, the piece tables  their members in the order of the structs; int 4 bytes, size_t 8, double 8 (IEEE 754),

@@ -34,6 +34,23 @@ std::string fault_of(const NodePiece& piece, const JointSets& sets, const std::v
   return "";
 }
 
+// What is wrong with the displacements of so many balls; empty if nothing is.
+std::string fault_of(const DisplacementTable& table, std::size_t balls, int targets) {
+  if (table.first.empty()) return targets > 0 || !table.balls.empty() ? "are missing" : "";
+  if (table.first.size() != balls + 1 || table.first.front() != 0 || table.first.back() != table.balls.size() ||
+      !std::is_sorted(table.first.begin(), table.first.end()))
+    return "are not of as many balls as there are";
+  for (std::size_t i = 0; i < balls; ++i) {
+    int last = -1;
+    for (const TargetBall& by : table[i]) {
+      if (by.target <= last || by.target >= targets) return "are not by increasing targets of the mesh";
+      if (!is_ball(by.ball)) return "have a ball that is none";
+      last = by.target;
+    }
+  }
+  return "";
+}
+
 class TreeCheck {
  public:
   TreeCheck(const SphereTree& tree, const SkinnedMesh& mesh, const JointSets& sets, const std::string& file)
@@ -68,6 +85,8 @@ class TreeCheck {
       next_child += node.child_count;
     }
     require(next_child == static_cast<int>(tree_.nodes.size()), next_child - 1, "is followed by a node without a parent");
+    if (const auto fault = fault_of(tree_.displacements, tree_.nodes.size(), mesh_.targets.count); !fault.empty())
+      throw ModelError(file_, "tree", "its displacements " + fault);
   }
 
  private:
@@ -119,11 +138,12 @@ void check_tree(const SphereTree& tree, const SkinnedMesh& mesh, const JointSets
   TreeCheck(tree, mesh, sets, file).run();
 }
 
-void check_pieces(const PieceTable& table, const SphereTree& tree, const JointSets& sets, const std::string& file) {
+void check_pieces(const PieceTable& table, const SphereTree& tree, const SkinnedMesh& mesh, const JointSets& sets,
+                  const std::string& file) {
   const auto require = [&](bool condition, const char* reason) {
     if (!condition) throw ModelError(file, "pieces", reason);
   };
-  if (table.first.empty()) return require(table.pieces.empty(), "belong to no node");
+  if (table.first.empty()) return require(table.pieces.empty() && table.displacements.first.empty(), "belong to no node");
   require(table.first.size() == tree.nodes.size() + 1, "are not of as many nodes as there are");
   require(table.first.front() == 0 && table.first.back() == table.pieces.size() &&
               std::is_sorted(table.first.begin(), table.first.end()),
@@ -136,6 +156,8 @@ void check_pieces(const PieceTable& table, const SphereTree& tree, const JointSe
     if (const auto fault = fault_of(piece, sets, table.weight_vertices); !fault.empty())
       throw ModelError(file, "pieces", "one " + fault);
   }
+  if (const auto fault = fault_of(table.displacements, table.references.size(), mesh.targets.count); !fault.empty())
+    throw ModelError(file, "pieces", "their displacements " + fault);
 }
 
 }  // namespace refitlab

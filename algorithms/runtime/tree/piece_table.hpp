@@ -16,7 +16,8 @@ namespace refitlab {
 enum class Pieces {
   node,        // the node's ball and weight boxes, as in the paper (SphereTree::refit_node)
   joint_sets,  // a ball and a weight hull for each joint-set
-  mixed,       // the same, or single vertices where that is about as cheap: few vertices, many control points
+  mixed,       // the same, or single vertices where that is about as cheap (few vertices, many control points), or where morph
+               // targets take vertices apart
   many         // up to 512 pieces a node
 };
 inline constexpr int piece_kinds = 4;
@@ -28,6 +29,7 @@ struct PieceTable {
   // A vertex that is a piece has one such piece, which all of its nodes share. These pieces come first.
   std::vector<Ball3<double>> references;
   std::vector<double> weight_vertices;
+  DisplacementTable displacements = {};  // of the references' vertices
 
   RefitNode<double> refit_node(const SphereTree& tree, int node, const SkinningPalette<double>& palette) const {
     return {tree.nodes[node].reference,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algorithms/runtime/mesh/joint_sets.hpp"
+#include "algorithms/runtime/tree/displacement_table.hpp"
 #include "algorithms/runtime/tree/refit_node.hpp"
 
 namespace refitlab {
@@ -30,6 +31,7 @@ struct SphereTree {
   std::vector<int> leaf_vertices;
   std::vector<NodePiece> pieces;
   std::vector<double> weight_vertices;
+  DisplacementTable displacements = {};  // of the nodes' vertices
 
   int level_count() const { return nodes.back().level; }
   RefitNode<double> refit_node(int node, const SkinningPalette<double>& palette) const {

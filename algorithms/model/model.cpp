@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/model/model.hpp"
+
+#include <algorithm>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+
+MorphTargets morph_targets(const Model& model) {
+  MorphTargets out;
+  for (const MorphedMesh& mesh : model.morphs) out.count += static_cast<int>(mesh.targets.size());
+  if (out.count == 0) return out;
+  out.of_vertex.resize(model.vertices.size());
+  int target = 0;
+  for (const MorphedMesh& mesh : model.morphs)
+    for (const MorphTarget& by : mesh.targets) {
+      for (const auto& [vertex, displacement] : by.displacements)
+        out.of_vertex[static_cast<std::size_t>(vertex)].push_back({target, displacement});
+      ++target;
+    }
+  return out;
+}
+
+std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side) {
+  const DefaultFloatEnvironment environment;
+  std::vector<double> out;
+  for (const MorphedMesh& mesh : model.morphs) {
+    const auto& tracks = animation.weight_tracks;
+    const auto track = std::find_if(tracks.begin(), tracks.end(), [&](const WeightTrack& t) { return t.node == mesh.node; });
+    if (track == tracks.end()) {
+      out.insert(out.end(), mesh.weights.begin(), mesh.weights.end());
+    } else {
+      const Eigen::VectorXd weights = weights_at(*track, time, side);
+      out.insert(out.end(), weights.begin(), weights.end());
+    }
+  }
+  return out;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/collide/affine_boxes.hpp"
+
+#include <cmath>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/a1_affine_image.hpp"
+
+namespace refitlab {
+
+Box<double> box_of_image(const AffineMap<double>& map, const Ball3<double>& ball, const Box<double>& box, int joints) {
+  const DefaultFloatEnvironment environment;
+  const Point3 half = box.edges() / 2;
+  const HalfBox<double> of_box = image_of_box<double>(map, {box.center(), half});
+  const Point3 center = apply(map, ball.center);
+  Box<double> out;
+  double norm_of_map = 0, length = 0;
+  for (const Point3& column : map.columns) norm_of_map += upper_norm(column);
+  length = max_of(upper_norm(ball.center), Point3(box.center().cwiseAbs() + half).sum()) + ball.radius;
+  const double lost = lost_of_affine_box(joints) * (norm_of_map * length + upper_norm(map.offset)) + least_affine_box;
+  for (int i = 0; i < 3; ++i) {
+    const double of_ball = reach_along<double>(map, Point3::Unit(i)) * ball.radius;
+    out.low[i] = max_of(center[i] - of_ball, of_box.center[i] - of_box.half[i]) - lost;
+    out.high[i] = min_of(center[i] + of_ball, of_box.center[i] + of_box.half[i]) + lost;
+  }
+  return out;
+}
+
+AffineMap<double> turned(const Quaternion<double>& rotation, const AffineMap<double>& map) {
+  const DefaultFloatEnvironment environment;
+  AffineMap<double> turn = identity_map<double>();
+  for (auto& column : turn.columns) column = rotate<double>(rotation, Point3(column));
+  return compose(turn, map);
+}
+
+void bound_affine_boxes(std::span<const SimplexPiece> pieces, const SkinningPalette<double>& palette,
+                        const Quaternion<double>& rotation, std::span<Box<double>> boxes) {
+  const DefaultFloatEnvironment environment;
+  for (Box<double>& box : boxes) box = Box<double>::empty();
+  std::vector<double> w;
+  for (const SimplexPiece& piece : pieces) {
+    const auto maps = palette[static_cast<std::size_t>(piece.joint_set)].maps;
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+      w = piece.low;
+      w[k] += piece.rest;
+      const AffineMap<double> blend = turned(rotation, blended_map<double>(maps, w));
+      boxes[static_cast<std::size_t>(piece.target)].merge(
+          box_of_image(blend, piece.reference, piece.box, static_cast<int>(maps.size())));
+    }
+  }
+}
+
+}  // namespace refitlab

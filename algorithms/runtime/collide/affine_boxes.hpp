@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Boxes around what affine joints make of pieces, in linear skinning (a1_affine_image). In double, a piece at a time.
+//
+// The image of a piece under a blend of joints is within that of its box and within that of its ball, and so within the common
+// part of the boxes around both.
+//
+// Rounding. Let u be half of epsilon, F bound the Frobenius norms of the joints' matrices, and t their offsets. A placement's
+// rotation is the matrix of rotate(), which is off by 24 u and of a norm below 2. A blend of n matrices is off by n u F, their
+// product with the rotation by 30 u F, an image by 4 u F ||p||. Half extents are sums of at most three such products. All of that
+// is below (n + 64) u of 2 F (||p|| + r) + 2 t, of which lost_of_affine_box counts many times as much, and least_affine_box what
+// may underflow.
+#pragma once
+
+#include <span>
+
+#include "algorithms/runtime/collide/simplex_pieces.hpp"
+
+namespace refitlab {
+
+constexpr double lost_of_affine_box(int joints) { return 1e-13 + 1e-15 * joints; }
+inline constexpr double least_affine_box = 1e-100;
+
+// Returns a box around the image of what is in the ball and in the box; n joints make up the map.
+Box<double> box_of_image(const AffineMap<double>& map, const Ball3<double>& ball, const Box<double>& box, int joints);
+
+// Returns R C for the linear map R that rotate() is for this quaternion.
+AffineMap<double> turned(const Quaternion<double>& rotation, const AffineMap<double>& map);
+
+// Makes boxes[target] for every target of the pieces: around all of their vertices, skinned linearly by the affine joints of
+// palette and then turned by rotation.
+void bound_affine_boxes(std::span<const SimplexPiece> pieces, const SkinningPalette<double>& palette,
+                        const Quaternion<double>& rotation, std::span<Box<double>> boxes);
+
+}  // namespace refitlab

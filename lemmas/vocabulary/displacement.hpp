@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Displacements of vertices before they are skinned, by morph targets or reduced coordinates: v = v_0 + sum m_k d_k.
+#pragma once
+
+#include <span>
+
+#include "lemmas/vocabulary/vector.hpp"
+
+namespace refitlab {
+
+// By one target: of a vertex, d_k. A vertex has those of the targets that move it.
+template <class S>
+struct Displacement {
+  int target;
+  Vec<S, 3> by;
+};
+
+template <class S>
+Vec<S, 3> displaced_by(const Vec<S, 3>& v, const Vec<S, 3>& by, const S& weight) {
+  return v + by * weight;
+}
+
+// weights: by target.
+template <class S>
+Vec<S, 3> displaced(const Vec<S, 3>& reference, std::span<const Displacement<S>> displacements, std::span<const S> weights) {
+  Vec<S, 3> v = reference;
+  for (const Displacement<S>& d : displacements) v = displaced_by<S>(v, d.by, weights[static_cast<std::size_t>(d.target)]);
+  return v;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Linear skinning by affine joints in everything that is fast: vertices in packs, balls in batches, boxes from the joints, and
+// clusters; and cluster queries of deformed characters, whatever the skinning.
+#include "algorithms/runtime/collide/affine_boxes.hpp"
+
+#include <memory>
+#include <random>
+#include <stdexcept>
+
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/batch/batch_refit.hpp"
+#include "algorithms/runtime/batch/packed_vertices.hpp"
+#include "algorithms/runtime/collide/cluster_collide.hpp"
+#include "algorithms/runtime/collide/crowd.hpp"
+#include "algorithms/runtime/refit/deformed_reference.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
+#include "proptests/gen/deformations.hpp"
+#include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/gen/wide_character.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/all_pairs.hpp"
+
+namespace proptests::suite_affine_boxes {
+namespace {
+
+using namespace refitlab;
+using gen::JointKind;
+
+JointKind drawn_kind() {
+  return *rc::gen::element(JointKind::rigid, JointKind::uniform, JointKind::axes, JointKind::shear, JointKind::mirrored,
+                           JointKind::flat, JointKind::extreme, JointKind::mixed);
+}
+
+RigidTransform<double> random_placement(std::mt19937& random, double size) {
+  std::normal_distribution<double> normal;
+  const double x = normal(random), y = normal(random), z = normal(random);
+  RigidTransform<double> out{gen::random_rotation(random, 1), Point3(x, y, z) * size};
+  if (random() % 3 == 0) out.rotation *= 1 + 4.9e-7;  // which check_placement accepts
+  return out;
+}
+
+bool is_inside(const Box<double>& box, const Point3& p) {
+  return (box.low.array() <= p.array()).all() && (p.array() <= box.high.array()).all();
+}
+
+// A wide mesh with affine joints, skinned in double.
+struct Affine {
+  gen::WidePlan plan;
+  SkinnedMesh mesh;
+  JointSets sets;
+  std::mt19937 random;
+  AffinePose pose;
+  SkinningPalette<double> palette;
+  std::vector<Point3> skinned;
+  Affine(int least, int greatest)
+      : plan(drawn(least, greatest)),
+        mesh(gen::wide_model(plan)),
+        sets(mesh),
+        random(plan.seed),
+        pose(gen::random_affine_pose(mesh, drawn_kind(), random)),
+        palette(make_skinning_palette(mesh, sets, pose)),
+        skinned(skin(mesh, sets, palette, Skinning::linear)) {
+    RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  }
+  static gen::WidePlan drawn(int least, int greatest) {
+    auto plan = *gen::wide_plan(least, greatest);
+    plan.joints = std::min(plan.joints, 17), plan.influences = std::min(plan.influences, plan.joints);
+    return plan;
+  }
+};
+
+void check_packs() {
+  const Affine a(-1074, 130);
+  const PackedVertices packed(a.mesh, a.sets);
+  std::vector<Point3> out(a.mesh.vertices.size());
+  for (const Target target : available_targets()) {
+    packed.skin_all(a.palette, Skinning::linear, out, target);
+    RC_ASSERT(out == a.skinned);
+  }
+}
+
+void check_batch() {
+  const Affine a(-60, 40);
+  const Character c = bake(a.mesh, {.triangles_per_leaf = *rc::gen::element(1, 3)}, {});
+  BatchRefit batch(c.tree, c.sets);
+  ExactSkin exact(c.mesh, c.sets, a.palette, Skinning::linear);
+  for (const Target target : available_targets()) {
+    const PackedBalls& balls = batch.linear(a.palette, target);
+    for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
+      const Ball3<float> ball = balls[n];
+      const Ball3<double> same{ball.center.cast<double>(), ball.radius};
+      for (const int v : c.vertices[n]) RC_ASSERT(exact.is_in(same, v));
+    }
+  }
+  // No looser than joints that all stretch as the one that stretches most, about the same centers.
+  double stretch = 0;
+  for (const AffineMap<double>& map : a.pose) stretch = std::max(stretch, stretch_of(map));
+  const TreeNode& root = c.tree.nodes[0];
+  const Ball3<double> points = refit_variant("linear").refit(
+      {{root.reference.center, 0}, c.tree.refit_node(0, a.palette).pieces, c.tree.weight_vertices.data(), a.palette});
+  const double size = points.radius + stretch * root.reference.radius, all = size + norm(points.center);
+  RC_CLASSIFY(size > 1e-2 * all, "of some size");
+  RC_ASSERT(double(batch.linear(a.palette)[0].radius) <= 1.001 * size + 1e-3 * all + 1e-17);
+}
+
+void check_motion_bound() {
+  const Affine a(-1074, 130);
+  std::mt19937 random(a.plan.seed + 7);
+  const RigidTransform<double> at = random_placement(random, std::ldexp(1, a.plan.exponent));
+  const MotionBound bound(a.mesh, a.sets, Skinning::linear);
+  const Box<double> box = bound.box(a.pose, at);
+  for (const Point3& v : a.skinned) RC_ASSERT(is_inside(box, apply(at, v)));
+}
+
+// A box is no larger than those around the images of the ball and of the box, by more than rounding.
+void check_image() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 4, 4, 1, static_cast<unsigned>(random())});
+  const AffineMap<double> map = gen::random_affine_pose(mesh, drawn_kind(), random)[0];
+  auto box = Box<double>::empty();
+  for (const Point3& v : mesh.vertices) box.merge(v);
+  const Ball3<double> ball{box.center(), box.edges().norm() * *rc::gen::element(0.3, 0.4, 0.5)};
+  const Box<double> image = box_of_image(map, ball, box, 1);
+  bool ball_alone = false, box_alone = false;
+  for (int i = 0; i < 3; ++i) {
+    double row = 0, along = 0;
+    for (int j = 0; j < 3; ++j) {
+      const double entry = map.columns[static_cast<std::size_t>(j)][i];
+      row += entry * entry, along += std::abs(entry) * box.edges()[j] / 2;
+    }
+    const double of_ball = std::sqrt(row) * ball.radius, expected = std::min(of_ball, along);
+    (of_ball < along ? ball_alone : box_alone) = true;
+    const double size = 1e-9 * (1 + std::sqrt(row)) * (10 + map.offset.norm());
+    RC_ASSERT(std::abs((image.high[i] - image.low[i]) / 2 - expected) <= size);
+    // Corners of the box that are in the ball, and the ball's poles that are in the box, are in the image.
+  }
+  RC_CLASSIFY(ball_alone, "by the ball");
+  RC_CLASSIFY(box_alone, "by the box");
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 20; ++k) {
+    Point3 p;
+    for (int i = 0; i < 3; ++i) p[i] = box.low[i] + (k % 2 ? unit(random) : std::round(unit(random))) * box.edges()[i];
+    if ((p - ball.center).norm() <= ball.radius) RC_ASSERT(is_inside(image, apply(map, p)));
+  }
+}
+
+bool has(const Box<float>& box, const Point3& p) {
+  for (int i = 0; i < 3; ++i)
+    if (!(double(box.low[i]) <= p[i] && p[i] <= double(box.high[i]))) return false;
+  return true;
+}
+
+// Two bodies of one mesh: their boxes have the vertices, and their pairs are those of all pairs. Linear skinning has affine joints;
+// other skinning has deformed characters.
+void check_clusters() {
+  const auto plan = *gen::mesh_plan();
+  std::mt19937 random(plan.seed);
+  SkinnedMesh mesh = gen::make_mesh(plan);
+  gen::add_targets(mesh, random);
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+  const JointKind kind = *rc::gen::element(JointKind::uniform, JointKind::axes, JointKind::shear, JointKind::mirrored);
+  const Character c = bake(mesh, {.triangles_per_leaf = *rc::gen::element(1, 3)}, {Pieces::mixed});
+  const ClusterOptions options{.most_triangles = *rc::gen::element(1, 4, 16), .most_children = 3};
+  std::vector<Character> characters;
+  std::vector<ClusterTree> trees;
+  std::vector<std::unique_ptr<ClusterBody>> bodies;
+  std::vector<Point3> skinned[2];
+  characters.reserve(2), trees.reserve(2);
+  for (int i = 0; i < 2; ++i) {
+    const AffinePose pose = gen::random_affine_pose(mesh, kind, random);
+    const auto [rigid, scales] = split(mesh, pose);
+    const RigidTransform<double> at = random_placement(random, 0.3);
+    const std::vector<double> weights = gen::random_weights(mesh, random);
+    const Deformation deformation{weights, skinning == Skinning::linear ? AffinePose() : scales};
+    characters.push_back(deformed_character(c, deformation));
+    trees.emplace_back(characters.back(), options);
+    bodies.push_back(std::make_unique<ClusterBody>(trees.back(), skinning));
+    ClusterBody& body = *bodies.back();
+    if (random() % 2) body.begin(reference_pose(mesh), {});  // a frame before, of rigid joints
+    const auto palette = skinning == Skinning::linear ? make_skinning_palette(mesh, c.sets, pose)
+                                                      : make_skinning_palette(mesh, c.sets, rigid, skinning);
+    skinned[i] = skin(mesh, c.sets, palette, skinning, deformation);
+    for (Point3& v : skinned[i]) v = apply(at, v);
+    if (skinning == Skinning::linear) body.begin(pose, at);
+    else body.begin(rigid, at);
+    for (const Point3& v : skinned[i]) RC_ASSERT(is_inside(body.motion_bound(), v));
+    for (int f = 0; f < static_cast<int>(trees.back().wide_nodes().size()); ++f) {
+      const Box<float>& box = body.wide_node_box(f);
+      for (int k = 0; k < trees.back().wide_nodes()[static_cast<std::size_t>(f)].child_count; ++k) {
+        const WideNodeChild& child = trees.back().child(f, k);
+        if (child.cluster < 0) continue;
+        const Cluster& cluster = trees.back().clusters()[static_cast<std::size_t>(child.cluster)];
+        for (int t = 0; t < cluster.triangle_count; ++t)
+          for (const int v : mesh.triangles[static_cast<std::size_t>(trees.back().triangles(child.cluster)[t])])
+            RC_ASSERT(has(box, skinned[i][static_cast<std::size_t>(v)] - body.clusters().origin()));
+      }
+    }
+  }
+  const auto expected = oracle::all_pairs(mesh.triangles, skinned[0], mesh.triangles, skinned[1]);
+  RC_CLASSIFY(!expected.empty(), "touching");
+  QueryCounts counts;
+  RC_ASSERT(oracle::sorted(collide(*bodies[0], *bodies[1], Query::full, counts)) == expected);
+  CrowdCounts crowd_counts;
+  ClusterBody* const crowd[] = {bodies[0].get(), bodies[1].get()};
+  const auto contacts = collide_all(crowd, Query::full, crowd_counts);
+  RC_ASSERT(contacts.empty() == expected.empty());
+  if (!contacts.empty()) RC_ASSERT(oracle::sorted(contacts[0].pairs) == expected);
+}
+
+}  // namespace
+
+PROPTEST(affine_boxes) {
+  t.holds("packs skin by affine joints to the last bit as skin() does",
+          {.number_type = "double", .cases = 200, .degenerate_at_most = 0.5}, check_packs);
+  t.holds("the balls of a batch enclose what affine joints make of their vertices",
+          {.number_type = "float against rational",
+           .cases = 200,
+           .degenerate_at_most = 0.5,
+           .tags_at_least = {{"of some size", 0.3}}},
+          check_batch);
+  t.holds("the motion bound of affine joints has all vertices",
+          {.number_type = "double", .cases = 400, .degenerate_at_most = 0.5}, check_motion_bound);
+  t.holds("the box of an image is as large as the smaller of those of the ball and of the box",
+          {.number_type = "double", .cases = 400, .tags_at_least = {{"by the ball", 0.2}, {"by the box", 0.2}}}, check_image);
+  t.holds("clusters of affine joints, and of deformed characters, touch where all pairs of skinned triangles say so",
+          {.number_type = "double", .cases = 250, .tags_at_least = {{"touching", 0.3}}}, check_clusters);
+  t.example("a body of affine joints is refused where skinning is not linear", {}, [] {
+    const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}), {}, {});
+    const ClusterTree tree(c);
+    ClusterBody body(tree, Skinning::spherical);
+    std::mt19937 random(1);
+    try {
+      body.begin(gen::random_affine_pose(c.mesh, JointKind::axes, random), {});
+      return false;
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+  });
+}
+
+}  // namespace proptests::suite_affine_boxes

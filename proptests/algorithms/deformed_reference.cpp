@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every sound refit of affine joints, of morph targets and of joints that scale in two phases, against vertices that are skinned
+// exactly and as skin() does: none may be outside, not by the last bit.
+#include "algorithms/runtime/refit/deformed_reference.hpp"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "algorithms/bake/bake.hpp"
+#include "algorithms/certificate/certificate.hpp"
+#include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/collide/collide.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/verification/exact_skin.hpp"
+#include "proptests/gen/deformations.hpp"
+#include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
+#include "proptests/gen/wide_character.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/all_pairs.hpp"
+
+namespace proptests::suite_deformed_reference {
+namespace {
+
+using namespace refitlab;
+using gen::JointKind;
+
+const char* const kind_names[] = {"rigid", "uniform", "axes", "shear", "mirrored", "flat", "extreme", "mixed"};
+
+// A mesh, how it is skinned, and what deforms it. Linear skinning has affine joints, other skinning rigid ones and scales.
+struct Deformed {
+  gen::WidePlan plan = *gen::wide_plan(-1074, 130);
+  Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+  JointKind kind = *rc::gen::element(JointKind::rigid, JointKind::uniform, JointKind::axes, JointKind::shear, JointKind::mirrored,
+                                     JointKind::flat, JointKind::extreme, JointKind::mixed);
+  bool scales = *rc::gen::element(true, true, true, false);
+  std::mt19937 random{plan.seed};
+  SkinnedMesh mesh;
+  AffinePose affine;
+  Pose pose;
+  Deformation deformation;
+
+  Deformed() {
+    plan.joints = std::min(plan.joints, 17), plan.influences = std::min(plan.influences, plan.joints);
+    mesh = gen::wide_model(plan);
+    gen::add_targets(mesh, random);
+    if (skinning == Skinning::linear) affine = gen::random_affine_pose(mesh, kind, random);
+    else pose = gen::wide_pose(plan, mesh);
+    if (skinning != Skinning::linear && scales) deformation.scales = gen::random_scales(mesh, kind, random);
+    if (mesh.targets.count > 0) deformation.weights = gen::random_weights(mesh, random);
+    RC_TAG(kind_names[static_cast<int>(kind)]);
+    RC_CLASSIFY(mesh.targets.count > 0, "morphed");
+    RC_CLASSIFY(gen::is_degenerate(plan) || (deformation.is_none() && skinning != Skinning::linear), "degenerate");
+  }
+  SkinningPalette<double> palette(const JointSets& sets) const {
+    return skinning == Skinning::linear ? make_skinning_palette(mesh, sets, affine)
+                                        : make_skinning_palette(mesh, sets, pose, skinning);
+  }
+  Character baked() const { return bake(mesh, {.triangles_per_leaf = static_cast<int>(plan.seed % 3) * 2 + 1}); }
+};
+
+bool has(const Ball3<double>& ball, const Point3& v) {
+  if (ball.radius == HUGE_VAL) return true;
+  const Verdict quick = encloses(Ball3<Interval>{convert<Interval>(ball.center), Interval(ball.radius)}, convert<Interval>(v));
+  if (quick != Verdict::undecided) return quick == Verdict::holds;
+  return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(v)) == Verdict::holds;
+}
+
+bool bounds(const RefitVariant& variant, Skinning skinning) {
+  return variant.sound && variant.skinning == (skinning == Skinning::hejl ? Skinning::spherical : skinning);
+}
+
+void check_variants() {
+  const Deformed d;
+  const Character c = d.baked();
+  const auto palette = d.palette(c.sets);
+  const auto skinned = skin(c.mesh, c.sets, palette, d.skinning, d.deformation);
+  ExactSkin exact(c.mesh, c.sets, palette, d.skinning, d.deformation);
+  for (const RefitVariant& variant : compared_variants()) {
+    if (!bounds(variant, d.skinning)) continue;
+    DeformedReference reference(c, variant.pieces);
+    reference.begin(d.deformation);
+    FrameRefits frame(c, variant, {.most_joint_sets = 2, .most_in_cut = 3, .children_first = true});
+    frame.begin(palette, &reference);
+    frame.refit_all();
+    for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
+      const Ball3<double> ball = variant.refit(reference.refit_node(n, palette));
+      for (const int v : c.vertices[n]) {
+        RC_ASSERT(ball.center.allFinite() && ball.radius >= 0);
+        RC_ASSERT(exact.is_in(ball, v) && exact.is_in(frame[n], v));
+        RC_ASSERT(has(ball, skinned[v]) && has(frame[n], skinned[v]));
+      }
+    }
+  }
+}
+
+// Every deformed vertex, exactly and in double, is in the ball of a piece of its joint-set, and in that of the node.
+void check_references() {
+  const Deformed d;
+  const Character c = d.baked();
+  const auto stays = make_skinning_palette(c.mesh, c.sets, reference_pose(c.mesh), Skinning::dual_quaternion);
+  ExactSkin exact(c.mesh, c.sets, stays, Skinning::dual_quaternion, d.deformation);
+  for (const Pieces kind : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::many}) {
+    DeformedReference reference(c, kind);
+    reference.begin(d.deformation);
+    for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
+      const RefitNode<double> node = reference.refit_node(n, stays);
+      for (const int v : c.vertices[n]) {
+        bool is_held = false;
+        for (std::size_t i = 0; i < node.pieces.size(); ++i)
+          is_held = is_held || (node.pieces[i].joint_set == c.sets.of_vertex(v) && exact.is_in(node.piece_reference(i), v) &&
+                                has(node.piece_reference(i), reference.vertex(v)));
+        RC_ASSERT(is_held);
+        if (!d.deformation.is_none()) RC_ASSERT(exact.is_in(node.reference, v));
+      }
+    }
+  }
+}
+
+// Weights in intervals: of those that are drawn in them, each.
+void check_ranges() {
+  const Deformed d;
+  RC_PRE(d.mesh.targets.count > 0);
+  const Character c = d.baked();
+  const auto palette = d.palette(c.sets);
+  std::vector<Slab<double>> ranges;
+  std::mt19937 random(d.plan.seed + 1);
+  for (const double w : d.deformation.weights) {
+    const double other = random() % 4 == 0 ? w : w + std::uniform_real_distribution<double>(-2, 2)(random);
+    ranges.push_back({std::min(w, other), std::max(w, other)});
+  }
+  std::vector<Deformation> samples;
+  for (int i = 0; i < 4; ++i) {
+    samples.push_back(d.deformation);
+    for (std::size_t t = 0; t < ranges.size(); ++t) {
+      const double share = std::array{0., 1., 0.5, 0.3}[random() % 4];
+      samples.back().weights[t] =
+          std::clamp(ranges[t].low + share * (ranges[t].high - ranges[t].low), ranges[t].low, ranges[t].high);
+    }
+  }
+  for (const RefitVariant& variant : compared_variants()) {
+    if (!bounds(variant, d.skinning)) continue;
+    DeformedReference reference(c, variant.pieces);
+    reference.begin(ranges, d.deformation.scales);
+    std::vector<Ball3<double>> balls;
+    for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n)
+      balls.push_back(variant.refit(reference.refit_node(n, palette)));
+    for (const Deformation& sample : samples) {
+      ExactSkin exact(c.mesh, c.sets, palette, d.skinning, sample);
+      for (std::size_t n = 0; n < balls.size(); ++n)
+        for (const int v : c.vertices[static_cast<int>(n)]) RC_ASSERT(exact.is_in(balls[n], v));
+    }
+  }
+}
+
+// The character made anew is skinned as the deformed one, and bounded by every variant.
+void check_deformed_character() {
+  const Deformed d;
+  const Character c = d.baked();
+  double largest = 0;
+  for (const Point3& v : deformed_vertices(c.mesh, c.sets, d.deformation))
+    largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
+  RC_PRE(largest <= largest_coordinate);
+  const Character anew = deformed_character(c, d.deformation);
+  const auto palette = d.palette(c.sets);
+  const auto skinned = skin(c.mesh, c.sets, palette, d.skinning, d.deformation);
+  RC_ASSERT(skin(anew.mesh, anew.sets, palette, d.skinning) == skinned);
+  ExactSkin exact(anew.mesh, anew.sets, palette, d.skinning);
+  for (const RefitVariant& variant : compared_variants()) {
+    if (!bounds(variant, d.skinning)) continue;
+    const auto balls = refit_all(anew, variant, palette);
+    for (std::size_t n = 0; n < balls.size(); ++n)
+      for (const int v : anew.vertices[static_cast<int>(n)]) RC_ASSERT(exact.is_in(balls[n], v) && has(balls[n], skinned[v]));
+  }
+}
+
+// What a certificate says of a node of a character made anew.
+CertifiedNode certified_node(const Character& c, int node) {
+  CertifiedNode of{"a deformed node", node, {}, {}, "", ""};
+  for (const int v : c.vertices[node])
+    of.vertices.push_back({v, c.mesh.vertices[static_cast<std::size_t>(v)], c.sets.of_vertex(v), c.sets.weights(v)});
+  for (int s = 0; s < c.sets.count(); ++s) of.joints.push_back(c.sets.joints(s));
+  return of;
+}
+
+// The balls of the default variants of a character made anew have proofs.
+void check_certificates() {
+  const auto plan = *gen::mesh_plan();
+  std::mt19937 random(plan.seed);
+  SkinnedMesh mesh = gen::make_mesh(plan);
+  gen::add_targets(mesh, random);
+  const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
+  const JointKind kind = *rc::gen::element(JointKind::uniform, JointKind::axes, JointKind::shear);
+  const Deformation deformation{gen::random_weights(mesh, random), gen::random_scales(mesh, kind, random)};
+  const Character c = deformed_character(bake(mesh, {}, {Pieces::mixed}), deformation);
+  const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.3), skinning);
+  const RefitVariant& variant = default_variant(skinning);
+  const int nodes = static_cast<int>(c.tree.nodes.size());
+  for (const int n : {0, nodes / 2, nodes - 1}) {
+    const RefitNode<double> node = c.refit_node(n, palette, variant.pieces);
+    const Ball3<double> ball = variant.refit(node);
+    if (!std::isfinite(ball.radius)) continue;
+    RC_ASSERT(!certificate(node, skinning, ball, certified_node(c, n)).empty());
+  }
+}
+
+// Two bodies, whose pairs are those of all pairs of skin()'s triangles.
+void check_collide() {
+  const auto plan = *gen::mesh_plan();
+  std::mt19937 random(plan.seed);
+  SkinnedMesh mesh = gen::make_mesh(plan);
+  gen::add_targets(mesh, random);
+  const Character c = bake(mesh, {.triangles_per_leaf = *rc::gen::element(1, 3)});
+  std::vector<const RefitVariant*> sound;
+  for (const RefitVariant& v : compared_variants())
+    if (v.sound) sound.push_back(&v);
+  const RefitVariant& variant = *sound[*rc::gen::inRange<std::size_t>(0, sound.size())];
+  Body bodies[] = {{c, variant, {.most_joint_sets = 2}}, {c, variant, {.children_first = true}}};
+  std::vector<Point3> skinned[2];
+  const auto kind = *rc::gen::element(JointKind::uniform, JointKind::axes, JointKind::shear, JointKind::mirrored);
+  for (int i = 0; i < 2; ++i) {
+    const AffinePose pose = gen::random_affine_pose(c.mesh, kind, random);
+    const std::vector<double> weights = gen::random_weights(c.mesh, random);
+    bodies[i].begin(pose, weights);
+    if (variant.skinning == Skinning::linear) {
+      skinned[i] = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose), variant.skinning, {weights, {}});
+    } else {
+      const auto [rigid, scales] = split(c.mesh, pose);
+      skinned[i] = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, rigid, variant.skinning), variant.skinning,
+                        {weights, scales});
+    }
+  }
+  const RigidTransform<double> placement{gen::random_rotation(random, 1), Point3(0.1, 0.2, 0.3)};
+  QueryCounts counts;
+  const auto found = oracle::sorted(collide({bodies[0]}, {bodies[1], placement}, Query::full, counts));
+  for (Point3& v : skinned[1]) v = apply(placement, v);
+  for (Point3& v : skinned[0]) v = apply(RigidTransform<double>{}, v);
+  const auto expected = oracle::all_pairs(c.mesh.triangles, skinned[0], c.mesh.triangles, skinned[1]);
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  RC_CLASSIFY(!expected.empty(), "touching");
+  RC_ASSERT(found == expected);
+}
+
+}  // namespace
+
+PROPTEST(deformed_reference) {
+  const std::map<std::string, double> tags = {{"morphed", 0.6}, {"uniform", 0.05}, {"axes", 0.05},     {"shear", 0.05},
+                                              {"flat", 0.05},   {"mixed", 0.05},   {"mirrored", 0.05}, {"extreme", 0.05}};
+  t.holds("no sound variant misses a vertex of affine joints, of scaled ones in two phases, or of morph targets",
+          {.number_type = "double against rational",
+           .cases = 1000,
+           .degenerate_at_least = 0.1,
+           .degenerate_at_most = 0.5,
+           .tags_at_least = tags},
+          check_variants);
+  t.holds("every deformed vertex is in the ball of a piece, exactly and in double",
+          {.number_type = "double against rational", .cases = 200, .degenerate_at_most = 0.5}, check_references);
+  t.holds("bounds for weights in intervals hold for every one of them",
+          {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_ranges);
+  t.holds("a character made anew is skinned to the last bit as the deformed one, and no sound variant misses it",
+          {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_deformed_character);
+  t.holds("a scale of all joints scales the balls by it, up to rounding", {.number_type = "double", .cases = 20}, [] {
+    const auto plan = *gen::mesh_plan();
+    std::mt19937 random(plan.seed);
+    const Character c = bake(gen::make_mesh(plan));
+    const double factor = *rc::gen::element(0.01, 0.5, 3.0);
+    AffinePose scales;
+    for (const Joint& j : c.mesh.joints) {
+      AffineMap<double> map = identity_map<double>();
+      for (auto& column : map.columns) column *= factor;
+      map.offset = Point3(0, 0, 0);
+      scales.push_back(map);
+      (void)j;
+    }
+    Pose pose = gen::random_pose(c.mesh, random, 0.3), scaled = pose;
+    for (auto& joint : scaled) joint.translation *= factor;
+    for (const RefitVariant& variant : refit_variants()) {
+      if (variant.skinning != Skinning::spherical) continue;
+      DeformedReference reference(c, variant.pieces);
+      reference.begin({{}, scales});
+      // The rotation centers are the images' least squares, about priors that do not scale.
+      SkinnedMesh mesh = c.mesh;
+      for (Joint& joint : mesh.joints) joint.origin *= factor;
+      const auto palette = make_skinning_palette(mesh, c.sets, scaled, variant.skinning);
+      const auto before = make_skinning_palette(c.mesh, c.sets, pose, variant.skinning);
+      for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
+        const double was = variant.refit(c.refit_node(n, before, variant.pieces)).radius,
+                     is = variant.refit(reference.refit_node(n, palette)).radius;
+        RC_ASSERT(is <= was * factor * 1.06 + 1e-9 && is >= was * factor * 0.94 - 1e-9);  // near-smallest balls are within 5 %
+      }
+    }
+  });
+  t.holds("the default variants' balls of a character made anew have certificates", {.number_type = "rational", .cases = 60},
+          check_certificates);
+  t.example("affine joints have no certificates", {}, [] {
+    const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}), {}, {});
+    std::mt19937 random(1);
+    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_affine_pose(c.mesh, JointKind::axes, random));
+    try {
+      certificate(c.refit_node(0, palette, Pieces::node), Skinning::linear, {{0, 0, 0}, 100}, certified_node(c, 0));
+      return false;
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+  });
+  t.holds("deformed bodies touch where all pairs of skinned triangles say so",
+          {.number_type = "double", .cases = 150, .tags_at_least = {{"touching", 0.3}}}, check_collide);
+  t.example("a character without the pieces is refused, and a palette of affine joints where skinning is not linear", {}, [] {
+    const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}), {}, {Pieces::mixed});
+    std::mt19937 random(1);
+    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_affine_pose(c.mesh, JointKind::axes, random));
+    const auto is_refused = [](const auto& work) {
+      try {
+        work();
+        return false;
+      } catch (const std::invalid_argument&) {
+        return true;
+      }
+    };
+    FrameRefits linear(c, refit_variant("linear_mixed")), spherical(c, refit_variant("control_mixed"));
+    linear.begin(palette);
+    return is_refused([&] { DeformedReference(c, Pieces::many); }) && is_refused([&] { spherical.begin(palette); }) &&
+           !is_refused([&] { DeformedReference(c, Pieces::mixed); });
+  });
+  t.example("a deformation that is the last one again keeps the balls, and another one does not", {}, [] {
+    SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 6, 6, 3, 1});
+    std::mt19937 random(3);
+    const Character c = bake(mesh);
+    const auto palette = make_skinning_palette(c.mesh, c.sets, reference_pose(c.mesh), Skinning::spherical);
+    DeformedReference reference(c, Pieces::mixed);
+    const Deformation one{{}, gen::random_scales(mesh, JointKind::axes, random)},
+        other{{}, gen::random_scales(mesh, JointKind::axes, random)};
+    const auto radius = [&](const Deformation& d) {
+      reference.begin(d);
+      return reference.refit_node(0, palette).reference.radius;
+    };
+    const double first = radius(one), again = radius(one), second = radius(other), third = radius(one);
+    return first == again && first == third && first != second && radius({}) == c.tree.nodes[0].reference.radius;
+  });
+}
+
+}  // namespace proptests::suite_deformed_reference
