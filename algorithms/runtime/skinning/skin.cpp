@@ -9,10 +9,13 @@ namespace refitlab {
 std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
                          Skinning skinning, const Deformation& deformation) {
   const DefaultFloatEnvironment environment;
-  std::vector<Point3> out = deformation.is_none() ? mesh.vertices : deformed_vertices(mesh, sets, deformation);
-  for (std::size_t i = 0; i < out.size(); ++i) {
+  std::vector<Point3> deformed, out;
+  if (!deformation.is_none()) deformed = deformed_vertices(mesh, sets, deformation);
+  const std::vector<Point3>& vertices = deformation.is_none() ? mesh.vertices : deformed;
+  out.reserve(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
     const int v = static_cast<int>(i);
-    out[i] = blend<double>(skinning, palette[sets.of_vertex(v)], sets.weights(v), out[i]);
+    out.push_back(blend<double>(skinning, palette[sets.of_vertex(v)], sets.weights(v), vertices[i]));
   }
   return out;
 }
