@@ -14,6 +14,7 @@
 #include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/program/baked_file.hpp"
+#include "algorithms/program/bound_json.hpp"
 #include "algorithms/program/clip_certificate.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/extras.hpp"
@@ -96,12 +97,7 @@ nlohmann::ordered_json json_of_parts(const ModelBounds& bounds, const std::vecto
   nlohmann::ordered_json out;
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     nlohmann::ordered_json part = {{"kind", name_of(bounds.parts[p].kind)}, {"index", bounds.parts[p].index}};
-    for (const auto* point : {&bounded[p].box.low, &bounded[p].box.high})
-      for (const float x : *point) part["box"].push_back(static_cast<double>(x));
-    for (const float x : bounded[p].ball.center) part["ball"].push_back(static_cast<double>(x));
-    part["ball"].push_back(static_cast<double>(bounded[p].ball.radius));
-    for (const Slab<float>& slab : bounded[p].slabs)
-      part["slabs"].push_back({static_cast<double>(slab.low), static_cast<double>(slab.high)});
+    part.update(json_of_bound<nlohmann::ordered_json>(bounded[p]));
     out.push_back(part);
   }
   return out;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algorithms/certificate/sha256.hpp"
+#include "algorithms/program/bound_json.hpp"
 
 namespace refitlab {
 namespace {
@@ -35,18 +36,10 @@ json list_of(const std::vector<ProvenInterval>& intervals) {
 }
 
 json json_of_proven(const BoundedPart& part, const PartIntervals& intervals) {
-  json box = json::array(), ball = json::array();
-  for (const auto* end : {&part.box.low, &part.box.high})
-    for (const float x : *end) box.push_back(static_cast<double>(x));
-  for (const float x : part.ball.center) ball.push_back(static_cast<double>(x));
-  ball.push_back(static_cast<double>(part.ball.radius));
-  json slabs = json::array();
-  for (const Slab<float>& slab : part.slabs) slabs.push_back({static_cast<double>(slab.low), static_cast<double>(slab.high)});
-  return {{"box", box},
-          {"ball", ball},
-          {"slabs", slabs},
-          {"box_intervals", list_of(intervals.box)},
-          {"ball_intervals", list_of(intervals.ball)}};
+  json out = json_of_bound<json>(part);
+  out["slabs"] = json_of_slabs<json>(part);
+  out["box_intervals"] = list_of(intervals.box), out["ball_intervals"] = list_of(intervals.ball);
+  return out;
 }
 
 }  // namespace
@@ -72,10 +65,9 @@ std::string clip_certificate(const Model& model, const ModelBounds& bounds, cons
     add(static_cast<int>(c), bounds.clips[c].duration, bounds.clips[c].parts, bounds.clips[c].intervals);
   const PartIntervals moment{{{0, 0, 0}}, {{0, 0, 0}}};
   add(-1, 0, bounds.rest, std::vector<PartIntervals>(bounds.parts.size(), moment));
-  json directions = json::array();
-  for (const SlabDirection& d : slab_directions(bounds.dop).subspan(3)) directions.push_back(d);
-  return json{{"version", 2},   {"skinning", "linear"}, {"file", sha256(baked)}, {"directions", directions},
-              {"parts", parts}, {"clips", clips}}
+  return json{{"version", 2},          {"skinning", "linear"},
+              {"file", sha256(baked)}, {"directions", json_of_directions<json>(bounds.dop)},
+              {"parts", parts},        {"clips", clips}}
              .dump() +
          "\n";
 }

@@ -4,7 +4,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
+#include "algorithms/program/bound_json.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/json_splice.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
@@ -16,23 +18,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr int extras_version = 1;
 
-// Numbers are floats, written with all the digits of a double: a reader of either kind reads just these.
-Json json_of(const BoundedPart& part) {
-  Json box = Json::array(), ball = Json::array();
-  for (const auto* weight_vertex : {&part.box.low, &part.box.high})
-    for (const float x : *weight_vertex) box.push_back(static_cast<double>(x));
-  for (const float x : part.ball.center) ball.push_back(static_cast<double>(x));
-  ball.push_back(static_cast<double>(part.ball.radius));
-  Json out = {{"box", box}, {"ball", ball}};
-  for (const Slab<float>& slab : part.slabs)
-    out["slabs"].push_back({static_cast<double>(slab.low), static_cast<double>(slab.high)});
-  return out;
-}
-
 Json header(const ModelBounds& bounds, double tolerance) {
   Json out = {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", tolerance}};
   if (!bounds.crossfades.empty()) out["rotations"] = bounds.rotations == RotationBlend::slerp ? "slerp" : "nlerp";
-  for (const SlabDirection& d : slab_directions(bounds.dop).subspan(3)) out["directions"].push_back(d);
+  if (Json directions = json_of_directions<Json>(bounds.dop); !directions.empty()) out["directions"] = std::move(directions);
   return out;
 }
 
@@ -42,7 +31,7 @@ Json json_of_parts(const Model& model, const ModelBounds& bounds, const std::vec
   Json out = Json::object();
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     const ModelPart& part = bounds.parts[p];
-    Json bound = json_of(bounded[p]);
+    Json bound = json_of_bound<Json>(bounded[p]);
     const auto with = [&](Json of) { return of.update(bound), of; };
     if (part.kind == PartKind::whole) out = bound;
     if (part.kind == PartKind::skin) skins.push_back(with({{"skin", part.index}}));
@@ -85,7 +74,7 @@ std::string with_extras(const std::string& json, const Model& model, const Model
   };
   const std::vector<BoundedPart> all = bounds_of_all(bounds);
   const auto json_of_part = [&](std::size_t p) {
-    Json json = json_of(all[p]);
+    Json json = json_of_bound<Json>(all[p]);
     if (!bounds.any_pose.empty()) {
       const AnyPoseBound& any = bounds.any_pose[p];
       json["any_pose"] = {{"node", model.skeleton.nodes[any.node].source},
@@ -107,7 +96,8 @@ std::string with_extras(const std::string& json, const Model& model, const Model
   }
   for (const auto& [key, bounds_of_nodes] : primitives)
     add({"meshes", static_cast<std::size_t>(key.first), "primitives", static_cast<std::size_t>(key.second)},
-        "mesh " + std::to_string(key.first) + ", primitive " + std::to_string(key.second), json_of(around(bounds_of_nodes)));
+        "mesh " + std::to_string(key.first) + ", primitive " + std::to_string(key.second),
+        json_of_bound<Json>(around(bounds_of_nodes)));
   for (std::size_t c = 0; c < bounds.clips.size(); ++c)
     add({"animations", c}, "animation " + std::to_string(c), json_of_clip(model, bounds, static_cast<int>(c)));
   return text;
