@@ -72,8 +72,7 @@ BakeCall parse(const po::variables_map& map) {
   if (call.with_nodes && !call.with_character)
     throw UsageError("--nodes are those of the character that --no-character leaves out");
   call.bounds.dop = map["dop"].as<int>();
-  if (std::find(dop_sizes.begin(), dop_sizes.end(), call.bounds.dop) == dop_sizes.end())
-    throw UsageError("--dop takes 6, 14, 18 or 26");
+  if (!is_dop_size(call.bounds.dop)) throw UsageError("--dop takes 6, 14, 18 or 26");
   const std::string purpose = map["for"].as<std::string>();
   if (purpose != "clip" && purpose != "crossfade" && purpose != "any")
     throw UsageError("--for " + purpose + ": there are clip, crossfade and any");

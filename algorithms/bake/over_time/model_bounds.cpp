@@ -187,8 +187,7 @@ std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
 
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   const DefaultFloatEnvironment environment;
-  if (std::find(dop_sizes.begin(), dop_sizes.end(), options.dop) == dop_sizes.end())
-    throw std::invalid_argument("bound_model: there are k-DOPs of 6, 14, 18 and 26 planes");
+  if (!is_dop_size(options.dop)) throw std::invalid_argument("bound_model: there are k-DOPs of 6, 14, 18 and 26 planes");
   const JointSets sets(model);
   ModelBounds out{.skinning = options.skinning,
                   .parts = parts_of(model, options.cluster_triangles),

@@ -5,6 +5,7 @@
 // They are integer vectors that are not normalised, so that all but the length of a direction is rational.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -51,6 +52,7 @@ S along(const Vec<S, 3>& x) {
 
 // The same of k at run time, which is one of dop_sizes.
 inline constexpr std::array<int, 4> dop_sizes = {6, 14, 18, 26};
+constexpr bool is_dop_size(int k) { return std::find(dop_sizes.begin(), dop_sizes.end(), k) != dop_sizes.end(); }
 inline std::span<const SlabDirection> slab_directions(int k) {
   static constexpr auto of_14 = slab_directions<14>();
   static constexpr auto of_18 = slab_directions<18>();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "algorithms/runtime/tree/binary.hpp"
@@ -13,9 +12,7 @@ constexpr std::string_view clusters_magic = "rfltimes";
 constexpr std::uint32_t clusters_version = 3;
 
 // Beyond the box; none for a k that there is not, which is refused later.
-std::size_t slab_count(const ClusterBounds& bounds) {
-  return std::find(dop_sizes.begin(), dop_sizes.end(), bounds.dop) == dop_sizes.end() ? 0 : bounds.dop / 2 - 3;
-}
+std::size_t slab_count(const ClusterBounds& bounds) { return is_dop_size(bounds.dop) ? bounds.dop / 2 - 3 : 0; }
 
 // The fields of all that is in a file, once for writing and once for reading.
 void transfer_members(auto& io, auto& list, const auto& transfer_member) {
@@ -79,8 +76,7 @@ ClusterBounds cluster_bounds_of(std::string_view bytes, const std::string& file)
   ClusterBounds out;
   transfer_clusters(in, out);
   in.end();
-  if (std::find(dop_sizes.begin(), dop_sizes.end(), out.dop) == dop_sizes.end())
-    throw ModelError(file, "k-DOPs", "there are none of " + std::to_string(out.dop) + " planes");
+  if (!is_dop_size(out.dop)) throw ModelError(file, "k-DOPs", "there are none of " + std::to_string(out.dop) + " planes");
   for (std::size_t c = 0; c < out.clusters.size(); ++c) {
     const std::string thing = "cluster " + std::to_string(c);
     if (out.clusters[c].primitive < 0 || out.clusters[c].primitive >= static_cast<int>(out.primitives.size()))
