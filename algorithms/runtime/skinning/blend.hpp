@@ -12,7 +12,8 @@ namespace refitlab {
 // Returns sum w_i C_{j_i} v, where w is by position in the joint-set.
 template <class S>
 Vec<S, 3> blend_linear(const PaletteEntry<S>& palette, std::span<const S> w, const Vec<S, 3>& v) {
-  if (!palette.maps.empty()) return linear_blend(palette.maps, w, v);
+  if (!palette.maps.empty()) [[unlikely]]
+    return linear_blend(palette.maps, w, v);
   Vec<S, 3> sum = apply(palette.transforms[0], v) * w[0];
   for (std::size_t i = 1; i < w.size(); ++i) sum = sum + apply(palette.transforms[i], v) * w[i];
   return sum;

@@ -12,10 +12,14 @@ std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const S
   std::vector<Point3> deformed, out;
   if (!deformation.is_none()) deformed = deformed_vertices(mesh, sets, deformation);
   const std::vector<Point3>& vertices = deformation.is_none() ? mesh.vertices : deformed;
+  // One entry a joint-set is made here, since making one a vertex would cost a quarter of linear skinning.
+  std::vector<PaletteEntry<double>> entries;
+  entries.reserve(palette.size());
+  for (std::size_t s = 0; s < palette.size(); ++s) entries.push_back(palette[s]);
   out.reserve(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const int v = static_cast<int>(i);
-    out.push_back(blend<double>(skinning, palette[sets.of_vertex(v)], sets.weights(v), vertices[i]));
+    out.push_back(blend<double>(skinning, entries[sets.of_vertex(v)], sets.weights(v), vertices[i]));
   }
   return out;
 }
