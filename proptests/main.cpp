@@ -8,7 +8,9 @@
 #include <random>
 #include <set>
 
+#include "algorithms/results/write_whole.hpp"
 #include "proptests/cases/case_file.hpp"
+#include "proptests/cases/pinned_inputs.hpp"
 #include "proptests/error_list.hpp"
 #include "proptests/session.hpp"
 #include "proptests/thrown.hpp"
@@ -40,13 +42,18 @@ int main(int argc, char** argv) try {
       "seed", po::value(&seed_text), "seed of the random cases, or 'random' for a fresh one (fixed unless given)")(
       "cases", po::value(&cases), "cases of every property, for a campaign as long as wanted")(
       "out", po::value(&out), "folder for verdicts.csv")("print-cases",
-                                                         "print proptests/cases/cases.json as Markdown, and nothing else");
+                                                         "print proptests/cases/cases.json as Markdown, and nothing else")(
+      "write-cases", "write what is pinned in proptests/counterexamples into proptests/cases/cases.json, and nothing else");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, options), map);
   po::notify(map);
   if (map.count("help")) return std::cout << options, 0;
   if (map.count("print-cases"))
     return std::cout << proptests::cases::as_markdown(proptests::cases::read_cases("proptests/cases/cases.json")), 0;
+  if (map.count("write-cases")) {
+    const std::string file = "proptests/cases/cases.json";
+    return refitlab::write_whole(file, proptests::cases::with_pinned_inputs(refitlab::read_whole(file))), 0;
+  }
   if (map.count("cases") && cases < 1) throw po::error("--cases must be positive");
   const std::uint64_t seed = parse_seed(seed_text);
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "algorithms/results/write_whole.hpp"
+#include "proptests/cases/pinned_inputs.hpp"
 #include "proptests/cases/statements.hpp"
 #include "proptests/harness.hpp"
 
@@ -224,6 +225,12 @@ PROPTEST(cases) {
   const Options options{.number_type = "rational and interval"};
   t.example("every case of the file has its expected verdict, exactly, and intervals never contradict it", options,
             [] { return check_all(all_cases()); });
+  t.example("each pinned counterexample is a case of the file, which --write-cases leaves as it is", {.number_type = "rational"},
+            [] {
+              const std::string text = read_whole(file);
+              return Checked(with_pinned_inputs(text) == text, static_cast<long>(pinned_inputs().size()),
+                             "proptests --write-cases changes it");
+            });
   t.example("every claim has a case, and every form of a statement has one that meets its hypotheses", {}, check_coverage);
   t.example("the cases to be spoiled are good, and a wrong expectation is noticed", options, [] {
     std::string wrong = lemma_case;

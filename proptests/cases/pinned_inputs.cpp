@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each pinned counterexample and the case of the file that is its twin hold the same numbers.
-#include "proptests/cases/case_file.hpp"
+#include "proptests/cases/pinned_inputs.hpp"
+
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/counterexamples/lemma1_cap_definitions.hpp"
 #include "proptests/counterexamples/lemma2_normalization.hpp"
@@ -18,16 +18,11 @@
 #include "proptests/counterexamples/t3_min_dot_distance.hpp"
 #include "proptests/counterexamples/t3_one_cap.hpp"
 #include "proptests/counterexamples/t3_smallest_ball_smallest_cap.hpp"
-#include "proptests/harness.hpp"
 
-namespace proptests::suite_case_twins {
+namespace proptests::cases {
 namespace {
 
 using namespace refitlab;
-using cases::Case;
-using cases::Json;
-
-// --- What is pinned, as it would stand in the file ---
 
 Json json(const Rational& x) { return as_text(x); }
 template <int D>
@@ -73,12 +68,7 @@ Json json(const gen::SetCase& s) {
           {"bounds", json(s.weights.bounds)}};
 }
 
-struct Twin {
-  std::string name;  // of the case
-  Json fields;       // those of its inputs that are pinned
-};
-
-void add_lemmas(std::vector<Twin>& out) {
+void add_lemmas(std::vector<PinnedInputs>& out) {
   {
     using namespace lemma1;
     const auto add = [&](const std::string& name, const Circle& s, const HalfPlane& h) {
@@ -160,7 +150,7 @@ void add_lemmas(std::vector<Twin>& out) {
   }
 }
 
-void add_section_4(std::vector<Twin>& out) {
+void add_section_4(std::vector<PinnedInputs>& out) {
   {
     using namespace s41;
     for (const std::string form : {"printed", "repaired"}) {
@@ -262,7 +252,7 @@ void add_section_4(std::vector<Twin>& out) {
   }
 }
 
-void add_beyond(std::vector<Twin>& out) {
+void add_beyond(std::vector<PinnedInputs>& out) {
   {
     using namespace t3_dot;
     const auto add = [&](const char* name, const t3_dot::Case& c) {
@@ -312,30 +302,40 @@ void add_beyond(std::vector<Twin>& out) {
   }
 }
 
-Checked check_twins() {
-  std::vector<Twin> twins;
-  add_lemmas(twins);
-  add_section_4(twins);
-  add_beyond(twins);
-  std::string wrong;
-  const auto all = cases::read_cases("proptests/cases/cases.json");
-  for (const Twin& twin : twins) {
-    const Case* found = nullptr;
-    for (const Case& c : all)
-      if (c.name == twin.name) found = &c;
-    if (!found) wrong += "no case '" + twin.name + "'; ";
-    for (const auto& [field, value] : twin.fields.items())
-      if (found && (!found->inputs.contains(field) || found->inputs[field] != value))
-        wrong += "'" + twin.name + "' has another " + field + " than " + value.dump() + "; ";
+// Objects have a line a field, and so have lists of them. Lists of numbers have one line.
+std::string laid_out(const Json& value, const std::string& indent) {
+  const bool is_list = value.is_array() && !value.empty() && value.front().is_structured();
+  if (!value.is_object() && !is_list) {
+    std::string line;
+    for (const char c : value.dump()) line += c == ',' && value.is_array() ? ", " : std::string(1, c);
+    return line;
   }
-  return Checked(wrong.empty(), static_cast<long>(twins.size()), wrong);
+  std::string out;
+  for (const auto& [name, element] : value.items())
+    out += (out.empty() ? "\n " : ",\n ") + indent + (is_list ? "" : Json(name).dump() + ": ") + laid_out(element, indent + " ");
+  return (is_list ? "[" : "{") + out + "\n" + indent + (is_list ? "]" : "}");
 }
 
 }  // namespace
 
-PROPTEST(cases) {
-  t.example("each pinned counterexample has its twin in the file, with the same numbers", {.number_type = "rational"},
-            check_twins);
+std::vector<PinnedInputs> pinned_inputs() {
+  std::vector<PinnedInputs> out;
+  add_lemmas(out);
+  add_section_4(out);
+  add_beyond(out);
+  return out;
 }
 
-}  // namespace proptests::suite_case_twins
+std::string with_pinned_inputs(const std::string& text) {
+  Json file = Json::parse(text);
+  for (const auto& [name, fields] : pinned_inputs()) {
+    Json* found = nullptr;
+    for (Json& c : file.at("cases"))
+      if (c.at("name") == name) found = &c;
+    if (!found) throw CaseError("no case is named '" + name + "', after a counterexample that is pinned");
+    (*found)["inputs"].update(fields);
+  }
+  return laid_out(file, "") + "\n";
+}
+
+}  // namespace proptests::cases
