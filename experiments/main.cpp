@@ -7,6 +7,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/catalogue/catalogue.hpp"
+#include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
@@ -42,6 +43,7 @@ struct ModelResults {
   std::vector<OverTimeResult> over_time;
   std::vector<CrossfadesResult> crossfades;
   std::vector<EngineResult> engines;
+  std::vector<DeformationResult> deformations;
 };
 
 // The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
@@ -116,6 +118,13 @@ void run_engines_on(const std::vector<Model>& models, const Options& options, Un
   if (!models.empty()) draw_engine_boxes(models[0], pictures);
 }
 
+void run_deformations_on(const std::vector<Model>& models, const Options& options, Units& run, ModelResults& results) {
+  if (!options.wants("deformations")) return;
+  for (const Model& model : models)
+    results.deformations.push_back(resumed_or(run, "deformations of " + model.name, options.deformations, identify(model),
+                                              [&] { return run_deformations(model, options.deformations); }));
+}
+
 // Each file once all of its rows are there: until then the one of the last whole run stays.
 void write_results_by_model(const Options& options, const ModelResults& results, RunFile& result) {
   if (options.wants("tightness")) write_tightness(results.tightness, result("tightness.csv"));
@@ -131,6 +140,12 @@ void write_results_by_model(const Options& options, const ModelResults& results,
     write_crossfades(results.crossfades, result("crossfades.csv"));
   }
   if (options.wants("engines")) write_engines(results.engines, result("engines.csv"));
+  if (options.wants("deformations")) write_deformations(results.deformations, result("deformations.csv"));
+}
+
+// Of deformations alone, a model of one's own is what its file says; the others take rigid ones only.
+Model load_own(const std::string& file, const Options& options) {
+  return options.only == std::vector<std::string>{"deformations"} ? load_deforming(file) : load_named(file);
 }
 
 // What has nothing to do with a model.
@@ -160,13 +175,14 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
 // On one's own models what has nothing to do with a model runs only if it is asked for.
 bool runs_without_model(const Options& options) { return options.files.empty() || !options.only.empty(); }
 
-// How often resumed_or will be called; of collisions with the first model only, once.
-std::size_t unit_count(const Options& options, std::size_t models) {
+// How often resumed_or will be called; of collisions with the first model only, once. deforming: of the models, those for deformations
+// alone.
+std::size_t unit_count(const Options& options, std::size_t models, std::size_t deforming) {
   const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
                       count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models) +
-                      count("engines", models);
+                      count("engines", models) + count("deformations", models + deforming);
   if (runs_without_model(options))
     units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;
@@ -197,20 +213,26 @@ int main(int argc, char** argv) try {
   DefaultModels models;
   const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") ||
                             options.wants("rounding") || options.wants("collisions") || options.wants("over_time") ||
-                            options.wants("engines");
+                            options.wants("engines") || options.wants("deformations");
   if (options.files.empty() && wants_models) models = default_models(options.models);
   else
-    for (const auto& file : options.files) models.models.push_back(load_named(file));
+    for (const auto& file : options.files) models.models.push_back(load_own(file, options));
+  // Which no other experiment takes.
+  DeformingModels deforming;
+  if (options.files.empty() && options.wants("deformations")) deforming = deforming_models(options.models);
+  append(models.absent, deforming.absent);
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
   const RunFolder folder(options.out + "/units", options.anew);
-  Units run(folder, unit_count(options, models.models.size()));
+  Units run(folder, unit_count(options, models.models.size(), deforming.models.size()));
   RunFile result(options);
   write_catalogue(options, models, result);
   PictureTable pictures(options.out + "/report/pictures");
   ModelResults results;
   run_over_time_on(models.models, options, run, pictures, results);
   run_engines_on(models.models, options, run, pictures, results);
+  run_deformations_on(models.models, options, run, results);
+  run_deformations_on(deforming.models, options, run, results);
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);

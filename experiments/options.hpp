@@ -8,6 +8,7 @@
 
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
 #include "experiments/growth/triangles.hpp"
 #include "experiments/over_time/crossfades.hpp"
@@ -37,6 +38,7 @@ struct Options {
   CrossfadeSettings crossfades{.times = 9, .weights = 5, .clips = 2, .cluster_triangles = 512};
   OverTimeGrowthSettings over_time_growth;
   EngineSettings engines{.speed = speed};
+  DeformationSettings deformations{.speed = speed};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }
