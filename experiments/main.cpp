@@ -143,9 +143,25 @@ void write_results_by_model(const Options& options, const ModelResults& results,
   if (options.wants("deformations")) write_deformations(results.deformations, result("deformations.csv"));
 }
 
-// Of deformations alone, a model of one's own is what its file says; the others take rigid ones only.
-Model load_own(const std::string& file, const Options& options) {
-  return options.only == std::vector<std::string>{"deformations"} ? load_deforming(file) : load_named(file);
+// The models of a run. No experiment but that on deformations takes those that deform.
+struct RunModels {
+  DefaultModels rigid;
+  std::vector<Model> deforming;
+};
+
+RunModels load_models(const Options& options) {
+  RunModels out;
+  const bool is_of_deformations = options.only == std::vector<std::string>{"deformations"};
+  for (const std::string& file : options.files)
+    if (is_of_deformations) out.deforming.push_back(load_deforming(file));
+    else out.rigid.models.push_back(load_named(file));
+  if (!options.files.empty()) return out;
+  if (options.wants_models()) out.rigid = default_models(options.models);
+  if (!options.wants("deformations")) return out;
+  DeformingModels deforming = deforming_models(options.models);
+  out.deforming = std::move(deforming.models);
+  append(out.rigid.absent, deforming.absent);
+  return out;
 }
 
 // What has nothing to do with a model.
@@ -210,21 +226,11 @@ int main(int argc, char** argv) try {
     return 0;
   }
 
-  DefaultModels models;
-  const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") ||
-                            options.wants("rounding") || options.wants("collisions") || options.wants("over_time") ||
-                            options.wants("engines") || options.wants("deformations");
-  if (options.files.empty() && wants_models) models = default_models(options.models);
-  else
-    for (const auto& file : options.files) models.models.push_back(load_own(file, options));
-  // Which no other experiment takes.
-  DeformingModels deforming;
-  if (options.files.empty() && options.wants("deformations")) deforming = deforming_models(options.models);
-  append(models.absent, deforming.absent);
+  auto [models, deforming] = load_models(options);
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
   const RunFolder folder(options.out + "/units", options.anew);
-  Units run(folder, unit_count(options, models.models.size(), deforming.models.size()));
+  Units run(folder, unit_count(options, models.models.size(), deforming.size()));
   RunFile result(options);
   write_catalogue(options, models, result);
   PictureTable pictures(options.out + "/report/pictures");
@@ -232,12 +238,12 @@ int main(int argc, char** argv) try {
   run_over_time_on(models.models, options, run, pictures, results);
   run_engines_on(models.models, options, run, pictures, results);
   run_deformations_on(models.models, options, run, results);
-  run_deformations_on(deforming.models, options, run, results);
+  run_deformations_on(deforming, options, run, results);
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);
   pictures.write(std::ref(result));
-  if (!models.models.empty()) write_results_by_model(options, results, result);
+  if (!models.models.empty() || !deforming.empty()) write_results_by_model(options, results, result);
   if (runs_without_model(options)) run_without_model(options, run, result);
   result.write();
   std::cout << "results: " << options.out << "/results\n";

@@ -41,6 +41,12 @@ struct Options {
   DeformationSettings deformations{.speed = speed};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
+  // Whether an experiment is wanted that has something to do with a model.
+  bool wants_models() const {
+    for (const char* name : {"tightness", "speed", "volumes", "rounding", "collisions", "over_time", "engines", "deformations"})
+      if (wants(name)) return true;
+    return false;
+  }
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }
 };
 

@@ -13,8 +13,8 @@ VARIANTS = {"linear_mixed": "linear, default", "control_mixed": "spherical, defa
 DEFAULTS = ("linear_mixed", "control_mixed", "dual_quaternion_mixed")
 GOALS = {"default": 1.12, "tightest": 1.05}
 # Of reduced deformations: (variant, balls of displacements) and what it is.
-REDUCED = {("reference_balls", "bd_tree"): "BD-tree", ("reference_balls", "smallest"): "smallest balls of displacements", ("control_mixed", "smallest"): "its pieces, default",
-           ("control_many_pieces", "smallest"): "its pieces, many"}
+REDUCED = {("reference_balls", "bd_tree"): "BD-tree", ("reference_balls", "smallest"): "smallest balls of displacements", ("control_mixed", "smallest"): "pieces, default",
+           ("control_many_pieces", "smallest"): "pieces, many"}
 SKINNED = {("spherical_repaired", "bd_tree"): "BD-tree, then Algorithm 1 repaired", ("spherical_repaired", "smallest"): "smallest balls, then Algorithm 1 repaired",
            ("control_miniball", "bd_tree"): "BD-tree, then a control hull", ("control_miniball", "smallest"): "smallest balls, then a control hull",
            ("control_mixed", "smallest"): "pieces, default", ("control_many_pieces", "smallest"): "pieces, many"}
@@ -122,5 +122,5 @@ def section(results, page):
     facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("vertices", "joints", "targets")}} for m in models_of(results, "own")]
     tables = [table for kind in REDUCED_KINDS if (table := reduced_table(results, kind))]
     return {"rows": rows, "variants": VARIANTS, "goals": goals(results), "costs": costs(results), "facts": facts, "reduced": tables, "skinnings": SKINNINGS,
-            "misses": misses(results), "balls": balls(results), "plot": plot(results, first),
+            "misses": misses(results), "balls": balls(results), "tolerance": results.constant("miss_tolerance"), "plot": plot(results, first),
             "reduced_plot": reduced_plot(results, tables[0]["models"][0]) if tables else None}
