@@ -6,10 +6,10 @@ from .plots import Line, Plot
 from .statistics import mean
 
 # By kind, in the order of tables. own: as the model's own clips have it.
-KINDS = {"rigid": "rigid", "scaled": "scaled", "scaled_along_axes": "scaled along axes", "morphed": "morphed", "both": "both", "own": "as its file or clips have it"}
+KINDS = {"rigid": "rigid", "scaled": "scaled", "scaled_along_axes": "scaled along axes", "morphed": "morphed", "both": "both", "own": "its own"}
 MADE_UP = ("scaled", "scaled_along_axes", "morphed", "both")
-VARIANTS = {"linear_mixed": "linear, default", "control_mixed": "spherical, default", "dual_quaternion_mixed": "dual quaternion, default",
-            "control_many_pieces": "spherical, many pieces", "spherical_repaired": "spherical, Algorithm 1 repaired"}
+VARIANTS = {"linear_mixed": "linear, default", "control_mixed": "spherical, default", "dual_quaternion_mixed": "dual quat., default",
+            "control_many_pieces": "spherical, many pieces", "spherical_repaired": "Algorithm 1 repaired"}
 DEFAULTS = ("linear_mixed", "control_mixed", "dual_quaternion_mixed")
 GOALS = {"default": 1.12, "tightest": 1.05}
 # Of reduced deformations: (variant, balls of displacements) and what it is.
