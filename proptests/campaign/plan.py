@@ -4,7 +4,7 @@ import hashlib
 import json
 
 FIRST_SEED = 2006
-MUTANTS_OF_SHARD = 8
+MUTANTS_OF_SHARD = 24
 
 
 class PlanError(Exception):
