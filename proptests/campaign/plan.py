@@ -18,7 +18,7 @@ def digest_of(path):
 def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs):
     """The plan, as it is kept beside the results: what another plan has found is not mixed with it.
 
-    programs: the digests of what runs, by name."""
+    mutants: their positions in the sample. programs: the digests of what runs, by name."""
     chosen = [s for s in suites if not only or any(text in s for text in only)] if seeds else []
     if seeds and not chosen:
         raise PlanError("no suite's stem contains what --only names; proptests/run --list lists them")
@@ -26,8 +26,8 @@ def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs
               for seed in range(FIRST_SEED, FIRST_SEED + seeds) for suite in chosen]
     shards += [{"name": f"fuzz.{target}.{seed}", "kind": "fuzz", "of": target, "seed": seed}
                for seed in range(FIRST_SEED, FIRST_SEED + seeds) for target in targets]
-    shards += [{"name": f"mutants.{first:05d}", "kind": "mutants", "of": [first, min(first + MUTANTS_OF_SHARD, mutants)], "seed": 0}
-               for first in range(0, mutants, MUTANTS_OF_SHARD)]
+    shards += [{"name": f"mutants.{first:05d}", "kind": "mutants", "of": mutants[first:first + MUTANTS_OF_SHARD], "seed": 0}
+               for first in range(0, len(mutants), MUTANTS_OF_SHARD)]
     return {"cases": cases, "fuzz_seconds": fuzz_seconds, "programs": programs, "shards": shards}
 
 

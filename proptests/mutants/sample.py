@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A sample of the mutants by rule, spread evenly over lemmas, algorithms and the checkers of certificates, and their verdicts."""
-import csv
 import functools
 
 import operators
@@ -34,15 +33,23 @@ def reach():
     return Reach(ROOT)
 
 
-@functools.cache
-def equivalents():
-    """By file, line and mutant: why no test can see the difference."""
-    with open(ROOT / "proptests/mutants/equivalent.csv", newline="") as file:
-        return {(row["file"], row["line"], row["mutant"]): row["reason"] for row in csv.DictReader(file)}
+def positions_of(rows):
+    """Of the mutants of these rows among all. Raises ValueError for a row that is none of them."""
+    files, at = {row["file"] for row in rows}, {}
+    for i, m in enumerate(all_mutants()):
+        if m.file in files:
+            at.setdefault((m.file, m.rule, *m.lines((ROOT / m.file).read_text())), []).append(i)
+    found = []
+    for row in rows:
+        same = at.get((row["file"], row["rule"], row["line"], row["mutant"]))
+        if not same:
+            raise ValueError(f"no rule makes '{row['mutant']}' of {row['file']}, whose text may have changed")
+        found.append(same.pop(0) if len(same) > 1 else same[0])  # a line may stand twice
+    return sorted(found)
 
 
 def verdict_of(copy, mutant):
-    """A row of COLUMNS: killed, not built, alive, or equivalent by the list."""
+    """A row of COLUMNS: killed, not built, or alive."""
     text = (ROOT / mutant.file).read_text()
     line, changed = mutant.lines(text)
     stems = [stem for _, stem in reach().suites(mutant.file)][:SUITES_AT_MOST]
@@ -55,5 +62,4 @@ def verdict_of(copy, mutant):
                 return {**row, "verdict": "not built"}
             if killer := copy.first_failure(program, TIME_LIMIT):
                 return {**row, "verdict": "killed", "by": killer}
-    reason = equivalents().get((mutant.file, line, changed))
-    return {**row, "verdict": "equivalent", "by": reason} if reason else row
+    return row
