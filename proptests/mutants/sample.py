@@ -55,7 +55,10 @@ def verdict_of(copy, mutant):
     stems = [stem for _, stem in reach().suites(mutant.file)][:SUITES_AT_MOST]
     row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": "", "suites": " ".join(stems)}
     for group, is_whole in ((stems[:SUITES_AT_FIRST], False), (stems, True)):
-        copy.link(group, 1)
+        # What an earlier mutant left to be made again is made of the sources as they are.
+        program, output = copy.build(group, 1)
+        if not program:
+            raise RuntimeError(f"the unchanged sources do not build: {output}")
         with copy.planted(mutant.file, mutant.applied_to(text)):
             program, output = copy.build(group, 1, None if is_whole else mutant.file)
             if not program:
