@@ -16,6 +16,9 @@
 //
 // algorithms/runtime/refit/control_hull.hpp halves where (q_1, q_2) is at most half of the product of their lengths. Boxes that have both kinds of pairs
 // are proved with and without the halving. Once halved, two joints are at most a quarter turn apart.
+//
+// For joints half a turn apart and all weights K = sqrt(17) / 4 = 1.0307764 is needed: the half circle has the control points (1, 0), (1, 1/2), (2/3, 1), (0, 1) and
+// so on, and the smallest ball of these has its center at (0, 1/4).
 #include "lemmas/b2_control_hull_encloses.hpp"
 
 #include <algorithm>
@@ -112,8 +115,8 @@ std::vector<Theorem> theorems_of_control_hulls() {
            control_points_are_in_ball_over_ends},
           {"b2_control_hull_encloses.two",
            "For two joints up to half a turn apart with a least-squares rotation center, every interval of weights, every screw "
-           "and every vertex: the ball around the control "
-           "points, halved where algorithms/runtime/refit/control_hull.hpp halves, has at most K times the radius of the "
+           "and every vertex: the smallest ball of the "
+           "control points, halved where algorithms/runtime/refit/control_hull.hpp halves, has at most K times the radius of the "
            "smallest ball of all places of the vertex.",
            {{"y1", -1, 1}, {"d", 0.125, 2}},
            1.0625,

@@ -73,7 +73,7 @@ int run(int argc, char** argv) {
       "list", "prints the theorems: names, the least constants that are known to be needed, statements")(
       "prove", po::value<std::string>(), "the theorem's name")("real", "with the constant of a real run, not of a small one")(
       "constant", po::value<double>(), "with another constant")(
-      "shard", po::value<std::string>(), "I/N: only the I-th of N parts, counted from 0, for proptests/exhaustive/merge.py")(
+      "shard", po::value<std::string>(), "I/N: only the I-th of N parts, counted from 0, for proptests/exhaustive/parts.py")(
       "out", po::value<std::string>(), "the certificate's file");
   po::variables_map given;
   po::store(po::parse_command_line(argc, argv, options), given);
