@@ -106,7 +106,8 @@ S squared_deviation_share(std::span<const S> u, std::span<const S> cosines, cons
 template <class S>
 S deviation_share_of_pairs(std::span<const S> u, std::span<const S> versines, const S& a) {
   std::vector<S> behind(u.size(), S(0));  // (1 - g_k) / a
-  S lost(0), sum(0);                      // (1 - D) / (2 a)
+  S lost(0), squared_blend(0), sum(0);    // (1 - D) / (2 a), and D
+  for (const S& w : u) squared_blend = squared_blend + sq(w);
   std::size_t pair = 0;
   for (std::size_t k = 0; k < u.size(); ++k)
     for (std::size_t l = k + 1; l < u.size(); ++l) {
@@ -114,6 +115,7 @@ S deviation_share_of_pairs(std::span<const S> u, std::span<const S> versines, co
       behind[k] = behind[k] + u[l] * versine;
       behind[l] = behind[l] + u[k] * versine;
       lost = lost + u[k] * u[l] * versine;
+      squared_blend = squared_blend + S(2) * u[k] * u[l] * (S(1) - a * versine);
     }
   pair = 0;
   for (std::size_t k = 0; k < u.size(); ++k)
@@ -121,7 +123,8 @@ S deviation_share_of_pairs(std::span<const S> u, std::span<const S> versines, co
       const S& versine = versines[pair++];
       sum = sum + sq(S(u[k] * u[l])) * (a * sq(S(behind[k] - behind[l])) + versine * (S(2) - a * versine));
     }
-  return sum / sq(S(S(1) - S(2) * a * lost));
+  // Both are D. Intervals bound the one better from below where rotations are close, the other where they are far apart.
+  return sum / sq(max_of(S(S(1) - S(2) * a * lost), squared_blend));
 }
 
 // The blend that carries a point by dual quaternions.

@@ -22,6 +22,7 @@
 #include "lemmas/b2_control_hull_encloses.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "lemmas/b3_subdivision.hpp"
 #include "proptests/exhaustive/theorems.hpp"
@@ -49,17 +50,29 @@ Places halved_places(const SphericalBlend<Interval>& blend) {
   return out;
 }
 
-// All places are within k times half of the ends' distance from their middle, or from the point that is off by this share of half of the
-// distance, to the side to which the motion bends.
-Judgement are_within(const Places& places, const Vec<Interval, 3>& first, const Vec<Interval, 3>& last, const Interval& k,
-                     const Interval& offset) {
-  const Vec<Interval, 3> half = (last - first) / Interval(2), middle = (first + last) / Interval(2);
+// The ends of the true motion: what the blend itself makes of the vertex.
+struct Ends {
+  Vec<Interval, 3> first, last;
+};
+
+Vec<Interval, 3> place_at(const SphericalBlend<Interval>& blend, const std::array<Interval, 2>& u) {
+  const ScaledPoint<Interval> at = blend.at(u);
+  return at.numerator / at.denominator;
+}
+
+Ends ends_of(const SphericalBlend<Interval>& blend) {
+  return {place_at(blend, {Interval(1), Interval(0)}), place_at(blend, {Interval(0), Interval(1)})};
+}
+
+// All places are within k times half of the ends' distance from the point that is off their middle by this share of half of the distance, to
+// the side to which the motion bends. The first and the last place are the ends, whose squared distance is 1 + offset^2 times that of the middle.
+Judgement are_within(const Places& places, const Ends& ends, const Interval& k, const Interval& offset) {
+  const Vec<Interval, 3> half = (ends.last - ends.first) / Interval(2), middle = (ends.first + ends.last) / Interval(2);
   const Vec<Interval, 3> center{middle[0] + half[1] * offset, middle[1] - half[0] * offset, middle[2]};
   const Interval allowed = sq(k) * squared_norm(half);
-  Judgement worst{Outcome::proved, 0};
-  for (const auto& place : places) {
-    if (&place == &places.front() || &place == &places.back()) continue;
-    const Judgement found = at_most(squared_distance<Interval, 3>(place, center), allowed);
+  Judgement worst = at_most(Interval(1) + sq(offset), sq(k));
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+    const Judgement found = at_most(squared_distance<Interval, 3>(places[i], center), allowed);
     if (found.outcome == Outcome::open) worst.outcome = Outcome::open;
     worst.excess = std::max(worst.excess, found.excess);
     worst.refuted = worst.refuted || found.refuted;
@@ -70,15 +83,15 @@ Judgement are_within(const Places& places, const Vec<Interval, 3>& first, const 
 Judgement control_points_are_in_ball_over_ends(std::span<const Interval> at, const Interval& k) {
   const Interval y2 = at[0] + at[1];
   if (fails(less_equal(y2, Interval(0.5625)))) return outside();
-  const Places places = places_of(blend_of(at[0], y2));
-  return are_within(places, places.front(), places.back(), k, Interval(0));
+  const SphericalBlend<Interval> blend = blend_of(at[0], y2);
+  return are_within(places_of(blend), ends_of(blend), k, Interval(0));
 }
 
 // The best of some balls, whose centers are off to the side by a few sixteenths of half of the distance.
-Judgement are_within_some(const Places& places, const Interval& k) {
-  Judgement best = are_within(places, places.front(), places.back(), k, Interval(0));
+Judgement are_within_some(const Places& places, const Ends& ends, const Interval& k) {
+  Judgement best = are_within(places, ends, k, Interval(0));
   for (int sixteenths = 1; sixteenths <= 4 && best.outcome == Outcome::open; ++sixteenths) {
-    const Judgement found = are_within(places, places.front(), places.back(), k, Interval(sixteenths / 16.0));
+    const Judgement found = are_within(places, ends, k, Interval(sixteenths / 16.0));
     if (!(best.excess <= found.excess)) best = found;
   }
   best.refuted = false;  // by another ball, perhaps not
@@ -91,10 +104,11 @@ Judgement control_hull_is_tight(std::span<const Interval> at, const Interval& k)
   const SphericalBlend<Interval> blend = blend_of(at[0], y2);
   const Interval lengths = squared_norm(blend.rotations[0]) * squared_norm(blend.rotations[1]);
   const Verdict is_near = less(lengths, Interval(Interval(4) * sq(dot(blend.rotations[0], blend.rotations[1]))));
+  const Ends ends = ends_of(blend);
   Judgement out{Outcome::proved, 0};
-  if (!fails(is_near)) out = are_within_some(places_of(blend), k);
+  if (!fails(is_near)) out = are_within_some(places_of(blend), ends, k);
   if (!holds(is_near)) {
-    const Judgement halved = are_within_some(halved_places(blend), k);
+    const Judgement halved = are_within_some(halved_places(blend), ends, k);
     if (halved.outcome == Outcome::open) out.outcome = Outcome::open;
     out.excess = std::max(out.excess, halved.excess);
   }

@@ -25,7 +25,7 @@
 
 #include <array>
 
-#include "lemmas/b2_control_hull_encloses.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/exhaustive/theorems.hpp"
 
 namespace proptests::exhaustive {
@@ -43,8 +43,11 @@ Judgement two_joints_are_tight(std::span<const Interval> at, const Interval& k) 
   const Quaternion<Interval> sum = units[0] + units[1];
   const Interval apart = norm<Interval, 3>(blend.center_images[1] - blend.center_images[0]);
   const Interval diameter = Interval(2) * rotated_ball(bound_rotations<Interval>(units, sum), blend.x).radius + apart;
-  const auto places = positions<Interval>({blend.control_point({0, 0, 0}), blend.control_point({1, 1, 1})});
-  return at_most(sq(diameter), sq(k) * squared_distance<Interval, 3>(places[0], places[1]));
+  const auto place_at = [&](const std::array<Interval, 2>& u) {
+    const ScaledPoint<Interval> place = blend.at(u);
+    return Vec<Interval, 3>(place.numerator / place.denominator);
+  };
+  return at_most(sq(diameter), sq(k) * squared_distance<Interval, 3>(place_at({one, zero}), place_at({zero, one})));
 }
 
 Judgement two_joints_are_held(std::span<const Interval> at, const Interval& k) {
