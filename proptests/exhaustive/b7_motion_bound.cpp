@@ -81,7 +81,7 @@ std::vector<Theorem> theorems_of_motion_bound() {
            "points f.",
            {a, y13, {"y14", 0, 1}, y23, {"y24", 0, 1}, {"y34", 0, 1}, {"r", 0, 1}, s, {"t", 0, 0.5}},
            0.75,
-           0.5,
+           0.4375,
            0.375,
            [](std::span<const Interval> at, const Interval& k) { return at_most(share_of_four(at), k); }}};
 }
