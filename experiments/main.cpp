@@ -7,6 +7,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/catalogue/catalogue.hpp"
+#include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
@@ -42,6 +43,7 @@ struct ModelResults {
   std::vector<OverTimeResult> over_time;
   std::vector<CrossfadesResult> crossfades;
   std::vector<EngineResult> engines;
+  std::vector<DeformationResult> deformations;
 };
 
 // The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
@@ -116,6 +118,13 @@ void run_engines_on(const std::vector<Model>& models, const Options& options, Un
   if (!models.empty()) draw_engine_boxes(models[0], pictures);
 }
 
+void run_deformations_on(const std::vector<Model>& models, const Options& options, Units& run, ModelResults& results) {
+  if (!options.wants("deformations")) return;
+  for (const Model& model : models)
+    results.deformations.push_back(resumed_or(run, "deformations of " + model.name, options.deformations, identify(model),
+                                              [&] { return run_deformations(model, options.deformations); }));
+}
+
 // Each file once all of its rows are there: until then the one of the last whole run stays.
 void write_results_by_model(const Options& options, const ModelResults& results, RunFile& result) {
   if (options.wants("tightness")) write_tightness(results.tightness, result("tightness.csv"));
@@ -131,6 +140,28 @@ void write_results_by_model(const Options& options, const ModelResults& results,
     write_crossfades(results.crossfades, result("crossfades.csv"));
   }
   if (options.wants("engines")) write_engines(results.engines, result("engines.csv"));
+  if (options.wants("deformations")) write_deformations(results.deformations, result("deformations.csv"));
+}
+
+// The models of a run. No experiment but that on deformations takes those that deform.
+struct RunModels {
+  DefaultModels rigid;
+  std::vector<Model> deforming;
+};
+
+RunModels load_models(const Options& options) {
+  RunModels out;
+  const bool is_of_deformations = options.only == std::vector<std::string>{"deformations"};
+  for (const std::string& file : options.files)
+    if (is_of_deformations) out.deforming.push_back(load_deforming(file));
+    else out.rigid.models.push_back(load_named(file));
+  if (!options.files.empty()) return out;
+  if (options.wants_models()) out.rigid = default_models(options.models);
+  if (!options.wants("deformations")) return out;
+  DeformingModels deforming = deforming_models(options.models);
+  out.deforming = std::move(deforming.models);
+  append(out.rigid.absent, deforming.absent);
+  return out;
 }
 
 // What has nothing to do with a model.
@@ -160,13 +191,14 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
 // On one's own models what has nothing to do with a model runs only if it is asked for.
 bool runs_without_model(const Options& options) { return options.files.empty() || !options.only.empty(); }
 
-// How often resumed_or will be called; of collisions with the first model only, once.
-std::size_t unit_count(const Options& options, std::size_t models) {
+// How often resumed_or will be called; of collisions with the first model only, once. deforming: of the models, those for deformations
+// alone.
+std::size_t unit_count(const Options& options, std::size_t models, std::size_t deforming) {
   const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
                       count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models) +
-                      count("engines", models);
+                      count("engines", models) + count("deformations", models + deforming);
   if (runs_without_model(options))
     units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;
@@ -194,28 +226,24 @@ int main(int argc, char** argv) try {
     return 0;
   }
 
-  DefaultModels models;
-  const bool wants_models = options.wants("tightness") || options.wants("speed") || options.wants("volumes") ||
-                            options.wants("rounding") || options.wants("collisions") || options.wants("over_time") ||
-                            options.wants("engines");
-  if (options.files.empty() && wants_models) models = default_models(options.models);
-  else
-    for (const auto& file : options.files) models.models.push_back(load_named(file));
+  auto [models, deforming] = load_models(options);
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
   const RunFolder folder(options.out + "/units", options.anew);
-  Units run(folder, unit_count(options, models.models.size()));
+  Units run(folder, unit_count(options, models.models.size(), deforming.size()));
   RunFile result(options);
   write_catalogue(options, models, result);
   PictureTable pictures(options.out + "/report/pictures");
   ModelResults results;
   run_over_time_on(models.models, options, run, pictures, results);
   run_engines_on(models.models, options, run, pictures, results);
+  run_deformations_on(models.models, options, run, results);
+  run_deformations_on(deforming, options, run, results);
   for (std::size_t i = 0; i < models.models.size(); ++i)
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);
   pictures.write(std::ref(result));
-  if (!models.models.empty()) write_results_by_model(options, results, result);
+  if (!models.models.empty() || !deforming.empty()) write_results_by_model(options, results, result);
   if (runs_without_model(options)) run_without_model(options, run, result);
   result.write();
   std::cout << "results: " << options.out << "/results\n";

@@ -9,7 +9,7 @@ namespace refitlab {
 namespace {
 
 const char* const experiments[] = {"tightness", "speed",     "volumes",   "rounding", "collisions",
-                                   "growth",    "synthetic", "over_time", "engines"};
+                                   "growth",    "synthetic", "over_time", "engines",  "deformations"};
 
 // Whether everything runs at all: collisions of one character only, too few repetitions for times to mean much.
 void measure_quickly(Options& o) {
@@ -26,6 +26,7 @@ void measure_quickly(Options& o) {
   o.crossfades = {.times = 3, .weights = 3, .clips = 2, .cluster_triangles = 0};
   o.over_time_growth = {.subdivisions = 1};
   o.engines = {.times_per_clip = 10, .clips = 1, .speed = once};
+  o.deformations = {.times_per_clip = 1, .reduced = {.poses = 2}, .speed = once};
 }
 
 // What the paper and README say.
@@ -43,6 +44,7 @@ void measure_fully(Options& o) {
   o.crossfades = {.times = 25, .weights = 9, .all_skinnings = true};
   o.over_time_growth = {.repetitions = 3, .subdivisions = 3, .up_to_a_million = true};
   o.engines = {.times_per_clip = 10000, .speed = {.seconds_per_run = 0.05, .repetitions = 15}};
+  o.deformations = {.times_per_clip = 20, .reduced = {.poses = 20}, .speed = {.seconds_per_run = 0.05, .repetitions = 15}};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
 #include "experiments/growth/triangles.hpp"
 #include "experiments/over_time/crossfades.hpp"
@@ -37,8 +38,15 @@ struct Options {
   CrossfadeSettings crossfades{.times = 9, .weights = 5, .clips = 2, .cluster_triangles = 512};
   OverTimeGrowthSettings over_time_growth;
   EngineSettings engines{.speed = speed};
+  DeformationSettings deformations{.speed = speed};
   bool anew = false, check_only = false, packs_models = false;
   CertificateRequest certificate;
+  // Whether an experiment is wanted that has something to do with a model.
+  bool wants_models() const {
+    for (const char* name : {"tightness", "speed", "volumes", "rounding", "collisions", "over_time", "engines", "deformations"})
+      if (wants(name)) return true;
+    return false;
+  }
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }
 };
 

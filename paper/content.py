@@ -2,7 +2,7 @@
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
 import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
-from report import engines, growth, original, over_time, statements
+from report import deformations, engines, growth, original, over_time, statements
 from report.statistics import mean, span
 from report.tables import ALL, ResultError
 from report.verdicts import of_lemma, said_of_claims, summed_up
@@ -128,6 +128,17 @@ def numbers(results):
     out["engines.volume"], out["engines.true"] = f"{volume['mean']:.2f}", f"{volume['true']:.2f}"
     out["engines.reached"], out["engines.clips"] = whole_number(volume["reached"]), whole_number(volume["clips"])
     out["engines.cost"] = digits(engines.costs(results, engines.OURS)["ratio"])
+    out["deformed.balls"], out["deformed.misses"] = whole_number(deformations.balls(results)), whole_number(deformations.misses(results))
+    for goal in deformations.goals(results):
+        if goal["name"] not in ("control_mixed", "control_many_pieces"):
+            continue
+        out[f"deformed.worst.{goal['name']}"], out[f"deformed.reached.{goal['name']}"] = f"{goal['worst']:.2f}", whole_number(goal["reached"])
+    out["deformed.cases"] = whole_number(deformations.goals(results)[0]["cases"])
+    ratios = [row["changing"] for row in deformations.costs(results)]
+    out["deformed.cost.least"], out["deformed.cost.most"] = digits(min(ratios), 2), digits(max(ratios), 2)
+    for name, variant, balls in (("bdtree", "spherical_repaired", "bd_tree"), ("default", "control_mixed", "smallest")):
+        out[f"reduced.skinned.{name}"] = f"{deformations.worst(results, kind='vibration_skinned', variant=variant, displacements=balls):.2f}"
+    out["reduced.cost"] = digits(deformations.cost_to_bd_tree(results, "vibration", "control_mixed", "smallest"), 2)
     verdicts = summed_up(results.rows("verdicts"))
     out["verdicts.refuted"] = whole_number(sum(v.refuted_after > 0 for v in verdicts))
     out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
@@ -257,9 +268,17 @@ def engines_table(results):
     return table("p{62mm}" + "r" * (len(head) - 1), head, rows)
 
 
+def reduced_table(results):
+    """The worst level of the worst model, by method: of the vibration and of the clip, without skinning."""
+    rows = []
+    for (variant, balls), name in deformations.REDUCED.items():
+        rows.append([name, *(f"{deformations.worst(results, kind=kind, variant=variant, displacements=balls):.2f}" for kind in ("vibration", "clip"))])
+    return table("lrr", ["", "vibration", "clip"], rows)
+
+
 def provenance_table(results):
     for name in ["tightness", "speed", "volumes", "batch_speed", "rounding", "collision", "triangle_growth", "joint_growth",
-                 "character_growth", "over_time", "over_time_growth", "engines", "verdicts"]:
+                 "character_growth", "over_time", "over_time_growth", "engines", "deformations", "verdicts"]:
         results.rows(name)
     rows = [[f"\\texttt{{{escaped(name)}.csv}}", f"\\texttt{{{p['commit']}}}", escaped(p["compiler"]), escaped(p["cpu"])]
             for name, p in results.provenance.items()]
@@ -294,7 +313,7 @@ def tables(results, lemmas, root):
             "tightness_twist": tightness_table(results, "man", "full twist"),
             "worst": worst_table(results), "misses": misses_table(results), "cost": cost_table(results),
             "batch": batch_table(results), "volumes": volumes_table(results), "rounding": rounding_table(results), "collisions": collision_table(results),
-            "over_time": over_time_table(results), "engines": engines_table(results),
+            "over_time": over_time_table(results), "engines": engines_table(results), "reduced": reduced_table(results),
             "provenance": provenance_table(results), "verdicts": verdict_table(results, lemmas), "statements": statement_table(results, root)}
 
 

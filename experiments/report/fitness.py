@@ -27,6 +27,7 @@ SOURCES = {
     "crossfades": [*RUN, "experiments/over_time"],
     "over_time_growth": [*RUN, "experiments/over_time"],
     "engines": [*RUN, "experiments/engines", "experiments/over_time", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp", "proptests/oracles"],
+    "deformations": [*RUN, "experiments/deformations", "experiments/tightness", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"],
     "run": [*RUN, "experiments/render", "experiments/pictures"],
     "verdicts": ["CMakeLists.txt", "lemmas", "algorithms", "proptests/CMakeLists.txt", "proptests/main.cpp",
                  "proptests/harness.cpp", "proptests/harness.hpp", "proptests/session.cpp", "proptests/session.hpp",

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import jinja2
 from markupsafe import Markup
 
-from . import collisions, drawings, engines, explorer, growth, over_time, pictures, rounding, speed, synthetic, tightness, verdicts, volumes
+from . import collisions, deformations, drawings, engines, explorer, growth, over_time, pictures, rounding, speed, synthetic, tightness, verdicts, volumes
 from .tables import PROVENANCE, ResultError
 
 FOLDER = pathlib.Path(__file__).resolve().parent
@@ -26,6 +26,7 @@ SECTIONS = [
     ("Boxes, k-DOPs and oriented boxes", "volumes", volumes.section, ["volumes"]),
     ("Bounds over time", "over_time", over_time.section, ["over_time"]),
     ("What engines ship", "engines", engines.section, ["engines"]),
+    ("Scaled joints, morph targets, reduced deformations", "deformations", deformations.section, ["deformations"]),
     ("Collision queries", "collisions", collisions.section, ["collision"]),
     ("Growth with triangles", "triangles", growth.triangles_section, ["triangle_growth"]),
     ("Growth with joints", "joints", growth.joints_section, ["joint_growth"]),

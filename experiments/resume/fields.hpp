@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
 #include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
@@ -170,6 +171,38 @@ inline auto fields(EngineCost& v) {
 inline auto fields(EngineResult& v) {
   auto& [model, vertices, joints, refused, poses, costs] = v;
   return std::tie(model, vertices, joints, refused, poses, costs);
+}
+inline auto fields(ReducedSettings& v) {
+  auto& [frames, size, poses] = v;
+  return std::tie(frames, size, poses);
+}
+inline auto fields(DeformationSettings& v) {
+  auto& [times, reduced, speed] = v;
+  return std::tie(times, reduced, speed);
+}
+inline auto fields(DeformationMeasure& v) {
+  auto& [kind, variant, skinning, poses, levels] = v;
+  return std::tie(kind, variant, skinning, poses, levels);
+}
+inline auto fields(DeformedCost& v) {
+  auto& [kind, variant, ns, ratio, ratio_kept] = v;
+  return std::tie(kind, variant, ns, ratio, ratio_kept);
+}
+inline auto fields(ReducedMeasure& v) {
+  auto& [variant, balls, levels] = v;
+  return std::tie(variant, balls, levels);
+}
+inline auto fields(ReducedResult& v) {
+  auto& [kind, frames, size, share, poses, measures] = v;
+  return std::tie(kind, frames, size, share, poses, measures);
+}
+inline auto fields(ReducedCost& v) {
+  auto& [variant, balls, ns, ratio] = v;
+  return std::tie(variant, balls, ns, ratio);
+}
+inline auto fields(DeformationResult& v) {
+  auto& [model, vertices, joints, targets, measures, costs, reduced, reduced_costs] = v;
+  return std::tie(model, vertices, joints, targets, measures, costs, reduced, reduced_costs);
 }
 inline auto fields(SyntheticResult& v) {
   auto& [variant, share, cases, undefined, unbounded, misses, beyond, worst, mean, median, greatest, ns] = v;

@@ -65,7 +65,8 @@ auto resumed_or(Units& run, const std::string& unit, const Options& options, con
   return result;
 }
 
-// A fingerprint of a model: everything that it has, clips at 4096 times each (all frames of a minute at 60 a second).
+// A fingerprint of a model: everything that it has, clips at 4096 times each (all frames of a minute at 60 a second). Poses that are
+// not rigid count as affine ones.
 std::string identify(const Model& model);
 
 }  // namespace refitlab

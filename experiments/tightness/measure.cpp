@@ -6,6 +6,7 @@
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/scenes/methods.hpp"
+#include "experiments/tightness/add_balls.hpp"
 
 namespace refitlab {
 namespace {
@@ -14,20 +15,10 @@ namespace {
 constexpr std::pair<Skinning, const char*> other_optimal_columns[] = {{Skinning::linear, "optimal_linear"},
                                                                       {Skinning::dual_quaternion, "optimal_dual_quaternion"}};
 
-// How far the farthest vertex of a node is outside its ball; at most 0 if none is.
-double excess(const Ball3<double>& ball, std::span<const int> vertices, std::span<const Point3> deformed) {
-  double far = 0;
-  for (const int v : vertices) far = std::max(far, squared_distance(deformed[v], ball.center));
-  return std::sqrt(far) - ball.radius;
-}
-
 // One pose: the balls of every column are measured against the vertices that they claim to bound.
 class PoseMeasurement {
  public:
-  PoseMeasurement(const AnimatedCharacter& c, const Pose& pose)
-      : c_(c),
-        pose_(pose),
-        tolerance_(miss_tolerance * c.tree.nodes[0].reference.radius) {}
+  PoseMeasurement(const AnimatedCharacter& c, const Pose& pose) : c_(c), pose_(pose) {}
 
   Tightness all() {
     const Frame& spherical = frame(Skinning::spherical);
@@ -64,32 +55,12 @@ class PoseMeasurement {
   }
 
   void add(const std::string& column, const std::vector<Ball3<double>>& balls, const Frame& frame, bool must_enclose) {
-    auto& levels = out_[column];
-    levels.resize(c_.tree.level_count());
-    for (std::size_t n = 0; n < balls.size(); ++n) {
-      LevelTightness& level = levels[c_.tree.nodes[n].level - 1];
-      ++level.nodes;
-      if (!is_defined(balls[n])) {
-        ++level.undefined;
-        ++level.misses;
-        continue;
-      }
-      level.radius_min = std::min(level.radius_min, balls[n].radius);
-      level.radius_max = std::max(level.radius_max, balls[n].radius);
-      level.radius_sum += balls[n].radius;
-      level.optimal_sum += frame.optimal[n].radius;
-      if (!must_enclose) continue;
-      const double out = excess(balls[n], c_.vertices[static_cast<int>(n)], frame.deformed);
-      if (out > tolerance_) {
-        ++level.misses;
-        level.worst_miss = std::max(level.worst_miss, out);
-      }
-    }
+    add_balls(c_, balls, frame.optimal, must_enclose ? std::span<const Point3>(frame.deformed) : std::span<const Point3>(),
+              out_[column]);
   }
 
   const AnimatedCharacter& c_;
   const Pose& pose_;
-  const double tolerance_;
   std::map<Skinning, Frame> frames_;
   Tightness out_;
 };

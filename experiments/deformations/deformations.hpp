@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The experiment on deformations: how tight refits are of characters whose joints scale, that have morph targets or a reduced
+// deformation, what they miss, and what they cost beside refits of rigid ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
+#include "experiments/deformations/deformed_costs.hpp"
+#include "experiments/deformations/reduced_measures.hpp"
+
+namespace refitlab {
+
+struct DeformationSettings {
+  int times_per_clip = 3;  // in the middles of as many equal parts
+  ReducedSettings reduced;
+  SpeedSettings speed;
+};
+
+// One variant in all poses of a character that is deformed in one way.
+struct DeformationMeasure {
+  std::string kind, variant;
+  Skinning skinning;
+  int poses;
+  std::vector<LevelTightness> levels;
+};
+
+struct DeformationResult {
+  std::string model;
+  long vertices = 0, joints = 0, targets = 0;  // targets: of the model itself
+  std::vector<DeformationMeasure> measures;
+  std::vector<DeformedCost> costs;
+  std::vector<ReducedResult> reduced;
+  std::vector<ReducedCost> reduced_costs;
+};
+
+// A model of a file with its morph targets and joints that scale, as its clips have them. Throws as load_model.
+Model load_deforming(const std::string& path);
+
+// The generated model that deforms itself, and the real ones found in folder; absent: those that are not there.
+struct DeformingModels {
+  std::vector<Model> models;
+  std::vector<std::string> absent;
+};
+DeformingModels deforming_models(const std::string& folder);
+
+// A model that deforms itself is measured as its clips have it. Another one with clips is deformed in every made-up way. One
+// that is rigid and has no clips has no rows. Progress on stdout.
+DeformationResult run_deformations(const Model& model, const DeformationSettings& settings);
+
+void write_deformations(const std::vector<DeformationResult>& results, const std::string& path);
+
+}  // namespace refitlab

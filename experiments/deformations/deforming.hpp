@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What deforms the characters that are measured: joints that scale and morph targets, made up or those of a file.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "algorithms/bake/bake.hpp"
+#include "experiments/deformations/deformed_pose.hpp"
+
+namespace refitlab {
+
+// What a joint is scaled by: by nothing, by a factor of its own, or by factors of its own along two axes.
+enum class Scales { none, uniform, axes };
+
+// A made-up deformation, by the name that tables of results have.
+struct DeformationKind {
+  const char* name;
+  Scales scales;
+  bool has_morphs;
+};
+inline constexpr DeformationKind rigid_kind{"rigid", Scales::none, false}, scaled_kind{"scaled", Scales::uniform, false},
+    scaled_along_axes_kind{"scaled_along_axes", Scales::axes, false}, morphed_kind{"morphed", Scales::none, true},
+    both_kind{"both", Scales::axes, true};
+inline constexpr DeformationKind made_up_kinds[] = {rigid_kind, scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind};
+
+// Joints of this pose that scale about their own origins, by 0.55 to 1.25, before they turn.
+AffinePose scaled(const SkinnedMesh& mesh, const Pose& pose, Scales scales);
+
+// Gives a mesh three morph targets in place of its own: a belly that swells, a lean, and bumps all over.
+void add_targets(SkinnedMesh& mesh);
+
+// Returns the poses of all clips of a rigid character, at these shares of their durations. One with morphs has the targets of
+// add_targets. Throws ModelError for a clip that is not rigid.
+std::vector<DeformedPose> deformed_poses(const AnimatedCharacter& character, const DeformationKind& kind,
+                                         std::span<const double> shares);
+
+// Says whether a model has morph targets, or a clip that is not rigid at one of these shares of its duration. Such a model is
+// deformed as its own clips say.
+bool deforms_itself(const Model& model, std::span<const double> shares);
+
+// Returns the poses of all clips of such a model: its joints and its weights. One without clips is in the pose that it rests
+// in, with all weights a half.
+std::vector<DeformedPose> own_poses(const Model& model, std::span<const double> shares);
+
+// Returns that many shares of a duration, in the middles of as many equal parts.
+std::vector<double> even_shares(int count);
+
+}  // namespace refitlab

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A generated model that has what files have at once: keyed joints that scale along axes, so that those below them shear, and morph
+// targets whose weights are keyed.
+#pragma once
+
+#include "algorithms/model/model.hpp"
+
+namespace refitlab {
+
+// The man of algorithms/model/procedural with the three targets of add_targets. No pose of his clips is rigid.
+Model make_deforming_man();
+
+}  // namespace refitlab

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The balls of all nodes in one pose, counted in their levels.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "experiments/tightness/levels.hpp"
+#include "experiments/tightness/misses.hpp"
+
+namespace refitlab {
+
+// Returns how far the farthest vertex of a node is outside its ball; it is at most 0 if none is.
+inline double excess(const Ball3<double>& ball, std::span<const int> vertices, std::span<const Point3> deformed) {
+  double far = 0;
+  for (const int v : vertices) far = std::max(far, squared_distance(deformed[static_cast<std::size_t>(v)], ball.center));
+  return std::sqrt(far) - ball.radius;
+}
+
+// balls and optimal: by node. deformed: by vertex, what the balls are to enclose; empty if they need not enclose anything.
+inline void add_balls(const Character& c, std::span<const Ball3<double>> balls, std::span<const Ball3<double>> optimal,
+                      std::span<const Point3> deformed, std::vector<LevelTightness>& levels) {
+  const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
+  levels.resize(static_cast<std::size_t>(c.tree.level_count()));
+  for (std::size_t n = 0; n < balls.size(); ++n) {
+    LevelTightness& level = levels[static_cast<std::size_t>(c.tree.nodes[n].level - 1)];
+    ++level.nodes;
+    if (!is_defined(balls[n])) {
+      ++level.undefined;
+      ++level.misses;
+      continue;
+    }
+    level.radius_min = std::min(level.radius_min, balls[n].radius);
+    level.radius_max = std::max(level.radius_max, balls[n].radius);
+    level.radius_sum += balls[n].radius;
+    level.optimal_sum += optimal[n].radius;
+    if (deformed.empty()) continue;
+    const double out = excess(balls[n], c.vertices[static_cast<int>(n)], deformed);
+    if (out > tolerance) {
+      ++level.misses;
+      level.worst_miss = std::max(level.worst_miss, out);
+    }
+  }
+}
+
+}  // namespace refitlab
