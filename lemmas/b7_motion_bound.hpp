@@ -101,6 +101,32 @@ S squared_deviation_share(std::span<const S> u, std::span<const S> cosines, cons
   return sum / sq(squared_blend);
 }
 
+// The same by pairs, as the proof has it before it is bounded any further: sum p^2 ((g_k - g_l)^2 + 1 - c_kl^2) / D^2, as a share of a = 1 -
+// c. versines are the (1 - c_kl) / a for k < l in order, so that nothing cancels where the rotations are close, and a may be 0.
+template <class S>
+S deviation_share_of_pairs(std::span<const S> u, std::span<const S> versines, const S& a) {
+  std::vector<S> behind(u.size(), S(0));  // (1 - g_k) / a
+  S lost(0), squared_blend(0), sum(0);    // (1 - D) / (2 a), and D
+  for (const S& w : u) squared_blend = squared_blend + sq(w);
+  std::size_t pair = 0;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    for (std::size_t l = k + 1; l < u.size(); ++l) {
+      const S& versine = versines[pair++];
+      behind[k] = behind[k] + u[l] * versine;
+      behind[l] = behind[l] + u[k] * versine;
+      lost = lost + u[k] * u[l] * versine;
+      squared_blend = squared_blend + S(2) * u[k] * u[l] * (S(1) - a * versine);
+    }
+  pair = 0;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    for (std::size_t l = k + 1; l < u.size(); ++l) {
+      const S& versine = versines[pair++];
+      sum = sum + sq(S(u[k] * u[l])) * (a * sq(S(behind[k] - behind[l])) + versine * (S(2) - a * versine));
+    }
+  // Both are D. Intervals bound the one better from below where rotations are close, the other where they are far apart.
+  return sum / sq(max_of(S(S(1) - S(2) * a * lost), squared_blend));
+}
+
 // The blend that carries a point by dual quaternions.
 template <class S>
 DualQuaternionBlend<S> dual_blend(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point) {

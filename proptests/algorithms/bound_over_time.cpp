@@ -27,16 +27,10 @@ class Scene {
       : animation_(model.clips[0].animation),
         sets_(model),
         joints_(model, animation_, skinning != Skinning::linear),
-        vertices_(model, sets_, skinning, all_vertices(model)),
+        vertices_(model, sets_, skinning, gen::all_of(model.vertices)),
         directions_(std::move(directions)),
         quick_(model, animation_, skinning),
         sure_(model, animation_, skinning) {}
-
-  static std::vector<int> all_vertices(const Model& model) {
-    std::vector<int> all(model.vertices.size());
-    for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
-    return all;
-  }
 
   const AnimatedJoints& joints() const { return joints_; }
   const MovingVertices& vertices() const { return vertices_; }

@@ -3,15 +3,9 @@
 // fallback.
 #include "algorithms/runtime/refit/control_hull.hpp"
 
-#include <cstdio>
-#include <random>
-
-#include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
-#include "proptests/gen/skinned_samples.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/oracles/hull_of_balls.hpp"
+#include "proptests/oracles/control_balls.hpp"
 #include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 
 namespace proptests::suite_control_hull {
@@ -21,62 +15,31 @@ using namespace refitlab;
 using gen::RationalVec;
 using gen::RefitCase;
 using oracle::direction_away;
+using oracle::random_case;
 using oracle::reaches;
+using oracle::SphericalHull;
 
 template <class S>
 std::vector<Ball3<S>> balls_of(const RefitCase& c) {
-  const gen::NodeOf<S> node(c);
-  ControlLists<S> lists;
-  const auto balls = control_balls(node.node(), lists);
-  return {balls.begin(), balls.end()};
+  return oracle::balls_of<SphericalHull, S>(c);
 }
-
 template <class S>
 void assert_holds(const RefitCase& c, const std::vector<Ball3<S>>& balls, Verdict at_least) {
-  const auto rounded = balls_of<double>(c);
-  for (const auto& sample : gen::samples(c, gen::Blending::spherical, rounded[0].center)) {
-    const auto v = gen::skinned(c, sample, gen::Blending::spherical);
-    if (!v) continue;
-    const Point3 away = direction_away(rounded, lift<double>(*v));
-    const RationalVec<3> directions[] = {convert<Rational>(away), *gen::nonzero_vector<3>()};
-    for (const auto& d : directions) RC_ASSERT(reaches<S>(balls, lift<S>(*v), lift<S>(d)) >= at_least);
-  }
+  oracle::assert_holds<SphericalHull, S>(c, balls, at_least);
 }
 
-std::size_t control_point_count(std::size_t m) { return m * (m + 1) * (m + 2) / 6; }
-
 void check_hull() {
-  const RefitCase c = *gen::refit_case(gen::Turns::any);
+  const RefitCase c = random_case(gen::Turns::any);
   for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
-  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   try {
     const auto balls = balls_of<Rational>(c);
     RC_TAG("exact");
-    std::size_t unhalved = 0;
-    for (const auto& set : c.sets)
-      unhalved += set.weights.vertices.size() == 1 ? 1 : control_point_count(set.weights.vertices.size());
-    RC_CLASSIFY(balls.size() > unhalved, "halved");
+    RC_CLASSIFY(balls.size() > oracle::count_without_halving<SphericalHull>(c), "halved");
     assert_holds(c, balls, Verdict::holds);
   } catch (const NoRationalRoot&) {
     RC_TAG("fallback");
     assert_holds(c, balls_of<MultiprecisionInterval>(c), Verdict::undecided);  // on the boundary of a cap's ball
   }
-}
-
-// How far the policy's ball of double misses the exactly skinned vertices of the same doubles: at most 1e-12 of the
-// coordinates' size.
-template <class Policy>
-void check_double() {
-  const RefitCase c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
-  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
-  ControlLists<double> lists;
-  const gen::NodeOf<double> node(c);
-  const Ball3<double> ball = refit_control_hull<Policy>(node.node(), lists);
-  double size = ball.center.norm() + ball.radius;
-  for (const auto& set : c.sets) size += lift<double>(set.palette.rotation_center).norm();
-  const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
-  for (const auto& sample : gen::samples(c, gen::Blending::spherical, ball.center))
-    if (const auto v = gen::skinned(c, sample, gen::Blending::spherical)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
 // A joint-set by hand: rotations about the origin without translation, and weight vertices.
@@ -118,64 +81,6 @@ bool holds_on_a_grid(const RefitCase& c) {
   return all;
 }
 
-// Random joint-sets of joints that turn about near points by at most 120 degrees against each other, r = 0: the
-// smallest ball of the control points over the smallest ball of densely sampled true positions.
-Checked measure_tightness() {
-  std::mt19937_64 random(2006);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const auto vector = [&] { return Point3(normal(random), normal(random), normal(random)); };
-  double sum = 0, worst = 0;
-  int count = 0;
-  while (count < 300) {
-    const int n = 2 + count % 3;
-    OwnedPaletteEntry<double> palette;
-    for (int i = 0; i < n; ++i) {
-      Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
-      q.normalize();
-      const Point3 pivot = 0.3 * vector();
-      palette.transforms.push_back({q, pivot - rotate(q, pivot)});
-    }
-    make_signs_consistent<double>(palette.transforms);
-    bool near = true;
-    for (const auto& a : palette.transforms)
-      for (const auto& b : palette.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
-    if (!near) continue;
-    place_rotation_center<double>(palette, rotation_center<double>(palette.transforms, Point3::Zero()));
-    const Ball3<double> reference{2 * vector(), 0};
-    std::vector<double> weight_vertices;
-    for (int k = 0; k < n; ++k)  // drawn towards the middle by some share
-      for (int i = 0, share = count / 3 % 3; i < n; ++i)
-        weight_vertices.push_back((i == k ? 1 - 0.3 * share : 0.0) + 0.3 * share / n);
-    SkinningPalette<double> frame;
-    frame.push_back(palette);
-    const NodePiece set{0, 0, n};
-    const RefitNode<double> node{reference, {&set, 1}, weight_vertices.data(), frame};
-    ControlLists<double> lists;
-    const double bound = refit_control_hull<SmallestBalls>(node, lists).radius;
-    std::vector<Point3> positions;
-    for_each_index(n,
-                   n == 2   ? 400
-                   : n == 3 ? 40
-                            : 20,
-                   [&](const std::vector<std::size_t>& index) {
-                     std::vector<double> w(n, 0.0);
-                     for (const auto k : index)
-                       for (int i = 0; i < n; ++i) w[i] += weight_vertices[k * n + i] / double(index.size());
-                     positions.push_back(blend_spherical<double>(palette, w, reference.center));
-                   });
-    const double truth = as_ball(smallest_ball<double, 3>(positions)).radius;
-    if (!(truth > 1e-6)) continue;
-    sum += bound / truth;
-    worst = std::max(worst, bound / truth);
-    ++count;
-  }
-  char text[160];
-  std::snprintf(text, sizeof text, "control balls over sampled positions: mean %.4f, worst %.4f (goal: mean at most 1.005)",
-                sum / count, worst);
-  return Checked(sum / count <= 1.02, count, text);
-}
-
 }  // namespace
 
 PROPTEST(control_hull) {
@@ -188,47 +93,13 @@ PROPTEST(control_hull) {
            .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
           check_hull);
   t.holds("up to a right angle between joints no root is taken and nothing is halved",
-          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
-            const RefitCase c = *gen::refit_case(gen::Turns::moderate);
-            RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
-            const auto balls = balls_of<Rational>(c);
-            std::size_t expected = 0;
-            for (const auto& set : c.sets)
-              expected += set.weights.vertices.size() == 1 ? 1 : control_point_count(set.weights.vertices.size());
-            RC_ASSERT(balls.size() == expected);
-            for (const auto& b : balls) RC_ASSERT(b.radius == c.reference.radius);
-            assert_holds(c, balls, Verdict::holds);
-          });
+          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
+          oracle::check_moderate_turns<SphericalHull>);
   t.holds("halving ends: at most 16 m (m + 1) (m + 2) / 6 balls for m weight vertices, all of them finite",
-          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
-            const RefitCase c = *gen::refit_case(gen::Turns::any);
-            RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
-            const auto balls = balls_of<double>(c);
-            std::size_t most = 0;
-            for (const auto& set : c.sets) most += 16 * control_point_count(set.weights.vertices.size());
-            RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
-            for (const auto& b : balls) RC_ASSERT(b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0);
-          });
-  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200}, [] {
-    const RefitCase c = *gen::refit_case(gen::Turns::moderate);
-    const gen::NodeOf<Rational> storage(c);
-    auto node = storage.node();
-    std::vector<Ball3<Rational>> own;
-    for (std::size_t i = 0; i < c.sets.size(); ++i) own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
-    node.piece_references = own;
-    ControlLists<Rational> lists;
-    const auto balls = control_balls(node, lists);
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < c.sets.size(); ++i) {
-      const RefitCase alone{own[i], {c.sets[i]}};
-      for (const auto& b : balls_of<Rational>(alone)) {
-        RC_ASSERT(first < balls.size());
-        RC_ASSERT(b.center == balls[first].center && b.radius == balls[first].radius);
-        ++first;
-      }
-    }
-    RC_ASSERT(first == balls.size());
-  });
+          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
+          [] { oracle::check_halving_ends<SphericalHull>(false); });
+  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
+          oracle::check_own_balls<SphericalHull>);
   t.holds("without any halving the fallback holds every vertex",
           {.number_type = "multiprecision interval", .cases = 300, .degenerate_at_least = 0.2}, [] {
             using S = MultiprecisionInterval;
@@ -240,11 +111,7 @@ PROPTEST(control_hull) {
             SphericalPiece<S> piece(lift<S>(c.blend.x), S(0));
             ControlHull(piece, lists.weight_vertices, lists).cover(c.blend.weight_vertex_count(), 0);
             RC_ASSERT(lists.weight_vertices.empty() && !lists.cap.balls.empty());
-            std::vector<Ball3<double>> rounded;
-            for (const auto& b : lists.cap.balls) {
-              const auto middle = [](const S& x) { return static_cast<double>(median(x)); };
-              rounded.push_back({{middle(b.center[0]), middle(b.center[1]), middle(b.center[2])}, middle(b.radius)});
-            }
+            const auto rounded = oracle::middles(lists.cap.balls);
             for (const auto& u : {c.weights, *gen::convex_weights(static_cast<int>(c.weights.size()))}) {
               const auto at = c.blend.at(u);
               if (at.denominator == 0) continue;
@@ -255,11 +122,11 @@ PROPTEST(control_hull) {
           });
   const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { check_double<MeanBalls>(); });
+          [] { oracle::check_double<SphericalHull, MeanBalls>(); });
   t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { check_double<NearSmallestBalls>(); });
+          [] { oracle::check_double<SphericalHull, NearSmallestBalls>(); });
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { check_double<SmallestBalls>(); });
+          [] { oracle::check_double<SphericalHull, SmallestBalls>(); });
 
   t.example("a weight vertex that is 0 beside two near ones: all rotations are allowed for it", {}, [] {
     const RefitCase c =
@@ -296,7 +163,7 @@ PROPTEST(control_hull) {
     return on_the_way;
   });
   t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth",
-            {.number_type = "double"}, measure_tightness);
+            {.number_type = "double"}, [] { return oracle::measure_tightness<SphericalHull>(2006); });
 }
 
 }  // namespace proptests::suite_control_hull

@@ -17,18 +17,6 @@ namespace {
 using namespace refitlab;
 using M = MultiprecisionInterval;
 
-std::vector<int> all_vertices(const Model& model) {
-  std::vector<int> all(model.vertices.size());
-  for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
-  return all;
-}
-
-std::vector<int> all_joints(const Model& model) {
-  std::vector<int> all(model.joints.size());
-  for (std::size_t j = 0; j < all.size(); ++j) all[j] = static_cast<int>(j);
-  return all;
-}
-
 // A model, and two animations of it.
 struct Fade {
   gen::AnimatedPlan plan;
@@ -53,7 +41,9 @@ struct Fade {
     const auto plan = smooth ? gen::draw_smooth_plan(is_rigid) : gen::draw_animated_plan(is_rigid);
     return {plan, skinning, *rc::gen::element(RotationBlend::slerp, RotationBlend::nlerp)};
   }
-  CrossfadedJoints joints() const { return {model, first, second, all_joints(model), blend, skinning != Skinning::linear}; }
+  CrossfadedJoints joints() const {
+    return {model, first, second, gen::all_of(model.joints), blend, skinning != Skinning::linear};
+  }
 };
 
 // All vertices at a moment; nothing where the moment is ambiguous.
@@ -125,7 +115,7 @@ struct Hinge {
   }
   BoundOverTime bound(RotationBlend blend, double tolerance = 0.01) const {
     const JointSets sets(model);
-    const CrossfadedJoints joints(model, first, second, all_joints(model), blend, false);
+    const CrossfadedJoints joints(model, first, second, gen::all_of(model.joints), blend, false);
     return bound_over_time(joints, MovingVertices(model, sets, Skinning::linear, {0}), {.tolerance = tolerance});
   }
 };
@@ -149,9 +139,9 @@ PROPTEST(crossfaded_joints) {
             BoundOverTime bound;
             std::optional<CrossfadedJoints> joints;
             try {
-              joints.emplace(fade.model, fade.first, fade.second, all_joints(fade.model), fade.blend,
+              joints.emplace(fade.model, fade.first, fade.second, gen::all_of(fade.model.joints), fade.blend,
                              fade.skinning != Skinning::linear);
-              bound = bound_over_time(*joints, MovingVertices(fade.model, sets, fade.skinning, all_vertices(fade.model)),
+              bound = bound_over_time(*joints, MovingVertices(fade.model, sets, fade.skinning, gen::all_of(fade.model.vertices)),
                                       {std::array{0.1, 1.0, 1e6}[random() % 3], directions, true, 1 << 10});
             } catch (const ModelError& e) {
               RC_ASSERT(is_refusal(e.what()));
@@ -190,7 +180,7 @@ PROPTEST(crossfaded_joints) {
             }
             const JointSets sets(fade.model);
             const CrossfadedJoints joints = fade.joints();
-            const MovingVertices vertices(fade.model, sets, Skinning::linear, all_vertices(fade.model));
+            const MovingVertices vertices(fade.model, sets, Skinning::linear, gen::all_of(fade.model.vertices));
             const BoundOverTime bound = bound_over_time(joints, vertices, {.tolerance = 0.1});
             std::mt19937 random(plan.seed);
             std::uniform_real_distribution<double> share(0, 1);
@@ -233,7 +223,8 @@ PROPTEST(crossfaded_joints) {
   t.example("with weight 0 joints are as in the first clip, with weight 1 as in the second, each in its own time", {}, [] {
     Hinge hinge(0, 90);
     hinge.first.tracks[0].positions = {{{0, Eigen::Vector3d::Zero()}, {1, Eigen::Vector3d(2, 0, 0)}}};
-    const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, all_joints(hinge.model), RotationBlend::slerp, true);
+    const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), RotationBlend::slerp,
+                                  true);
     const auto at = [&](double a, double b, double w) {
       return joints.at({{{a, Side::after}, {b, Side::after}, {w, Side::after}}});
     };
@@ -267,7 +258,7 @@ PROPTEST(crossfaded_joints) {
     Hinge hinge(0, 0);
     hinge.model.skeleton.joints.clear();
     try {
-      CrossfadedJoints(hinge.model, hinge.first, hinge.second, all_joints(hinge.model), RotationBlend::slerp, false);
+      CrossfadedJoints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), RotationBlend::slerp, false);
     } catch (const ModelError& e) {
       return std::string(e.what()) == "hinge: clip 'first': it has no keys, and nothing is known of it between poses";
     }
@@ -288,7 +279,7 @@ PROPTEST(crossfaded_joints) {
             std::uniform_real_distribution<double> share(0, 1);
             try {
               const CrossfadedJoints joints = fade.joints();
-              const MovingVertices moving(fade.model, sets, fade.skinning, all_vertices(fade.model));
+              const MovingVertices moving(fade.model, sets, fade.skinning, gen::all_of(fade.model.vertices));
               for (int i = 0; i < 4; ++i) {
                 const ParameterBox box = some_box(joints, moving, random);
                 const JointCell cell = joints.cell(box);

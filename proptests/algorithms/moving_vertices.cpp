@@ -16,12 +16,6 @@ namespace {
 using namespace refitlab;
 using M = MultiprecisionInterval;
 
-std::vector<int> all_vertices(const Model& model) {
-  std::vector<int> all(model.vertices.size());
-  for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
-  return all;
-}
-
 // All vertices at a moment; nothing where the moment is ambiguous.
 std::optional<std::vector<Vec<M, 3>>> skinned(oracle::AnimatedSkin<M>& skin, const Model& model, double time, Side side) {
   try {
@@ -92,7 +86,7 @@ PROPTEST(moving_vertices) {
             std::uniform_real_distribution<double> share(0, 1);
             try {
               const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
-              const MovingVertices moving(model, sets, skinning, all_vertices(model));
+              const MovingVertices moving(model, sets, skinning, gen::all_of(model.vertices));
               for (int i = 0; i < 4; ++i) {
                 const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
                 const double first = joints.times()[part], last = joints.times()[part + 1];
@@ -151,7 +145,7 @@ PROPTEST(moving_vertices) {
             std::mt19937 random(plan.seed + 5);
             try {
               const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
-              const MovingVertices moving(model, sets, skinning, all_vertices(model));
+              const MovingVertices moving(model, sets, skinning, gen::all_of(model.vertices));
               std::vector<Point3> points;
               for (int i = 0; i < 4; ++i) {
                 const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));

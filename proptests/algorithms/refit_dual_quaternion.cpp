@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Refitting for dual quaternion skinning: the control balls hold every vertex, exactly in rationals where no root is
 // needed, and by intervals on the fallback.
-#include <cstdio>
 #include <optional>
-#include <random>
 
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
-#include "proptests/gen/skinned_samples.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/oracles/hull_of_balls.hpp"
+#include "proptests/oracles/control_balls.hpp"
 #include "proptests/oracles/nearest_point.hpp"
 #include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 
@@ -31,33 +26,16 @@ using gen::Blending;
 using gen::RationalVec;
 using gen::RefitCase;
 
+using oracle::DualQuaternionHull;
+using oracle::random_case;
+
 template <class S>
 std::vector<Ball3<S>> balls_of(const RefitCase& c) {
-  const gen::NodeOf<S> node(c);
-  ControlLists<S> lists;
-  const auto balls = control_balls_dual_quaternion(node.node(), lists);
-  return {balls.begin(), balls.end()};
+  return oracle::balls_of<DualQuaternionHull, S>(c);
 }
-
 template <class S>
 void assert_holds(const RefitCase& c, const std::vector<Ball3<S>>& balls, Verdict at_least) {
-  const auto rounded = balls_of<double>(c);
-  for (const auto& sample : gen::samples(c, Blending::dual_quaternion, rounded[0].center)) {
-    const auto v = gen::skinned(c, sample, Blending::dual_quaternion);
-    if (!v) continue;
-    const Point3 away = oracle::direction_away(rounded, lift<double>(*v));
-    std::vector<RationalVec<3>> directions{*gen::nonzero_vector<3>()};
-    if (away.allFinite()) directions.push_back(convert<Rational>(away));
-    for (const auto& d : directions) RC_ASSERT(oracle::reaches<S>(balls, lift<S>(*v), lift<S>(d)) >= at_least);
-  }
-}
-
-std::size_t control_point_count(std::size_t m) { return m * (m + 1) / 2; }
-
-std::size_t without_halving(const RefitCase& c) {
-  std::size_t sum = 0;
-  for (const auto& set : c.sets) sum += set.weights.vertices.size() == 1 ? 1 : control_point_count(set.weights.vertices.size());
-  return sum;
+  oracle::assert_holds<DualQuaternionHull, S>(c, balls, at_least);
 }
 
 // A joint-set's weight vertices blend to 0 somewhere, by a slow search; nothing if it has too many for it.
@@ -69,13 +47,12 @@ std::optional<bool> may_vanish(const gen::SetCase& set) {
 }
 
 void check_hull() {
-  const RefitCase c = *gen::refit_case(gen::Turns::any);
+  const RefitCase c = random_case(gen::Turns::any);
   for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
-  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   try {
     const auto balls = balls_of<Rational>(c);
     RC_TAG("exact");
-    RC_CLASSIFY(balls.size() > without_halving(c), "halved");
+    RC_CLASSIFY(balls.size() > oracle::count_without_halving<DualQuaternionHull>(c), "halved");
     assert_holds(c, balls, Verdict::holds);
   } catch (const Unbounded&) {
     RC_TAG("unbounded");
@@ -86,26 +63,6 @@ void check_hull() {
     RC_TAG("fallback");
     assert_holds(c, balls_of<MultiprecisionInterval>(c), Verdict::undecided);  // on the boundary of a ball
   }
-}
-
-// How far the policy's ball of double misses the exactly skinned vertices of the same doubles: at most 1e-12 of the
-// coordinates' size.
-template <class Policy>
-void check_double() {
-  const RefitCase c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
-  RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
-  ControlLists<double> lists;
-  const gen::NodeOf<double> node(c);
-  const Ball3<double> ball = refit_dual_quaternion<Policy>(node.node(), lists);
-  RC_ASSERT(ball.center.allFinite() && ball.radius >= 0);
-  RC_CLASSIFY(std::isinf(ball.radius), "unbounded");
-  if (std::isinf(ball.radius)) return;
-  double size = ball.center.norm() + ball.radius + lift<double>(c.reference.center).norm();
-  for (const auto& set : c.sets)
-    for (const auto& joint : set.palette.transforms) size += lift<double>(joint.translation).norm();
-  const Ball3<Rational> around{convert<Rational>(ball.center), Rational(ball.radius) + Rational(1e-12 * size)};
-  for (const auto& sample : gen::samples(c, Blending::dual_quaternion, ball.center))
-    if (const auto v = gen::skinned(c, sample, Blending::dual_quaternion)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
 // Dual quaternions as weight vertices, of any length and not of unit norm: what a node's weight vertices never are all
@@ -136,58 +93,6 @@ bool is_all_of_space(const RefitCase& c) {
   const auto ball = refit_dual_quaternion<NearSmallestBalls>(node.node(), lists);
   return balls.size() == 1 && std::isinf(balls[0].radius) && balls[0].center == lift<double>(c.reference.center) &&
          ball.center == balls[0].center && std::isinf(ball.radius);
-}
-
-// Random joint-sets of joints that turn about near points by at most 120 degrees against each other, r = 0: the
-// smallest ball of the control points over the smallest ball of densely sampled true positions.
-Checked measure_tightness() {
-  std::mt19937_64 random(2007);
-  std::normal_distribution<double> normal;
-  const auto vector = [&] { return Point3(normal(random), normal(random), normal(random)); };
-  double sum = 0, worst = 0;
-  int count = 0;
-  while (count < 300) {
-    const int n = 2 + count % 3;
-    OwnedPaletteEntry<double> palette;
-    for (int i = 0; i < n; ++i) {
-      Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
-      q.normalize();
-      const Point3 pivot = 0.3 * vector();
-      palette.transforms.push_back({q, pivot - rotate(q, pivot)});
-    }
-    make_signs_consistent<double>(palette.transforms);
-    place_duals(palette);
-    place_rotation_center(palette, Point3(0, 0, 0));
-    bool near = true;
-    for (const auto& a : palette.transforms)
-      for (const auto& b : palette.transforms) near = near && dot(a.rotation, b.rotation) >= 0.5;
-    if (!near) continue;
-    std::vector<double> weight_vertices;
-    for (int k = 0; k < n; ++k)
-      for (int i = 0; i < n; ++i) weight_vertices.push_back(i == k);
-    SkinningPalette<double> frame;
-    frame.push_back(palette);
-    const NodePiece set{0, 0, n};
-    const Ball3<double> reference{2 * vector(), 0};
-    const RefitNode<double> node{reference, {&set, 1}, weight_vertices.data(), frame};
-    ControlLists<double> lists;
-    const double bound = refit_dual_quaternion<SmallestBalls>(node, lists).radius;
-    std::vector<Point3> positions;
-    const int steps[] = {400, 40, 20};
-    for_each_index(n, steps[n - 2], [&](const std::vector<std::size_t>& index) {
-      std::vector<double> w(n, 0.0);
-      for (const auto k : index) w[k] += 1 / double(index.size());
-      positions.push_back(blend_dual_quaternion<double>(palette, w, reference.center));
-    });
-    const double truth = as_ball(smallest_ball<double, 3>(positions)).radius;
-    if (!(truth > 1e-6)) continue;
-    sum += bound / truth;
-    worst = std::max(worst, bound / truth);
-    ++count;
-  }
-  char text[100];
-  std::snprintf(text, sizeof text, "control balls over sampled positions: mean %.4f, worst %.4f", sum / count, worst);
-  return Checked(sum / count <= 1.02, count, text);
 }
 
 }  // namespace
@@ -224,44 +129,12 @@ PROPTEST(refit_dual_quaternion) {
            .cases = 150,
            .degenerate_at_least = 0.2,
            .degenerate_at_most = 0.5},
-          [] {
-            const RefitCase c = *gen::refit_case(gen::Turns::moderate);
-            RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
-            const auto balls = balls_of<Rational>(c);
-            RC_ASSERT(balls.size() == without_halving(c));
-            for (const auto& b : balls) RC_ASSERT(b.radius == c.reference.radius);
-            assert_holds(c, balls, Verdict::holds);
-          });
+          oracle::check_moderate_turns<DualQuaternionHull>);
   t.holds("halving ends: at most 16 m (m + 1) / 2 balls for m weight vertices, all of them finite, or one ball of all of space",
-          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, [] {
-            const RefitCase c = *gen::refit_case(gen::Turns::any);
-            RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
-            const auto balls = balls_of<double>(c);
-            std::size_t most = 0;
-            for (const auto& set : c.sets) most += 16 * control_point_count(set.weights.vertices.size());
-            for (const auto& b : balls) RC_ASSERT(b.center.allFinite() && b.radius >= 0);
-            if (balls.size() == 1) return;
-            RC_ASSERT(balls.size() <= most && balls.size() >= c.sets.size());
-            for (const auto& b : balls) RC_ASSERT(std::isfinite(b.radius));
-          });
-  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200}, [] {
-    const RefitCase c = *gen::refit_case(gen::Turns::moderate);
-    const gen::NodeOf<Rational> storage(c);
-    auto node = storage.node();
-    std::vector<Ball3<Rational>> own;
-    for (std::size_t i = 0; i < c.sets.size(); ++i) own.push_back({*gen::rational_vector<3>(), *gen::positive_rational()});
-    node.piece_references = own;
-    ControlLists<Rational> lists;
-    const auto balls = control_balls_dual_quaternion(node, lists);
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < c.sets.size(); ++i)
-      for (const auto& b : balls_of<Rational>({own[i], {c.sets[i]}})) {
-        RC_ASSERT(first < balls.size());
-        RC_ASSERT(b.center == balls[first].center && b.radius == balls[first].radius);
-        ++first;
-      }
-    RC_ASSERT(first == balls.size());
-  });
+          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
+          [] { oracle::check_halving_ends<DualQuaternionHull>(true); });
+  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
+          oracle::check_own_balls<DualQuaternionHull>);
   t.holds("without any halving the fallback holds every vertex, or says that there is no bound",
           {.number_type = "multiprecision interval", .cases = 300}, [] {
             using S = MultiprecisionInterval;
@@ -281,11 +154,7 @@ PROPTEST(refit_dual_quaternion) {
               RC_ASSERT(squared_norm(nearest) < Rational(1, 10));  // or a bound was there to be found
               return;
             }
-            std::vector<Ball3<double>> rounded;
-            for (const auto& b : lists.cap.balls) {
-              const auto middle = [](const S& x) { return static_cast<double>(median(x)); };
-              rounded.push_back({{middle(b.center[0]), middle(b.center[1]), middle(b.center[2])}, middle(b.radius)});
-            }
+            const auto rounded = oracle::middles(lists.cap.balls);
             for (int i = 0; i < 4; ++i) {
               const auto at = blend.at(*gen::convex_weights(static_cast<int>(m)));
               RC_ASSERT(at.denominator > 0);
@@ -296,11 +165,11 @@ PROPTEST(refit_dual_quaternion) {
           });
   const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { check_double<MeanBalls>(); });
+          [] { oracle::check_double<DualQuaternionHull, MeanBalls>(); });
   t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { check_double<NearSmallestBalls>(); });
+          [] { oracle::check_double<DualQuaternionHull, NearSmallestBalls>(); });
   t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { check_double<SmallestBalls>(); });
+          [] { oracle::check_double<DualQuaternionHull, SmallestBalls>(); });
 
   t.example("the fallback finds an axis where the weight vertices' mean is behind one, and its ball has all of r", {}, [] {
     const Quaternion<double> ahead(1, 0, 0, 0), behind(-1, 0.5, 0, 0), still(0, 0, 0, 0);
@@ -355,7 +224,7 @@ PROPTEST(refit_dual_quaternion) {
     return balls.size() == 1 && balls[0].center == RationalVec<3>(2, -2, -3) && balls[0].radius == Rational(1, 2);
   });
   t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth",
-            {.number_type = "double"}, measure_tightness);
+            {.number_type = "double"}, [] { return oracle::measure_tightness<DualQuaternionHull>(2007); });
 }
 
 }  // namespace proptests::suite_refit_dual_quaternion

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a campaign runs: shards, each a suite of property tests with a seed, a fuzz target with a seed, or some mutants."""
+"""What a campaign runs: shards, each a suite of property tests with a seed, a fuzz target with a seed, some mutants, or a part of an exhaustive proof."""
 import hashlib
 import json
 
 FIRST_SEED = 2006
-MUTANTS_OF_SHARD = 8
+MUTANTS_OF_SHARD = 24
+PARTS_OF_PROOF = 16
 
 
 class PlanError(Exception):
@@ -15,10 +16,11 @@ def digest_of(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
-def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs):
+def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs, theorems=(), size=""):
     """The plan, as it is kept beside the results: what another plan has found is not mixed with it.
 
-    programs: the digests of what runs, by name."""
+    mutants: their positions in the sample. programs: the digests of what runs, by name. theorems: the names of those that are to be proved
+    exhaustively, with constants of this size."""
     chosen = [s for s in suites if not only or any(text in s for text in only)] if seeds else []
     if seeds and not chosen:
         raise PlanError("no suite's stem contains what --only names; proptests/run --list lists them")
@@ -26,8 +28,10 @@ def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs
               for seed in range(FIRST_SEED, FIRST_SEED + seeds) for suite in chosen]
     shards += [{"name": f"fuzz.{target}.{seed}", "kind": "fuzz", "of": target, "seed": seed}
                for seed in range(FIRST_SEED, FIRST_SEED + seeds) for target in targets]
-    shards += [{"name": f"mutants.{first:05d}", "kind": "mutants", "of": [first, min(first + MUTANTS_OF_SHARD, mutants)], "seed": 0}
-               for first in range(0, mutants, MUTANTS_OF_SHARD)]
+    shards += [{"name": f"mutants.{first:05d}", "kind": "mutants", "of": mutants[first:first + MUTANTS_OF_SHARD], "seed": 0}
+               for first in range(0, len(mutants), MUTANTS_OF_SHARD)]
+    shards += [{"name": f"proof.{theorem}.{part:02d}", "kind": "proof", "of": theorem, "part": f"{part}/{PARTS_OF_PROOF}", "size": size, "seed": 0}
+               for theorem in theorems for part in range(PARTS_OF_PROOF)]
     return {"cases": cases, "fuzz_seconds": fuzz_seconds, "programs": programs, "shards": shards}
 
 

@@ -38,6 +38,14 @@ refitlab::Animation second_animation(const AnimatedPlan&, const refitlab::Model&
 // Whether something about it is a special case.
 bool is_degenerate(const AnimatedPlan& plan);
 
+// The numbers of all vertices, or of all joints: 0 to as many as there are.
+template <class T>
+std::vector<int> all_of(const std::vector<T>& list) {
+  std::vector<int> all(list.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return all;
+}
+
 std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan);
 
 }  // namespace proptests::gen

@@ -172,13 +172,25 @@ PROPTEST(b7_motion_bound) {
         const RationalVec<3> deviation = at.numerator / at.denominator - combine<Rational, 3>(c.u(), images);
         RC_CLASSIFY(transforms.size() == 1, "degenerate");
         RC_ASSERT(squared_norm(deviation) <= squared_deviation_share<Rational>(c.u(), cosines, least) * squared_spread(images));
+        // By pairs, with any a, as the versines are shares of it.
+        const Rational a = *rc::gen::element(Rational(1), Rational(2), Rational(1, 3));
+        std::vector<Rational> versines;
+        for (std::size_t k = 0; k < transforms.size(); ++k)
+          for (std::size_t l = k + 1; l < transforms.size(); ++l)
+            versines.push_back((Rational(1) - dot(transforms[k].rotation, transforms[l].rotation)) / a);
+        const Rational share = a * deviation_share_of_pairs<Rational>(c.u(), versines, a);
+        RC_ASSERT(squared_norm(deviation) <= share * squared_spread(images));
+        if (is_sharp) RC_ASSERT(share <= squared_deviation_share<Rational>(c.u(), cosines, least));
       });
   t.example("two halves that are half a turn apart deviate by half of A^2, or 9/16 of it where no cosine is known", {}, [] {
     const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, cosines{Rational(0)};
-    const std::vector<Rational> low{Rational(-1)};
+    const std::vector<Rational> low{Rational(-1)}, thirds(3, Rational(1, 3)), ones(3, Rational(1));  // as many as are asked for
     return squared_deviation_share<Rational>(halves, cosines, Rational(1, 2)) == Rational(1, 2) &&
            squared_deviation_share<Rational>(halves, low, Rational(1, 2)) == Rational(9, 16) &&
-           squared_deviation_share<Rational>(std::vector<Rational>{Rational(1)}, {}, Rational(1)) == Rational(0);
+           squared_deviation_share<Rational>(std::vector<Rational>{Rational(1)}, {}, Rational(1)) == Rational(0) &&
+           deviation_share_of_pairs<Rational>(halves, ones, Rational(1)) == Rational(1, 4) &&
+           deviation_share_of_pairs<Rational>(halves, ones, Rational(2, 5)) == Rational(5, 32) &&
+           deviation_share_of_pairs<Rational>(thirds, ones, Rational(1)) == Rational(1, 3);
   });
   t.holds("rotations spread a vector by no more than its length and c allow",
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {

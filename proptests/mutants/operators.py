@@ -103,9 +103,15 @@ def guards(text):
     return out
 
 
+# Their two arguments may change places: they are sums of products, squares of differences, or the greater or smaller of two numbers.
+SYMMETRIC = {"dot", "equal", "squared_distance", "squared_distances", "max_of", "min_of", "max", "min", "hypot", "lcm", "gcd"}
+
+
 def swapped_arguments(text):
     out = []
     for m in re.finditer(r"(?<!\bif)(?<!\bfor)(?<!\bwhile)(?<=\w)\(", text):
+        if re.search(r"\w+$", text[:m.start()])[0] in SYMMETRIC:
+            continue
         end = closing(text, m.start())
         if not end:
             continue

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Copies of the sources in which mutants are planted, each with a build of its own, and programs of a few suites each."""
+import contextlib
 import fcntl
+import hashlib
 import os
 import pathlib
 import re
+import resource
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
-import threading
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TIME_LIMIT = 900  # seconds, of one run of the suites
+TIME_LIMIT = 900  # seconds of the processor's time, of one run of the suites
 
 
 class Copy:
@@ -80,14 +83,11 @@ class Copy:
         if not ok:
             sys.exit("mutants: no way to build the tests: " + commands)
         words, command, objects, helpers = shlex.split(commands.strip().split("\n")[-1].split("&&")[1]), [], [], []
-        suite_count = 0
         for word in words:
             path = pathlib.Path(word)
-            is_suite = path.name.endswith(".cpp.o") and path.parent.name in ("lemmas", "algorithms")
-            if is_suite and path.name.removesuffix(".cpp.o") not in stems:
+            if is_suite(word) and path.name.removesuffix(".cpp.o") not in stems:
                 continue
-            suite_count += is_suite
-            if path.suffix == ".o" and not is_suite and path.parent.name != "proptests.dir":
+            if path.suffix == ".o" and not is_suite(word) and path.parent.name != "proptests.dir":
                 helpers.append(word)
                 continue
             if path.suffix == ".a" and not path.is_absolute():
@@ -106,7 +106,7 @@ class Copy:
             return None, output
         self.archive(self.build_folder / "thin_helpers.a", helpers)
         at = command.index("-o")
-        program = self.build_folder / ("mutant_" + str(abs(hash(key))))
+        program = self.build_folder / ("mutant_" + hashlib.sha256(" ".join(key).encode()).hexdigest()[:16])
         command[at + 1] = str(program)
         # In front of the libraries, which helpers need, too.
         command.insert(max(i for i, word in enumerate(command) if word.endswith(".o")) + 1, str(self.build_folder / "thin_helpers.a"))
@@ -122,50 +122,61 @@ class Copy:
         path.unlink(missing_ok=True)
         subprocess.run(["ar", "rcsT", path, *members], cwd=self.build_folder, check=True)
 
-    def build(self, stems, jobs):
-        """(the program, or None, and what the compiler said)."""
+    def build(self, stems, jobs, planted=None):
+        """(the program, or None, and what the compiler said).
+
+        planted: a source file with a mutant. Then only its object is made anew, and for a header those of the suites: all else is as it was
+        before. What such a program finds wrong is wrong with the mutant, but it may overlook what a whole build sees."""
         command, parts, *program = self.link(stems, jobs)
         if command is None:
             return None, parts[-4000:]
-        ok, output = self.ninja("-j", str(jobs), *parts)
+        if planted:
+            own = "/" + planted.partition("/")[2].rpartition(".")[0] + ".cpp.o"
+            parts = [p for p in parts if p.endswith(own) or is_suite(p) and planted.endswith(".hpp")]
+        ok, output = self.ninja("-j", str(jobs), *parts) if parts else (True, "")
         if ok:
             done = subprocess.run(command, cwd=self.build_folder, text=True, capture_output=True)
             ok, output = done.returncode == 0, done.stdout + done.stderr
         return program[0] if ok else None, output[-4000:]
 
     def first_failure(self, program, limit=TIME_LIMIT):
-        """The sentence of the first test that fails, or None if all pass."""
-        process = subprocess.Popen([program], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT)
-        is_late = threading.Event()
-        alarm = threading.Timer(limit, lambda: (is_late.set(), process.kill()))
-        alarm.start()
+        """The sentence of the first test that fails, or None if all pass. limit: seconds of the processor's time."""
+        process = subprocess.Popen([program], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT,
+                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5)))
         try:
             for line in process.stdout:
                 if failed := re.match(r"  (.*)  \[ FAIL \]", line):
                     process.kill()
                     return failed[1]
             code = process.wait()
-            if is_late.is_set():
-                return f"no end within {limit:.0f} s"
+            if code == -signal.SIGXCPU:
+                return f"no end within {limit} s of the processor's time"
             return None if code == 0 else f"the run ended with code {code}"
         finally:
-            alarm.cancel()
             process.wait()
 
+    @contextlib.contextmanager
     def planted(self, file, text):
-        """A context in which the copy's file has this text."""
-        return Planted(self.source / file, text)
+        """A context in which the copy's file has this text. After it the file is as old as it was, so that objects made before are still up to
+        date; those made of the mutant go."""
+        path = self.source / file
+        original, times = path.read_text(), path.stat()
+        path.write_text(text)
+        planted_at = path.stat().st_mtime_ns
+        try:
+            yield
+        finally:
+            for made in self.build_folder.rglob("*.o"):
+                if made.stat().st_mtime_ns >= planted_at:
+                    made.unlink()
+            path.write_text(original)
+            os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
 
 
-class Planted:
-    def __init__(self, file, text):
-        self.file, self.text, self.original = file, text, file.read_text()
-
-    def __enter__(self):
-        self.file.write_text(self.text)
-
-    def __exit__(self, *_):
-        self.file.write_text(self.original)
+def is_suite(made):
+    """Whether an object is that of a suite."""
+    path = pathlib.Path(made)
+    return path.name.endswith(".cpp.o") and path.parent.name in ("lemmas", "algorithms")
 
 
 def free_copy():

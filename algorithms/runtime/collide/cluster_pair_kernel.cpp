@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "algorithms/runtime/collide/triangles_filter.hpp"
@@ -133,22 +134,18 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
   return found;
 }
 
-// The corners of a candidate a lane. Those behind the last pair repeat it.
+// The corners of a candidate a lane. Those behind the last pair repeat it. They are read eight at a time, however few lanes there are.
 TriangleOf<S> corners_of(const CandidateArrays& candidates, const std::int32_t* which, int count) {
-  alignas(64) float numbers[9][width];
+  constexpr int read = std::max(width, 8);
+  alignas(64) float numbers[9][read];
   const float* rows[8];
-  for (int block = 0; block < width; block += 8) {
+  for (int block = 0; block < read; block += 8) {
     for (int i = 0; i < 8; ++i) {
       const int lane = block + i < count ? block + i : count - 1;
       rows[i] = candidates.corners + record * which[lane];
-      if (block + i < width) numbers[8][block + i] = rows[i][8];
+      numbers[8][block + i] = rows[i][8];
     }
-    if constexpr (width >= 8) {
-      transpose<float>(rows, numbers[0] + block, width);
-    } else {
-      for (int i = 0; i < 8; ++i)
-        for (int lane = 0; lane < width; ++lane) numbers[i][lane] = rows[lane][i];
-    }
+    transpose<float>(rows, numbers[0] + block, read);
   }
   TriangleOf<S> out;
   for (int c = 0; c < 3; ++c)
