@@ -12,11 +12,11 @@ Session& Session::get() {
 }
 
 void Session::announce(const std::string& stem, const std::string& sentence) const {
-  std::cout << (is_watched_ ? "  [ .... ] " : "  ") << stem << ": " << sentence << std::flush;
+  std::cout << (is_watched() ? "  [ .... ] " : "  ") << stem << ": " << sentence << std::flush;
 }
 
 void Session::progress(long done, long of) const {
-  if (!is_watched_) return;
+  if (!is_watched()) return;
   std::printf("\r  [ %2ld %% ]", 100 * done / of);
   std::fflush(stdout);
 }
@@ -26,7 +26,7 @@ void Session::add(Outcome o) {
   std::snprintf(summary, sizeof summary, "%ld case%s, %.0f %% degenerate, %.2f s", o.cases, o.cases == 1 ? "" : "s",
                 100 * o.degenerate_share, o.seconds);
   const char* const verdict = o.skipped ? "[ SKIP ]" : o.passed ? "[  ok  ]" : "[ FAIL ]";
-  if (is_watched_) std::cout << "\r  " << verdict << ' ' << o.stem << ": " << o.sentence;
+  if (is_watched()) std::cout << "\r  " << verdict << ' ' << o.stem << ": " << o.sentence;
   else std::cout << "  " << verdict;
   std::cout << "  (" << o.kind;
   if (!o.options.form.empty()) std::cout << ", " << o.options.form;

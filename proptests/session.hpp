@@ -34,7 +34,8 @@ class Session {
   std::vector<Outcome> outcomes_;
   std::uint64_t seed_ = 2006;  // fixed unless --seed says otherwise
   int cases_ = 0;
-  const bool is_watched_ = ::isatty(STDOUT_FILENO);  // else, in a log, a line is written once and from left to right
+  // Else, in a log, a line is written once and from left to right.
+  static bool is_watched() { return ::isatty(STDOUT_FILENO); }
 };
 
 }  // namespace proptests
