@@ -3,6 +3,7 @@
 #include <functional>
 #include <future>
 #include <iostream>
+#include <set>
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
@@ -149,6 +150,21 @@ struct RunModels {
   std::vector<Model> deforming;
 };
 
+// Throws std::invalid_argument if one of the names is that of no model.
+void keep_wanted_characters(const Options& options, RunModels& models) {
+  std::set<std::string> names{no_character};
+  for (std::vector<Model>* some : {&models.rigid.models, &models.deforming}) {
+    for (const Model& model : *some) names.insert(model.name);
+    std::erase_if(*some, [&](const Model& model) { return !options.wants_character(model.name); });
+  }
+  for (const std::string& name : options.characters)
+    if (!names.contains(name)) {
+      std::string all;
+      for (const std::string& known : names) all += (all.empty() ? "" : ", ") + known;
+      throw std::invalid_argument("--character " + name + ": these experiments have no such character; there are: " + all);
+    }
+}
+
 RunModels load_models(const Options& options) {
   RunModels out;
   const bool is_of_deformations = options.only == std::vector<std::string>{"deformations"};
@@ -157,10 +173,12 @@ RunModels load_models(const Options& options) {
     else out.rigid.models.push_back(load_named(file));
   if (!options.files.empty()) return out;
   if (options.wants_models()) out.rigid = default_models(options.models);
-  if (!options.wants("deformations")) return out;
-  DeformingModels deforming = deforming_models(options.models);
-  out.deforming = std::move(deforming.models);
-  append(out.rigid.absent, deforming.absent);
+  if (options.wants("deformations")) {
+    DeformingModels deforming = deforming_models(options.models);
+    out.deforming = std::move(deforming.models);
+    append(out.rigid.absent, deforming.absent);
+  }
+  keep_wanted_characters(options, out);
   return out;
 }
 
@@ -188,8 +206,19 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
                            result("over_time_growth.csv"));
 }
 
-// On one's own models what has nothing to do with a model runs only if it is asked for.
-bool runs_without_model(const Options& options) { return options.files.empty() || !options.only.empty(); }
+// A line for each experiment and character: what may run by itself, with --only and --character.
+void list_parts(const Options& options, const RunModels& models) {
+  const auto list = [&](const char* experiment, const std::string& character) {
+    if (options.wants(experiment)) std::cout << experiment << '\t' << character << '\n';
+  };
+  for (std::size_t i = 0; i < models.rigid.models.size(); ++i)
+    for (const char* experiment : experiments_on_models)
+      if (i == 0 || std::string(experiment) != "collisions" || !options.collisions.first_model_only)
+        list(experiment, models.rigid.models[i].name);
+  for (const Model& model : models.deforming) list("deformations", model.name);
+  if (options.wants_no_character())
+    for (const char* experiment : experiments_without_model) list(experiment, no_character);
+}
 
 // How often resumed_or will be called; of collisions with the first model only, once. deforming: of the models, those for deformations
 // alone.
@@ -199,7 +228,7 @@ std::size_t unit_count(const Options& options, std::size_t models, std::size_t d
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
                       count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models) +
                       count("engines", models) + count("deformations", models + deforming);
-  if (runs_without_model(options))
+  if (options.wants_no_character())
     units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;
 }
@@ -226,7 +255,12 @@ int main(int argc, char** argv) try {
     return 0;
   }
 
-  auto [models, deforming] = load_models(options);
+  RunModels run_models = load_models(options);
+  if (options.lists_parts) {
+    list_parts(options, run_models);
+    return 0;
+  }
+  auto& [models, deforming] = run_models;
   for (const auto& absent : models.absent) std::cout << "absent: " << absent << " (could not be fetched; the run goes on)\n";
 
   const RunFolder folder(options.out + "/units", options.anew);
@@ -244,7 +278,7 @@ int main(int argc, char** argv) try {
   if (pictures.empty()) draw_caps(pictures);
   pictures.write(std::ref(result));
   if (!models.models.empty() || !deforming.empty()) write_results_by_model(options, results, result);
-  if (runs_without_model(options)) run_without_model(options, run, result);
+  if (options.wants_no_character()) run_without_model(options, run, result);
   result.write();
   std::cout << "results: " << options.out << "/results\n";
 } catch (const std::exception& e) {

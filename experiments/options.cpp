@@ -8,8 +8,12 @@
 namespace refitlab {
 namespace {
 
-const char* const experiments[] = {"tightness", "speed",     "volumes",   "rounding", "collisions",
-                                   "growth",    "synthetic", "over_time", "engines",  "deformations"};
+std::vector<std::string> all_experiments() {
+  std::vector<std::string> out(std::begin(experiments_on_models), std::end(experiments_on_models));
+  for (const char* name : experiments_without_model)
+    if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
+  return out;
+}
 
 // Whether everything runs at all: collisions of one character only, too few repetitions for times to mean much.
 void measure_quickly(Options& o) {
@@ -51,8 +55,9 @@ void measure_fully(Options& o) {
 
 bool parse(int argc, char** argv, Options& o) {
   namespace po = boost::program_options;
+  const std::vector<std::string> experiments = all_experiments();
   std::string names;
-  for (const char* name : experiments) names += std::string(names.empty() ? "" : ", ") + name;
+  for (const std::string& name : experiments) names += (names.empty() ? "" : ", ") + name;
   po::options_description description("experiments: refit variants compared on skinned characters");
   description.add_options()("help", "this text")("model", po::value(&o.files)->multitoken(),
                                                  "rigged files of one's own, in place of the default models")(
@@ -67,6 +72,9 @@ bool parse(int argc, char** argv, Options& o) {
       "clip", po::value(&o.certificate.clip), "of the certificate: the first unless given")(
       "time", po::value(&o.certificate.seconds), "of the certificate: seconds into the clip")(
       "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given")(
+      "character", po::value(&o.characters)->multitoken(),
+      "of the default models those of these names; none is what has nothing to do with a model")(
+      "list-parts", "print each experiment and character that these options ask for, and do nothing else")(
       "check-options", "say whether these options can be run, and do nothing else")(
       "pack-models", "the models for the report's explorer too, in results/models");
   po::variables_map map;
@@ -74,6 +82,8 @@ bool parse(int argc, char** argv, Options& o) {
   po::notify(map);
   if (map.count("help")) return std::cout << description, false;
   o.check_only = map.count("check-options");
+  o.lists_parts = map.count("list-parts");
+  if (map.count("character") && map.count("model")) throw po::error("--character is of the default models, --model of one's own");
   for (const auto& file : o.files)
     if (!std::filesystem::is_regular_file(file)) throw po::error("--model " + file + ": there is no such file");
   o.anew = map.count("anew");
@@ -86,7 +96,7 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("quick")) measure_quickly(o);
   if (map.count("full")) measure_fully(o);
   for (const auto& name : o.only)
-    if (std::find(std::begin(experiments), std::end(experiments), name) == std::end(experiments))
+    if (std::find(experiments.begin(), experiments.end(), name) == experiments.end())
       throw po::error("--only " + name + ": no such experiment; there are: " + names);
   return true;
 }

@@ -22,10 +22,17 @@
 
 namespace refitlab {
 
+inline constexpr const char* experiments_on_models[] = {"tightness",  "speed",     "volumes", "rounding",
+                                                        "collisions", "over_time", "engines", "deformations"};
+// Of these all or a part has nothing to do with a model; that part is of no character.
+inline constexpr const char* experiments_without_model[] = {"growth", "speed", "synthetic", "over_time"};
+inline constexpr const char* no_character = "none";
+
 // The settings are those of a first look unless asked otherwise: all parts, all characters, in some minutes.
 struct Options {
   std::string effort = "default";
   std::vector<std::string> only, files;
+  std::vector<std::string> characters;  // of the default models those of these names, or all
   std::string models = "out/models", out = "out";
   TightnessSettings tightness{.times_per_clip = 8};
   SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
@@ -39,15 +46,19 @@ struct Options {
   OverTimeGrowthSettings over_time_growth;
   EngineSettings engines{.speed = speed};
   DeformationSettings deformations{.speed = speed};
-  bool anew = false, check_only = false, packs_models = false;
+  bool anew = false, check_only = false, lists_parts = false, packs_models = false;
   CertificateRequest certificate;
   // Whether an experiment is wanted that has something to do with a model.
   bool wants_models() const {
-    for (const char* name : {"tightness", "speed", "volumes", "rounding", "collisions", "over_time", "engines", "deformations"})
-      if (wants(name)) return true;
-    return false;
+    return std::any_of(std::begin(experiments_on_models), std::end(experiments_on_models),
+                       [&](const char* name) { return wants(name); });
   }
   bool wants(const std::string& name) const { return only.empty() || std::find(only.begin(), only.end(), name) != only.end(); }
+  bool wants_character(const std::string& name) const {
+    return characters.empty() || std::find(characters.begin(), characters.end(), name) != characters.end();
+  }
+  // On one's own models what has nothing to do with a model runs only if it is asked for.
+  bool wants_no_character() const { return wants_character(no_character) && (files.empty() || !only.empty()); }
 };
 
 // False if only help was asked for. Throws what boost::program_options does for options that it does not know, and for

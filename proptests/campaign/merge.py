@@ -83,3 +83,12 @@ def write_whole(path, text):
     temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
     temporary.write_text(text)
     temporary.replace(path)
+
+
+def copy_units(source, target):
+    """What an experiment measured, each file whole or not at all."""
+    target.mkdir(parents=True, exist_ok=True)
+    for unit in sorted(source.glob("*.unit")):
+        temporary = target / f"{unit.name}.{os.getpid()}.part"
+        temporary.write_bytes(unit.read_bytes())
+        temporary.replace(target / unit.name)

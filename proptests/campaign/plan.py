@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a campaign runs: shards, each a suite of property tests with a seed, a fuzz target with a seed, some mutants, or a part of an exhaustive proof."""
+"""What a campaign runs: shards, each a suite of property tests with a seed, a fuzz target with a seed, some mutants, a part of an exhaustive
+proof, or an experiment on one character."""
 import hashlib
 import json
 
@@ -16,11 +17,11 @@ def digest_of(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
-def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs, theorems=(), size=""):
+def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs, theorems=(), size="", parts=(), effort=""):
     """The plan, as it is kept beside the results: what another plan has found is not mixed with it.
 
     mutants: their positions in the sample. programs: the digests of what runs, by name. theorems: the names of those that are to be proved
-    exhaustively, with constants of this size."""
+    exhaustively, with constants of this size. parts: (experiment, character) of what is to be measured, with this effort."""
     chosen = [s for s in suites if not only or any(text in s for text in only)] if seeds else []
     if seeds and not chosen:
         raise PlanError("no suite's stem contains what --only names; proptests/run --list lists them")
@@ -32,7 +33,14 @@ def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs
                for first in range(0, len(mutants), MUTANTS_OF_SHARD)]
     shards += [{"name": f"proof.{theorem}.{part:02d}", "kind": "proof", "of": theorem, "part": f"{part}/{PARTS_OF_PROOF}", "size": size, "seed": 0}
                for theorem in theorems for part in range(PARTS_OF_PROOF)]
-    return {"cases": cases, "fuzz_seconds": fuzz_seconds, "programs": programs, "shards": shards}
+    shards += [{"name": f"experiment.{experiment}.{character}", "kind": "experiment", "of": experiment, "character": character, "seed": 0}
+               for experiment, character in parts]
+    return {"cases": cases, "fuzz_seconds": fuzz_seconds, "effort": effort, "programs": programs, "shards": shards}
+
+
+def effort_options(effort):
+    """The options of the experiments' program for this effort."""
+    return [] if effort == "default" else ["--" + effort]
 
 
 def text_of(plan):
