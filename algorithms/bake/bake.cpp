@@ -10,17 +10,20 @@
 namespace refitlab {
 namespace {
 
-PieceOptions options_of(Pieces kind) {
-  switch (kind) {
-    case Pieces::mixed: return {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2, .most_displaced_vertices = 64};
-    case Pieces::many: return {.most_pieces = many_pieces};
-    default: return {};
-  }
+PieceOptions options_of(Pieces kind, Joints joints, bool has_targets) {
+  const bool deforms = has_targets || joints == Joints::affine;
+  PieceOptions out;
+  if (kind == Pieces::mixed)
+    out = {.pieces_per_joint_set = 4. / 3, .vertices_per_control_point = 2, .most_displaced_vertices = 64};
+  if (kind == Pieces::many) out = {.most_pieces = many_pieces};
+  if (kind == Pieces::many && deforms) out.pieces_per_joint_set = 4, out.weight_extent = 0.25, out.most_displaced_vertices = 64;
+  if (kind != Pieces::joint_sets && joints == Joints::affine) out.most_stretched_vertices = 32, out.stretched_pieces = 16;
+  return out;
 }
 
 }  // namespace
 
-Character bake(SkinnedMesh mesh, const TreeOptions& options, std::initializer_list<Pieces> pieces) {
+Character bake(SkinnedMesh mesh, const TreeOptions& options, std::initializer_list<Pieces> pieces, Joints joints) {
   const DefaultFloatEnvironment environment;
   const JointSets sets(mesh);
   SphereTree tree = build_sphere_tree(mesh, sets, options);
@@ -33,14 +36,20 @@ Character bake(SkinnedMesh mesh, const TreeOptions& options, std::initializer_li
   Character c{std::move(mesh), sets, std::move(tree), std::move(vertices), {}};
   for (const Pieces kind : pieces)
     if (kind != Pieces::node)
-      c.pieces[static_cast<std::size_t>(kind)] = build_pieces(c.tree, c.vertices, c.mesh, c.sets, options_of(kind));
+      c.pieces[static_cast<std::size_t>(kind)] =
+          build_pieces(c.tree, c.vertices, c.mesh, c.sets, options_of(kind, joints, c.mesh.targets.count > 0));
   return c;
 }
 
 AnimatedCharacter bake(Model model, const TreeOptions& options, std::initializer_list<Pieces> pieces) {
+  const Joints joints = joints_of(model);
+  return bake(std::move(model), options, pieces, joints);
+}
+
+AnimatedCharacter bake(Model model, const TreeOptions& options, std::initializer_list<Pieces> pieces, Joints joints) {
   std::vector<Clip> clips = std::move(model.clips);
   if (!model.morphs.empty()) model.targets = morph_targets(model);
-  return {bake(SkinnedMesh(std::move(model)), options, pieces), std::move(clips)};
+  return {bake(SkinnedMesh(std::move(model)), options, pieces, joints), std::move(clips)};
 }
 
 }  // namespace refitlab

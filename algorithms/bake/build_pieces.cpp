@@ -25,7 +25,11 @@ struct Cluster {
 
 class Clustering {
  public:
-  Clustering(const SkinnedMesh& mesh, const JointSets& sets, double extent) : mesh_(mesh), sets_(sets), extent_(extent) {}
+  Clustering(const SkinnedMesh& mesh, const JointSets& sets, double radius, double extent)
+      : mesh_(mesh),
+        sets_(sets),
+        radius_(radius),
+        extent_(extent) {}
 
   Cluster make(int joint_set, std::vector<int> vertices) const {
     std::vector<Point3> points;
@@ -33,7 +37,7 @@ class Clustering {
     Cluster c{joint_set, std::move(vertices), rounded_up(as_ball(smallest_ball<double, 3>(points))), 0, 0};
     c.spread = c.ball.radius + extent_ * weight_range(c).second;
     if (mesh_.targets.count > 0)
-      for (const TargetBall& by : build_displacements(mesh_, {&c.vertices, 1}).balls) c.displacement += by.ball.radius / extent_;
+      for (const TargetBall& by : build_displacements(mesh_, {&c.vertices, 1}).balls) c.displacement += by.ball.radius / radius_;
     return c;
   }
 
@@ -67,7 +71,8 @@ class Clustering {
 
   const SkinnedMesh& mesh_;
   const JointSets& sets_;
-  double extent_;  // the length that a full change of weight counts as: the node's radius
+  double radius_;  // of the node
+  double extent_;  // the length that a full change of weight counts as
 };
 
 using WeightVertices = std::vector<std::vector<double>>;
@@ -80,14 +85,19 @@ class NodeClusters {
         options_(options) {}
 
   std::vector<Cluster> of(const TreeNode& node, std::span<const int> vertices) const {
-    const Clustering clustering(mesh_, sets_, node.reference.radius);
-    const int most = std::max(options_.most_pieces, static_cast<int>(options_.pieces_per_joint_set * node.piece_count));
+    const Clustering clustering(mesh_, sets_, node.reference.radius, options_.weight_extent * node.reference.radius);
+    int most = std::max(options_.most_pieces, static_cast<int>(options_.pieces_per_joint_set * node.piece_count));
     std::map<int, std::vector<int>> by_set;
     for (const int v : vertices) by_set[sets_.of_vertex(v)].push_back(v);
     const auto less = [](const Cluster& a, const Cluster& b) { return a.spread < b.spread; };
     std::priority_queue<Cluster, std::vector<Cluster>, decltype(less)> queue(less);
     std::vector<Cluster> done;
-    for (auto& [set, own] : by_set) queue.push(clustering.make(set, std::move(own)));
+    bool are_rigid = true;
+    for (auto& [set, own] : by_set) {
+      queue.push(clustering.make(set, std::move(own)));
+      are_rigid = are_rigid && sets_.joints(set).size() == 1;
+    }
+    if (are_rigid) most = std::max(most, options_.stretched_pieces);
     while (!queue.empty() && static_cast<int>(queue.size() + done.size()) < most) {
       const Cluster widest = queue.top();
       queue.pop();
@@ -112,6 +122,7 @@ class NodeClusters {
 
   bool is_better_as_vertices(const Cluster& c, const WeightVertices& weight_vertices) const {
     if (c.displacement > options_.least_displacement && c.vertices.size() <= options_.most_displaced_vertices) return true;
+    if (weight_vertices.size() == 1 && c.vertices.size() <= options_.most_stretched_vertices) return true;
     const auto m = static_cast<double>(weight_vertices.size());
     return static_cast<double>(c.vertices.size()) <= options_.vertices_per_control_point * m * (m + 1) * (m + 2) / 6;
   }
@@ -160,7 +171,8 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
     const auto of_node = clusters.of(tree.nodes[n], vertices[static_cast<int>(n)]);
     for (const Cluster& c : of_node) {
       const auto weight_vertices = clusters.weight_vertices_of(c);
-      const bool is_exact = of_node.size() == 1 && weight_vertices.size() == 1 && c.displacement <= options.least_displacement;
+      const bool is_exact = of_node.size() == 1 && weight_vertices.size() == 1 && c.displacement <= options.least_displacement &&
+                            c.vertices.size() > options.most_stretched_vertices;
       if (c.vertices.size() == 1 || (!is_exact && clusters.is_better_as_vertices(c, weight_vertices))) {
         for (const int v : c.vertices) table.pieces.push_back(listed[v]);
         continue;

@@ -23,6 +23,13 @@ struct PieceOptions {
   // weight 1, is listed by its vertices too if these are no more. Its ball would be as much larger as they may be apart.
   double least_displacement = 0.02;
   std::size_t most_displaced_vertices = 0;
+  // Joints that scale stretch the ball of a rigid piece by as much as any of its diameters, though its vertices may all lie along another.
+  // Such a piece is listed by its vertices if these are no more than this, and a node of rigid pieces alone is split into as many as
+  // stretched_pieces. 0 is for joints that do not scale.
+  std::size_t most_stretched_vertices = 0;
+  int stretched_pieces = 1;
+  // What is widest is split first, of places and of weights. A full change of weight counts as this share of the node's radius.
+  double weight_extent = 1;
 };
 
 PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, const SkinnedMesh& mesh, const JointSets& sets,

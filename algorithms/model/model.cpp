@@ -6,6 +6,20 @@
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
+namespace {
+
+constexpr int moments_looked_at = 16;
+
+}  // namespace
+
+Joints joints_of(const Model& model) try {
+  for (const Clip& clip : model.clips)
+    for (int i = 0; i < moments_looked_at; ++i) clip.sample((i + 0.5) / moments_looked_at * clip.duration);
+  if (model.clips.empty() && !model.skeleton.joints.empty()) pose(model.skeleton, {}, 0);
+  return Joints::rigid;
+} catch (const ModelError&) {
+  return Joints::affine;
+}
 
 MorphTargets morph_targets(const Model& model) {
   MorphTargets out;

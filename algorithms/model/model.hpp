@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/model/load_options.hpp"
 #include "algorithms/model/skeleton_motion.hpp"
 
 namespace refitlab {
@@ -52,6 +53,9 @@ struct Model : SkinnedMesh {
   // Of models loaded with Morphs::moving, whose vertices are those of weights 0.
   std::vector<MorphedMesh> morphs = {};
 };
+
+// Says whether the joints are affine at one of 16 moments of a clip, evenly spread. Those of a model without clips are as they rest.
+Joints joints_of(const Model& model);
 
 // All targets of all morphed meshes, those of the first mesh first.
 MorphTargets morph_targets(const Model& model);

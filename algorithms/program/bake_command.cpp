@@ -129,7 +129,7 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
 Character baked_character(const Model& model) {
   SkinnedMesh mesh(model);
   mesh.name.clear();  // what is written does not depend on where the file was
-  return bake(std::move(mesh), {}, {Pieces::mixed});
+  return bake(std::move(mesh), {}, {Pieces::mixed}, joints_of(model));
 }
 
 int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {

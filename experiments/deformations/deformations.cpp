@@ -36,20 +36,12 @@ void measure(const Character& c, const std::string& kind, const std::vector<Defo
   }
 }
 
-AnimatedCharacter with_targets(const Model& model) {
-  Model morphed = model;
-  add_targets(morphed);
-  return bake(std::move(morphed));
-}
-
 void measure_made_up(const Model& model, const std::vector<double>& shares, const DeformationSettings& settings,
                      DeformationResult& result) {
-  const AnimatedCharacter plain = bake(Model(model)), morphed = with_targets(model);
-  for (const DeformationKind& kind : made_up_kinds) {
-    const AnimatedCharacter& c = kind.has_morphs ? morphed : plain;
-    measure(c, kind.name, deformed_poses(c, kind, shares), result);
-  }
-  result.costs = deformed_costs(plain, morphed, settings.speed);
+  const DeformingCharacters characters(model);
+  for (const DeformationKind& kind : made_up_kinds)
+    measure(characters.of(kind), kind.name, deformed_poses(characters.of(kind), kind, shares), result);
+  result.costs = deformed_costs(characters, settings.speed);
   result.reduced = measure_reduced(model, settings.reduced);
   result.reduced_costs = reduced_costs(vibrating_character(model, settings.reduced), settings.speed);
 }
@@ -125,7 +117,7 @@ DeformationResult run_deformations(const Model& model, const DeformationSettings
   result.model = model.name;
   result.vertices = static_cast<long>(model.vertices.size()), result.joints = static_cast<long>(model.joints.size());
   result.targets = morph_targets(model).count;
-  if (deforms_itself(model, shares)) measure(bake(Model(model)), "own", own_poses(model, shares), result);
+  if (deforms_itself(model)) measure(bake(Model(model)), "own", own_poses(model, shares), result);
   else if (!model.clips.empty()) measure_made_up(model, shares, settings, result);
   return result;
 }

@@ -55,14 +55,13 @@ Timed timed(const AnimatedCharacter& c, const DeformationKind& kind, const Refit
 
 }  // namespace
 
-std::vector<DeformedCost> deformed_costs(const AnimatedCharacter& plain, const AnimatedCharacter& morphed,
-                                         const SpeedSettings& settings) {
+std::vector<DeformedCost> deformed_costs(const DeformingCharacters& characters, const SpeedSettings& settings) {
   std::vector<DeformedCost> out;
   for (const Skinning skinning : timed_skinnings) {
     const RefitVariant& variant = default_variant(skinning);
     std::vector<Timed> calls;
     for (const DeformationKind& kind : made_up_kinds)
-      for (const bool is_kept : {false, true}) calls.push_back(timed(kind.has_morphs ? morphed : plain, kind, variant, is_kept));
+      for (const bool is_kept : {false, true}) calls.push_back(timed(characters.of(kind), kind, variant, is_kept));
     const auto times = ns_per_item(calls, settings);
     const auto& rigid = times.at(rigid_kind.name);
     for (const DeformationKind& kind : made_up_kinds) {

@@ -20,9 +20,8 @@ struct DeformedCost {
   double to_rigid_kept;  // likewise where the deformation stays as it is, and only the rigid pose changes
 };
 
-// Times the default variants. plain is the character that is rigid or has joints that scale, and morphed the same with morph targets.
-std::vector<DeformedCost> deformed_costs(const AnimatedCharacter& plain, const AnimatedCharacter& morphed,
-                                         const SpeedSettings& settings);
+// Times the default variants.
+std::vector<DeformedCost> deformed_costs(const DeformingCharacters& characters, const SpeedSettings& settings);
 
 // Of all nodes of a character with a reduced deformation in its reference pose, new coordinates in every frame.
 struct ReducedCost {

@@ -21,13 +21,6 @@ Point3 factors(Scales scales, std::size_t joint) {
   }
 }
 
-bool is_rigid(const Clip& clip, std::span<const double> shares) try {
-  for (const double share : shares) clip.sample(share * clip.duration);
-  return true;
-} catch (const ModelError&) {
-  return false;
-}
-
 }  // namespace
 
 AffinePose scaled(const SkinnedMesh& mesh, const Pose& pose, Scales scales) {
@@ -58,6 +51,15 @@ void add_targets(SkinnedMesh& mesh) {
   }
 }
 
+DeformingCharacters::DeformingCharacters(const Model& model) {
+  Model morphed = model;
+  add_targets(morphed);
+  for (const Joints joints : {Joints::rigid, Joints::affine}) {
+    for (const Model& made : {model, morphed})
+      baked_[joints == Joints::affine ? 1 : 0].push_back(bake(Model(made), {}, all_pieces, joints));
+  }
+}
+
 std::vector<DeformedPose> deformed_poses(const AnimatedCharacter& c, const DeformationKind& kind,
                                          std::span<const double> shares) {
   std::vector<DeformedPose> out;
@@ -72,10 +74,7 @@ std::vector<DeformedPose> deformed_poses(const AnimatedCharacter& c, const Defor
   return out;
 }
 
-bool deforms_itself(const Model& model, std::span<const double> shares) {
-  return !model.morphs.empty() ||
-         !std::all_of(model.clips.begin(), model.clips.end(), [&](const Clip& clip) { return is_rigid(clip, shares); });
-}
+bool deforms_itself(const Model& model) { return !model.morphs.empty() || joints_of(model) == Joints::affine; }
 
 std::vector<DeformedPose> own_poses(const Model& model, std::span<const double> shares) {
   std::vector<DeformedPose> out;

@@ -30,14 +30,25 @@ AffinePose scaled(const SkinnedMesh& mesh, const Pose& pose, Scales scales);
 // Gives a mesh three morph targets in place of its own: a belly that swells, a lean, and bumps all over.
 void add_targets(SkinnedMesh& mesh);
 
+// A rigid character's model as it is baked for each kind of deformation: for joints that scale or not, with the targets of add_targets or none.
+class DeformingCharacters {
+ public:
+  explicit DeformingCharacters(const Model& model);
+  const AnimatedCharacter& of(const DeformationKind& kind) const {
+    return baked_[kind.scales == Scales::none ? 0 : 1][kind.has_morphs ? 1 : 0];
+  }
+
+ private:
+  std::vector<AnimatedCharacter> baked_[2];
+};
+
 // Returns the poses of all clips of a rigid character, at these shares of their durations. One with morphs has the targets of
 // add_targets. Throws ModelError for a clip that is not rigid.
 std::vector<DeformedPose> deformed_poses(const AnimatedCharacter& character, const DeformationKind& kind,
                                          std::span<const double> shares);
 
-// Says whether a model has morph targets, or a clip that is not rigid at one of these shares of its duration. Such a model is
-// deformed as its own clips say.
-bool deforms_itself(const Model& model, std::span<const double> shares);
+// Says whether a model has morph targets or joints that scale. Such a model is deformed as its own clips say.
+bool deforms_itself(const Model& model);
 
 // Returns the poses of all clips of such a model: its joints and its weights. One without clips is in the pose that it rests
 // in, with all weights a half.

@@ -470,6 +470,16 @@ PROPTEST(clip_certificate) {
              for (json& sampler : d["animations"][0]["samplers"])
                if (sampler["interpolation"] == "STEP") sampler["interpolation"] = "LINEAR";
            }));
+    // As many are reached from the roots as there are: one twice, and one, below itself, never.
+    expect("a node below two", "a node is below two", in_description([](json& d) {
+             json& nodes = d["nodes"];
+             int leaf = -1;
+             for (const json& node : nodes)
+               for (const int child : node.value("children", std::vector<int>()))
+                 if (!nodes[child].contains("children")) leaf = child;
+             nodes.push_back({{"children", {leaf}}});
+             nodes.push_back({{"children", {nodes.size()}}});
+           }));
     expect("an extension of geometry", "which is not read",
            in_description([](json& d) { d["extensionsRequired"].push_back("KHR_draco_mesh_compression"); }));
     expect("the bytes of positions and keys", "part 0", [](std::vector<GlbChunk>& chunks) {

@@ -282,8 +282,17 @@ PROPTEST(pieces) {
     bool by_place = true;  // but less than a row of 14
     for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, 14, 16), 3), {3}))
       if (p.joints.size() == 2) by_place = by_place && p.weight_range > 0.4 && p.radius < 4;
-    return Checked(ring_first && row_first && by_weight && by_place, 4,
-                   std::to_string(ring_first) + std::to_string(row_first) + std::to_string(by_weight) + std::to_string(by_place));
+    // A quarter of the radius counts 2.5: the row of 14 is less than the ring then, that of 18 is not.
+    const auto root_sizes = [&](double row) {
+      std::array<int, 2> count{0, 0};
+      const PieceOptions options{.most_pieces = 3, .weight_extent = 0.25};
+      for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, row, 16), 3), options)) ++count[p.joints.size() == 1 ? 0 : 1];
+      return count;
+    };
+    const bool quarter = root_sizes(14) == std::array{2, 1} && root_sizes(18) == std::array{1, 2};
+    return Checked(ring_first && row_first && by_weight && by_place && quarter, 6,
+                   std::to_string(ring_first) + std::to_string(row_first) + std::to_string(by_weight) + std::to_string(by_place) +
+                       std::to_string(quarter));
   });
   t.example("of several weights that vary, the one that varies most is split, wherever it is in the joint-set", {}, [] {
     bool good = true;
@@ -333,6 +342,26 @@ PROPTEST(pieces) {
     for (const RootPiece& p : root_pieces(rig_of(vertices, 3), {3, 1, 2})) ++(p.radius == 0 ? listed : balls);
     return Checked(listed == 3 && balls == 2, 5, std::to_string(listed) + " listed, " + std::to_string(balls) + " balls");
   });
+  t.example("where joints scale, a node of rigid pieces is split into as many as said, and few vertices are listed one by one",
+            {}, [] {
+              std::vector<Vertex> row;
+              for (int k = 0; k < 64; ++k) row.push_back({{1. * k, 0, 0}, rigid});
+              const auto pieces = [](const std::vector<Vertex>& vertices, std::size_t listed, int split) {
+                int balls = 0, points = 0;
+                const PieceOptions options{.most_stretched_vertices = listed, .stretched_pieces = split};
+                for (const RootPiece& p : root_pieces(rig_of(vertices, 3), options)) ++(p.radius > 0 ? balls : points);
+                return std::array{balls, points};
+              };
+              // A rigid ring beside a blended row: the node is not split, and of its two pieces only the rigid one may be listed.
+              const std::vector<Vertex> mixed = ring_and_row(10, 8, 16);
+              const auto kept = pieces(mixed, 15, 8), listed = pieces(mixed, 16, 8);
+              const bool good = pieces(row, 63, 1) == std::array{1, 0} && pieces(row, 64, 1) == std::array{0, 64} &&
+                                pieces(row, 15, 4) == std::array{4, 0} && pieces(row, 16, 4) == std::array{0, 64} &&
+                                pieces(row, 0, 1) == std::array{1, 0} && kept == std::array{2, 0} && listed == std::array{1, 16};
+              return Checked(good, 7,
+                             std::to_string(kept[0]) + " and " + std::to_string(kept[1]) + "; " + std::to_string(listed[0]) +
+                                 " and " + std::to_string(listed[1]));
+            });
   t.holds("pieces of few vertices are these vertices, one by one, and all others stay as they are",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
