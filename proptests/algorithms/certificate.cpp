@@ -704,6 +704,21 @@ PROPTEST(certificate) {
                        folder.check()[0].is_accepted(),
                    long(twice.size()));
   });
+  t.example("shares that are 0 are as good as none, but not all of them", {}, [] {
+    std::mt19937 random(2006);
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
+    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.2), Skinning::spherical);
+    const RefitVariant& variant = compared_variant("control_miniball");
+    CheckedFolder made, folder;
+    const json document = certify(made, variant, c.refit_node(0, palette, variant.pieces), certified(c, 0, ""));
+    json more = document, none = document;
+    for (json& vertex : more["vertices"]) vertex["weight_vertices"].push_back(0), vertex["shares"].push_back("0");
+    for (json& share : none["vertices"][0]["shares"]) share = "0";
+    folder.add(sealed(more)), folder.add(sealed(none));
+    const auto lines = folder.check();
+    return Checked(lines[0].is_accepted() && lines[1].text.find("the shares are not convex") != std::string::npos,
+                   static_cast<long>(more["vertices"].size()), lines[0].text + lines[1].text);
+  });
   t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);
   t.example("the checker has at most 350 lines", {}, [] {
     std::ifstream file(oracle::checker());

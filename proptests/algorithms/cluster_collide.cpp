@@ -319,6 +319,26 @@ PROPTEST(cluster_collide) {
     }
     return Checked(ok, nodes + corners);
   });
+  t.example("a body that rather skins does so where a wide node below the root has only clusters, and bounds the others", {}, [] {
+    const auto man = bake(make_man());
+    const ClusterTree tree(man);
+    ClusterBody body(tree, Skinning::spherical);
+    body.begin(man.clips[0].sample(0.1), {});
+    body.skin_rather();
+    long wrong = 0, skinned = 0;
+    for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); ++f) {
+      const int children = tree.wide_nodes()[f].child_count;
+      bool is_skinned = f > 0;
+      for (int i = 0; i < children; ++i) is_skinned = is_skinned && tree.child(f, i).cluster >= 0;
+      const long nodes = body.nodes_bounded(), clusters = body.clusters_skinned();
+      body.wide_node_box(f);
+      wrong += body.nodes_bounded() - nodes != (is_skinned ? 0 : children);
+      wrong += body.clusters_skinned() - clusters != (is_skinned ? children : 0);
+      skinned += is_skinned;
+    }
+    const auto count = static_cast<long>(tree.wide_nodes().size());
+    return Checked(wrong == 0 && skinned > 0 && skinned < count, count, std::to_string(skinned) + " are skinned");
+  });
   t.example("no more is looked at than is near: boxes, pairs of triangles and corners of two men, at three distances", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);

@@ -34,18 +34,32 @@ def reach():
 
 
 def positions_of(rows):
-    """Of the mutants of these rows among all. Raises ValueError for a row that is none of them."""
+    """Of the mutants of these rows among all; None for a row that is none of them, because its file has changed."""
     files, at = {row["file"] for row in rows}, {}
     for i, m in enumerate(all_mutants()):
         if m.file in files:
             at.setdefault((m.file, m.rule, *m.lines((ROOT / m.file).read_text())), []).append(i)
     found = []
     for row in rows:
-        same = at.get((row["file"], row["rule"], row["line"], row["mutant"]))
-        if not same:
-            raise ValueError(f"no rule makes '{row['mutant']}' of {row['file']}, whose text may have changed")
-        found.append(same.pop(0) if len(same) > 1 else same[0])  # a line may stand twice
-    return sorted(found)
+        same = at.get((row["file"], row["rule"], row["line"], row["mutant"]), [])
+        found.append(same.pop(0) if same else None)  # a line may stand twice
+    return found
+
+
+def still_to_judge(count, rows):
+    """(the positions of the mutants to judge so that as many are known, the rows that are known already). rows: of an earlier table. One
+    that lived is to be judged again, since tests may have been added; one whose file has changed counts no more."""
+    known, again, taken = [], [], set()
+    for row, position in zip(rows, positions_of(rows)):
+        if position is None:
+            continue
+        taken.add(position)
+        if row["verdict"] in ("killed", "not built"):
+            known.append(row)
+        else:
+            again.append(position)
+    others = [i for i in range(len(all_mutants())) if i not in taken][:max(0, count - len(taken))]
+    return sorted(again + others), known
 
 
 def verdict_of(copy, mutant):
