@@ -73,7 +73,7 @@ def batch_gains(results):
 
 # --- The paper's numbers ---
 
-def numbers(results):
+def numbers(results, root):
     out = {}
     for row in original.table1()[:2]:
         out[f"original.level{row['level']:.0f}"] = f"{row['spherical'] / row['optimal']:.2f}"
@@ -143,6 +143,11 @@ def numbers(results):
     out["verdicts.refuted"] = whole_number(sum(v.refuted_after > 0 for v in verdicts))
     out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
     out["verdicts.held"] = whole_number(sum(sum(v.printed_claims) + sum(v.claims) for v in verdicts))
+    mutants = {verdict: len(rows) for verdict, rows in statements.rows_by(root / "proptests/mutants/judged.csv", lambda row: row["verdict"]).items()}
+    killed, alive, equivalent = (mutants.get(verdict, 0) for verdict in ("killed", "alive", "equivalent"))
+    out["mutants.killed"], out["mutants.able"] = whole_number(killed), whole_number(killed + alive)
+    out["mutants.equivalent"] = whole_number(equivalent)
+    out["exhaustive.theorems"] = whole_number(len(statements.rows_by(root / "proptests/exhaustive/proved.csv", lambda row: row["theorem"])))
     return out
 
 
@@ -304,7 +309,7 @@ def statement_table(results, root):
     rows = []
     for s in statements.statements(root, summed_up(results.rows("verdicts"))):
         tests, proofs, run_by = statements.cells(s, broken_name, escaped)
-        rows.append([broken_name(s.verdict.lemma), tests, r" \newline ".join(proofs), run_by])
+        rows.append([broken_name(s.verdict.lemma), r" \newline ".join(tests), r" \newline ".join(proofs), run_by])
     return long_table([33, 26, 54, 27], statements.HEAD, rows)
 
 

@@ -2,8 +2,9 @@
 """What stands behind each statement: its tests, what of it is proved in Coq or why not, and the programs that run it; summed up here for
 README, the reference and the paper.
 
-The tests' part is the run's (verdicts.csv). The proofs' part is lemmas/proofs/status.csv, which lemmas/proofs/check compares with the
-compiled library. The programs' part is the last lines of the lemmas, which proptests/architecture compares with the include directives;
+The tests' part is the run's (verdicts.csv), with what is proved for all points of a box of parameters (proptests/exhaustive/proved.csv) and
+with how many mutants by rule of the statement's file the tests kill (proptests/mutants/judged.csv). The proofs' part is
+lemmas/proofs/status.csv, which lemmas/proofs/check compares with the compiled library. The programs' part is the last lines of the lemmas, which proptests/architecture compares with the include directives;
 a statement about a program, which has no lemma, is run by that program.
 """
 import csv
@@ -23,6 +24,9 @@ class Statement:
     """Of one statement. Names are those of the statements in Coq; that of the theorem has an ending."""
     verdict: Verdict
     suite: str      # the file of its tests
+    exhaustive: list  # names of the theorems that are proved for all points of a box of parameters
+    killed: int     # mutants by rule of its file
+    planted: int    # of those that were planted, without those that do not compile or that are argued to be equivalent
     proved: list
     refuted: list   # proved false
     unproved: list  # sentences that say what is not proved, and why
@@ -53,13 +57,13 @@ def suite_of(root, stem):
     raise ResultError(f"{root / 'proptests'}: there is no suite of the name {stem}")
 
 
-def read_status(path):
-    """{stem: the rows of status.csv}"""
+def rows_by(path, key):
+    """{what key makes of a row: those rows of a table}"""
     out = {}
     try:
         with path.open(newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
-                out.setdefault(row["stem"], []).append(row)
+                out.setdefault(key(row), []).append(row)
     except (OSError, KeyError) as error:
         raise ResultError(f"{path}: cannot be read: {error}") from error
     return out
@@ -68,7 +72,9 @@ def read_status(path):
 def statements(root, verdicts):
     """Of each verdict. Raises ResultError if a statement is neither proved nor has a sentence that says why not."""
     path = root / "lemmas/proofs/status.csv"
-    status, out = read_status(path), []
+    status, out = rows_by(path, lambda row: row["stem"]), []
+    theorems = rows_by(root / "proptests/exhaustive/proved.csv", lambda row: row["theorem"].partition(".")[0])
+    mutants = rows_by(root / "proptests/mutants/judged.csv", lambda row: row["file"])
     for verdict in verdicts:
         rows = status.get(verdict.lemma, [])
         if not rows or any(row["status"] == "not proved" and not row["note"] for row in rows):
@@ -77,8 +83,11 @@ def statements(root, verdicts):
 
         def those(outcome, column):
             return [row[column] for row in rows if row["status"] == outcome]
-        out.append(Statement(verdict, suite_of(root, verdict.lemma), those("proved", "statement"), those("refuted", "statement"),
-                             those("not proved", "note"), programs, through))
+        own = programs if not (root / "lemmas" / f"{verdict.lemma}.hpp").exists() else [f"lemmas/{verdict.lemma}.hpp"]
+        judged = [row["verdict"] for file in own for row in mutants.get(file, [])]
+        exhaustive = sorted({row["theorem"].partition(".")[2] for row in theorems.get(verdict.lemma, [])})
+        out.append(Statement(verdict, suite_of(root, verdict.lemma), exhaustive, judged.count("killed"), judged.count("killed") + judged.count("alive"),
+                             those("proved", "statement"), those("refuted", "statement"), those("not proved", "note"), programs, through))
     return out
 
 
@@ -91,17 +100,20 @@ def said_of_tests(statement):
 
 
 def cells(statement, code, plain):
-    """How it is tested, what is proved of it (a list of lines), and what runs it. code and plain: what makes a name of code, and a
+    """How it is tested and what is proved of it (both lists of lines), and what runs it. code and plain: what makes a name of code, and a
     sentence, of a text."""
     def names(found):
         return ", ".join(code(name) for name in found)
+    tests = [said_of_tests(statement)]
+    tests += ["Exhaustively: " + names(statement.exhaustive) + "."] if statement.exhaustive else []
+    tests += [f"Mutants by rule killed: {statement.killed} of {statement.planted}."] if statement.planted else []
     proofs = [names(statement.proved)] if statement.proved else []
     proofs += ["Proved false: " + names(statement.refuted) + "."] if statement.refuted else []
     proofs += ["Not proved: " + plain(note) for note in statement.unproved]
     run_by = names(name.removeprefix("algorithms/") for name in statement.programs)
     if not run_by:
         run_by = "by way of " + names(statement.through) if statement.through else "no program"
-    return said_of_tests(statement), proofs, run_by
+    return tests, proofs, run_by
 
 
 HEAD = ["statement", "tested in exact arithmetic", "proved in Coq", "run by"]
@@ -112,5 +124,5 @@ def markdown(found):
     rows = [HEAD, ["---"] * 4]
     for s in found:
         tests, proofs, run_by = cells(s, lambda name: f"`{name}`", str)
-        rows.append([f"[{s.verdict.lemma}]({s.suite})", tests, "<br>".join(proofs), run_by])
+        rows.append([f"[{s.verdict.lemma}]({s.suite})", "<br>".join(tests), "<br>".join(proofs), run_by])
     return "".join("| " + " | ".join(row).replace("||", "\\|\\|") + " |\n" for row in rows)
