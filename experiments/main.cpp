@@ -251,7 +251,8 @@ int main(int argc, char** argv) try {
   Options options;
   if (!parse(argc, argv, options) || options.check_only) return 0;
   if (!options.certificate.file.empty()) {
-    write_certificate(options.certificate, options.files.empty() ? make_man() : load_named(options.files[0]));
+    const LoadOptions load{.joints = joints_of(options.certificate)};
+    write_certificate(options.certificate, options.files.empty() ? make_man() : load_named(options.files[0], load));
     return 0;
   }
 

@@ -184,5 +184,5 @@ Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>
 
 // Sources: none.
 // Used by: a2_two_phase_skinning, a3_morph_displacement; algorithms/bake/over_time/node_motions.cpp,
-// algorithms/runtime/collide/affine_boxes.cpp, algorithms/runtime/refit/linear.hpp,
+// algorithms/certificate/bound.cpp, algorithms/runtime/collide/affine_boxes.cpp, algorithms/runtime/refit/linear.hpp,
 // algorithms/runtime/skinning/palette_rounding.hpp, experiments/drawings/motion.cpp.

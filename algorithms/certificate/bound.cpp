@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/certificate/bound.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/skinning/convert_palette.hpp"
+#include "lemmas/a1_affine_image.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
-#include "lemmas/exact/exact.hpp"
 #include "lemmas/s44_joint_sets.hpp"
 
 namespace refitlab {
@@ -200,6 +204,32 @@ bool linear_holds(const PaletteEntry<Rational>& palette, const std::vector<std::
   return true;
 }
 
+// A double whose square is no less. Below 2^-1000 that is 2^-500, since squares of doubles may be no doubles there.
+Rational root_above(const Rational& square) {
+  if (square == 0) return 0;
+  double root = std::max(std::sqrt(CGAL::to_double(square)), 0x1p-500);
+  while (Rational(root) * Rational(root) < square) root = std::nextafter(root, std::numeric_limits<double>::infinity());
+  return root;
+}
+
+// By the lesser of what the blend at a weight vertex stretches, and of the joints' stretches blended.
+std::optional<Bound> find_stretch(const PaletteEntry<Rational>& palette,
+                                  const std::vector<std::vector<Rational>>& weight_vertices, const Ball3<Rational>& reference,
+                                  const Ball3<Rational>& ball) {
+  Bound bound{.by = By::stretch};
+  for (const AffineMap<Rational>& map : palette.maps) bound.of_joints.push_back(root_above(squared_stretch(map)));
+  for (const auto& w : weight_vertices) {
+    Rational of_joints(0);
+    for (std::size_t i = 0; i < w.size(); ++i) of_joints += w[i] * bound.of_joints[i];
+    const Rational of_blend = root_above(squared_stretch(blended_map<Rational>(palette.maps, w)));
+    bound.of_weight_vertices.push_back(min_of(of_joints, of_blend));
+    const Ball3<Rational> image{linear_blend<Rational>(palette.maps, w, reference.center),
+                                reference.radius * bound.of_weight_vertices.back()};
+    if (encloses(ball, image) != Verdict::holds) return {};
+  }
+  return bound;
+}
+
 }  // namespace
 
 std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning, const Ball3<double>& ball) {
@@ -215,6 +245,7 @@ std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece
   }
   const auto as_exact = [](const Ball3<double>& b) { return Ball3<Rational>{convert<Rational>(b.center), b.radius}; };
   const Ball3<Rational> reference = as_exact(node.piece_reference(piece)), around = as_exact(ball);
+  if (!palette.maps.empty()) return find_stretch(palette, weight_vertices, reference, around);
   const auto searched = [&]<class Claim>(const Claim& claim) {
     std::vector<typename Claim::WeightVertex> blends;
     for (int k = 0; k < set.weight_vertex_count; ++k)

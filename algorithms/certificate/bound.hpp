@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algorithms/runtime/tree/refit_node.hpp"
+#include "lemmas/exact/exact.hpp"
 
 namespace refitlab {
 
@@ -20,6 +21,7 @@ struct Bound {
     cap,            // the rotations' cap about an axis (t3, b4), spherical blending only
     all_rotations,  // the whole sphere of them (b4), spherical blending only
     reach,          // b6, dual quaternions only
+    stretch,        // the control balls of all weight vertices, stretched (a1), affine joints only
     halves          // two simplices (b3): the middle of an edge stands in place of its first weight vertex, and of its second
   };
   By by;
@@ -27,6 +29,8 @@ struct Bound {
   Vec<double, 3> center = {0, 0, 0};                        // of reach
   std::array<std::size_t, 2> edge = {0, 0};                 // of halves, whose bounds follow
   std::vector<Bound> halves = {};
+  std::vector<Rational> of_joints = {},
+                        of_weight_vertices = {};  // of stretch: no less than what each makes differences longer by
 };
 
 // Nothing if none of those tried proves it. All numbers are taken as exact rationals; they must be finite.

@@ -28,6 +28,11 @@ json json_of(const Bound& bound) {
       out["axis"] = exact_json(bound.axis);
       out["center"] = exact_json(bound.center);
       break;
+    case Bound::By::stretch:
+      out["by"] = "stretch";
+      for (const Rational& s : bound.of_joints) out["of_joints"].push_back(as_text(s));
+      for (const Rational& s : bound.of_weight_vertices) out["of_weight_vertices"].push_back(as_text(s));
+      break;
     case Bound::By::halves:
       out["by"] = "halves";
       out["edge"] = bound.edge;
@@ -88,6 +93,15 @@ json json_of(const CertifiedVertex& v, const RefitNode<double>& node, const std:
 
 json exact_json(const PaletteEntry<double>& palette, std::span<const int> joints, Skinning skinning) {
   json out{{"joints", joints}};
+  if (!palette.maps.empty()) {
+    for (const AffineMap<double>& map : palette.maps) {
+      json columns;
+      for (const auto& column : map.columns) columns.push_back(exact_json(column));
+      out["columns"].push_back(columns);
+      out["offsets"].push_back(exact_json(map.offset));
+    }
+    return out;
+  }
   for (const auto& joint : palette.transforms) out["rotations"].push_back(exact_json(joint.rotation));
   switch (skinning) {
     case Skinning::linear:
@@ -103,7 +117,8 @@ json exact_json(const PaletteEntry<double>& palette, std::span<const int> joints
   return out;
 }
 
-const char* certified_name(Skinning skinning) {
+const char* certified_name(const SkinningPalette<double>& palette, Skinning skinning) {
+  if (palette.is_affine()) return "affine";
   switch (skinning) {
     case Skinning::linear: return "linear";
     case Skinning::dual_quaternion: return "dual_quaternion";
@@ -113,7 +128,8 @@ const char* certified_name(Skinning skinning) {
 
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball, const CertifiedNode& of) {
   const DefaultFloatEnvironment environment;
-  if (node.palette.is_affine()) throw std::invalid_argument("certificate: of affine joints there are none");
+  if (node.palette.is_affine() && skinning != Skinning::linear)
+    throw std::invalid_argument("certificate: affine joints are skinned linearly");
   json document;
   document["about"] = of.about;
   document["ball"] = exact_json(ball);
@@ -121,7 +137,7 @@ std::string certificate(const RefitNode<double>& node, Skinning skinning, const 
   document["model"] = of.model_digest;
   document["node"] = of.number;
   document["pose"] = of.pose_digest;
-  document["skinning"] = certified_name(skinning);
+  document["skinning"] = certified_name(node.palette, skinning);
   std::map<int, std::size_t> numbers;  // of the joint-sets in use, in the document
   for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     const NodePiece& set = node.pieces[i];

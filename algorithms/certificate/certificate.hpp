@@ -13,17 +13,19 @@
 //   ball         {center: [x, y, z], radius}; a number is a string, "-3/8" or "5", of decimal digits
 //   digest       SHA-256 of the same text with "" for the digest: whatever is changed is noticed
 //   joint_sets   a list of {joints: their numbers in the model, rotations: [[w, x, y, z]...], and by skinning center_images
-//                and rotation_center, translations, or duals}, lists by joint
-//   model, palette  SHA-256 of their documents (documents.hpp)
+//                and rotation_center, translations, or duals}, lists by joint; of affine joints {joints, columns: three vectors
+//                a joint, offsets}
+//   model, pose  SHA-256 of their documents (documents.hpp)
 //   node         its number in the model's sphere tree
 //   pieces       a list of {joint_set: its index, reference: its ball, weight_vertices: a list of lists of weights by
 //                joint, bound}
-//   skinning     "spherical", "linear" or "dual_quaternion"
+//   skinning     "spherical", "linear", "dual_quaternion" or "affine", which is linear skinning by affine joints
 //   vertices     a list of {id: in the model, piece: its index, position: [x, y, z], weights by joint, weight_vertices:
 //                indices of the piece's, shares: of these weight vertices}; the weights are the weight vertices times
 //                their shares, by the shares' sum
 // A bound is {by: "control"}, {by: "cap", axis}, {by: "all_rotations"}, {by: "reach", axis, center} or {by: "halves", edge:
-// [k, l], halves: [the bound with the middle in place of weight vertex k, that in place of l]}.
+// [k, l], halves: [the bound with the middle in place of weight vertex k, that in place of l]}; of affine joints {by: "stretch",
+// of_joints, of_weight_vertices}, what these make differences longer by at most.
 #pragma once
 
 #include <span>

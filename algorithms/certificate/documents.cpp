@@ -23,7 +23,7 @@ std::string model_document(const Character& character) {
 
 std::string pose_document(const Character& character, const SkinningPalette<double>& palette, Skinning skinning) {
   const DefaultFloatEnvironment environment;
-  json document{{"skinning", certified_name(skinning)}};
+  json document{{"skinning", certified_name(palette, skinning)}};
   for (int s = 0; s < character.sets.count(); ++s)
     document["joint_sets"].push_back(exact_json(palette[s], character.sets.joints(s), skinning));
   return canonical(document);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Documents: the model and the palette that certificates are bound to, as plain text that anyone can read and compare.
+// Documents: the model and the pose that certificates are bound to, as plain text that anyone can read and compare.
 //
 // Format: JSON, its keys sorted, indented by one space, in ASCII, ended by a line feed; a number is a string as in
 // certificate.hpp, an index is an integer. Its digest is the SHA-256 of all of its bytes. A model has
@@ -7,7 +7,7 @@
 //   nodes        by node of the sphere tree, [first, count] of its triangles
 //   triangles    [a, b, c], indices of vertices, in the order of the tree's leaves
 //   vertices     a list of {joints: the numbers of those that influence it, in increasing order, position: [x, y, z], weights}
-// and a palette has
+// and a pose has
 //   joint_sets   all of the model's, as in a certificate
 //   skinning     as in a certificate
 #pragma once

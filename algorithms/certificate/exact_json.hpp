@@ -34,8 +34,8 @@ inline nlohmann::json exact_json(const Ball3<double>& ball) {
 // A joint-set in a palette, with the numbers of its joints in the model and what the skinning reads.
 nlohmann::json exact_json(const PaletteEntry<double>& palette, std::span<const int> joints, Skinning skinning);
 
-// "spherical" for Hejl's too.
-const char* certified_name(Skinning skinning);
+// "spherical" for Hejl's too, "affine" for linear skinning by affine joints.
+const char* certified_name(const SkinningPalette<double>& palette, Skinning skinning);
 
 // Keys sorted, indented by one space, in ASCII, ended by a line feed.
 inline std::string canonical(const nlohmann::json& document) {

@@ -23,14 +23,14 @@ const Clip* find_clip(const Model& model, const std::string& name) {
   throw std::invalid_argument(model.name + ": no clip named '" + name + "'" + known);
 }
 
-// A pose and its name in a sentence.
-std::pair<Pose, std::string> pose_of(const Model& model, const CertificateRequest& request) {
+// A clip of the model, or none, and the moment's name in a sentence.
+std::pair<Clip, std::string> moment_of(const Model& model, const CertificateRequest& request) {
   const Clip* clip = find_clip(model, request.clip);
-  if (!clip) return {reference_pose(model), "the reference pose"};
+  if (!clip) return {{"", 0, [&](double) { return reference_pose(model); }}, "the reference pose"};
   if (!(request.seconds >= 0 && request.seconds <= clip->duration))
     throw std::invalid_argument(model.name + ", clip " + clip->name + ": it takes " + format_number(clip->duration) +
                                 " s, without a pose at " + format_number(request.seconds) + " s");
-  return {clip->sample(request.seconds), clip->name + " at " + format_number(request.seconds) + " s"};
+  return {*clip, clip->name + " at " + format_number(request.seconds) + " s"};
 }
 
 // The certificate's name with another ending.
@@ -42,9 +42,17 @@ std::string beside(const std::string& file, const char* ending) {
 
 }  // namespace
 
+Joints joints_of(const CertificateRequest& request) {
+  return compared_variant(request.variant).skinning == Skinning::linear ? Joints::affine : Joints::rigid;
+}
+
 void write_certificate(const CertificateRequest& request, Model model) {
   const RefitVariant& variant = compared_variant(request.variant);
-  const auto [pose, name] = pose_of(model, request);
+  const auto [clip, name] = moment_of(model, request);
+  const bool is_affine = joints_of(model) == Joints::affine;
+  const AffinePose affine =
+      is_affine ? affine_pose(model.skeleton, clip.animation, clip.duration > 0 ? request.seconds : 0) : AffinePose{};
+  const Pose rigid = is_affine ? Pose{} : clip.sample(request.seconds);
   const auto character = bake(std::move(model));
   const auto nodes = character.tree.nodes.size();
   if (request.node < 0 || static_cast<std::size_t>(request.node) >= nodes)
@@ -52,7 +60,8 @@ void write_certificate(const CertificateRequest& request, Model model) {
                                 std::to_string(nodes - 1));
   const std::string about =
       "node " + std::to_string(request.node) + " of " + character.mesh.name + ", " + name + ", by " + variant.name;
-  const auto palette = make_skinning_palette(character.mesh, character.sets, pose, variant.skinning);
+  const auto palette = is_affine ? make_skinning_palette(character.mesh, character.sets, affine)
+                                 : make_skinning_palette(character.mesh, character.sets, rigid, variant.skinning);
   const auto node = character.refit_node(request.node, palette, variant.pieces);
   const std::string model_file = beside(request.file, ".model"), pose_file = beside(request.file, ".pose");
   const std::string model_text = model_document(character), pose_text = pose_document(character, palette, variant.skinning);

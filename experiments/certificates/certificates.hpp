@@ -16,8 +16,11 @@ struct CertificateRequest {
   std::string variant = "control_mixed";  // a sound one
 };
 
-// Writes the file, and beside it the documents of the model and of the palette (algorithms/certificate/documents.hpp), with the
-// endings .model and .palette; each whole or not at all; and says what is in it. Throws std::invalid_argument for a node, clip, time or
+// Returns the joints that the variant's skinning takes: affine ones in linear skinning alone.
+Joints joints_of(const CertificateRequest& request);
+
+// Writes the file, and beside it the documents of the model and of the pose (algorithms/certificate/documents.hpp), with the
+// endings .model and .pose; each whole or not at all; and says what is in it. Throws std::invalid_argument for a node, clip, time or
 // variant that there is not, NoProof (algorithms/certificate) for a ball that is not proved to hold its vertices.
 void write_certificate(const CertificateRequest& request, Model model);
 

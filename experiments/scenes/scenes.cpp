@@ -15,8 +15,8 @@ const char* const real_models[] = {"BCN_Epileptic.X", "Testwuson.X", "Soldier.gl
 
 }  // namespace
 
-Model load_named(const std::string& path) {
-  Model model = load_model_guarded(path);
+Model load_named(const std::string& path, const LoadOptions& options) {
+  Model model = load_model_guarded(path, options);
   model.name = std::filesystem::path(path).filename().string();
   return model;
 }

@@ -24,7 +24,7 @@ struct DefaultModels {
   std::vector<std::string> absent;
 };
 // The model in a file, named as the file without its folder.
-Model load_named(const std::string& path);
+Model load_named(const std::string& path, const LoadOptions& options = {});
 DefaultModels default_models(const std::string& folder);
 
 // Every clip at this many times, evenly spread from start to end.

@@ -12,6 +12,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
+#include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 
@@ -50,19 +51,22 @@ class Writer {
     return gen::random_pose(c.mesh, random_, std::array{0., 0.1, 0.3, 0.6, 1., 2.}[pick(6)]);
   }
 
-  // Of one pose, by all skinnings.
+  // Of one pose by all skinnings, and of one with affine joints.
   void write_some(const AnimatedCharacter& c) {
     const Pose pose = some_pose(c);
-    const std::string model = model_document(c);
-    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
-      const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
-      const std::string pose_text = pose_document(c, palette, skinning);
-      const auto group = folder_ / std::to_string(groups_++);
-      std::filesystem::create_directories(group);
-      write_whole((group / "model").string(), model);
-      write_whole((group / "pose").string(), pose_text);
-      for (int i = 0; i < 20 && left_ > 0; ++i) write_one(c, palette, skinning, sha256(model), sha256(pose_text), group);
-    }
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
+      write_group(c, make_skinning_palette(c.mesh, c.sets, pose, skinning), skinning);
+    const auto kind = static_cast<gen::JointKind>(pick(static_cast<std::size_t>(gen::JointKind::extreme)));
+    write_group(c, make_skinning_palette(c.mesh, c.sets, gen::random_affine_pose(c.mesh, kind, random_)), Skinning::linear);
+  }
+
+  void write_group(const AnimatedCharacter& c, const SkinningPalette<double>& palette, Skinning skinning) {
+    const std::string model = model_document(c), pose = pose_document(c, palette, skinning);
+    const auto group = folder_ / std::to_string(groups_++);
+    std::filesystem::create_directories(group);
+    write_whole((group / "model").string(), model);
+    write_whole((group / "pose").string(), pose);
+    for (int i = 0; i < 20 && left_ > 0; ++i) write_one(c, palette, skinning, sha256(model), sha256(pose), group);
   }
 
   // Nothing for a ball that is all of space.

@@ -2,22 +2,25 @@
 (* Certificates of refitted balls (algorithms/certificate/certificate.hpp), and what an accepted one claims. *)
 From Coq Require Import List Reals.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
-Require Import Refitlab.s41_weight_vertices_span.
+Require Import Refitlab.s41_weight_vertices_span Refitlab.a1_affine_image.
 Import ListNotations.
 
 (* --- The document, with numbers of any type T --- *)
 
-(* Why a ball holds a piece. The halves have the middle of an edge in place of its first weight vertex, and of its second. *)
+(* Why a ball holds a piece. The halves have the middle of an edge in place of its first weight vertex, and of its second. Of affine
+   joints it is by how much each joint, and their blend at each weight vertex, makes differences longer at most. *)
 Inductive bound T := Control | Cap (axis : quat T) | All_rotations | MotionBound (axis : quat T) (center : vec T)
-  | Halves (k l : nat) (first second : bound T).
+  | Halves (k l : nat) (first second : bound T) | Stretch (of_joints of_weight_vertices : list T).
 Arguments Control {T}. Arguments Cap {T}. Arguments All_rotations {T}. Arguments MotionBound {T}. Arguments Halves {T}.
+Arguments Stretch {T}.
 
 (* Joints in one pose, in lists by joint. *)
 Inductive joint_set T :=
   | Spherical (rotations : list (quat T)) (center_images : list (vec T)) (rotation_center : vec T)
   | Dual_quaternion (rotations duals : list (quat T))
-  | Linear (rotations : list (quat T)) (translations : list (vec T)).
-Arguments Spherical {T}. Arguments Dual_quaternion {T}. Arguments Linear {T}.
+  | Linear (rotations : list (quat T)) (translations : list (vec T))
+  | Affine (maps : list (matrix T)) (offsets : list (vec T)).
+Arguments Spherical {T}. Arguments Dual_quaternion {T}. Arguments Linear {T}. Arguments Affine {T}.
 
 Record sphere T := Sphere { middle : vec T; reach : T }.
 Arguments Sphere {T}. Arguments middle {T}. Arguments reach {T}.
@@ -54,9 +57,10 @@ Definition skin (js : joint_set R) (w : list R) (v : vec R) : vec R :=
   | Spherical qs images c => skin_spherical qs images c w v
   | Dual_quaternion qs ds => skin_dual qs ds w v
   | Linear qs ts => comb w (joint_images qs ts v)
+  | Affine ms bs => comb w (affine_images ms bs v)
   end.
 Definition is_skinned (js : joint_set R) (w : list R) : Prop :=
-  match js with Spherical qs _ _ | Dual_quaternion qs _ => comb w qs <> lzero | Linear _ _ => True end.
+  match js with Spherical qs _ _ | Dual_quaternion qs _ => comb w qs <> lzero | Linear _ _ | Affine _ _ => True end.
 Definition as_ball (s : sphere R) : ball (vec R) := Ball (middle s) (reach s).
 
 (* The joint-set that a place in the list of pieces has. *)

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* The checker: a program over any numbers that are exact. It is extracted, and run in Coq's kernel; sound.v proves it. *)
 From Coq Require Import List Bool PeanoNat.
-Require Import Refitlab.theory.linear Refitlab.b3_subdivision Refitlab.checker.certificate.
+Require Import Refitlab.theory.linear Refitlab.b3_subdivision Refitlab.a1_affine_image Refitlab.checker.certificate.
 Import ListNotations.
 
 (* What the checker computes with. There is no division: below a b is at most a / b, for 0 <= a and 0 < b. *)
@@ -125,6 +125,30 @@ Definition check_linear (qs : list (quat T)) (ts : list (vec T)) (p : vec T) (r 
   let growths := map growth qs in
   forallb (fun w => check_ball_inside (comb w images) zero c (sub s (mul r (comb w growths)))) ws.
 
+(* So do affine joints, and their blend at a weight vertex, by the greatest sum of absolute values in a row of A^T A; the blend also
+   by no more than the joints do. *)
+Definition absolute (x : T) : T := maxb x (sub zero x).
+Definition check_stretch (m : matrix T) (s : T) : bool :=
+  let '(a, b, c) := m in
+  let ab := absolute (vdot a b) in
+  let ac := absolute (vdot a c) in
+  let bc := absolute (vdot b c) in
+  let squared := mul s s in
+  leb zero s && leb (add (add (vnorm2 a) ab) ac) squared && leb (add (add ab (vnorm2 b)) bc) squared
+  && leb (add (add ac bc) (vnorm2 c)) squared.
+Fixpoint check_both {X Y} (test : X -> Y -> bool) (xs : list X) (ys : list Y) : bool :=
+  match xs, ys with
+  | [], [] => true
+  | x :: xs', y :: ys' => test x y && check_both test xs' ys'
+  | _, _ => false
+  end.
+Definition check_affine (ms : list (matrix T)) (bs : list (vec T)) (p : vec T) (r : T) (c : vec T) (s : T)
+  (of_joints of_weight_vertices : list T) (ws : list (list T)) : bool :=
+  let images := affine_images ms bs p in
+  check_both check_stretch ms of_joints
+  && check_both (fun w stretch => (leb (comb w of_joints) stretch || check_stretch (comb w ms) stretch)
+                                  && check_ball_inside (comb w images) zero c (sub s (mul r stretch))) ws of_weight_vertices.
+
 (* --- Pieces, vertices, certificates --- *)
 
 Definition sum_of (ws : list T) : T := fold_right add zero ws.
@@ -151,6 +175,12 @@ Definition check_piece (sets : list (joint_set T)) (b : sphere T) (p : piece T) 
   | Some (Linear qs ts) =>
       check_weight_vertices (length qs) (length ts) (weight_vertices p) &&
       match why p with Control => check_linear qs ts v r c (reach b) (weight_vertices p) | _ => false end
+  | Some (Affine ms bs) =>
+      check_weight_vertices (length ms) (length bs) (weight_vertices p) &&
+      match why p with
+      | Stretch of_joints of_weight_vertices => check_affine ms bs v r c (reach b) of_joints of_weight_vertices (weight_vertices p)
+      | _ => false
+      end
   end.
 
 (* The vertex is in the reference ball, and its weights in the hull of the weight vertices. *)

@@ -2,7 +2,7 @@
 (* Numbers that are exact: what the checker makes of them is what it would make of the real numbers that they stand for. *)
 From Coq Require Import List Reals Lra Bool.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
-Require Import Refitlab.checker.certificate Refitlab.checker.check.
+Require Import Refitlab.a1_affine_image Refitlab.checker.certificate Refitlab.checker.check.
 Import ListNotations.
 
 Class Exact {T} {n : Num T} (value : T -> R) := {
@@ -19,17 +19,20 @@ Section Values.
 Context {T : Type} (value : T -> R).
 Definition vmap (v : vec T) : vec R := Vec (value (vx v)) (value (vy v)) (value (vz v)).
 Definition qmap (q : quat T) : quat R := Quat (value (qw q)) (value (qx q)) (value (qy q)) (value (qz q)).
+Definition matrix_map (m : matrix T) : matrix R := (vmap (fst (fst m)), vmap (snd (fst m)), vmap (snd m)).
 Definition sphere_map (s : sphere T) : sphere R := Sphere (vmap (middle s)) (value (reach s)).
 Fixpoint bound_map (b : bound T) : bound R :=
   match b with
   | Control => Control | All_rotations => All_rotations | Cap a => Cap (qmap a) | MotionBound a f => MotionBound (qmap a) (vmap f)
   | Halves k l first second => Halves k l (bound_map first) (bound_map second)
+  | Stretch of_joints of_weight_vertices => Stretch (map value of_joints) (map value of_weight_vertices)
   end.
 Definition joint_set_map (js : joint_set T) : joint_set R :=
   match js with
   | Spherical qs images c => Spherical (map qmap qs) (map vmap images) (vmap c)
   | Dual_quaternion qs ds => Dual_quaternion (map qmap qs) (map qmap ds)
   | Linear qs ts => Linear (map qmap qs) (map vmap ts)
+  | Affine ms bs => Affine (map matrix_map ms) (map vmap bs)
   end.
 Definition piece_map (p : piece T) : piece R :=
   Piece (set_of_piece p) (sphere_map (reference p)) (map (map value) (weight_vertices p)) (bound_map (why p)).

@@ -4,7 +4,7 @@ From Coq Require Import List Reals Lra Lia Bool PeanoNat.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.b3_subdivision.
 Require Import Refitlab.b4_cap_fallback Refitlab.b6_dual_quaternion_ball Refitlab.t3_one_cap.
-Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull.
+Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.a1_affine_image.
 Require Import Refitlab.checker.certificate Refitlab.checker.check Refitlab.checker.exact Refitlab.checker.bounds.
 Import ListNotations.
 
@@ -184,7 +184,7 @@ Lemma check_bound_sound {X Y} {lx : Lin T X} {ly : Lin R Y} {ey : Euclid Y} (f :
   keeps_sums value f -> (forall b xs, step b xs = true -> all_blends good (map f xs)) ->
   forall b xs, check_bound step b xs = true -> all_blends good (map f xs).
 Proof.
-  intros F H b. induction b as [| | | |i j b1 IH1 b2 IH2]; intros xs; cbn [check_bound]; try apply H.
+  intros F H b. induction b as [| | | |i j b1 IH1 b2 IH2|of_joints of_blends]; intros xs; cbn [check_bound]; try apply H.
   rewrite !andb_true_iff, !Nat.ltb_lt. intros [[[I J] A] B]. apply IH1 in A. apply IH2 in B.
   rewrite map_set_nth, (middle_of_sound f) in A, B by exact F.
   apply (halves_good good (map f xs) i j); rewrite ?map_length; auto.
@@ -194,7 +194,7 @@ Lemma spherical_sound x c s b xs : check_bound (check_spherical x c s) b xs = tr
 Proof.
   apply check_bound_sound.
   { exact (pair_keeps_sums value qmap vmap (qmap_keeps_sums value) (vmap_keeps_sums value)). }
-  clear b xs. intros [|a| |a f|k l b1 b2] ys H; try discriminate.
+  clear b xs. intros [|a| |a f|k l b1 b2|of_joints of_blends] ys H; try discriminate.
   - now apply spherical_control_sound.
   - now apply spherical_cap_sound with a.
   - now apply spherical_all_sound.
@@ -204,7 +204,7 @@ Lemma dual_sound x c s b xs : check_bound (check_dual x c s) b xs = true ->
 Proof.
   apply check_bound_sound.
   { exact (pair_keeps_sums value qmap qmap (qmap_keeps_sums value) (qmap_keeps_sums value)). }
-  clear b xs. intros [|a| |a f|k l b1 b2] ys H; try discriminate.
+  clear b xs. intros [|a| |a f|k l b1 b2|of_joints of_blends] ys H; try discriminate.
   - now apply dual_control_sound.
   - now apply dual_reach_sound with a f.
 Qed.
@@ -233,6 +233,68 @@ Proof.
   rewrite !map_map. apply map_ext. intros q. unfold growth, linear_growth. cbv zeta. autorewrite with values. reflexivity.
 Qed.
 
+Lemma absolute_sound x : value (absolute x) = Rabs (value x).
+Proof.
+  unfold absolute. autorewrite with values. unfold Rmax, Rabs. destruct (Rle_dec _ _), (Rcase_abs _); lra.
+Qed.
+Lemma value_dot (a b : vec T) : value (vdot a b) = dot (vmap a) (vmap b).
+Proof. unfold vdot. autorewrite with values. reflexivity. Qed.
+Lemma check_stretch_sound m s : check_stretch m s = true -> stretches (matrix_map value m) (value s).
+Proof.
+  destruct m as [[a b] c]. unfold check_stretch. rewrite !andb_true_iff. intros [[[P A] B] C].
+  apply (leb_sound value) in P, A, B, C. autorewrite with values in P, A, B, C. rewrite !absolute_sound, !value_dot in *.
+  split; [exact P|]. unfold squared_stretch, row_sum. cbn [matrix_map fst snd].
+  rewrite (dot_comm (vmap b) (vmap a)), (dot_comm (vmap c) (vmap a)), (dot_comm (vmap c) (vmap b)).
+  fold (norm2 (vmap a)) (norm2 (vmap b)) (norm2 (vmap c)). rewrite !(Rabs_pos_eq (norm2 _)) by apply norm2_nonneg.
+  repeat apply Rmax_lub; assumption.
+Qed.
+Lemma check_both_sound {X Y} (test : X -> Y -> bool) xs ys : check_both test xs ys = true ->
+  Forall2 (fun x y => test x y = true) xs ys.
+Proof.
+  revert ys; induction xs as [|x xs IH]; intros [|y ys]; cbn [check_both]; try discriminate; [constructor|].
+  rewrite andb_true_iff. intros [A B]. constructor; auto.
+Qed.
+Lemma affine_images_map ms bs p :
+  map vmap (affine_images ms bs p) = affine_images (map (matrix_map value) ms) (map vmap bs) (vmap p).
+Proof.
+  unfold affine_images. revert bs; induction ms as [|m ms IH]; intros [|b bs]; cbn [combine map]; try reflexivity.
+  f_equal; [|apply IH]. cbn [fst snd]. unfold turned_by, matrix_map. cbn [fst snd].
+  rewrite !(vmap_add value), !(vmap_scale value). reflexivity.
+Qed.
+Lemma matrix_keeps_sums : keeps_sums value (matrix_map value).
+Proof.
+  pose proof (vmap_keeps_sums value) as V.
+  exact (pair_keeps_sums value _ _ (pair_keeps_sums value _ _ V V) V).
+Qed.
+(* At each weight vertex. *)
+Lemma check_affine_sound ms bs p r c s of_joints of_weight_vertices ws v : length bs = length ms ->
+  check_affine ms bs p r c s of_joints of_weight_vertices ws = true ->
+  in_ball (Ball (vmap p) (value r)) v -> forall w, In w ws -> Forall (Rle 0) (map value w) ->
+  in_ball (Ball (vmap c) (value s)) (comb (map value w) (affine_images (map (matrix_map value) ms) (map vmap bs) v)).
+Proof.
+  unfold check_affine. rewrite andb_true_iff. intros L [J W] V w I Pos. apply check_both_sound in J, W.
+  assert (S : Forall2 stretches (map (matrix_map value) ms) (map value of_joints)).
+  { clear - J ex. induction J; cbn [map]; constructor; auto. now apply check_stretch_sound. }
+  assert (E : exists stretch, (leb (comb w of_joints) stretch || check_stretch (comb w ms) stretch)
+    && check_ball_inside (comb w (affine_images ms bs p)) zero c (sub s (mul r stretch)) = true).
+  { clear - W I. induction W as [|x y xs ys H _ IH]; [destruct I|destruct I as [->|I]; eauto]. }
+  destruct E as (stretch & E). apply andb_true_iff in E as [By B]. apply check_ball_inside_sound, ball_is_inside_norm in B;
+    rewrite (value_zero (Exact := ex)) in *; [|lra].
+  rewrite sqrt_0, (comb_map value _ w _ (vmap_keeps_sums value)), affine_images_map in B.
+  rewrite (value_sub (Exact := ex)), (value_mul (Exact := ex)) in B.
+  pose proof (blend_is_in_control_ball_holds (map (matrix_map value) ms) (map vmap bs) (map value of_joints) (map value w)
+    (vmap p) (value r) v (value stretch) S) as H.
+  rewrite !map_length in H. specialize (H L Pos).
+  assert (G : stretches (comb (map value w) (map (matrix_map value) ms)) (value stretch) \/
+    comb (map value w) (map value of_joints) <= value stretch).
+  { apply orb_true_iff in By as [By|By].
+    - right. apply (leb_sound value) in By. now rewrite (comb_map value _ w _ (value_keeps_sums value)) in By.
+    - left. apply check_stretch_sound in By. now rewrite (comb_map value _ w _ matrix_keeps_sums) in By. }
+  specialize (H G V). unfold in_ball in *. cbn [center radius] in *.
+  eapply Rle_trans; [apply norm_triangle with (y := comb (map value w) (affine_images (map (matrix_map value) ms) (map vmap bs) (vmap p)))|].
+  lra.
+Qed.
+
 (* Weight vertices that are chosen, and what they make of something that is combined. *)
 Lemma chosen_in_hull {X} {l : Lin R X} {e : Euclid X} (f : list R -> X) (all chosen : list (list R)) u :
   (forall w, In w chosen -> In w all) -> convex (length chosen) u -> in_hull (map f all) (comb u (map f chosen)).
@@ -253,7 +315,7 @@ Proof.
   exists js. split; [reflexivity|]. intros chosen u w v Ch U Q V S. unfold in_ball in *. cbn [as_ball center radius sphere_map middle reach] in *.
   assert (Sub : value (sub (reach b) (reach (reference p))) = value (reach b) - value (reach (reference p)))
     by apply value_sub.
-  destruct js as [qs images rotation_center|qs ds|qs ts]; cbn [joint_set_map skin is_skinned] in *; rewrite !andb_true_iff in H.
+  destruct js as [qs images rotation_center|qs ds|qs ts|ms bs]; cbn [joint_set_map skin is_skinned] in *; rewrite !andb_true_iff in H.
   - destruct H as [_ H]. apply spherical_sound in H. rewrite (vmap_sub value), Sub in H.
     set (f := fun w => (comb w (map qmap qs), comb w (map vmap images)) : quat R * vec R).
     assert (E : map smap (map (fun w => (comb w qs, comb w images)) (weight_vertices p)) = map f
@@ -296,6 +358,11 @@ Proof.
       apply Forall_cons_iff in W as [A W]. specialize (IH m W). cbn [ladd lscale lin_num add mul ops_R].
       pose proof (linear_growth_nonneg q). rewrite Rmult_0_l in *. nra. }
     nra.
+  - destruct H as [C H]. apply check_weight_vertices_sound in C as [L W]. destruct (why p); try discriminate.
+    rewrite (swap_sums u chosen w _ Q). unfold weight_vertex_images.
+    apply (convex_set_comb (in_ball (Ball (vmap (middle b)) (value (reach b))))); [apply ball_convex|now rewrite map_length|].
+    apply Forall_map, Forall_forall. intros c I. apply Ch, in_map_iff in I as (c' & <- & I).
+    eapply check_affine_sound; eauto.
 Qed.
 
 (* --- Vertices --- *)

@@ -68,8 +68,8 @@ def other_model(d, r):
 
 def other_pose(d, r):
     joint_set = r.choice(d["joint_sets"])
-    q = r.choice(joint_set["rotations"])
-    q[r.randrange(4)] = str(Fraction(r.randrange(-99, 99), 128) + Fraction(1, 3))
+    q = r.choice(joint_set["rotations"] if "rotations" in joint_set else r.choice(joint_set["columns"]))
+    q[r.randrange(len(q))] = str(Fraction(r.randrange(-99, 99), 128) + Fraction(1, 3))
     return sealed(d)
 
 
@@ -93,7 +93,7 @@ def ball_elsewhere(d, r):
 
 
 def bound_of_another_skinning(d, r):
-    other = {"linear": {"by": "all_rotations"}, "spherical": {"by": "reach"}, "dual_quaternion": {"by": "all_rotations"}}
+    other = {"linear": {"by": "all_rotations"}, "affine": {"by": "control"}, "spherical": {"by": "reach"}, "dual_quaternion": {"by": "all_rotations"}}
     r.choice(d["pieces"])["bound"] = other[d["skinning"]]
     return sealed(d)
 
@@ -105,9 +105,18 @@ def weight_vertex_off_the_sum(d, r):
     return sealed(d)
 
 
+def stretch_too_small(d, r):
+    if d["skinning"] == "affine":
+        bound = r.choice(d["pieces"])["bound"]
+        stretches = bound[r.choice(["of_joints", "of_weight_vertices"])]
+        k = r.randrange(len(stretches))
+        stretches[k] = str(Fraction(stretches[k]) / 10 - Fraction(1, 10 ** r.randrange(1, 99)))
+        return sealed(d)
+
+
 # What is seen only against the documents of the model and the pose; and all.
 NEEDS_DOCUMENTS = [weights_of_a_weight_vertex, position_in_the_middle, piece_left_out, vertex_left_out, other_model, other_pose]
-FALSE = NEEDS_DOCUMENTS + [vertex_outside, weights_shifted, negative_share, ball_too_small, ball_elsewhere,
+FALSE = NEEDS_DOCUMENTS + [stretch_too_small, vertex_outside, weights_shifted, negative_share, ball_too_small, ball_elsewhere,
                            bound_of_another_skinning, weight_vertex_off_the_sum, *anything.FALSE]
 FOR_KERNEL = vertex_outside  # which every checker has to look at the numbers for
 

@@ -66,6 +66,12 @@ let joint_set n skinning v = match skinning with
   | "linear" -> (match members [ "joints"; "rotations"; "translations" ] v with
       | [ joints; q; t ] -> list int joints, Linear (list (quat n) q, list (vec n) t)
       | _ -> assert false)
+  | "affine" -> (match members [ "columns"; "joints"; "offsets" ] v with
+      | [ columns; joints; offsets ] ->
+          let matrix v = match list (vec n) v with
+            | [ a; b; c ] -> (a, b), c | _ -> raise (Rejected "a matrix has not three columns") in
+          list int joints, Affine (list matrix columns, list (vec n) offsets)
+      | _ -> assert false)
   | _ -> raise (Rejected "skinning is none that is known")
 
 (* (m + d - 1 choose d) *)
@@ -90,6 +96,10 @@ let rec bound n skinning m halvings v =
       | [ axis; _ ] -> Cap (quat n axis), terms m 1 | _ -> assert false)
   | "dual_quaternion", "reach" -> (match members [ "axis"; "by"; "center" ] v with
       | [ axis; _; center ] -> MotionBound (quat n axis, vec n center), terms m 1 | _ -> assert false)
+  | "affine", "stretch" -> (match members [ "by"; "of_joints"; "of_weight_vertices" ] v with
+      | [ _; of_joints; of_weight_vertices ] ->
+          Stretch (list (number n) of_joints, list (number n) of_weight_vertices), terms m 1
+      | _ -> assert false)
   | ("spherical" | "dual_quaternion"), "halves" ->
       require (halvings < most_halvings) "too many halves of halves";
       (match members [ "by"; "edge"; "halves" ] v with
