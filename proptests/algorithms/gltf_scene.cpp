@@ -400,6 +400,22 @@ PROPTEST(gltf_scene) {
                              std::to_string(count(false)) + ", " + std::to_string(count(true)));
             });
   const json tube = json::parse(gen::built(gen::bending_tube(3)).text_file());
+  t.example("of three nodes that show a mesh with the same skin, the one whose weights move has a mesh of its own", {}, [&] {
+    json three = tube;
+    add_target(three, 1);
+    three["meshes"][0]["weights"] = {0.5};
+    for (int copy = 0; copy < 2; ++copy) {
+      for (json& scene : three["scenes"]) scene["nodes"].push_back(three["nodes"].size());
+      three["nodes"].push_back(three["nodes"][3]);
+    }
+    json moving = three;
+    move_weight(moving, 0.25, 0.75);
+    const auto count = [](const json& g) {
+      return model_of_scene(gltf_scene(g.dump(), "file.gltf"), {Joints::rigid, Morphs::moving}).triangles.size();
+    };
+    return Checked(count(three) == 48 && count(moving) == 96, 2,
+                   std::to_string(count(three)) + ", " + std::to_string(count(moving)));
+  });
   t.example("a description with one thing wrong is refused with the file, the thing and the reason", {}, [&] {
     std::string wrong = refusal(tube.dump());
     for (const Change& change : refused_changes()) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 
+#include <numbers>
 #include <random>
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/collide/cluster_body.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "lemmas/b7_motion_bound.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -322,6 +324,40 @@ PROPTEST(motion_bound_packs) {
         }
         return Checked(ok && lanes > 1000, lanes);
       });
+  t.example("across a rod whose ends turn apart, the box is that of the images, and what turns add", {}, [] {
+    SkinnedMesh rod;
+    rod.name = "rod";
+    rod.joints = {{"first", -1, {0, 0, 0}}, {"second", 0, {0, 0, 0}}};
+    for (const double x : {-1.0, 1.0})
+      for (const double y : {-0.01, 0.01})
+        for (const double w : {0.0, 0.5, 1.0}) {
+          rod.vertices.push_back({x, y, 0});
+          rod.influences.push_back({{0, w}, {1, 1 - w}});
+        }
+    rod.triangles = {{0, 1, 6}, {2, 3, 7}, {4, 5, 8}, {9, 10, 11}};
+    const auto c = bake(std::move(rod), {.triangles_per_leaf = 8});
+    NodeMotionBound nodes(c, {0});
+    MotionBound motion_bound(c.mesh, c.sets, Skinning::spherical);
+    const double half_diagonal = std::hypot(1, 0.01);
+    std::string wrong;
+    long tried = 0;
+    for (const double degrees : {20., 40., 60., 80.}) {
+      const double half = degrees / 360 * std::numbers::pi, cosine = std::cos(half), sine = std::sin(half);
+      const Pose pose{{{std::cos(half / 2), 0, 0, std::sin(half / 2)}, {0, 0, 0}},
+                      {{std::cos(half / 2), 0, 0, -std::sin(half / 2)}, {0, 0, 0}}};
+      const double share = std::sqrt(squared_deviation_share(cosine)) + error_share(0), of_images = sine + 0.01 * cosine;
+      const double low = of_images + share * half_diagonal * 2 * sine,
+                   high = of_images + share * half_diagonal * (2 * sine + 1.0 / 32);
+      for (const Target target : available_targets()) {
+        if (!nodes.bound(motion_bound, pose, {}, target)) wrong += "no bound; ";
+        const double across = nodes.boxes[0].high[1];
+        if (!(across >= low * (1 - 1e-6) && across <= high * (1 + 1e-4)))
+          wrong += std::to_string(across) + " of " + std::to_string(low) + " to " + std::to_string(high) + "; ";
+        ++tried;
+      }
+    }
+    return Checked(wrong.empty(), tried, wrong);
+  });
   t.example("nothing is known of nodes between joints half a turn apart", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 6, 5, 2, 1}));
     NodeMotionBound nodes(c, {0});

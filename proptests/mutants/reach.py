@@ -24,7 +24,7 @@ class Reach:
                     self.users[name].add(header)
 
     def suites(self, file):
-        """(distance, stem) of the suites, the nearest first; among those as near, the one that is named after the file."""
+        """(distance, stem) of the suites, the nearest first; before all others the one that is named after the file, or tests the vocabulary."""
         if file.startswith("proptests/certificate/"):
             return [(1, "clip_certificate" if "clip" in file or "over_time" in file else "certificate")]
         distance, queue = {file: 0}, collections.deque([file])
@@ -34,10 +34,10 @@ class Reach:
                 if user not in distance:
                     distance[user] = distance[at] + 1
                     queue.append(user)
-        own = file.rpartition("/")[2].rpartition(".")[0]
+        own = [file.rpartition("/")[2].rpartition(".")[0]] + ["vocabulary"] * file.startswith("lemmas/vocabulary/")
         found = []
         for name, far in distance.items():
             folder, _, stem = name.removesuffix(".cpp").rpartition("/")
             if name.endswith(".cpp") and folder in ("proptests/lemmas", "proptests/algorithms"):
-                found.append((0 if stem == own else far, stem))
+                found.append((0 if stem in own else far, stem))
         return sorted(found)
