@@ -471,8 +471,8 @@ PROPTEST(clip_certificate) {
                if (sampler["interpolation"] == "STEP") sampler["interpolation"] = "LINEAR";
            }));
     expect("a node above the first, which moves nothing", "", in_description([](json& d) {
-             for (json& root : d["scenes"][0]["nodes"])
-               if (root == 0) root = d["nodes"].size(), d["nodes"].push_back({{"children", {0}}});
+             d["scenes"].at(1)["nodes"] = {d["nodes"].size()};  // in place of 0
+             d["nodes"].push_back({{"children", {0}}});
            }));
     // As many are reached from the roots as there are: one twice, and one, below itself, never.
     expect("a node below two", "a node is below two", in_description([](json& d) {
