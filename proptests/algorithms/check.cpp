@@ -3,6 +3,7 @@
 // and that it refuses what would take long before it begins.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -40,10 +41,14 @@ json piece(const json& weight_vertices, const json& reference, const json& bound
   return {{"joint_set", 0}, {"weight_vertices", weight_vertices}, {"reference", reference}, {"bound", bound}};
 }
 
+// rotations: of affine joints, the three columns of each.
 json document(const char* skinning, const json& rotations, const json& data, const json& pieces, const json& around) {
-  json set{{"rotations", nested(rotations)}, {"joints", json::array()}};
-  for (std::size_t i = 0; i < set["rotations"].size(); ++i) set["joints"].push_back(i);
-  if (skinning == std::string("linear")) set["translations"] = nested(data);
+  const bool is_affine = skinning == std::string("affine");
+  json set{{"joints", json::array()}};
+  json& of_joints = set[is_affine ? "columns" : "rotations"] = is_affine ? rotations : nested(rotations);
+  for (std::size_t i = 0; i < of_joints.size(); ++i) set["joints"].push_back(i);
+  if (is_affine) set["offsets"] = nested(data);
+  else if (skinning == std::string("linear")) set["translations"] = nested(data);
   else if (skinning == std::string("dual_quaternion")) set["duals"] = nested(data);
   else set["center_images"] = nested(data), set["rotation_center"] = origin;
   return oracle::with_weight_vertex_vertices({{"about", ""},
@@ -63,6 +68,14 @@ json cap(const json& axis) { return {{"by", "cap"}, {"axis", axis}}; }
 json reach(const json& axis, const json& center) { return {{"by", "reach"}, {"axis", axis}, {"center", center}}; }
 json halves(int k, int l, const json& first, const json& second) {
   return {{"by", "halves"}, {"edge", {k, l}}, {"halves", {first, second}}};
+}
+
+json stretch(const json& of_joints, const json& of_weight_vertices) {
+  return {{"by", "stretch"}, {"of_joints", of_joints}, {"of_weight_vertices", of_weight_vertices}};
+}
+json columns(const json& x, const json& y, const json& z) { return json::array({x, y, z}); }
+json scale(const char* x, const char* y, const char* z) {
+  return columns(point(x, "0", "0"), point("0", y, "0"), point("0", "0", z));
 }
 
 json exactly(double x) { return as_text(Rational(x)); }
@@ -208,6 +221,24 @@ std::vector<Tight> tight_documents() {
                                             {piece(one_weight_vertex, small, control)}, ball(origin, "7"))});
   out.push_back({"a shorter joint", document("linear", {{"1/2", "0", "0", "0"}}, {origin},
                                              {piece(one_weight_vertex, small, control)}, ball(origin, "1"))});
+  // Of two joints, one of which scales by 2, at three weight vertices.
+  const json halfway = json::array({json::array({"1", "0"}), json::array({"1/2", "1/2"}), json::array({"0", "1"})});
+  const json twice = json::array({scale("2", "2", "2"), scale("1", "1", "1")}), above = ball(point("0", "0", "1"), "1");
+  const json doubled = stretch(json::array({"2", "1"}), json::array({"2", "3/2", "1"}));
+  out.push_back({"a scale", document("affine", twice, two, {piece(halfway, above, doubled)}, ball(origin, "4"))});
+  out.push_back({"a scale moved", document("affine", twice, json::array({origin, point("0", "0", "-12")}),
+                                           {piece(halfway, above, doubled)}, ball(origin, "12"))});
+  const json mirrors = json::array({scale("1", "1", "1"), scale("-1", "-1", "-1")}),
+             middle = json::array({json::array({"1/2", "1/2"})});
+  out.push_back({"a blend that is flat",
+                 document("affine", mirrors, json::array({point("12", "0", "0"), origin}),
+                          {piece(middle, above, stretch(json::array({"1", "1"}), alone("0")))}, ball(origin, "6"))});
+  for (const int away : {0, 1, 2}) {  // a row of A^T A has 1 and 8; in another place each time
+    json sheared = columns(point("1/2", "0", "0"), point("-2", "2", "0"), point("0", "0", "1"));
+    std::rotate(sheared.begin(), sheared.begin() + away, sheared.end());
+    out.push_back({"a shear", document("affine", alone(sheared), alone(origin),
+                                       {piece(one_weight_vertex, small, stretch(alone("3"), alone("3")))}, ball(origin, "3"))});
+  }
   out.push_back({"nothing but the reference",
                  document("spherical", {unturned}, {origin}, {piece(one_weight_vertex, small, control)}, ball(origin, "1"))});
   out.push_back(
@@ -282,8 +313,37 @@ void add_other_shapes(const json& good, const Texts& lists, const Texts& objects
   }
 }
 
+// Of two affine joints, one of which shears.
+void add_broken_affine(std::vector<Broken>& out) {
+  const json sheared = columns(point("1/2", "0", "0"), point("-2", "2", "0"), point("0", "0", "1"));
+  const json both = json::array({json::array({"1", "0"}), json::array({"0", "1"})}), small = ball(origin, "1");
+  const json good = document("affine", json::array({sheared, scale("1", "-2", "1")}), repeated(origin, 2),
+                             {piece(both, small, stretch(json::array({"3", "2"}), json::array({"3", "2"})))}, ball(origin, "3"));
+  const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
+    json changed = good;
+    changed[json::json_pointer(pointer)] = value;
+    out.push_back({pointer + " = " + value.dump(), changed, reason});
+  };
+  const std::string nines = std::string(380, '9'), one = "1" + std::string(380, '0'), bound = "/pieces/0/bound/";
+  const json less_than_3 = "2" + nines + "/" + one, less_than_2 = "1" + nines + "/" + one;
+  const char *joint = "a joint stretches more", *blend = "the blend at a weight vertex stretches more",
+             *others = "the stretches are of other joints or weight vertices";
+  with(bound + "of_joints/0", less_than_3, joint), with(bound + "of_joints/1", less_than_2, joint);
+  with(bound + "of_joints/0", "-3", joint), with(bound + "of_joints/1", "-2", joint);
+  with(bound + "of_weight_vertices/0", less_than_3, blend), with(bound + "of_weight_vertices/1", less_than_2, blend);
+  with(bound + "of_weight_vertices/0", "-3", blend), with(bound + "of_weight_vertices/1", "-2", blend);
+  for (const char* list : {"of_joints", "of_weight_vertices"})
+    for (const json& changed : {json::array({"3"}), json::array({"3", "3", "3"})}) with(bound + list, changed, others);
+  with("/joint_sets/0/offsets/2", origin, "lists differ in length");
+  with(bound + "by", "control", "no bound of this skinning");
+  with("/pieces/0/reference/radius", "1000001/1000000", "the ball of a bound is outside");
+  add_other_shapes(good, {"/joint_sets/0/columns/1", "/joint_sets/0/columns/0/2", "/joint_sets/0/offsets/1"},
+                   {"/joint_sets/0", "/pieces/0/bound"}, out);
+}
+
 std::vector<Broken> broken_documents() {
   std::vector<Broken> out;
+  add_broken_affine(out);
   const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
   const json good = document("linear", repeated(unturned, 3), repeated(origin, 3), repeated(piece(units, small, control), 3),
                              ball(origin, "1"));
