@@ -48,13 +48,14 @@ def positions_of(rows):
 
 def still_to_judge(count, rows):
     """(the positions of the mutants to judge so that as many are known, the rows that are known already). rows: of an earlier table. One
-    that lived is to be judged again, since tests may have been added; one whose file has changed counts no more."""
+    that lived is to be judged again, since tests may have been added, unless it is argued that no test can tell; one whose file has changed
+    counts no more."""
     known, again, taken = [], [], set()
     for row, position in zip(rows, positions_of(rows)):
         if position is None:
             continue
         taken.add(position)
-        if row["verdict"] in ("killed", "not built"):
+        if row["verdict"] in ("killed", "not built", "equivalent"):
             known.append(row)
         else:
             again.append(position)
@@ -68,7 +69,11 @@ def verdict_of(copy, mutant):
     line, changed = mutant.lines(text)
     stems = [stem for _, stem in reach().suites(mutant.file)][:SUITES_AT_MOST]
     row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": "", "suites": " ".join(stems)}
-    for group, is_whole in ((stems[:SUITES_AT_FIRST], False), (stems, True)):
+    first, others = stems[:SUITES_AT_FIRST], stems[SUITES_AT_FIRST:]
+    # A header may change more than what the first suites were built of, and they are run again with all of it.
+    for group, is_whole in ((first, False), (stems if mutant.file.endswith(".hpp") else others, True)):
+        if not group:
+            continue
         # What an earlier mutant left to be made again is made of the sources as they are.
         program, output = copy.build(group, 1)
         if not program:
