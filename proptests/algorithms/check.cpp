@@ -233,6 +233,9 @@ std::vector<Tight> tight_documents() {
   out.push_back({"a blend that is flat",
                  document("affine", mirrors, json::array({point("12", "0", "0"), origin}),
                           {piece(middle, above, stretch(json::array({"1", "1"}), alone("0")))}, ball(origin, "6"))});
+  out.push_back({"a joint that is flat",
+                 document("affine", alone(scale("0", "0", "0")), alone(origin),
+                          {piece(one_weight_vertex, small, stretch(alone("0"), alone("0")))}, ball(point("3", "0", "0"), "3"))});
   for (const int away : {0, 1, 2}) {  // a row of A^T A has 1 and 8; in another place each time
     json sheared = columns(point("1/2", "0", "0"), point("-2", "2", "0"), point("0", "0", "1"));
     std::rotate(sheared.begin(), sheared.begin() + away, sheared.end());

@@ -64,6 +64,10 @@ class Certified {
                                             : run.lines[i].substr(0, at) + ": " + run.lines[i].substr(at + quoted.size()));
     }
     if (out.size() != texts.size()) out.assign(texts.size(), "not a line for each: " + (out.empty() ? "" : out.back()));
+    const bool all_accepted =
+        std::all_of(out.begin(), out.end(), [](const auto& line) { return line.starts_with("accepted: "); });
+    if (run.status != (all_accepted ? 0 : 1))
+      out.assign(texts.size(), "the checker ends with status " + std::to_string(run.status));
     return out;
   }
   std::vector<std::string> judged(const std::vector<json>& documents) {
@@ -76,7 +80,11 @@ class Certified {
   std::string judged_with(const std::function<void(std::vector<GlbChunk>&)>& change) {
     std::vector<GlbChunk> chunks = read_glb(read_whole(baked()), baked());
     change(chunks);
-    const std::string file = folder_.file("other.glb"), bytes = glb_of(chunks, file);
+    return judged_against(glb_of(chunks, "other.glb"));
+  }
+  // Against a file of these bytes; the certificate is made to name it.
+  std::string judged_against(const std::string& bytes) {
+    const std::string file = folder_.file("other.glb");
     write_whole(file, bytes);
     json changed = document;
     changed["file"] = sha256(bytes);
@@ -493,6 +501,90 @@ PROPTEST(clip_certificate) {
                   std::string(reinterpret_cast<const char*>(&other), 4));
     });
     return Checked(wrong.empty(), tried, wrong);
+  });
+  t.example("a file's accessors and chunks are read as they are, and refused where they are not whole", {}, [] {
+    Certified certified(gen::RichGltf(true, true).file.binary_file());
+    std::string wrong;
+    long tried = 0;
+    const auto expect = [&](const std::string& what, const std::string& reason, const std::string& verdict) {
+      ++tried;
+      if (reason.empty() ? !is_accepted(verdict) : !is_rejected_for(verdict, reason) && !is_unreadable_for(verdict, reason))
+        wrong += what + ": " + verdict + "; ";
+    };
+    // change: of the description and the accessor of the first primitive's positions, or of the first target's offsets, which is sparse.
+    const auto with = [&](const char* of, const std::function<void(json&, json&)>& change) {
+      return certified.judged_with([&](std::vector<GlbChunk>& chunks) {
+        json description = json::parse(chunks[0].data);
+        const json& primitive = description["meshes"][0]["primitives"][0];
+        const json& attributes = of == std::string("positions") ? primitive["attributes"] : primitive["targets"][0];
+        change(description, description["accessors"].at(attributes["POSITION"].get<std::size_t>()));
+        chunks[0].data = description.dump();
+      });
+    };
+    expect("a view that is a byte shorter", "reaches past the end", with("positions", [](json& d, json& accessor) {
+             json& length = d["bufferViews"].at(accessor["bufferView"].get<std::size_t>())["byteLength"];
+             length = length.get<int>() - 1;
+           }));
+    expect("positions of two numbers each", "is no VEC3",
+           with("positions", [](json&, json& accessor) { accessor["type"] = "VEC2"; }));
+    // The offsets are of vertices 2 and 5, of 12.
+    const auto with_indices = [&](const char* uri, std::size_t size, int type) {
+      return with("offsets", [=](json& d, json& accessor) {
+        json& indices = accessor["sparse"]["indices"];
+        indices = {{"bufferView", d["bufferViews"].size()}, {"componentType", type}};
+        d["bufferViews"].push_back({{"buffer", d["buffers"].size()}, {"byteLength", size}});
+        d["buffers"].push_back({{"byteLength", size}, {"uri", std::string("data:application/octet-stream;base64,") + uri}});
+      });
+    };
+    expect("indices 2 and 5 in bytes", "", with_indices("AgU=", 2, 5121));
+    expect("indices 2 and 5 in four bytes each", "", with_indices("AgAAAAUAAAA=", 8, 5125));
+    expect("indices with a sign", "indices are no indices", with_indices("AgAFAA==", 4, 5122));
+    expect("an index that is one too great", "out of range or order", with_indices("Agw=", 2, 5121));
+    expect("the last index", "part ", with_indices("Ags=", 2, 5121));
+    expect("indices in another order", "out of range or order", with_indices("BQI=", 2, 5121));
+    const std::string bytes = read_whole(certified.baked());
+    for (const std::size_t more : {1, 4, 7, 8}) {
+      std::string longer = bytes + std::string(more, '\0');
+      for (int i = 0; i < 4; ++i) longer[8 + i] = static_cast<char>(longer.size() >> 8 * i);
+      expect("bytes after the chunks: " + std::to_string(more), more < 8 ? "ends in the header of a chunk" : "",
+             certified.judged_against(longer));
+    }
+    return Checked(wrong.empty(), tried, wrong);
+  });
+  t.example("which way a rotation goes between keys half a turn apart is told exactly, and a bound of the other way is rejected",
+            {}, [] {
+              // Either key is a half turn, about x = y or x = -y; their product is the third numbers', less than the rounding of the others'.
+              // Doubles take it for 0, and what is bound is the way to the second key itself.
+              const float third = std::ldexp(1.f, -30), root = std::sqrt(0.5f);
+              std::string wrong;
+              long tried = 0;
+              for (const float sign : {1.f, -1.f}) {
+                Model model = growing_arm();
+                model.clips[0].animation.tracks.pop_back();
+                auto& keys = model.clips[0].animation.tracks[0].rotations.keys;
+                std::string from, to;
+                for (std::size_t k = 0; k < 2; ++k) {
+                  const Eigen::Quaterniond& q = keys[k].value;
+                  const float written[4] = {float(q.x()), float(q.y()), float(q.z()), float(q.w())},
+                              wanted[4] = {root, k == 0 ? root : -root, k == 0 ? third : sign * third, 0};
+                  from.append(reinterpret_cast<const char*>(written), 16), to.append(reinterpret_cast<const char*>(wanted), 16);
+                }
+                std::string bytes = gltf_bytes(model);
+                if (bytes.find(from) == std::string::npos) return Checked(false, 1, "the file has not the keys");
+                replace_all(bytes, from, to);
+                Certified certified(bytes);
+                ++tried;
+                const std::string verdict =
+                    certified.refusal.empty() ? certified.judged({certified.document})[0] : certified.refusal;
+                if (sign > 0 ? !is_accepted(verdict) : !is_rejected_for(verdict, "a vertex may leave its box"))
+                  wrong += verdict + "; ";
+              }
+              return Checked(wrong.empty(), tried, wrong);
+            });
+  t.example("the checker's intervals hold what fractions say of their ends and of numbers between them", {}, [] {
+    const oracle::CheckerRun run = oracle::run_interval_test();
+    const std::string said = run.lines.empty() ? "" : run.lines.back();
+    return Checked(run.status == 0, run.status == 0 ? std::stol(said) : 1, said);
   });
   t.example("what is no certificate is rejected or unreadable, without a word of its own", {}, [] {
     Certified certified(gen::RichGltf(false, true).file.binary_file());

@@ -41,6 +41,8 @@ CheckerRun run_checker(const std::string& path, const std::string& program) { re
 
 CheckerRun run_clip_checker(const std::string& arguments) { return run("'" PROPTESTS_CLIP_CHECKER "' " + arguments); }
 
+CheckerRun run_interval_test() { return run("\"$(dirname '" PROPTESTS_CLIP_CHECKER "')/over_time/test\""); }
+
 nlohmann::json with_weight_vertex_vertices(nlohmann::json document) {
   document["vertices"] = nlohmann::json::array();
   for (const nlohmann::json& piece : document["pieces"]) {

@@ -20,6 +20,8 @@ std::string pairs_checker();  // and of check_pairs
 CheckerRun run_checker(const std::string& path, const std::string& program = checker());
 // The same of proptests/certificate/check_clip; arguments are separated by spaces.
 CheckerRun run_clip_checker(const std::string& arguments);
+// Of the checker's intervals: its last line says how many cases it tried, or what is wrong.
+CheckerRun run_interval_test();
 
 // The document with one vertex a piece in place of its own: at the center of the reference, with the first weight
 // vertex's weights.
