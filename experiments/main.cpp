@@ -251,8 +251,7 @@ int main(int argc, char** argv) try {
   Options options;
   if (!parse(argc, argv, options) || options.check_only) return 0;
   if (!options.certificate.file.empty()) {
-    const LoadOptions load{.joints = joints_of(options.certificate)};
-    write_certificate(options.certificate, options.files.empty() ? make_man() : load_named(options.files[0], load));
+    write_certificate(options.certificate, options.files.empty() ? make_man() : load_named(options.files[0], certified_models));
     return 0;
   }
 

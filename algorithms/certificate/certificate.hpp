@@ -63,8 +63,8 @@ struct CertifiedNode {
 // spherical. Takes milliseconds a piece, for exact arithmetic.
 // Throws NoProof, also for a vertex that no piece holds; std::invalid_argument for a number that is not finite or weights
 // that are negative or whose sum is not 1 exactly: skinning by them is not what the proofs are about. It also throws
-// std::invalid_argument for a palette of affine joints. Morph targets, and joints that scale in two phases, are certified
-// for the node of a deformed_character (runtime/refit/deformed_reference.hpp): of its vertices.
+// std::invalid_argument for a palette of affine joints in other than linear skinning. Morph targets, and joints that scale
+// in two phases, are certified for the node of a deformed_character (runtime/refit/deformed_reference.hpp): of its vertices.
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball, const CertifiedNode& of);
 
 }  // namespace refitlab

@@ -9,6 +9,8 @@
 #include "algorithms/certificate/sha256.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/runtime/refit/deformed_reference.hpp"
+#include "experiments/deformations/deformed_pose.hpp"
 
 namespace refitlab {
 namespace {
@@ -23,14 +25,24 @@ const Clip* find_clip(const Model& model, const std::string& name) {
   throw std::invalid_argument(model.name + ": no clip named '" + name + "'" + known);
 }
 
-// A clip of the model, or none, and the moment's name in a sentence.
-std::pair<Clip, std::string> moment_of(const Model& model, const CertificateRequest& request) {
+// A moment of a model, and its name in a sentence.
+struct Moment {
+  DeformedPose pose;
+  std::string name;
+};
+
+Moment moment_of(const Model& model, const CertificateRequest& request) {
   const Clip* clip = find_clip(model, request.clip);
-  if (!clip) return {{"", 0, [&](double) { return reference_pose(model); }}, "the reference pose"};
-  if (!(request.seconds >= 0 && request.seconds <= clip->duration))
+  if (clip && !(request.seconds >= 0 && request.seconds <= clip->duration))
     throw std::invalid_argument(model.name + ", clip " + clip->name + ": it takes " + format_number(clip->duration) +
                                 " s, without a pose at " + format_number(request.seconds) + " s");
-  return {*clip, clip->name + " at " + format_number(request.seconds) + " s"};
+  const Animation animation = clip ? clip->animation : Animation{};
+  const double time = clip ? request.seconds : 0;
+  std::vector<double> weights = model.morphs.empty() ? std::vector<double>{} : morph_weights(model, animation, time);
+  const std::string name = clip ? clip->name + " at " + format_number(time) + " s" : "the reference pose";
+  if (joints_of(model) == Joints::affine)
+    return {deformed_pose(model, affine_pose(model.skeleton, animation, time), std::move(weights)), name};
+  return {{clip ? clip->sample(time) : reference_pose(model), {}, {}, std::move(weights)}, name};
 }
 
 // The certificate's name with another ending.
@@ -42,26 +54,21 @@ std::string beside(const std::string& file, const char* ending) {
 
 }  // namespace
 
-Joints joints_of(const CertificateRequest& request) {
-  return compared_variant(request.variant).skinning == Skinning::linear ? Joints::affine : Joints::rigid;
-}
-
 void write_certificate(const CertificateRequest& request, Model model) {
   const RefitVariant& variant = compared_variant(request.variant);
-  const auto [clip, name] = moment_of(model, request);
-  const bool is_affine = joints_of(model) == Joints::affine;
-  const AffinePose affine =
-      is_affine ? affine_pose(model.skeleton, clip.animation, clip.duration > 0 ? request.seconds : 0) : AffinePose{};
-  const Pose rigid = is_affine ? Pose{} : clip.sample(request.seconds);
-  const auto character = bake(std::move(model));
+  const auto [pose, moment] = moment_of(model, request);
+  Character character = bake(std::move(model));
   const auto nodes = character.tree.nodes.size();
   if (request.node < 0 || static_cast<std::size_t>(request.node) >= nodes)
     throw std::invalid_argument(character.mesh.name + ": no node " + std::to_string(request.node) + "; there are 0 to " +
                                 std::to_string(nodes - 1));
   const std::string about =
-      "node " + std::to_string(request.node) + " of " + character.mesh.name + ", " + name + ", by " + variant.name;
-  const auto palette = is_affine ? make_skinning_palette(character.mesh, character.sets, affine)
-                                 : make_skinning_palette(character.mesh, character.sets, rigid, variant.skinning);
+      "node " + std::to_string(request.node) + " of " + character.mesh.name + ", " + moment + ", by " + variant.name;
+  const auto [deformation, palette] = frame_of(character, pose, variant.skinning);
+  if (!deformation.is_none()) {
+    character = deformed_character(character, deformation);
+    character.mesh.name += ", its vertices as in " + moment;
+  }
   const auto node = character.refit_node(request.node, palette, variant.pieces);
   const std::string model_file = beside(request.file, ".model"), pose_file = beside(request.file, ".pose");
   const std::string model_text = model_document(character), pose_text = pose_document(character, palette, variant.skinning);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "algorithms/model/load_options.hpp"
 #include "algorithms/model/model.hpp"
 
 namespace refitlab {
@@ -16,11 +17,12 @@ struct CertificateRequest {
   std::string variant = "control_mixed";  // a sound one
 };
 
-// Returns the joints that the variant's skinning takes: affine ones in linear skinning alone.
-Joints joints_of(const CertificateRequest& request);
+// What a model is loaded with for write_certificate.
+inline constexpr LoadOptions certified_models{.joints = Joints::affine, .morphs = Morphs::moving};
 
 // Writes the file, and beside it the documents of the model and of the pose (algorithms/certificate/documents.hpp), with the
-// endings .model and .pose; each whole or not at all; and says what is in it. Throws std::invalid_argument for a node, clip, time or
+// endings .model and .pose; each whole or not at all; and says what is in it. Morph targets, and joints that scale in skinning in two phases, move
+// the vertices first: the document of the model then has them as they are moved, in double. Throws std::invalid_argument for a node, clip, time or
 // variant that there is not, NoProof (algorithms/certificate) for a ball that is not proved to hold its vertices.
 void write_certificate(const CertificateRequest& request, Model model);
 
