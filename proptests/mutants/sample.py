@@ -7,9 +7,9 @@ from planting import ROOT
 from reach import Reach
 
 SEED = 2006
-# The nearest suites are built first, and only they. If a mutant lives, some more are, and all that the mutant reaches. What no suite so
-# near sees, no test is about.
-SUITES_AT_FIRST, SUITES_AT_MOST = 2, 6
+# So many of the nearest suites are built first, and only they. If a mutant lives, so many are, with all that the mutant reaches; then so
+# many. What no suite so near sees, no test is about.
+SUITES = (2, 6, 20)
 COLUMNS = ["file", "rule", "line", "mutant", "verdict", "by", "suites"]
 TIME_LIMIT = 300  # seconds of the processor's time, where suites take some ten
 # Shapes: another nose is as good.
@@ -67,11 +67,12 @@ def verdict_of(copy, mutant):
     """A row of COLUMNS: killed, not built, or alive."""
     text = (ROOT / mutant.file).read_text()
     line, changed = mutant.lines(text)
-    stems = [stem for _, stem in reach().suites(mutant.file)][:SUITES_AT_MOST]
-    row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": "", "suites": " ".join(stems)}
-    first, others = stems[:SUITES_AT_FIRST], stems[SUITES_AT_FIRST:]
-    # A header may change more than what the first suites were built of, and they are run again with all of it.
-    for group, is_whole in ((first, False), (stems if mutant.file.endswith(".hpp") else others, True)):
+    stems = [stem for _, stem in reach().suites(mutant.file)]
+    row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": "", "suites": ""}
+    for run, count in enumerate(SUITES):
+        # A header may change more than what the first suites were built of, and they are run again with all of it.
+        is_whole, past = run > 0, 0 if run == 0 or run == 1 and mutant.file.endswith(".hpp") else SUITES[run - 1]
+        group, row["suites"] = stems[past:count], " ".join(stems[:count])
         if not group:
             continue
         # What an earlier mutant left to be made again is made of the sources as they are.
