@@ -2,6 +2,8 @@
 // One run at a time in a folder, however the last one ended.
 #include "algorithms/results/folder_lock.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <barrier>
 #include <chrono>
@@ -99,6 +101,14 @@ PROPTEST(folder_lock) {
     lock.reset();
     const std::string message = refusal(folder.path());
     pclose(program);
+    return Checked(message.empty(), 1, message);
+  });
+  t.example("a process without standard input has its folder as any other, though its lock's descriptor is 0", {}, [] {
+    const gen::TemporaryFolder folder;
+    const int input = dup(STDIN_FILENO);
+    close(STDIN_FILENO);
+    const std::string message = refusal(folder.path());
+    if (input >= 0) dup2(input, STDIN_FILENO), close(input);
     return Checked(message.empty(), 1, message);
   });
   t.example("refused, with the path and the reason: a folder that cannot be made", {}, [] {

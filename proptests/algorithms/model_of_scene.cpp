@@ -182,6 +182,16 @@ PROPTEST(model_of_scene) {
               }
               return Checked(wrong.empty(), 4, wrong);
             });
+  t.example("a skinned mesh without a triangle is not there, nor is its skin", {}, [] {
+    Scene s = convert_scene(*scene(), "file");
+    s.meshes[0].primitives[0].triangles.clear();
+    try {
+      model_of_scene(s);
+    } catch (const ModelError& e) {
+      return Checked(e.what() == std::string("file: file: no skin: no mesh has bones"), 1, e.what());
+    }
+    return Checked(false, 1, "it is accepted");
+  });
   t.example("a scene with one thing wrong is refused with the file, the thing and the reason", {}, [] {
     std::string wrong = refusal(*scene());
     for (const Broken& broken : broken_scenes()) {

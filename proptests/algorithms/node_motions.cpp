@@ -143,7 +143,11 @@ PROPTEST(node_motions) {
               return;
             }
             RC_ASSERT(times.front() == 0 && times.back() == animation.duration);
-            for (std::size_t i = 0; i + 1 < times.size(); ++i) RC_ASSERT(times[i] < times[i + 1]);
+            for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+              RC_ASSERT(times[i] < times[i + 1]);
+              const double between = times[i] + (times[i + 1] - times[i]) * 0.37;
+              RC_ASSERT(between <= times[i] || between >= times[i + 1] || !jumps_at(animation, between));
+            }
             for (const double time : key_times(animation, 1000)) RC_ASSERT(std::binary_search(times.begin(), times.end(), time));
             for (const double time : times) {
               const auto before = global_transforms(model.skeleton.nodes, animation, time, Side::before),

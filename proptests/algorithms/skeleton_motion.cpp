@@ -3,6 +3,7 @@
 #include "algorithms/model/skeleton_motion.hpp"
 
 #include <cmath>
+#include <tuple>
 
 #include "proptests/harness.hpp"
 
@@ -50,8 +51,9 @@ PROPTEST(skeleton_motion) {
     for (int k = -1; k <= 11; ++k) motion.tracks[0].scales.keys.push_back({k + 0.5, Eigen::Vector3d::Ones()});
     const std::vector<double> all = key_times(motion, 12), some = key_times(motion, 4);
     return Checked(all == std::vector<double>{0, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 10} &&
-                       some == std::vector<double>{0, 2.5, 6.5, 10},
-                   2);
+                       some == std::vector<double>{0, 2.5, 6.5, 10} &&
+                       key_times(Animation{"moment", 0, {}}, 1) == std::vector<double>{0},
+                   3);
   });
   t.example("of several joints the largest defect is reported, whichever joint has it, and the tolerance is for all", {}, [] {
     bool good = true;
@@ -82,6 +84,33 @@ PROPTEST(skeleton_motion) {
       good = good && refused();
     }
     return Checked(good, 9);
+  });
+  t.example("a matrix that is no rotation is refused by what is wrong with it", {}, [] {
+    const auto refusal = [](const Eigen::Vector3d& stretch) {
+      Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+      matrix.topLeftCorner<3, 3>() = stretch.asDiagonal();
+      try {
+        palette_by(matrix);
+      } catch (const ModelError& e) {
+        return std::string(e.what());
+      }
+      return std::string();
+    };
+    const std::tuple<Eigen::Vector3d, const char*> refused[] = {{{2, 1, 1}, "shears or scales unevenly, by 1 to 2 "},
+                                                                {{1, 1, 2}, "shears or scales unevenly, by 1 to 2 "},
+                                                                {{2, 2, 1}, "shears or scales unevenly, by 1 to 2 "},
+                                                                {{1, 3, 2}, "shears or scales unevenly, by 1 to 3 "},
+                                                                {{1, -1, 1}, "the skin matrix mirrors "},
+                                                                {{-2, -2, -2}, "the skin matrix mirrors "},
+                                                                {{2, 2, 2}, "the skin matrix scales by 2 "},
+                                                                {{1, 1, NAN}, "the skin matrix is not finite"},
+                                                                {{0.5, 0.5, 0.5}, "the skin matrix scales by 0.5 "},
+                                                                {{1, -1, 2}, "shears or scales unevenly, by 1 to 2 "}};
+    std::string wrong;
+    for (const auto& [stretch, words] : refused)
+      if (const std::string message = refusal(stretch); message.find(words) == std::string::npos)
+        wrong += "'" + message + "', not '" + words + "'; ";
+    return Checked(wrong.empty() && refusal({1, 1, 1}).empty(), 11, wrong);
   });
   t.example("the common scale is the middle one of the joints', a mirror its sign, and one within 1e-5 of 1 is 1", {}, [] {
     const auto factor = [](const std::vector<double>& scales) {

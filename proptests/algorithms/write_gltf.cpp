@@ -3,6 +3,7 @@
 #include "algorithms/model/write_gltf.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "algorithms/model/glb_file.hpp"
@@ -112,6 +113,19 @@ PROPTEST(write_gltf) {
       if (!different.empty()) wrong += std::to_string(count) + ": " + different + "; ";
     }
     return Checked(wrong.empty(), 9, wrong);
+  });
+  t.example("what the file says of its positions' box is exact", {}, [] {
+    Model model = keyed(make_snake(5), 2);
+    const auto description = nlohmann::json::parse(read_glb(gltf_bytes(model), "again.glb")[0].data);
+    const auto of = description["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>();
+    const nlohmann::json& accessor = description["accessors"].at(of);
+    for (std::size_t k = 0; k < 3; ++k) {
+      float low = HUGE_VALF, high = -HUGE_VALF;
+      for (const Point3& p : model.vertices)
+        low = std::min(low, static_cast<float>(p[k])), high = std::max(high, static_cast<float>(p[k]));
+      if (accessor["min"][k].get<float>() != low || accessor["max"][k].get<float>() != high) return false;
+    }
+    return true;
   });
   t.example("a node is one joint only, as glTF has it: another joint of it gets a node of its own", {}, [] {
     Model model = keyed(make_snake(2), 2);

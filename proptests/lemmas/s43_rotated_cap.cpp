@@ -177,6 +177,17 @@ PROPTEST(s43_rotated_cap) {
             RC_ASSERT(is_rotation_onto(c.apex, c.angle.cosine, v, x, onto.rotation) == Verdict::holds);
           });
 
+  t.example("a vector along an axis is taken to its opposite by half a turn", {.form = "repaired", .number_type = "rational"},
+            [] {
+              const auto identity = identity_quaternion<Rational>();
+              for (int i = 0; i < 3; ++i)
+                for (const int sign : {1, -1}) {
+                  const Vector v = Vector::Unit(i) * Rational(sign), x = -v;
+                  if (rotation_onto<Rational>(identity, Rational(0), v, x).verdict != Verdict::holds)
+                    return Checked(false, 2 * i);
+                }
+              return Checked(true, 6);
+            });
   t.example("the half turn refutes the printed doubled angle of an angle past pi/2", {.form = "printed"}, [] {
     using namespace s43_cap;
     const Q printed = rotated_cap_cosine_printed(past_right_angle), repaired = rotated_cap_cosine_repaired(past_right_angle);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lemmas/exact/ladder.hpp"
+#include "lemmas/vocabulary/affine.hpp"
 #include "lemmas/vocabulary/root_comparison.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/sphere_point.hpp"
@@ -153,6 +154,15 @@ PROPTEST(vocabulary) {
     RC_ASSERT(root(sq(x)) == (a < 0 ? ExactRoot(-x) : x));
   });
 
+  t.holds("the identity leaves every point and every map what it is", {.number_type = "rational", .cases = 100}, [] {
+    const auto identity = identity_map<Rational>();
+    AffineMap<Rational> map{{}, *gen::rational_vector<3>()};
+    for (auto& column : map.columns) column = *gen::rational_vector<3>();
+    const Vec<Rational, 3> v = *gen::rational_vector<3>();
+    RC_ASSERT(apply(identity, v) == v);
+    for (const auto& same : {compose(identity, map), compose(map, identity)})
+      RC_ASSERT(same.columns == map.columns && same.offset == map.offset);
+  });
   t.example("the ladder goes up by one rung at a time, and only as far as it must", {}, [] {
     // A statement that the given rung is the first to decide; it keeps a list of those that were asked.
     long cases = 0;

@@ -24,7 +24,8 @@ class Reach:
                     self.users[name].add(header)
 
     def suites(self, file):
-        """(distance, stem) of the suites, the nearest first; before all others the one that is named after the file, or tests the vocabulary."""
+        """(distance, stem) of the suites, the nearest first; before all others the one that is named after the file, or tests the vocabulary and
+        its numbers."""
         if file.startswith("proptests/certificate/"):
             return [(1, "clip_certificate")] if "clip" in file or "over_time" in file else [(0, "check"), (1, "certificate")]
         distance, queue = {file: 0}, collections.deque([file])
@@ -34,7 +35,7 @@ class Reach:
                 if user not in distance:
                     distance[user] = distance[at] + 1
                     queue.append(user)
-        own = [file.rpartition("/")[2].rpartition(".")[0]] + ["vocabulary"] * file.startswith("lemmas/vocabulary/")
+        own = [file.rpartition("/")[2].rpartition(".")[0]] + ["vocabulary"] * file.startswith(("lemmas/vocabulary/", "lemmas/exact/"))
         found = []
         for name, far in distance.items():
             folder, _, stem = name.removesuffix(".cpp").rpartition("/")
