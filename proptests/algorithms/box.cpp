@@ -86,6 +86,23 @@ PROPTEST(box) {
     };
     return says(1.0f) && says(1.0);
   });
+  t.example("of boxes in blocks those are found that meet another, in order, and none behind the last", {}, [] {
+    long cases = 0;
+    const auto finds = [&]<class S>(S) {
+      BoxBlock<S> blocks[4];
+      for (int i = 0; i < 32; ++i) put_box(blocks, i, box_of<S>(unit_box(i % 3, i * 7 % 5 - 2.0)));
+      for (int count = 0; count <= 32; ++count, ++cases) {
+        std::vector<int> expected, found(32);
+        for (int i = 0; i < count; ++i)
+          if (std::abs(i * 7 % 5 - 2) < 2) expected.push_back(i);
+        found.resize(static_cast<std::size_t>(find_meeting(blocks, count, box_of<S>(unit_box(0, 0)), found.data())));
+        if (found != expected) return false;
+      }
+      return true;
+    };
+    const bool ok = finds(1.0f) && finds(1.0);
+    return Checked(ok, cases);
+  });
   t.example("a flipped box is the union of the lanes that are merged into it", {}, [=] {
     using P = Pack<float>;
     constexpr int width = static_cast<int>(P::size());

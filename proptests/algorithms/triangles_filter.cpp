@@ -4,7 +4,9 @@
 #include <rapidcheck.h>
 
 #include <random>
+#include <vector>
 
+#include "algorithms/runtime/packs/pack.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 
@@ -101,6 +103,44 @@ PROPTEST(triangles_filter) {
            filter_triangles(p, r) == (is_common ? Filtered::apart : Filtered::unknown);
     }
     return Checked(ok, 14);
+  });
+  t.example("packs of random pairs are decided as one pair is, and floats near the corners decide nearly all of them", {}, [] {
+    std::mt19937 random(2006);
+    constexpr float slack = 1e-6f;
+    std::uniform_real_distribution<float> off(-slack, slack);
+    using Doubles = Pack<double>;
+    using Floats = Pack<float, static_cast<int>(Doubles::size())>;
+    const auto lanes_of = []<class P>(P, const std::vector<TrianglePoints>& from) {
+      TriangleOf<P> out;
+      for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i)
+          out[k][i] = P([&](std::size_t lane) { return static_cast<typename P::value_type>(from[lane][k][i]); });
+      return out;
+    };
+    long pairs = 0, open = 0;
+    for (int c = 0; c < 1000; ++c) {
+      std::vector<TrianglePoints> a, b;
+      for (std::size_t lane = 0; lane < Doubles::size(); ++lane)
+        a.push_back(random_triangle(random, 1)), b.push_back(random_triangle(random, 1));
+      const auto lanes = filter_lanes(lanes_of(Doubles(), a), lanes_of(Doubles(), b));
+      std::vector<TrianglePoints> near_a = a, near_b = b;
+      for (auto* all : {&near_a, &near_b})
+        for (TrianglePoints& points : *all)
+          for (auto& p : points)
+            for (double& x : p) x += off(random) / 2;  // and half for the rounding to float
+      const NearCorners<Floats> corners{Floats(2 * slack)};
+      const auto near = filter_lanes(lanes_of(Floats(), near_a), lanes_of(Floats(), near_b), corners);
+      for (std::size_t lane = 0; lane < Doubles::size(); ++lane, ++pairs) {
+        const Filtered one = filter_triangles(a[lane], b[lane]);
+        if (one == Filtered::unknown || lanes.meet[lane] != (one == Filtered::meet) ||
+            lanes.are_apart[lane] != (one == Filtered::apart))
+          return Checked(false, pairs, "a lane differs from its pair");
+        if ((near.meet[lane] && one != Filtered::meet) || (near.are_apart[lane] && one != Filtered::apart))
+          return Checked(false, pairs, "floats are wrong");
+        open += !near.meet[lane] && !near.are_apart[lane];
+      }
+    }
+    return Checked(100 * open < pairs, pairs, std::to_string(open) + " left open by floats");
   });
   t.example("flat triangles, those in one plane, those that touch, and tiny or non-finite ones are left open", {}, [] {
     const TrianglePoints a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, flat{{{0, 0, 0}, {0.25, 0.25, 0}, {0.5, 0.5, 0}}},
