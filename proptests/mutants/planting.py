@@ -74,7 +74,7 @@ class Copy:
         """The command that links these suites, and the objects that the linker takes for it: what a mutant does not reach is not compiled.
         It is found once, with the sources as they are, before a mutant is planted.
 
-        The suites and the main program are objects; all else is in archives that name objects where they are, of which the linker takes
+        The suites, the fuzz targets, which tell of themselves, and the main program are objects; all else is in archives that name objects where they are, of which the linker takes
         what it needs."""
         key = tuple(sorted(stems))
         if key in self.needed:
@@ -87,7 +87,10 @@ class Copy:
             path = pathlib.Path(word)
             if is_suite(word) and path.name.removesuffix(".cpp.o") not in stems:
                 continue
-            if path.suffix == ".o" and not is_suite(word) and path.parent.name != "proptests.dir":
+            is_target = path.parent.name == "fuzz"
+            if is_target and "fuzz" not in stems:
+                continue
+            if path.suffix == ".o" and not is_suite(word) and not is_target and path.parent.name != "proptests.dir":
                 helpers.append(word)
                 continue
             if path.suffix == ".a" and not path.is_absolute():
@@ -154,6 +157,17 @@ class Copy:
             return None if code == 0 else f"the run ended with code {code}"
         finally:
             process.wait()
+
+    def passes(self, program, limit=TIME_LIMIT):
+        """Whether all tests pass, of a program without a mutant; it is run once."""
+        known, digest = self.folder / "passed", hashlib.sha256(program.read_bytes()).hexdigest()
+        if known.exists() and digest in known.read_text().split():
+            return True
+        if self.first_failure(program, limit):
+            return False
+        with open(known, "a") as file:
+            file.write(digest + "\n")
+        return True
 
     @contextlib.contextmanager
     def planted(self, file, text):

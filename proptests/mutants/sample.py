@@ -79,6 +79,8 @@ def verdict_of(copy, mutant):
         program, output = copy.build(group, 1)
         if not program:
             raise RuntimeError(f"the unchanged sources do not build: {output}")
+        if not copy.passes(program, TIME_LIMIT):
+            raise RuntimeError(f"without a mutant, too, one of these suites fails: {' '.join(group)}")
         with copy.planted(mutant.file, mutant.applied_to(text)):
             program, output = copy.build(group, 1, None if is_whole else mutant.file)
             if not program:
