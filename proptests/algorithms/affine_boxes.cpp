@@ -136,6 +136,15 @@ void check_image() {
     RC_ASSERT(std::abs((image.high[i] - image.low[i]) / 2 - expected) <= size);
     // Corners of the box that are in the ball, and the ball's poles that are in the box, are in the image.
   }
+  // A map that is 2^40 times smaller makes a box that is.
+  AffineMap<double> smaller = map;
+  for (Point3& column : smaller.columns) column *= 0x1p-40;
+  smaller.offset *= 0x1p-40;
+  const Box<double> small = box_of_image(smaller, ball, box, 1);
+  double reach = map.offset.norm();
+  for (const Point3& column : map.columns) reach += column.norm() * (10 + ball.center.norm() + ball.radius);
+  RC_ASSERT((small.low * 0x1p40 - image.low).norm() <= 1e-12 * reach + 1e-80);
+  RC_ASSERT((small.high * 0x1p40 - image.high).norm() <= 1e-12 * reach + 1e-80);
   RC_CLASSIFY(ball_alone, "by the ball");
   RC_CLASSIFY(box_alone, "by the box");
   std::uniform_real_distribution<double> unit(0, 1);

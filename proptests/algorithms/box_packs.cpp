@@ -172,6 +172,28 @@ PROPTEST(box_packs) {
         }
         RC_TAG(joints > most_box_joints ? "more joints than a pack takes" : "in packs");
       });
+  t.holds("joints in float know the greatest of their coordinates, however small all are", {.number_type = "float", .cases = 100},
+          [] {
+            const auto plan = *gen::mesh_plan();
+            const SkinnedMesh mesh = gen::make_mesh(plan);
+            const JointSets sets(mesh);
+            std::mt19937 random(plan.seed);
+            Pose pose = gen::random_pose(mesh, random, 1);
+            const double size = *rc::gen::element(1e-20, 1e-3, 1.0, 1e6);
+            double greatest = 0;
+            for (auto& joint : pose) {
+              joint.translation *= size;
+              greatest = std::max(greatest, joint.translation.cwiseAbs().maxCoeff());
+            }
+            JointFloats joints(sets);
+            joints.fill(make_skinning_palette(mesh, sets, pose, Skinning::linear), Skinning::linear);
+            RC_ASSERT(joints.largest <= static_cast<float>(greatest));
+            for (const float x : joints.slots) RC_ASSERT(std::abs(x) <= std::max(joints.largest, 1.001f) && joints.largest >= 0);
+            bool is_reached = greatest == 0;
+            for (std::size_t i = 0; i < joints.slots.size(); ++i)
+              is_reached = is_reached || (i % 8 > 3 && std::abs(joints.slots[i]) == joints.largest);
+            RC_ASSERT(is_reached);
+          });
   t.holds("what float does not hold has boxes without end, and none that leave a vertex out",
           {.number_type = "float", .cases = 3000}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());

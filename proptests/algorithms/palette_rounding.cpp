@@ -444,6 +444,13 @@ PROPTEST(palette_rounding) {
           {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, check_scales);
   t.example("a length bounded without a root is bounded, by at most 16 % more", options, check_upper_norm);
   t.example("every variant adds at least what its pieces ask for, and the reference balls have their vertices", {}, check_nodes);
+  t.example("what a vertex loses depends on no radius, in any skinning", {}, [] {
+    const PaletteScales<double> scales{4, 2, 3, 1.5, 1e-16, 5};
+    const PaletteRoundings<double> rigid = roundings_of(scales), affine = affine_roundings_of(scales);
+    for (const PaletteRounding<double>* rounding : {&rigid[0], &rigid[1], &rigid[2], &affine[0]})
+      if (rounding->vertex.per_radius != 0 || !(rounding->vertex.per_length < 1e-13)) return false;
+    return true;
+  });
   const Options awkward{
       .number_type = "double against rational", .cases = 400, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("no ball of a linear variant misses an exactly skinned vertex of an awkward case, nor rounded to float", awkward,

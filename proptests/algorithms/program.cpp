@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -22,6 +23,11 @@
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
+
+// What the system calls, which is too short for a file to be tested by.
+#define main refitlab_main
+#include "algorithms/program/main.cpp"
+#undef main
 
 namespace proptests::suite_program {
 namespace {
@@ -89,6 +95,15 @@ void halve_a_box(BakedFile& baked) {
 }  // namespace
 
 PROPTEST(program) {
+  t.example("called by the system it does what it does with the arguments behind its name", {}, [] {
+    std::string name = "refitlab", option = "--help";
+    char* arguments[] = {name.data(), option.data(), nullptr};
+    std::ostringstream out;
+    std::streambuf* const screen = std::cout.rdbuf(out.rdbuf());
+    const int code = refitlab_main(2, arguments);
+    std::cout.rdbuf(screen);
+    return Checked(code == 0 && out.str() == call({"--help"}).out, 1, out.str());
+  });
   t.example("every vertex of a file of all features is inside of its bounds, by the file's own formulas, at 400 times",
             {.number_type = "double"}, [] {
               long looked_at = 0, missed = 0;
