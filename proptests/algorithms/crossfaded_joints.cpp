@@ -233,6 +233,46 @@ PROPTEST(crossfaded_joints) {
            at(0.5, 0.3, 1)->matrices[0].isApprox(second.at(0.3, Side::after)->matrices[0], 1e-14) &&
            std::abs(at(0.5, 0.3, 0.25)->matrices[0](0, 3) - 0.75) < 1e-14 && at(0.5, 0.3, 0.25)->pose.size() == 1;
   });
+  t.example("a slerp by weight turns by that share of the angle", {}, [] {
+    const Hinge hinge(0, 100);
+    const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), RotationBlend::slerp,
+                                  true);
+    for (const double weight : {0.1, 0.25, 0.5, 0.8}) {
+      const auto matrix = joints.at({{{0, Side::after}, {0, Side::after}, {weight, Side::after}}})->matrices[0];
+      const double angle = weight * 100 * 3.141592653589793 / 180;
+      if (std::abs(matrix.topLeftCorner<3, 3>().trace() - (1 + 2 * std::cos(angle))) > 1e-12) return false;
+    }
+    return true;
+  });
+  t.example(
+      "at its end a crossfade does not move with the first clip, at its start not with the second, and by weight from one to the "
+      "other",
+      {}, [] {
+        long tried = 0;
+        for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp})
+          for (const bool is_end : {true, false}) {
+            Hinge hinge(0, 60);
+            auto& moving = (is_end ? hinge.first : hinge.second).tracks[0];
+            const Eigen::Vector3d there(1, 0, 0), ones = Eigen::Vector3d::Ones();
+            moving.positions = {{{0, there}, {1, Eigen::Vector3d(1, 5, 0)}}};
+            moving.rotations = {
+                {{0, Eigen::Quaterniond(Eigen::AngleAxisd(0.1, there))}, {1, Eigen::Quaterniond(Eigen::AngleAxisd(0.5, there))}}};
+            moving.scales = {{{0, ones}, {1, 2 * ones}}};
+            (is_end ? hinge.second : hinge.first).tracks[0].positions = {{{0, Eigen::Vector3d(-1, 0, 0)}}};
+            const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), blend, false);
+            ParameterBox box = joints.boxes()[0];
+            const double weight = is_end ? 1 : 0;
+            box.ranges[2] = {0, 0, weight, weight};
+            const auto cell = joints.cell(box);
+            const ChainMotion<double> link = cell.motions[is_end ? 0 : 1]->links[0], by_weight = cell.motions[2]->links[0];
+            ++tried;
+            if (link.offset.speed != 0 || link.linear.speed != 0 || link.rotation.speed != 0 || by_weight.offset.speed < 2)
+              return Checked(false, tried,
+                             "speeds " + std::to_string(link.offset.speed) + " " + std::to_string(link.linear.speed) + " " +
+                                 std::to_string(link.rotation.speed) + " " + std::to_string(by_weight.offset.speed));
+          }
+        return Checked(true, tried);
+      });
   t.example("a node that one clip does not move is where it rests, and one whose matrix has no parts is refused by name", {}, [] {
     Hinge hinge(60, 0);
     hinge.second.tracks.clear();

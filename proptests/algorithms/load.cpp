@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/model/gltf_scene.hpp"
 #include "algorithms/model/guarded_load.hpp"
 #include "proptests/gen/broken_rigs.hpp"
 #include "proptests/gen/random_rig.hpp"
@@ -403,6 +404,20 @@ PROPTEST(load) {
       }
     return Checked(good, 44);
   });
+  t.example("a file is read as glTF by its ending or its first bytes, and so is one in text with an ending of large letters", {},
+            [] {
+              const std::pair<const char*, const char*> as_gltf[] = {{"{}", "a.gltf"},
+                                                                     {"{}", "a.GLTF"},
+                                                                     {"", "a.b.glb"},
+                                                                     {"", "A.GLB"},
+                                                                     {"glTF\2", "a.X"}},
+                                                        others[] = {
+                                                            {"xof", "a.X"}, {"", "gltf"}, {" glTF", "a.fbx"}, {"", "a.gltf.dae"}};
+              bool good = true;
+              for (const auto& [bytes, name] : as_gltf) good = good && is_gltf(bytes, name);
+              for (const auto& [bytes, name] : others) good = good && !is_gltf(bytes, name);
+              return Checked(good, 9);
+            });
   t.example("refused: a glTF file that ends early, wherever that is", {}, [] {
     const Folder folder;
     write_glb(gen::bending_tube(3), folder.file("rig.glb"));
@@ -514,6 +529,16 @@ PROPTEST(load) {
       return Checked(message == folder.file("rig.X") + ": file: assimp crashes on it, or does not end", 1, message);
     }
     return Checked(false, 1, "it loads");
+  });
+  t.example("refused: an X file of two nodes of one name", {}, [] {
+    const Folder folder;
+    const std::string path = folder.file("rig.X");
+    gen::write_x({}, path);
+    const std::string text = read_all(path),
+                      frame = "Frame tip {\n FrameTransformMatrix {\n1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 3, 0, 1;;\n}\n}\n";
+    if (!refusal(path).empty()) return Checked(false, 1, refusal(path));
+    write_all(path, text + frame);
+    return refuses(path, {"node 'tip'", "two nodes have this name"});
   });
   t.example("refused: an X file of a vertex without weight, or with a negative weight, which assimp drops", {}, [] {
     const Folder folder;

@@ -60,6 +60,10 @@ PROPTEST(model_bounds) {
               }
               return Checked(good && parts_of(man(), 0).back().kind == PartKind::primitive, 8);
             });
+  t.example("the moments that were looked at are counted, two of each part and clip at least", {}, [] {
+    const auto parts = static_cast<long>(bounds().parts.size()), clips = static_cast<long>(bounds().clips.size());
+    return Checked(bounds().moments >= 2 * clips * parts / 2, bounds().moments);
+  });
   t.example("every clip and the rest pose are inside of what is of all, clusters inside of the whole; and so is what is sampled",
             {}, [] {
               const auto all = bounds_of_all(bounds());

@@ -14,11 +14,14 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/keyed.hpp"
+#include "algorithms/model/load.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/model/write_gltf.hpp"
 #include "algorithms/program/baked_file.hpp"
+#include "algorithms/program/command.hpp"
 #include "algorithms/program/peak_memory.hpp"
 #include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
@@ -53,6 +56,21 @@ bool is_in(const json& box, const Eigen::Vector3d& p) {
 }
 bool is_in_ball(const json& ball, const Eigen::Vector3d& p) {
   return (p - Eigen::Vector3d(ball[0], ball[1], ball[2])).norm() <= ball[3].get<double>();
+}
+
+// Numbers of 16 bits, the lower byte first, in base 64.
+std::vector<int> numbers_of(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<int> bytes, out;
+  unsigned group = 0;
+  int bits = 0;
+  for (const char digit : text) {
+    if (digit == '=') break;
+    group = group << 6 | static_cast<unsigned>(digits.find(digit)), bits += 6;
+    if (bits >= 8) bytes.push_back(static_cast<int>(group >> (bits -= 8) & 255));
+  }
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) out.push_back(bytes[i] + 256 * bytes[i + 1]);
+  return out;
 }
 
 bool is_in_slabs(const json& directions, const json& slabs, const Eigen::Vector3d& p) {
@@ -238,6 +256,8 @@ PROPTEST(program) {
     expect(rich.called.code == 0, "bake: " + rich.called.errors);
     expect(info.code == 0 && info.out.find("clips         1\n") != std::string::npos, "info: " + info.out + info.errors);
     expect(collide.code == 0 && !collide.out.starts_with("0 "), "collide: " + collide.out + collide.errors);
+    expect(call({"collide", "--pairs", in, in, "--at", "0", "0", "0"}).out == collide.out,
+           "collide: in one place, as where nothing is said");
     expect(apart.out == "0 pairs of triangles touch\n", "apart: " + apart.out + apart.errors);
     expect(page.find("\"file\":\"in.glb\"") != std::string::npos && page.find("/*DATA*/") == std::string::npos, "the report");
     for (const char* command : {"bake", "info", "check", "collide"}) {
@@ -246,7 +266,65 @@ PROPTEST(program) {
              "help: " + help.out + help.errors);
     }
     expect(call({"--help"}).code == 0 && call({}).code == 2, "no command");
-    return Checked(wrong.empty(), 10, wrong);
+    return Checked(wrong.empty(), 11, wrong);
+  });
+  t.example("the report has the clusters, each clip's frames from its start to its end, and times of the clip alone", {}, [] {
+    const gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb");
+    write_gltf(keyed(make_man(), 4), in);
+    const Called called = call({"bake", in, folder.file("out.glb"), "--report", folder.file("report.html")});
+    if (called.code != 0) return Checked(false, 0, called.errors);
+    const std::string page = read_whole(folder.file("report.html")), before = "const data = ";
+    const std::size_t start = page.find(before) + before.size();
+    const json data = json::parse(page.substr(start, page.find(";\n", start) - start));
+    const Model model = load_model(in);
+    std::string wrong;
+    if (data["clips"].size() != model.clips.size()) return Checked(false, 1, "not all clips");
+    const std::vector<int> cluster_of = numbers_of(data["cluster_of"]);
+    std::vector<bool> is_there(data["clusters"].get<std::size_t>(), false);
+    for (const int c : cluster_of) is_there.at(static_cast<std::size_t>(c)) = true;
+    if (is_there.size() < 2 || std::count(is_there.begin(), is_there.end(), false) > 0) wrong += "a cluster has no triangle; ";
+    if (cluster_of.size() != model.triangles.size()) wrong += "not each triangle is in a cluster; ";
+    const JointSets sets(model);
+    long charts = 0, tried = 0;
+    for (std::size_t c = 0; c < model.clips.size(); ++c) {
+      const json& clip = data["clips"][c];
+      const double duration = model.clips[c].duration;
+      const std::vector<int> frames = numbers_of(clip["positions"]);
+      const std::size_t size = 3 * model.vertices.size(), count = frames.size() / size;
+      if (count != data["frames"].get<std::size_t>()) wrong += "other frames than it says; ";
+      for (const std::size_t f : {std::size_t(0), count / 3, count - 1}) {
+        const Pose pose = model.clips[c].sample(duration * static_cast<double>(f) / static_cast<double>(count - 1));
+        const auto points = skin(model, sets, make_skinning_palette(model, sets, pose, Skinning::linear), Skinning::linear);
+        for (std::size_t v = 0; v < points.size(); ++v)
+          for (int i = 0; i < 3; ++i, ++tried) {
+            const double low = clip["box"][i], side = clip["box"][3 + i].get<double>() - low;
+            const int shown = frames[f * size + 3 * v + static_cast<std::size_t>(i)];
+            if (std::abs(low + side * shown / 65535 - points[v][i]) > side * 1e-4)
+              return Checked(false, tried, "a vertex is elsewhere");
+          }
+      }
+      if (!clip.contains("chart")) continue;
+      ++charts;
+      double last = -1;
+      for (const json& point : clip["chart"]["curve"]) {
+        if (point[0].get<double>() <= last) wrong += "times of the chart are not in order; ";
+        last = point[0];
+      }
+      if (std::abs(last - duration) > 1e-9 || clip["chart"]["curve"][0][0] != 0) wrong += "a chart is not of the whole clip; ";
+    }
+    return Checked(wrong.empty() && charts > 0, tried, wrong + std::to_string(charts) + " charts");
+  });
+  t.example("a bar of progress is shown to who wants it alone", {}, [] {
+    std::ostringstream silent, shown;
+    for (std::ostringstream* to : {&silent, &shown}) {
+      ProgressBar bar(*to, to == &shown);
+      for (const double share : {0.0, 0.25, 0.251, 1.0}) bar.show(share);
+    }
+    const std::string text = shown.str();
+    return Checked(silent.str().empty() && text.find("] 25 %") != std::string::npos &&
+                       text.find("] 100 %") != std::string::npos && std::count(text.begin(), text.end(), '%') == 3,
+                   2, text);
   });
   t.example("collide writes the pairs that it prints, and a certificate of them that is accepted against its documents", {}, [] {
     const Rich rich(false, false);

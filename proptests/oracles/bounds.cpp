@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 
@@ -128,6 +129,7 @@ double needed_radius(const BlendsAtWeightVertices& weight_vertices, const Bound&
     case By::all_rotations: return needed_by_cap(weight_vertices, center, {0, 0, 0, 0});
     case By::cap: return needed_by_cap(weight_vertices, center, bound.axis);
     case By::reach: return needed_by_reach(weight_vertices, center, bound.axis, bound.center);
+    case By::stretch: throw std::logic_error("a stretch is of affine joints");
     case By::halves: break;
   }
   const auto [k, l] = bound.edge;
