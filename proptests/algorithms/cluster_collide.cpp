@@ -272,6 +272,21 @@ PROPTEST(cluster_collide) {
             }
             RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
           });
+  t.holds("a cluster is a node of the sphere tree, or a part of a leaf that is too large", {.cases = 100}, [] {
+    const auto c = bake(gen::make_mesh(*gen::mesh_plan()), {.triangles_per_leaf = *rc::gen::element(1, 2, 7, 40)});
+    const ClusterOptions options = drawn_options();
+    const ClusterTree tree(c, options);
+    std::vector<int> place(c.mesh.triangles.size());
+    for (std::size_t i = 0; i < place.size(); ++i) place[c.tree.triangle_order[i]] = static_cast<int>(i);
+    for (int i = 0; i < static_cast<int>(tree.clusters().size()); ++i) {
+      const int first = place[tree.triangles(i)[0]], count = triangles_below(tree, {i, -1});
+      RC_ASSERT(std::any_of(c.tree.nodes.begin(), c.tree.nodes.end(), [&](const TreeNode& n) {
+        const bool is_large_leaf = n.child_count == 0 && n.triangle_count > options.most_triangles;
+        return is_large_leaf ? n.first_triangle <= first && first + count <= n.first_triangle + n.triangle_count
+                             : n.first_triangle == first && n.triangle_count == count;
+      }));
+    }
+  });
   t.example(
       "what is counted: of single triangles every box once, none where motion bounds are apart, and sums over queries", {}, [] {
         SkinnedMesh m = gen::needle(0, 1, 1, 1);

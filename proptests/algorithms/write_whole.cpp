@@ -3,6 +3,9 @@
 #include "algorithms/results/write_whole.hpp"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -14,6 +17,16 @@
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/session.hpp"
+
+// What is told to be on the disk, in order, as long as a test listens: 'd' for a folder, 'f' for a file.
+namespace {
+std::string* synced = nullptr;
+}
+extern "C" int fsync(int descriptor) {
+  struct stat about {};
+  if (synced && fstat(descriptor, &about) == 0) *synced += S_ISDIR(about.st_mode) ? 'd' : 'f';
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
 
 namespace proptests::suite_write_whole {
 namespace {
@@ -127,6 +140,15 @@ Checked full_disk() {
 }  // namespace
 
 PROPTEST(write_whole) {
+  t.example("a file's bytes are on the disk before its name is, and its name when writing ends", {}, [] {
+    const TemporaryFolder folder;
+    std::string order;
+    synced = &order;
+    write_whole(folder.file("new"), "text");
+    write_whole(folder.file("new"), "other");
+    synced = nullptr;
+    return Checked(order == "fdfd", 2, order);
+  });
   t.holds("what is written is read back, byte by byte, in place of what was there", {.cases = 50}, [] {
     const TemporaryFolder folder;
     const auto first = *rc::gen::arbitrary<std::string>(), second = *rc::gen::arbitrary<std::string>();

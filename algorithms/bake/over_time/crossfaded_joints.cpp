@@ -275,7 +275,8 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     if (!is_known && !is_forced && change <= most_travel_across && has_one_part && !out.across) out.across = node;
     if (!is_known) cosine = 0;
     auto rotations = faded_rotation(x.rotation, y.rotation, cosine, ranges, rotations_);
-    if (!is_known) rotations[turned[0] >= turned[1] ? 0 : 1].speed = unbounded;
+    // Of the parameter that turns most; if neither time does, and there may be none, of the weight.
+    if (!is_known) rotations[turned[0] + turned[1] == 0 ? 2 : turned[0] >= turned[1] ? 0 : 1].speed = unbounded;
     const auto translations = faded(x.translation, y.translation, norm<double, 3>(q.translation - p.translation), ranges),
                scales = faded(x.scale, y.scale, (q.scale - p.scale).cwiseAbs().maxCoeff(), ranges);
     for (int k = 0; k < 3; ++k) motions[k]->links[node] = chain_of<double>({translations[k], rotations[k], scales[k]});
