@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The budgets of rounding in float of the batch refit and of the motion bound, and of the boxes in float that collisions
 // compare: as float_budgets.cpp, for kernels whose steps are repeated here with the templates that they call.
+#include <random>
+
 #include "algorithms/runtime/batch/refit_kernel.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
@@ -326,12 +328,44 @@ Checked check_vertices() {
   return budgets.checked();
 }
 
+// The least cosine between a lane's joints, of quaternions in float: what is used is below the exact one, and not by much.
+Checked check_cosines() {
+  constexpr int cases = 20000, width = baseline::width;
+  std::mt19937 random(2006);
+  std::normal_distribution<double> normal;
+  const auto unit = [&] {
+    return Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
+  };
+  bool ok = true;
+  for (int i = 0; i < cases && ok; ++i) {
+    alignas(64) float numbers[2][4][width];
+    double exact[width];
+    for (int lane = 0; lane < width; ++lane) {
+      const Quaternion<float> p = unit().cast<float>(), q = unit().cast<float>();
+      for (int d = 0; d < 4; ++d) numbers[0][d][lane] = p[d], numbers[1][d][lane] = q[d];
+      exact[lane] = std::abs(dot<double, 4>(p.cast<double>(), q.cast<double>()));
+    }
+    baseline::Rotations<2> rotations;
+    for (int k = 0; k < 2; ++k) {
+      Quaternion<baseline::S> packed;
+      for (int d = 0; d < 4; ++d) packed[d] = baseline::load(numbers[k][d]);
+      rotations.add(k, packed);
+    }
+    const baseline::S cosine = rotations.cosine();
+    for (int lane = 0; lane < width; ++lane)
+      ok = ok && cosine[lane] < exact[lane] && cosine[lane] > exact[lane] - 2 * baseline::positive;
+  }
+  return Checked(ok, cases * width);
+}
+
 }  // namespace
 
 PROPTEST(bound_budgets) {
   const Options options{.number_type = "bounds of float"};
   t.example("the refit's slack allows for what float may lose", options, check_refit);
   t.example("the motion bound allows for what float may lose of images", options, check_motion_bound);
+  t.example("the cosine that the motion bound uses is below the exact one", {.number_type = "float against double"},
+            check_cosines);
   t.example("boxes in float allow for what growing and moving them may lose", options, check_float_boxes);
   t.example("hulls of whole images allow for what double may lose", {.number_type = "bounds of double"}, check_hulls);
   t.example("the rates of skinned vertices allow for what the formulas may lose", {.number_type = "bounds of any float"},

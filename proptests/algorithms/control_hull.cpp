@@ -120,6 +120,24 @@ PROPTEST(control_hull) {
               RC_ASSERT(reaches<S>(lists.cap.balls, lift<S>(v), lift<S>(d)) != Verdict::fails);
             }
           });
+  t.holds("the fallback depends on the rotations' directions, and not on their lengths",
+          {.number_type = "double", .cases = 300, .degenerate_at_least = 0.2}, [] {
+            const auto c = *gen::blend_case(gen::Spread::any, 4);
+            RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            const SphericalPiece<double> piece(lift<double>(c.blend.x), 0.5);
+            std::vector<BlendedJoints<double>> whole, shorter;
+            for (std::size_t k = 0; k < c.blend.weight_vertex_count(); ++k) {
+              whole.push_back({lift<double>(c.blend.rotations[k]), lift<double>(c.blend.center_images[k])});
+              shorter.push_back({whole[k].rotation * std::ldexp(1.0, -*rc::gen::inRange(0, 20)), whole[k].center_image});
+            }
+            ControlLists<double> of_whole, of_shorter;
+            piece.fall_back(whole, of_whole);
+            piece.fall_back(shorter, of_shorter);
+            const auto &a = of_whole.cap.balls, &b = of_shorter.cap.balls;
+            RC_ASSERT(a.size() == whole.size() && b.size() == a.size());
+            // Powers of 2 are not rounded.
+            for (std::size_t k = 0; k < a.size(); ++k) RC_ASSERT(a[k].center == b[k].center && a[k].radius == b[k].radius);
+          });
   const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
   t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
           [] { oracle::check_double<SphericalHull, MeanBalls>(); });

@@ -160,6 +160,41 @@ PROPTEST(synthetic_case) {
               }
             }
           });
+  t.holds("the pieces of a divided joint-set have weight vertices within its bounds, and all of its weights between them",
+          {.cases = 300, .tags_at_least = {{"divided", 0.5}}}, [] {
+            const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+            const CaseNodes nodes(synthetic);
+            const auto node = nodes.node(Pieces::many);
+            for (std::size_t z = 0; z < synthetic.sets.size(); ++z) {
+              const SyntheticSet& set = synthetic.sets[z];
+              const std::size_t n = set.palette.transforms.size();
+              // The box of each piece's weight vertices.
+              std::vector<std::pair<std::vector<double>, std::vector<double>>> boxes;
+              for (const auto& piece : node.pieces) {
+                if (piece.joint_set != static_cast<int>(z)) continue;
+                std::vector<double> low(n, 1), high(n, 0);
+                for (int k = 0; k < piece.weight_vertex_count; ++k) {
+                  double sum = 0;
+                  for (std::size_t i = 0; i < n; ++i) {
+                    const double w = node.weight_vertex(piece, k)[i];
+                    RC_ASSERT(lift<double>(set.bounds.low[i]) <= w && w <= lift<double>(set.bounds.high[i]));
+                    low[i] = std::min(low[i], w), high[i] = std::max(high[i], w), sum += w;
+                  }
+                  RC_ASSERT(sum == 1);
+                }
+                boxes.emplace_back(low, high);
+              }
+              if (boxes.size() > 1) RC_TAG("divided");
+              for (const auto& weights : sampled_weights(set)) {
+                const auto has = [&](const auto& box) {
+                  for (std::size_t i = 0; i < n; ++i)
+                    if (weights[i] < Rational(box.first[i]) || Rational(box.second[i]) < weights[i]) return false;
+                  return true;
+                };
+                RC_ASSERT(std::any_of(boxes.begin(), boxes.end(), has));
+              }
+            }
+          });
   t.holds("a ball that is too small by a share is scored as missing by that share, and the smallest ball as 1",
           {.number_type = "double", .cases = 300}, [] {
             const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
