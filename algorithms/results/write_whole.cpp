@@ -2,6 +2,7 @@
 #include "algorithms/results/write_whole.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -39,6 +40,28 @@ bool write_all(int file, const std::string& text) {
   return true;
 }
 
+// The file that a symbolic link leads to, or else the path.
+std::string followed(const std::string& path) {
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  return !error && fs::is_regular_file(target, error) ? target.string() : path;
+}
+
+// Devices, pipes and sockets: they take what is written into them, and no file may come in their place.
+bool is_special(const std::string& path) {
+  struct stat about {};
+  return ::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
+}
+
+void write_into(const std::string& path, const std::string& text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (file < 0) fail(path, "write", errno);
+  const bool written = write_all(file, text);
+  const int reason = errno;
+  const bool closed = ::close(file) == 0;
+  if (!written || !closed) fail(path, "write", written ? errno : reason);
+}
+
 // Without it the new name may not survive a power failure. Some file systems cannot; the file is whole nevertheless.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -49,7 +72,9 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
-void write_whole(const std::string& path, const std::string& text) {
+void write_whole(const std::string& name, const std::string& text) {
+  if (is_special(name)) return write_into(name, text);
+  const std::string path = followed(name);
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
   std::error_code error;
   fs::create_directories(folder, error);

@@ -8,7 +8,8 @@ namespace refitlab {
 
 // Writes text to path: to a temporary file of the same folder (made if missing), which is forced to the disk and then
 // takes the name. A reader, or a run killed at any moment, finds the old file or the new one, complete; of two writers
-// the last one wins. A killed writer may leave its temporary file, named path + ".tmp" and numbers.
+// the last one wins. A killed writer may leave its temporary file, named path + ".tmp" and numbers. A symbolic link stays,
+// and what it leads to is written. A device, a pipe or a socket takes the text and stays what it is.
 // Throws std::runtime_error that names the path and the reason.
 void write_whole(const std::string& path, const std::string& text);
 

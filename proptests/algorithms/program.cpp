@@ -160,7 +160,7 @@ PROPTEST(program) {
               return Checked(missed == 0 && looked_at > 10000, looked_at, std::to_string(missed) + " are outside");
             });
   t.example("a baked file is checked, read and baked again; a box that is half as high is found", {}, [] {
-    const Rich rich(true, true, {"--for", "any", "--json", "/dev/null", "--quiet"});
+    const Rich rich(true, true, {"--for", "any", "--quiet"});
     const std::string baked = rich.folder.file("out.glb"), again = rich.folder.file("again.glb"),
                       bad = rich.folder.file("bad.glb");
     const Called checked = call({"check", "--samples", "50", baked});
@@ -177,6 +177,32 @@ PROPTEST(program) {
                        without.code == 0 && checked_without.code == 0 && is_bare &&
                        found.out.find("cluster 0, vertex ") != std::string::npos,
                    7, checked.out + found.out + twice.errors + without.errors);
+  });
+  t.example("the baked character has the file's morph targets, and moves its vertices as they do", {}, [] {
+    const Rich rich(true, true);
+    const Character character = *read_baked(rich.folder.file("out.glb")).character;
+    const Model model = load_model(rich.folder.file("in.glb"), {.joints = Joints::affine, .morphs = Morphs::moving});
+    const SkinnedMesh& mesh = character.mesh;
+    const Animation& animation = model.clips.at(0).animation;
+    long moved = 0;
+    double farthest = 0;
+    for (const double time : {0.0, 0.7, 1.9}) {
+      const std::vector<double> weights = morph_weights(model, animation, time);
+      if (mesh.targets.count != static_cast<int>(weights.size())) return Checked(false, 0, "not as many targets");
+      const auto points = deformed_vertices(mesh, character.sets, {.weights = weights});
+      std::vector<Point3> expected = model.vertices;
+      std::size_t k = 0;
+      for (const MorphedMesh& morphed : model.morphs)
+        for (const MorphTarget& target : morphed.targets) {
+          for (const auto& [v, by] : target.displacements) expected[static_cast<std::size_t>(v)] += weights[k] * by;
+          ++k;
+        }
+      for (std::size_t v = 0; v < points.size(); ++v) {
+        moved += expected[v] != model.vertices[v];
+        farthest = std::max(farthest, (points[v] - expected[v]).norm());
+      }
+    }
+    return Checked(moved > 10 && farthest < 1e-12, moved, std::to_string(farthest));
   });
   t.example("nodes and slabs are baked and checked, and found where a bound is too small", {}, [] {
     const Rich rich(true, true, {"--nodes", "--dop", "18"});

@@ -2,6 +2,7 @@
 // Files that are written whole or not at all, under kill -9 and by several writers at once.
 #include "algorithms/results/write_whole.hpp"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -137,9 +138,40 @@ Checked full_disk() {
                  1, message);
 }
 
+// Reached by a link, so that it is the link that is lost where a device is replaced.
+Checked devices_pipes_and_links() {
+  const TemporaryFolder folder;
+  namespace fs = std::filesystem;
+  const std::string null = folder.file("null"), full = folder.file("full"), pipe = folder.file("pipe");
+  fs::create_symlink("/dev/null", null);
+  fs::create_symlink("/dev/full", full);
+  if (::mkfifo(pipe.c_str(), 0600) != 0) return {false, 0, "no pipe can be made"};
+  write_whole(null, "x");
+  const std::string message = message_of([&] { write_whole(full, "x"); });
+  const int end = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);  // open for both, so that nobody waits for anybody
+  write_whole(pipe, "through a pipe");
+  std::string read(100, ' ');
+  read.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(end, read.data(), read.size()), 0)));
+  ::close(end);
+
+  const std::string link = folder.file("link"), dangling = folder.file("dangling");
+  write_whole(folder.file("there/file"), "old");
+  fs::create_symlink("there/file", link);
+  fs::create_symlink("nowhere", dangling);
+  write_whole(link, "new");
+  write_whole(dangling, "in place of a link that leads nowhere");
+  const bool good = fs::is_symlink(null) && fs::is_character_file(null) && fs::is_symlink(full) &&
+                    message == full + ": cannot write: No space left on device" && fs::is_fifo(pipe) &&
+                    read == "through a pipe" && fs::is_symlink(link) && read_whole(folder.file("there/file")) == "new" &&
+                    fs::is_regular_file(fs::symlink_status(dangling)) && read_whole(dangling).starts_with("in place");
+  return {good, 5, message + "; " + read};
+}
+
 }  // namespace
 
 PROPTEST(write_whole) {
+  t.example("devices and pipes take what is written and stay; what a link leads to is written, and the link stays", {},
+            devices_pipes_and_links);
   t.example("a file's bytes are on the disk before its name is, and its name when writing ends", {}, [] {
     const TemporaryFolder folder;
     std::string order;

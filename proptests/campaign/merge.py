@@ -4,6 +4,7 @@ the shard was begun: so what is merged is what an undisturbed run would have wri
 import csv
 import os
 import pathlib
+import socket
 from dataclasses import dataclass, field
 
 KEY = ["lemma", "role", "form", "number_type", "hypothesis", "statement"]
@@ -76,11 +77,16 @@ def text_of(rows, columns):
     return "\n".join(out) + "\n"
 
 
+def part_name(name):
+    """Of a temporary file that no other process has, on whichever node of a cluster."""
+    return f"{name}.{socket.gethostname()}.{os.getpid()}.part"
+
+
 def write_whole(path, text):
     """The old file stays until the new one is there. Several processes may write the same file at once."""
     path = pathlib.Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
+    temporary = path.with_name(part_name(path.name))
     temporary.write_text(text)
     temporary.replace(path)
 
@@ -89,6 +95,6 @@ def copy_units(source, target):
     """What an experiment measured, each file whole or not at all."""
     target.mkdir(parents=True, exist_ok=True)
     for unit in sorted(source.glob("*.unit")):
-        temporary = target / f"{unit.name}.{os.getpid()}.part"
+        temporary = target / part_name(unit.name)
         temporary.write_bytes(unit.read_bytes())
         temporary.replace(target / unit.name)
