@@ -10,20 +10,21 @@
 
 namespace refitlab {
 
-PalettePacks::PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
+PalettePacks::PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning, std::span<const int> order)
     : mesh_(mesh),
       sets_(sets),
-      skinning_(skinning) {
+      skinning_(skinning),
+      part_of_(sets.count()) {
   const auto balls = joint_set_balls(mesh, sets);
-  for (int s = 0; s < sets.count(); ++s) {
-    const std::size_t joints = sets.joints(s).size();
-    if (joints > most_palette_joints) part_of_.push_back(part_count()), parts_.push_back({0, s});
-    else add(s, balls[s], first_slot_.back());
-    first_slot_.push_back(first_slot_.back() + joints);
+  for (int s = 0; s < sets.count(); ++s) first_slot_.push_back(first_slot_.back() + sets.joints(s).size());
+  for (int i = 0; i < sets.count(); ++i) {
+    const int s = order.empty() ? i : order[i];
+    if (sets.joints(s).size() > most_palette_joints) part_of_[s] = part_count(), parts_.push_back({0, s});
+    else add(s, balls[s]);
   }
 }
 
-void PalettePacks::add(int joint_set, const Ball3<double>& ball, std::size_t first_slot) {
+void PalettePacks::add(int joint_set, const Ball3<double>& ball) {
   const DefaultFloatEnvironment environment;
   const auto joints = sets_.joints(joint_set);
   auto& packs = packs_[joints.size() - 1];
@@ -33,14 +34,14 @@ void PalettePacks::add(int joint_set, const Ball3<double>& ball, std::size_t fir
     last_part_[joints.size() - 1] = part_count() - 1;
     packs.emplace_back();
   }
-  part_of_.push_back(last_part_[joints.size() - 1]);
+  part_of_[joint_set] = last_part_[joints.size() - 1];
   const Point3 prior = center_prior(mesh_, joints, skinning_);
   for (int to = lane; to < palette_lanes; ++to) {  // the lanes behind are overwritten by the joint-sets to come
     for (int i = 0; i < 3; ++i) packs.back().prior[i][to] = prior[i], packs.back().middle[i][to] = ball.center[i];
     packs.back().radius[to] = ball.radius;
     for (std::size_t j = 0; j < joints.size(); ++j) packs.back().joint[j][to] = joints[j];
     packs.back().set[to] = joint_set;
-    packs.back().first_slot[to] = static_cast<std::int32_t>(first_slot);
+    packs.back().first_slot[to] = static_cast<std::int32_t>(first_slot_[joint_set]);
   }
   lane = (lane + 1) % palette_lanes;
 }

@@ -10,8 +10,9 @@ namespace refitlab {
 
 class PalettePacks {
  public:
-  // model and sets outlive this.
-  PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning);
+  // mesh and sets outlive this. order: all joint-sets; those of as many joints that are near each other in it share a part. By
+  // index if it is empty.
+  PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning, std::span<const int> order = {});
 
   // As make_skinning_palette, into palette, whose storage is used again. Throws the same. Not measured: if refits of single nodes
   // follow, palette.measure() must come first.
@@ -32,7 +33,7 @@ class PalettePacks {
   struct Part {
     int joints, pack;  // or 0 and a joint-set of more joints than a pack takes
   };
-  void add(int joint_set, const Ball3<double>& ball, std::size_t first_slot);
+  void add(int joint_set, const Ball3<double>& ball);
 
   const SkinnedMesh& mesh_;
   const JointSets& sets_;

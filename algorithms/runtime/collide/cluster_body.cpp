@@ -74,7 +74,7 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
 void ClusterBody::start() {
   are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = false;
   wide_nodes_made_.begin();
-  nodes_bounded_ = 0;
+  nodes_bounded_ = work_ = 0;
 }
 
 void ClusterBody::skin_all() {
@@ -102,6 +102,8 @@ void ClusterBody::bound_wide_node(int f) {
     put_box(blocks, i, box);
   }
   nodes_bounded_ += wide_node.child_count;
+  work_ += work_of_motion_bounds * static_cast<long>(wide_node.motion_bounds.size()) +
+           long{work_of_bounded_node} * wide_node.child_count;
 }
 
 void ClusterBody::bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped,

@@ -70,6 +70,9 @@ class ClusterBody {
   };
   QueryScratch& query_scratch() { return query_scratch_; }
 
+  // How much more was done since begin than skinning everything takes, in the work of SkinnedClusters.
+  long excess_work() const { return work_ + clusters_.work() - clusters_.work_of_all(); }
+
   // These counts are since begin.
   long nodes_bounded() const { return nodes_bounded_; }
   long clusters_skinned() const { return clusters_.clusters_skinned(); }
@@ -99,7 +102,7 @@ class ClusterBody {
   std::vector<FlippedBox> flipped_;  // of the wide node in work, and its boxes
   std::vector<Box<double>> boxes_;
   QueryScratch query_scratch_;
-  long nodes_bounded_ = 0;
+  long nodes_bounded_ = 0, work_ = 0;  // of bounds
 };
 
 }  // namespace refitlab

@@ -20,12 +20,6 @@ std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& seco
   return {};
 }
 
-// Two fifths of the clusters: about there skinning all of them costs as much as bounding them and skinning those.
-bool are_entangled(ClusterBody& first, ClusterBody& second) {
-  const auto count = [](ClusterBody& body) { return static_cast<long>(body.tree().clusters().size()); };
-  return 5 * (first.clusters().clusters_reached() + second.clusters().clusters_reached()) > 2 * (count(first) + count(second));
-}
-
 }  // namespace
 
 std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts, PairMemory* memory) {
@@ -36,15 +30,16 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
       return {*pair};
     }
   // Near bodies are told apart by their wide nodes, if at all; but before they are skinned whole, they are compared.
-  if (!memory || !memory->are_near || memory->are_entangled) {
+  if (!memory || !memory->are_near || memory->are_entangled()) {
     ++counts.ball_tests;
     if (are_apart(first.motion_bound(), second.motion_bound())) {
-      if (memory) memory->are_near = memory->are_touching = memory->are_entangled = false;
+      if (memory) memory->are_near = memory->are_touching = false, memory->count_query(0);
       return {};
     }
   }
   const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
-  if (memory && memory->are_entangled && are_in_float && query == Query::full) first.skin_all(), second.skin_all();
+  const bool is_whole = memory && memory->are_entangled() && are_in_float;
+  if (is_whole) first.skin_all(), second.skin_all();
   if (memory && memory->are_touching && are_in_float) first.skin_rather(), second.skin_rather();
   auto& scratch = first.query_scratch();
   ClusterPairs of_clusters(first.clusters(), second.clusters(), counts, scratch.pairs);
@@ -53,7 +48,8 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     memory->are_near = !are_apart(first.wide_node_box(0), of_clusters.moved(second.wide_node_box(0)));
     memory->remember(pairs);
     memory->are_touching = !pairs.empty();
-    if (query == Query::full) memory->are_entangled = are_entangled(first, second);
+    if (is_whole) memory->count_whole_query();
+    else memory->count_query(are_in_float ? first.excess_work() + second.excess_work() : 0);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return pairs;

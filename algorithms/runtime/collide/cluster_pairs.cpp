@@ -64,7 +64,6 @@ void ClusterPairs::add(int a, int b) {
   const FloatCluster &of_a = first_.cluster(a), &of_b = second_.cluster(b);
   const Box<float> box_b = moved(of_b.box);
   if (are_apart(of_a.box, box_b)) return;
-  first_.reach(a), second_.reach(b);
   const float slack = std::max(of_a.slack, of_b.slack + lost_);
   // A point of both is in both boxes.
   Box<float> common = of_a.box;

@@ -33,10 +33,19 @@ class PairMemory {
   bool are_near = false;
   // Whether they touched when they were last asked about.
   bool are_touching = false;
-  // Whether the last full query reached most of their clusters. Then bounding them costs more than it saves.
-  bool are_entangled = false;
+  // Whether the next query skins both bodies whole.
+  bool are_entangled() const { return whole_queries_ > 0; }
+  // Remembers that a query skinned both bodies whole, or else how much more it did than that would have been. If it did more, some
+  // of the next ones skin them whole, and after them one bounds them again. So many more do each time.
+  void count_whole_query() { --whole_queries_; }
+  void count_query(long excess_work) {
+    whole_queries_ = excess_work > 0 ? next_whole_queries_ : 0;
+    next_whole_queries_ = excess_work > 0 ? std::min(2 * next_whole_queries_, most_whole_queries) : least_whole_queries;
+  }
 
  private:
+  static constexpr int least_whole_queries = 8, most_whole_queries = 64;
+  int whole_queries_ = 0, next_whole_queries_ = least_whole_queries;
   std::vector<TrianglePair> pairs_;
 };
 

@@ -18,20 +18,40 @@ float roundings(const Box<float>& box) {
   return four_roundings * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
 }
 
+// The joint-sets as the clusters come by them: those of neighbours are near each other.
+std::vector<int> by_clusters(const ClusterTree& tree) {
+  const int count = tree.character().sets.count();
+  std::vector<int> out;
+  std::vector<bool> is_listed(count, false);
+  const auto list = [&](int set) {
+    if (!is_listed[set]) is_listed[set] = true, out.push_back(set);
+  };
+  for (int c = 0; c < static_cast<int>(tree.clusters().size()); ++c)
+    for (const FloatRun& run : tree.floats().runs(c)) list(run.joint_set);
+  for (int set = 0; set < count; ++set) list(set);  // those that no triangle has
+  return out;
+}
+
+long work_of_all(const ClusterTree& tree, int part_count) {
+  long work = long{work_of_palettes} * part_count;
+  for (int c = 0; c < static_cast<int>(tree.clusters().size()); ++c) work += tree.floats().block_count(c);
+  return work;
+}
+
 }  // namespace
 
 SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
     : tree_(tree),
       skinning_(skinning),
-      palette_packs_(tree.character().mesh, tree.character().sets, skinning),
+      palette_packs_(tree.character().mesh, tree.character().sets, skinning, by_clusters(tree)),
       float_palettes_made_(palette_packs_.part_count()),
       palettes_made_(palette_packs_.part_count()),
       float_palette_(tree.character().sets.count()),
       palette_arrays_(palette_packs_.room(palette_)),
       clusters_made_(tree.clusters().size()),
       blocks_made_((tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count) / Lanes<double>::count),
-      reached_(tree.clusters().size()),
-      clusters_(tree.clusters().size()) {}
+      clusters_(tree.clusters().size()),
+      work_of_all_(refitlab::work_of_all(tree, palette_packs_.part_count())) {}
 
 void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin) {
   pose_ = &pose;
@@ -53,8 +73,8 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
   float_placement_.defect = std::abs(squared_norm(placement.rotation) - 1);
   // The world's doubles are the sum of a turned vertex and the translation, and the origin is subtracted from both.
   float_placement_.lost = lost_in_world * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
-  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin(), reached_.begin();
-  clusters_skinned_ = corners_skinned_ = clusters_reached_ = 0;
+  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
+  clusters_skinned_ = corners_skinned_ = work_ = 0;
 }
 
 void SkinnedClusters::make_all_palettes() {
@@ -66,6 +86,7 @@ void SkinnedClusters::make_float_palette(int part) {
   if (float_palettes_made_.is_made(part)) return;
   palette_packs_.make_float_part(part, *pose_, float_placement_, float_palette_.data());
   float_palettes_made_.mark(part);
+  work_ += work_of_palettes;
 }
 
 void SkinnedClusters::skin_all() {
@@ -81,6 +102,7 @@ void SkinnedClusters::skin_cluster(int n) {
   else skin_in_double(n, out);
   clusters_made_.mark(n);
   ++clusters_skinned_;
+  work_ += tree_.floats().block_count(n);
   corners_skinned_ += tree_.clusters()[n].padded_vertex_count;
 }
 
