@@ -189,6 +189,9 @@ Scene convert_scene(const aiScene& source, const std::string& file) {
   for (unsigned m = 0; m < source.mNumMeshes; ++m) {
     const aiMesh& mesh = *source.mMeshes[m];
     out.meshes.push_back({{primitive_of(mesh)}});
+    if (mesh.mNumAnimMeshes > 0)
+      out.notes.push_back(label_of(mesh) + ": has " + std::to_string(mesh.mNumAnimMeshes) +
+                          " morph targets, which are read from glTF alone, and are left out");
     skins.push_back(mesh.HasBones() ? static_cast<int>(out.skins.size()) : -1);
     if (mesh.HasBones()) out.skins.push_back(skin_of(mesh, tree, file));
   }

@@ -34,14 +34,22 @@ Eigen::Quaterniond on_spline(const Channel<Eigen::Quaterniond>& channel, std::si
   return Eigen::Quaterniond(on_spline<4>(channel, key, share, coefficients)).normalized();
 }
 
+// What a key's value stands for where the channel stays at it.
+Eigen::Vector3d at_key(const Eigen::Vector3d& v, Interpolation) { return v; }
+Eigen::VectorXd at_key(const Eigen::VectorXd& v, Interpolation) { return v; }
+Eigen::Quaterniond at_key(const Eigen::Quaterniond& q, Interpolation interpolation) {
+  return interpolation == Interpolation::cubic ? q.normalized() : q;
+}
+
 template <class Value>
 Value channel_value(const Channel<Value>& channel, double time, Side side) {
   const auto& keys = channel.keys;
   const auto after = side == Side::after
                          ? std::upper_bound(keys.begin(), keys.end(), time, [](double t, const auto& k) { return t < k.time; })
                          : std::lower_bound(keys.begin(), keys.end(), time, [](const auto& k, double t) { return k.time < t; });
-  if (after == keys.begin()) return keys.front().value;
-  if (after == keys.end() || channel.interpolation == Interpolation::step) return (after - 1)->value;
+  if (after == keys.begin()) return at_key(keys.front().value, channel.interpolation);
+  if (after == keys.end() || channel.interpolation == Interpolation::step)
+    return at_key((after - 1)->value, channel.interpolation);
   const auto before = after - 1;
   const double share = (time - before->time) / (after->time - before->time);
   if (channel.interpolation == Interpolation::cubic) return on_spline(channel, std::size_t(before - keys.begin()), share);

@@ -10,7 +10,7 @@ namespace refitlab {
 namespace {
 
 constexpr double least_rotation = 1e-6;         // the norm of a quaternion that is taken for a rotation
-constexpr double unit_length_tolerance = 1e-3;  // of quaternions of splines, whose length matters
+constexpr double unit_length_tolerance = 1e-2;  // of quaternions of splines; as normalised bytes they are off by nearly that
 
 Eigen::Vector3d vector_of(const NumberTable& values, std::size_t row, const Eigen::Vector3d&) {
   return {values.at(row, 0), values.at(row, 1), values.at(row, 2)};
@@ -25,9 +25,12 @@ Eigen::Quaterniond vector_of(const NumberTable& values, std::size_t row, const E
 bool is_finite(const Eigen::Vector3d& v) { return v.allFinite(); }
 bool is_finite(const Eigen::VectorXd& v) { return v.allFinite(); }
 bool is_finite(const Eigen::Quaterniond& q) { return q.coeffs().allFinite(); }
-Eigen::Vector3d key_value(const Eigen::Vector3d& v) { return v; }
-Eigen::VectorXd key_value(const Eigen::VectorXd& v) { return v; }
-Eigen::Quaterniond key_value(const Eigen::Quaterniond& q) { return q.normalized(); }
+// A spline's keys stay as they are: its curve depends on their lengths, and what comes of it is normalised.
+Eigen::Vector3d key_value(const Eigen::Vector3d& v, Interpolation) { return v; }
+Eigen::VectorXd key_value(const Eigen::VectorXd& v, Interpolation) { return v; }
+Eigen::Quaterniond key_value(const Eigen::Quaterniond& q, Interpolation interpolation) {
+  return interpolation == Interpolation::cubic ? q : q.normalized();
+}
 
 // How many rows of an accessor a value takes.
 std::size_t scalars_of(const Eigen::VectorXd& v) { return static_cast<std::size_t>(v.size()); }
@@ -141,7 +144,7 @@ class ClipReader {
     const std::string wrong = std::isfinite(time) ? complaint(value, out.interpolation) : "not finite";
     if (!wrong.empty()) refuse(wrong);
     if (!out.keys.empty() && time < out.keys.back().time) refuse("keys are not in order of time");
-    out.keys.push_back({time, key_value(value)});
+    out.keys.push_back({time, key_value(value, out.interpolation)});
     if (!cubic) return;
     out.tangents.push_back({vector_of(values, 3 * k, as), vector_of(values, 3 * k + 2, as)});
     if (!is_finite(out.tangents.back().into) || !is_finite(out.tangents.back().out)) refuse("a tangent is not finite");

@@ -175,6 +175,9 @@ class Description {
 
   json buffer(const json& from, const std::string& thing) const {
     json out = copied(from, thing, {{"byteLength", Kind::index}, {"uri", Kind::text}});
+    if (!from.contains("uri") && from.contains("extensions") && from["extensions"].is_object() &&
+        from["extensions"].contains("EXT_meshopt_compression"))
+      refuse(thing, "has its bytes compressed by EXT_meshopt_compression, which is not read");
     const bool in_file = has_binary_ && &from == &whole_.at("buffers").front();
     if ((!out.contains("uri") && !in_file) || out.value("uri", "x").empty() || out.value("byteLength", 0) == 0)
       refuse(thing, "has no bytes");

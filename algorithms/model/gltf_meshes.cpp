@@ -120,7 +120,10 @@ class PrimitiveReader {
       const std::string suffix = "_" + std::to_string(set), name = "joints and weights of set " + std::to_string(set);
       const int joints = attribute("JOINTS" + suffix), weights = attribute("WEIGHTS" + suffix);
       if ((joints < 0) != (weights < 0)) throw ModelError(file_, label_, name + " do not go together");
-      if (joints < 0) return out;
+      if (joints < 0) {
+        check_last_set(set);
+        return out;
+      }
       const NumberTable j = numbers_.read(joints, TINYGLTF_TYPE_VEC4, Numbers::unsigned_integers, label_);
       const NumberTable w = numbers_.read(weights, TINYGLTF_TYPE_VEC4, Numbers::floats_or_normalized, label_);
       if (j.rows != vertices || w.rows != vertices) throw ModelError(file_, label_, name + " do not fit the vertices");
@@ -136,6 +139,14 @@ class PrimitiveReader {
           if (weight > 0) out[v].emplace_back(static_cast<int>(std::min(j.at(v, k), greatest_joint)), weight);
         }
     }
+  }
+
+  // Sets are numbered from 0 on; those behind a gap would get lost.
+  void check_last_set(int count) const {
+    for (const auto& [name, accessor] : source_.attributes)
+      for (const char* kind : {"JOINTS_", "WEIGHTS_"})
+        if (name.starts_with(kind) && std::atoi(name.c_str() + std::string(kind).size()) >= count)
+          throw ModelError(file_, label_, name + ", but no set " + std::to_string(count) + " of joints and weights");
   }
 
   static constexpr double greatest_joint = std::numeric_limits<int>::max();  // out of range in any case

@@ -52,6 +52,8 @@ struct Model : SkinnedMesh {
   std::vector<SourcePrimitive> sources = {};
   // Of models loaded with Morphs::moving, whose vertices are those of weights 0.
   std::vector<MorphedMesh> morphs = {};
+  // What of the file is not in the model, or not as the file has it, in sentences for its user.
+  std::vector<std::string> notes = {};
 };
 
 // Says whether the joints are affine at one of 16 moments of a clip, evenly spread. Those of a model without clips are as they rest.

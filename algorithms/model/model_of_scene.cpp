@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -29,6 +30,7 @@ class Skin {
     SourcePrimitive source{
         scene_.nodes[use.node].source, use.mesh, bound.primitive, use.skin, std::vector<int>(primitive.positions.size(), -1), {}};
     const bool mirrored = bound.placement.determinant() < 0;
+    farthest_sum_ = 0, off_sums_ = 0;
     for (const Triangle& corners : primitive.triangles) {
       Triangle t;
       for (int k = 0; k < 3; ++k) {
@@ -41,6 +43,10 @@ class Skin {
       source.triangles.push_back(kept ? static_cast<int>(model_.triangles.size()) : -1);
       if (kept) model_.triangles.push_back(t);
     }
+    if (off_sums_ > 0)
+      model_.notes.push_back(primitive.label + ": the weights of " + std::to_string(off_sums_) +
+                             " vertices do not sum to 1 but are off by up to " + std::to_string(farthest_sum_) +
+                             "; they are divided by their sums");
     model_.sources.push_back(std::move(source));
   }
 
@@ -92,6 +98,8 @@ class Skin {
       const std::string reason = sum == 0 ? "no weight" : "its weights sum to " + std::to_string(sum) + ", not 1";
       throw ModelError(model_.name, primitive.label + ", vertex " + std::to_string(index), reason);
     }
+    if (std::abs(sum - 1) > usual_sum_error) ++off_sums_;
+    farthest_sum_ = std::max(farthest_sum_, std::abs(sum - 1));
     const Point3 rest = (bound.placement * position_of(use, primitive, index).homogeneous()).head<3>();
     const std::vector<double> moved = morphed < 0 ? std::vector<double>{} : displacements_of(bound, primitive, index);
     const Key key{{rest[0], rest[1], rest[2]}, quantize_weights(weights), moved.empty() ? -1 : morphed, moved};
@@ -107,12 +115,23 @@ class Skin {
     return found->second;
   }
 
+  static constexpr double usual_sum_error = 1e-3;  // of weights with few digits
+
   using Key = std::tuple<std::array<double, 3>, Weights, int, std::vector<double>>;
   const Scene& scene_;
   Morphs morphs_;
   Model& model_;
   std::map<Key, int> known_;
+  // Of the primitive in work: how many vertices' weights do not sum to 1, and by how much at most.
+  long off_sums_ = 0;
+  double farthest_sum_ = 0;
 };
+
+void note_what_has_no_triangle(const Scene& scene, Model& model) {
+  for (const SceneMesh& mesh : scene.meshes)
+    for (const ScenePrimitive& primitive : mesh.primitives)
+      if (primitive.triangles.empty()) model.notes.push_back(primitive.label + ": has no triangles, and is left out");
+}
 
 void add_repeated_sources(const Scene& scene, const BoundScene& bound, Model& model) {
   const std::size_t own = model.sources.size();
@@ -201,6 +220,8 @@ Model model_of_scene(const Scene& scene, const LoadOptions& options) {
   Skin skin(scene, options.morphs, model);
   for (const BoundPrimitive& primitive : primitives) skin.add(primitive);
   add_repeated_sources(scene, bound, model);
+  model.notes.insert(model.notes.begin(), scene.notes.begin(), scene.notes.end());
+  note_what_has_no_triangle(scene, model);
   const auto skeleton = std::make_shared<const BoundSkeleton>(model.skeleton);
   for (Animation motion : scene.animations) {
     if (model.morphs.empty()) motion.weight_tracks.clear();

@@ -44,6 +44,7 @@ struct Scene {
   std::vector<SceneSkin> skins;
   std::vector<ShownMesh> shown;  // in the order of their nodes
   std::vector<Animation> animations;
+  std::vector<std::string> notes = {};  // what of the file is not here, in sentences
 };
 
 }  // namespace refitlab

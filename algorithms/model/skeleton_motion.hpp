@@ -64,7 +64,8 @@ struct Channel {
   std::vector<Tangents<Value>> tangents;  // by key, of a cubic spline
 };
 
-// Where one node goes. Rotations are unit quaternions, those of cubic splines too.
+// Where one node goes. Rotations are unit quaternions; those of cubic splines are as the file has them, nearly of unit length, and
+// what comes of the spline is normalised.
 struct NodeTrack {
   int node;
   Channel<Eigen::Vector3d> positions;

@@ -148,6 +148,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const bool is_linear = call.bounds.skinning == Skinning::linear;
   const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
+  if (!map.count("quiet")) print_notes(model, errors);
+
   ModelBoundsOptions bounded = call.bounds;
   std::optional<Character> character;
   if (call.with_nodes) {

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/pairs_certificate.hpp"
 #include "algorithms/model/guarded_load.hpp"
 #include "algorithms/program/command.hpp"
+#include "algorithms/program/posed_character.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 
@@ -51,7 +51,7 @@ po::options_description collide_options() {
   return description;
 }
 
-int run_collide(const std::vector<std::string>& arguments, std::ostream& out, std::ostream&) {
+int run_collide(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
   const po::variables_map map = parse_arguments(arguments, collide_options(), {"A", "B"});
   if (map.count("help")) {
     out << "usage: refitlab collide [OPTION...] A B\n\nSays which triangles of two characters touch, exactly. With --pairs a "
@@ -67,22 +67,22 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     if (at.size() != 3) throw UsageError("--at takes three numbers");
     there.translation = {at[0], at[1], at[2]};
   }
-  const auto pose_of = [&](const Model& model, const std::string& file, const char* side) {
+  const auto posed = [&](const std::string& file, const char* side) {
+    Model model = load_model_guarded(file, {.joints = Joints::affine, .morphs = Morphs::moving});
+    print_notes(model, errors);
     const Clip* clip = clip_of(model.clips, file, map["clip-" + std::string(side)].as<std::string>());
-    if (!clip) return model.skeleton.joints.empty() ? reference_pose(model) : pose(model.skeleton, Animation{}, 0).pose;
-    const double time = map["time-" + std::string(side)].as<double>();
-    if (!(time >= 0 && time <= clip->duration))
+    const double time = clip ? map["time-" + std::string(side)].as<double>() : 0;
+    if (clip && !(time >= 0 && time <= clip->duration))
       throw UsageError("--time-" + std::string(side) + ": the clip goes from 0 to " + std::to_string(clip->duration) + " s");
-    return clip->sample(time);
+    const Animation animation = clip ? clip->animation : Animation{};
+    return posed_character(std::move(model), animation, time, skinning);
   };
   const std::string file_a = map["A"].as<std::string>(), file_b = map["B"].as<std::string>();
-  Model a = load_model_guarded(file_a), b = load_model_guarded(file_b);
-  const Pose pose_a = pose_of(a, file_a, "a"), pose_b = pose_of(b, file_b, "b");
   const std::string name_a = posed_name(file_a, map, "a"), name_b = posed_name(file_b, map, "b");
-  const Character first = bake(SkinnedMesh(std::move(a))), second = bake(SkinnedMesh(std::move(b)));
-  const ClusterTree tree_a(first), tree_b(second);
+  const PosedCharacter first = posed(file_a, "a"), second = posed(file_b, "b");
+  const ClusterTree tree_a(first.character), tree_b(second.character);
   ClusterBody body_a(tree_a, skinning), body_b(tree_b, skinning);
-  body_a.begin(pose_a, here), body_b.begin(pose_b, there);
+  first.begin(body_a, here), second.begin(body_b, there);
   QueryCounts counts;
   std::vector<TrianglePair> pairs = collide(body_a, body_b, Query::full, counts);
   std::sort(pairs.begin(), pairs.end());

@@ -36,6 +36,10 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
   return map;
 }
 
+void print_notes(const Model& model, std::ostream& to) {
+  for (const std::string& note : model.notes) to << "note: " << model.name << ": " << note << '\n';
+}
+
 const char* name_of(Skinning skinning) {
   for (const auto& [name, value] : skinning_names)
     if (value == skinning) return name;

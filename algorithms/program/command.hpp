@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/model/model.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 namespace refitlab {
@@ -37,6 +38,9 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
 
 const char* name_of(Skinning skinning);
 Skinning skinning_of(const std::string& name);  // throws UsageError
+
+// A line for each of the model's notes.
+void print_notes(const Model& model, std::ostream& to);
 
 // "[#####     ]  50 %", written over itself on a terminal; nothing elsewhere.
 class ProgressBar {

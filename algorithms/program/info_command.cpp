@@ -43,6 +43,7 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
       << "  joints        " << model.joints.size() << '\n'
       << "  joint-sets    " << sets.count() << ", of " << most << " joints at most\n"
       << "  primitives    " << model.sources.size() << '\n'
+      << "  morph targets " << morph_targets(model).count << '\n'
       << "  clips         " << model.clips.size() << '\n';
   for (const Clip& clip : model.clips) {
     std::size_t keys = 0;
@@ -50,6 +51,7 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
       keys += track.positions.keys.size() + track.rotations.keys.size() + track.scales.keys.size();
     out << "    " << clip.name << ": " << clip.duration << " s, " << keys << " keys, " << rigid_or_why(clip) << '\n';
   }
+  print_notes(model, out);
   return exit_done;
 }
 

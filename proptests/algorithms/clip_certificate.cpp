@@ -373,7 +373,8 @@ PROPTEST(clip_certificate) {
     std::string wrong;
     long tried = 0;
     for (const bool is_rich : {false, true}) {
-      Certified certified(is_rich ? gen::RichGltf(true, true).file.binary_file() : gltf_bytes(growing_arm()));
+      // (A rotation along a spline is bounded more loosely than the checker does, too.)
+      Certified certified(is_rich ? gen::RichGltf(true, true, false).file.binary_file() : gltf_bytes(growing_arm()));
       if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
       std::vector<json> documents;
       for (std::size_t part = 0; part < certified.document["parts"].size(); ++part) {

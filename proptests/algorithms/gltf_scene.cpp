@@ -112,6 +112,15 @@ std::vector<Change> refused_changes() {
          g["buffers"].push_back({{"byteLength", 4}});
        },
        "buffer 1: has no bytes"},
+      {[](json& g) {
+         g["buffers"].push_back({{"byteLength", 4}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+       },
+       "buffer 1: has its bytes compressed by EXT_meshopt_compression, which is not read"},
+      {[](json& g) {
+         json& attributes = primitive(g)["attributes"];
+         attributes["JOINTS_2"] = attributes["JOINTS_0"], attributes["WEIGHTS_2"] = attributes["WEIGHTS_0"];
+       },
+       "mesh 0: JOINTS_2, but no set 1 of joints and weights"},
       {[](json& g) { g["buffers"][0]["byteLength"] = 0; }, "buffer 0: has no bytes"},
       {[](json& g) {
          g["accessors"][0]["sparse"] = {{"count", 1}, {"indices", json::object()}};
@@ -248,7 +257,7 @@ std::vector<Change> refused_changes() {
        "clip 'bend', joint 'j1': interpolates by 'QUADRATIC', which glTF has not"},
       {[](json& g) { channel(g, 1)["sampler"] = 99; }, "clip 'bend', joint 'j1': a channel has a sampler that there is not"},
       {[](json& g) {
-         make_spline(g, {0, 0, 0, 0, 0, 0, 0, 1.1f, 0, 0, 0, 0});
+         make_spline(g, {0, 0, 0, 0, 0, 0, 0, 1.02f, 0, 0, 0, 0});
        },
        "clip 'bend', joint 'j1', key 0 at 0.000000 s: a spline's rotation by a quaternion that is not of unit length"},
       {[](json& g) {
@@ -388,6 +397,23 @@ PROPTEST(gltf_scene) {
     const Scene scene = gltf_scene(gen::RichGltf(false, false).file.text_file(), "rich");
     const Model rigid = model_of_scene(scene), affine = model_of_scene(scene, {Joints::affine});
     return Checked(rigid.vertices == affine.vertices && rigid.rigidity_defect == affine.rigidity_defect);
+  });
+  t.example("a model says what of its file is left out or changed, and nothing of a file that is as it should be", {}, [] {
+    const auto with_sum = [](float sum) {
+      gen::RiggedGltf rig = gen::bending_tube(3);
+      rig.meshes[0].joints[0][7] = {0, 2, 0, 0}, rig.meshes[0].weights[0][7] = {sum - 0.5f, 0.5f, 0, 0};
+      return json::parse(gen::built(rig).text_file());
+    };
+    json lines = with_sum(1.0009f);
+    lines["meshes"][0]["primitives"].push_back(primitive(lines));
+    lines["meshes"][0]["primitives"][1]["mode"] = 1;
+    std::string found;
+    for (const json& g : {with_sum(1), with_sum(0.9375f), lines})
+      for (const std::string& note : model_of_scene(gltf_scene(g.dump(), "file.gltf")).notes) found += note + "\n";
+    return Checked(found ==
+                       "mesh 0: the weights of 1 vertices do not sum to 1 but are off by up to 0.062500; they are divided "
+                       "by their sums\nmesh 0, primitive 1: has no triangles, and is left out\n",
+                   3, found);
   });
   t.example("a mesh that two nodes show with the same skin is there once, and twice where its weights move with one of them", {},
             [] {

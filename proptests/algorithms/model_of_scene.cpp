@@ -150,6 +150,17 @@ std::size_t joints_of_two_bones(double apart) {
 }  // namespace
 
 PROPTEST(model_of_scene) {
+  t.example("the morph targets that assimp has are not read, and a note says so", {}, [] {
+    const auto with = scene();
+    aiMesh& mesh = *with->mMeshes[0];
+    mesh.mNumAnimMeshes = 2;
+    mesh.mAnimMeshes = new aiAnimMesh* [2] { new aiAnimMesh, new aiAnimMesh };
+    const std::vector<std::string> none = model_of_scene(convert_scene(*scene(), "file")).notes,
+                                   notes = model_of_scene(convert_scene(*with, "file")).notes;
+    return Checked(none.empty() && notes.size() == 1 &&
+                       notes[0] == "mesh 'skin': has 2 morph targets, which are read from glTF alone, and are left out",
+                   2);
+  });
   t.example("two bones of one node are one joint where their offsets agree up to float rounding, and else are two", {}, [] {
     const std::size_t one = joints_of_two_bones(0);
     return Checked(

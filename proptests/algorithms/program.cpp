@@ -352,6 +352,39 @@ PROPTEST(program) {
                        text.find("] 100 %") != std::string::npos && std::count(text.begin(), text.end(), '%') == 3,
                    2, text);
   });
+  t.example(
+      "collide finds the pairs of a file whose joints scale and whose morph weights move, by the file's own formulas", {}, [] {
+        const Rich rich(true, true);
+        const std::string in = rich.folder.file("in.glb"), pairs = rich.folder.file("pairs.json");
+        std::vector<Triangle> triangles;
+        const auto points_at = [&](double time, const Eigen::Vector3d& at) {
+          std::vector<Point3> out;
+          triangles.clear();
+          for (const auto& primitive : rich.gltf.primitives()) {
+            const int first = static_cast<int>(out.size());
+            for (const Eigen::Vector3d& v : rich.gltf.posed(primitive, time)) out.push_back(v + at);
+            for (const auto& t : primitive.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
+          }
+          return out;
+        };
+        std::string found;
+        long total = 0;
+        for (const double offset : {0.0625, 0.5}) {
+          const auto a = points_at(1.25, {0, 0, 0}), b = points_at(0.5, {offset, 0.03, 0.01});
+          const auto expected = oracle::all_pairs(triangles, a, triangles, b).size();
+          const Called called = call({"collide", "--clip-a", "move", "--time-a", "1.25", "--clip-b", "move", "--time-b", "0.5",
+                                      "--json", pairs, in, in, "--at", std::to_string(offset), "0.03", "0.01"});
+          if (called.code != 0) return Checked(false, 0, called.errors);
+          const std::size_t count = json::parse(read_whole(pairs)).at("pairs").size();
+          total += static_cast<long>(expected);
+          if (count != expected) found += std::to_string(count) + " pairs for " + std::to_string(expected) + "; ";
+          for (const char* skinning : {"dual-quaternion", "spherical"})
+            if (const Called two = call({"collide", "--skinning", skinning, "--clip-a", "move", "--time-a", "1.25", in, in});
+                two.code != 0)
+              found += two.errors;
+        }
+        return Checked(found.empty() && total > 5, total, found);
+      });
   t.example("collide writes the pairs that it prints, and a certificate of them that is accepted against its documents", {}, [] {
     const Rich rich(false, false);
     const gen::TemporaryFolder& folder = rich.folder;

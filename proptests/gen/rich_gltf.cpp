@@ -27,6 +27,9 @@ enum : int {
 };
 
 const double half = std::sqrt(0.5);
+// A spline of rotations: tangent in, value and tangent out, x y z w. Its keys are off unit length, as bytes would be.
+const std::vector<std::array<float, 4>> turn = {{0, 0, 0, 0},         {0, 0, 0, 0.996f},    {0.5f, 0.25f, 0, 0.125f},
+                                                {0, -0.25f, 0.5f, 0}, {0.6f, 0, 0, 0.805f}, {0, 0, 0, 0}};
 const std::vector<double> default_weights = {0.5, 0.25}, last_weights = {1, -0.5};
 
 Matrix4d transform(const Vector3d& translation, const Eigen::Quaterniond& rotation, const Vector3d& scale) {
@@ -75,7 +78,7 @@ std::size_t add_normalized(GltfBuilder& file, std::size_t accessor) {
 
 }  // namespace
 
-RichGltf::RichGltf(bool uneven, bool moving) : uneven_(uneven), moving_(moving) {
+RichGltf::RichGltf(bool uneven, bool moving, bool turning) : uneven_(uneven), moving_(moving), turning_(turning) {
   add_nodes();
   add_skins();
   add_body();
@@ -124,9 +127,13 @@ Matrix4d RichGltf::local(int node, double t) const {
     case bone_node: {
       const double s = t / 2;
       const Vector3d from(0, 1, 0), to(1, 1, 0.5), out(1, 0, 2), into(0, 1, -1);
-      return transform((2 * s * s * s - 3 * s * s + 1) * from + 2 * (s * s * s - 2 * s * s + s) * out +
-                           (3 * s * s - 2 * s * s * s) * to + 2 * (s * s * s - s * s) * into,
-                       still, ones);
+      const double parts[] = {2 * s * s * s - 3 * s * s + 1, 2 * (s * s * s - 2 * s * s + s), 2 * (s * s * s - s * s),
+                              3 * s * s - 2 * s * s * s};
+      Eigen::Vector4d turned = Eigen::Vector4d::Zero();
+      for (int k = 0; k < 4; ++k)
+        for (int i = 0; i < 4; ++i) turned[i] += parts[k] * double(turn[1 + k][i]);
+      return transform(parts[0] * from + parts[1] * out + parts[3] * to + parts[2] * into,
+                       turning_ ? Eigen::Quaterniond(turned).normalized() : still, ones);
     }
     case gap_node: return transform(Vector3d::Zero(), about(Vector3d::UnitX(), 90), ones);
     case second_bone_node: return transform(up, about(Vector3d::UnitZ(), 90 * std::min(t, 2 - t)), ones);
@@ -256,6 +263,7 @@ void RichGltf::add_clip() {
   };
   const std::vector<std::array<float, 3>> spline = {{0, 0, 0}, {0, 1, 0}, {1, 0, 2}, {0, 1, -1}, {1, 1, 0.5f}, {0, 0, 0}};
   add(bone_node, "translation", {0, 2}, file.add_accessor(spline, "VEC3", gltf_float), "CUBICSPLINE");
+  if (turning_) add(bone_node, "rotation", {0, 2}, file.add_accessor(turn, "VEC4", gltf_float), "CUBICSPLINE");
   const std::vector<std::array<std::int16_t, 4>> turns = {{0, 0, 0, 32767}, {0, 0, 23170, 23170}, {0, 0, 0, 32767}};
   add(second_bone_node, "rotation", {0, 1, 2}, add_normalized(file, file.add_accessor(turns, "VEC4", gltf_short)), "LINEAR");
   const float cosine = static_cast<float>(std::sqrt(0.75));

@@ -25,8 +25,9 @@ struct RichPrimitive {
 
 class RichGltf {
  public:
-  // uneven: the joint "tip" scales by another factor along one axis, as its clip says. moving: the morph weights move.
-  RichGltf(bool uneven, bool moving);
+  // uneven: the joint "tip" scales by another factor along one axis, as its clip says. moving: the morph weights move. turning: a
+  // joint turns along a spline, whose quaternions are off unit length.
+  RichGltf(bool uneven, bool moving, bool turning = true);
 
   // In the order in which the scene shows them; a mesh that a second node shows with the same skin is there once for each.
   const std::vector<RichPrimitive>& primitives() const { return primitives_; }
@@ -46,7 +47,7 @@ class RichGltf {
   void add_loose();
   void add_clip();
 
-  bool uneven_, moving_;
+  bool uneven_, moving_, turning_;
   std::vector<RichPrimitive> primitives_;
   std::vector<std::vector<int>> joints_;               // by skin
   std::vector<std::vector<Eigen::Matrix4d>> offsets_;  // by skin

@@ -2,7 +2,7 @@
 """Channels of an animation as glTF 2.0 says in its appendix C: where they are at a time, and how they move between two times.
 
 Rotations are by the keys' quaternions divided by their lengths; between two keys of a linear channel they go at one speed along
-the shorter great arc, and in a spline they are divided by their length again.
+the shorter great arc. A spline's keys are not divided: the quaternions that come of it are.
 """
 import math
 
@@ -58,7 +58,7 @@ class Channel:
         self.into, self.out = (values[0::3], values[2::3]) if interpolation == "CUBICSPLINE" else (None, None)
         self.values = values[1::3] if interpolation == "CUBICSPLINE" else values
         require(self.values.low.shape[0] == len(times), "a channel has not as many values as keys")
-        if path == "rotation":
+        if path == "rotation" and interpolation != "CUBICSPLINE":
             raw, self.values = self.values, unit(self.values)
             if interpolation == "LINEAR" and len(times) > 1:
                 self.prepare_arcs(raw)
@@ -91,6 +91,8 @@ class Channel:
         """Intervals of shape (times, width)."""
         key, moves = self.segment(times, side)
         stays = self.values[key]
+        if self.path == "rotation" and self.interpolation == "CUBICSPLINE":
+            stays = unit(stays)
         if not moves.any():
             return stays
         key = np.where(moves, key, 0)
