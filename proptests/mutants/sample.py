@@ -18,7 +18,7 @@ LEFT_OUT = ("algorithms/model/procedural/",)
 
 def sources():
     paths = [p for folder in ("lemmas", "algorithms") for p in (ROOT / folder).rglob("*") if p.suffix in (".hpp", ".cpp")]
-    paths += [ROOT / "proptests/certificate/check", ROOT / "proptests/certificate/check_clip", *(ROOT / "proptests/certificate/over_time").glob("*.py")]
+    paths += [*(ROOT / "proptests/certificate" / name for name in ("check", "check_clip", "check_pairs")), *(ROOT / "proptests/certificate/over_time").glob("*.py")]
     return sorted(f for f in (str(p.relative_to(ROOT)) for p in paths) if not f.startswith(LEFT_OUT))
 
 
@@ -63,6 +63,10 @@ def still_to_judge(count, rows):
     return sorted(again + others), known
 
 
+class CannotJudge(Exception):
+    """Because the suites do not build, or fail, without a mutant, too."""
+
+
 def verdict_of(copy, mutant):
     """A row of COLUMNS: killed, not built, or alive."""
     text = (ROOT / mutant.file).read_text()
@@ -78,9 +82,9 @@ def verdict_of(copy, mutant):
         # What an earlier mutant left to be made again is made of the sources as they are.
         program, output = copy.build(group, 1)
         if not program:
-            raise RuntimeError(f"the unchanged sources do not build: {output}")
+            raise CannotJudge(f"the unchanged sources do not build: {output}")
         if not copy.passes(program, TIME_LIMIT):
-            raise RuntimeError(f"without a mutant, too, one of these suites fails: {' '.join(group)}")
+            raise CannotJudge(f"without a mutant, too, one of these suites fails: {' '.join(group)}")
         with copy.planted(mutant.file, mutant.applied_to(text)):
             program, output = copy.build(group, 1, None if is_whole else mutant.file)
             if not program:
