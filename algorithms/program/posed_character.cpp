@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/program/posed_character.hpp"
 
+#include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 
 namespace refitlab {
@@ -11,6 +12,7 @@ void PosedCharacter::begin(ClusterBody& body, const RigidTransform<double>& plac
 }
 
 PosedCharacter posed_character(Model model, const Animation& animation, double time, Skinning skinning) {
+  const DefaultFloatEnvironment environment;
   Pose rigid;
   AffinePose affine;
   Deformation deformation;
