@@ -47,14 +47,17 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   const DefaultFloatEnvironment environment;
   check_placement(placement, "a body's placement");
   const SkinnedMesh& mesh = tree_.character().mesh;
-  bool is_rigid = pose.size() == mesh.joints.size();
-  are_joints_placed_ = false;  // if this throws, motion_bound_ is no longer the frame's
-  const Box<double> bound = is_rigid ? motion_bound_.box(pose, placement, is_rigid) : Box<double>::empty();
-  if (!is_rigid) check_pose(mesh, pose);
+  is_motion_bound_made_ = are_joints_placed_ = false;
+  if (is_whole_expected_ || pose.size() != mesh.joints.size()) {
+    check_pose(mesh, pose);
+  } else {
+    bool is_rigid = true;
+    const Box<double> bound = motion_bound_.box(pose, placement, is_rigid);
+    if (!is_rigid) check_pose(mesh, pose);
+    set_motion_bound(bound);
+  }
   pose_ = pose;
   placement_ = placement;
-  motion_bound_box_ = bound;
-  are_joints_placed_ = std::isfinite(bound.low[0]);
   is_affine_ = false;
   clusters_.begin(pose_, placement_, placement_.translation);
   start();
@@ -67,7 +70,7 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
   clusters_.begin(pose, placement, placement.translation);
   placement_ = placement;
   motion_bound_box_ = motion_bound_.box(pose, placement);
-  is_affine_ = true;
+  is_affine_ = is_motion_bound_made_ = true;
   start();
 }
 
@@ -75,6 +78,17 @@ void ClusterBody::start() {
   are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = false;
   wide_nodes_made_.begin();
   nodes_bounded_ = work_ = 0;
+}
+
+void ClusterBody::make_motion_bound() {
+  const DefaultFloatEnvironment environment;
+  set_motion_bound(motion_bound_.box(pose_, placement_));
+}
+
+void ClusterBody::set_motion_bound(const Box<double>& box) {
+  motion_bound_box_ = box;
+  is_motion_bound_made_ = true;
+  are_joints_placed_ = std::isfinite(box.low[0]);
 }
 
 void ClusterBody::skin_all() {
@@ -91,6 +105,7 @@ void ClusterBody::bound_wide_node(int f) {
   if (is_all_skinned_ || (is_rather_skinned_ && f > 0 && has_only_clusters(f))) return box_skinned(wide_node, blocks, whole);
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
+  motion_bound();  // places the joints
   // Seen from the placement's translation, which is the clusters' origin.
   if (is_affine_) bound_affine_boxes(wide_node.simplex_pieces, clusters_.whole_palette(), placement_.rotation, boxes);
   else if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||

@@ -24,7 +24,13 @@ class ClusterBody {
   const ClusterTree& tree() const { return tree_; }
 
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound.
-  const Box<double>& motion_bound() const { return motion_bound_box_; }
+  const Box<double>& motion_bound() {
+    if (!is_motion_bound_made_) make_motion_bound();
+    return motion_bound_box_;
+  }
+  // Says whether the frames to come will be skinned whole, as far as is known. If they will, begin() makes no motion bound, which
+  // is then made if it is asked for.
+  void expect_whole(bool is_whole) { is_whole_expected_ = is_whole; }
 
   // These are boxes around all vertices below: those of a wide node's children, in blocks, and that around all of them. They
   // are seen from clusters().origin(), as ClusterTraversal takes them.
@@ -80,6 +86,8 @@ class ClusterBody {
 
  private:
   void start();
+  void make_motion_bound();
+  void set_motion_bound(const Box<double>& box);
   void bound_wide_node(int wide_node);
   bool has_only_clusters(int wide_node) const;
   void bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
@@ -93,8 +101,8 @@ class ClusterBody {
   RigidTransform<double> placement_;
   Box<double> motion_bound_box_;
   JointFloats joints_;
-  bool is_affine_ = false, are_joints_placed_ = false, are_floats_filled_ = false, is_all_skinned_ = false,
-       is_rather_skinned_ = false;
+  bool is_motion_bound_made_ = false, is_whole_expected_ = false, is_affine_ = false, are_joints_placed_ = false,
+       are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false;
   FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;
   std::vector<BoxBlock<float>> wide_node_blocks_;

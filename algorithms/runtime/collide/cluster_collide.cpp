@@ -29,8 +29,8 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
       memory->remember(*pair);
       return {*pair};
     }
-  // Near bodies are told apart by their wide nodes, if at all; but before they are skinned whole, they are compared.
-  if (!memory || !memory->are_near || memory->are_entangled()) {
+  // Near bodies are told apart by their wide nodes, if at all.
+  if (!memory || !memory->are_near) {
     ++counts.ball_tests;
     if (are_apart(first.motion_bound(), second.motion_bound())) {
       if (memory) memory->are_near = memory->are_touching = false, memory->count_query(0);
@@ -40,7 +40,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
   const bool is_whole = memory && memory->are_entangled() && are_in_float;
   if (is_whole) first.skin_all(), second.skin_all();
-  if (memory && memory->are_touching && are_in_float) first.skin_rather(), second.skin_rather();
+  else if (memory && memory->are_touching && are_in_float) first.skin_rather(), second.skin_rather();
   auto& scratch = first.query_scratch();
   ClusterPairs of_clusters(first.clusters(), second.clusters(), counts, scratch.pairs);
   auto pairs = ClusterTraversal(first, second, of_clusters, query, counts, scratch.hits).run();
@@ -48,8 +48,10 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     memory->are_near = !are_apart(first.wide_node_box(0), of_clusters.moved(second.wide_node_box(0)));
     memory->remember(pairs);
     memory->are_touching = !pairs.empty();
-    if (is_whole) memory->count_whole_query();
+    if (!memory->are_near) memory->count_query(0);
+    else if (is_whole) memory->count_whole_query();
     else memory->count_query(are_in_float ? first.excess_work() + second.excess_work() : 0);
+    first.expect_whole(memory->are_entangled()), second.expect_whole(memory->are_entangled());
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return pairs;
