@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # W_kl of mix_rotations, of two quaternions of length at most 1.
 @double = float<ieee_64, ne>;
 real double= a0 * b0;

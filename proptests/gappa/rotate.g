@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The first coordinate of rotate: x + 2 (w v x x + v x (v x x)), of lengths at most 1.
 @double = float<ieee_64, ne>;
 t1a double= v2 * x3; t1b double= v3 * x2; t1 double= t1a - t1b;

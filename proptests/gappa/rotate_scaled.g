@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The first coordinate of rotate_scaled: a quaternion (w, v) and a vector x of length at most 1. The others are the same with
 # the coordinates exchanged.
 @double = float<ieee_64, ne>;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # squared_norm of a quaternion of length at most 1.
 @double = float<ieee_64, ne>;
 p0 double= q0 * q0; p1 double= q1 * q1; p2 double= q2 * q2; p3 double= q3 * q3;
