@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 1 of the paper (4.5), as printed. Unsound: see algorithm1_repaired.hpp, which stands beside it.
+// Algorithm 1 of the paper (4.5), as printed. Unsound: see algorithms/runtime/refit/algorithm1_repaired.hpp for what is sound.
 //
 // Kept: the angle of line 13 and the ball of line 15 for any angle (Lemma 5 as printed), the division by norms that may be
 // zero, no case for r_E >= 1, and quaternions whose signs come from the matrices (line 3). Read for sense: i runs over
@@ -55,13 +55,15 @@ Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLi
     const std::span<const Quaternion<S>> unit(lists.quaternions);
     const Quaternion<S> center = Policy::template center_of_points<S, 4>(unit);  // line 11
     const S squared_radius = farthest_squared_distance(center, unit);
-    const Quaternion<S> apex = direction_by_root(center);                         // line 12
-    const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));  // line 13: alpha = 2 arccos d,
-    const S cos_alpha = rotated_cap_cosine_printed(d);                            // so these are its cosine
-    const S sin_alpha = rotated_cap_sine_printed(d);                              // and sine
+    const Quaternion<S> apex = direction_by_root(center);  // line 12
+    // Line 13: alpha = 2 arccos d, with the distance d of Lemma 3's half-space. So these are its cosine and sine (s43_rotated_cap).
+    const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));
+    const S cos_alpha = rotated_cap_cosine_printed(d);
+    const S sin_alpha = rotated_cap_sine_printed(d);
     const Vec<S, 3> u = node.reference.center - palette.rotation_center;
+    // Line 15: the ball around the cap, by Lemma 5 as printed.
     const Ball3<S> turned = cap_ball_printed<S, 3>(rotate(apex, u), norm(u), cos_alpha, sin_alpha);
-    for (int k = 0; k < set.weight_vertex_count; ++k)  // lines 7, 14 and 15
+    for (int k = 0; k < set.weight_vertex_count; ++k)  // lines 7 and 14: moved by the linear part
       lists.balls.push_back({blend_center(palette, node.weight_vertex(set, k)) + turned.center, turned.radius});
   }
   return inflate(Policy::of_balls(std::span<const Ball3<S>>(lists.balls)), node.reference.radius);  // line 16
