@@ -52,8 +52,11 @@ def queries_block(results):
         rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
     heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
     heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
-    stages = {s: sum(content.time_of(results, s, "skin_all_float", quantity=f"{stage}_us") for stage in ("pose", "skinning", "refit")) for s in scenes}
-    ceilings = [digits(content.time_of(results, s, "skin_all_float") / (content.time_of(results, s, "skin_all_float") - stages[s]), 3) for s in ("light", "heavy")]
+    ceilings = {}
+    for scene in ("light", "heavy"):
+        whole = content.time_of(results, scene, "skin_all_float")
+        before = sum(content.time_of(results, scene, "skin_all_float", quantity=f"{stage}_us") for stage in ("pose", "skinning", "refit"))
+        ceilings[scene] = digits(whole / (whole - before), 3)
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
 (`experiments/run --full`; commit {commit}, {cpu}, one thread). Every set of pairs is checked against brute force. The last three
@@ -64,7 +67,7 @@ columns compare with Embree alone.
 """ + "\n".join(rows) + f"""
 
 In contact most of the time goes into comparing triangles, which all of these must do. Whoever compares them as the second row does, and needs no time at
-all for skinning and bounds, would be {ceilings[0]} times as fast as it in *light*, and {ceilings[1]} times in *heavy*. In *far* any method is as fast behind a box
+all for skinning and bounds, would be {ceilings['light']} times as fast as it in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind a box
 around the whole character, such as our motion bound: the second row then takes {digits(content.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
 """
 
