@@ -63,28 +63,30 @@ PROPTEST(folder_lock) {
     }
     return Checked(true, 20);
   });
-  t.example("threads that want one folder have it one at a time, and are refused for no other reason", {}, [] {
+  t.example("threads that want one folder have it one at a time, each in the end, and are refused for no other reason", {}, [] {
     const gen::TemporaryFolder folder;
-    constexpr int threads = 8, attempts = 200;
-    std::atomic<int> inside = 0, together = 0, held = 0, strange = 0;
+    // A thread asks until it has had the folder so often: how many refusals that takes is the scheduler's matter.
+    constexpr int threads = 8, times = 25;
+    std::atomic<int> inside = 0, together = 0, refused = 0, strange = 0;
     std::barrier start(threads);
     {
       std::vector<std::jthread> all;
       for (int i = 0; i < threads; ++i)
         all.emplace_back([&] {
           start.arrive_and_wait();
-          for (int k = 0; k < attempts; ++k) try {
+          for (int held = 0; held < times && strange == 0;) try {
               const FolderLock lock(folder.path());
               together += ++inside > 1;
               std::this_thread::yield();
               ++held, --inside;
             } catch (const std::runtime_error& e) {
+              ++refused;
               strange += !std::string(e.what()).starts_with(folder.path() + ": in use by another run");
+              std::this_thread::yield();
             }
         });
     }
-    return Checked(together == 0 && strange == 0 && held >= threads, threads * attempts,
-                   std::to_string(held.load()) + " times held");
+    return Checked(together == 0 && strange == 0, threads * times, std::to_string(refused.load()) + " times refused");
   });
   t.example("what an earlier run wrote into the lock, longer than a process's number, is not part of the next refusal", {}, [] {
     const gen::TemporaryFolder folder;
