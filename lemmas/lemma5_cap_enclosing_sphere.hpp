@@ -165,5 +165,5 @@ Verdict cap_ball_encloses_printed(const Cap<S, D>& cap, const Vec<S, D>& x) {
 
 // Sources: the paper; a ball is the smallest around the two ends of its diameter (folklore).
 // Used by: b4_cap_fallback, rotation_bound; algorithms/methods/refit/algorithm1_printed.hpp,
-// algorithms/runtime/batch/node_refit.cpp, experiments/drawings/lemmas.cpp, experiments/explorer/pages/lemma5.hpp,
-// experiments/explorer/pages/whole_sphere.hpp, experiments/pictures/cap_figure.cpp.
+// experiments/drawings/lemmas.cpp, experiments/explorer/pages/lemma5.hpp, experiments/explorer/pages/whole_sphere.hpp,
+// experiments/pictures/cap_figure.cpp.

@@ -10,7 +10,7 @@
 
 namespace refitlab {
 
-// Weights of the corners of each triangle. They are not negative, have the sum 1, and make the same point of both.
+// Weights of the vertices of each triangle. They are not negative, have the sum 1, and make the same point of both.
 struct CommonPoint {
   std::array<Rational, 3> first, second;
 };
@@ -20,7 +20,7 @@ struct PartingPlane {
   Rational offset;
 };
 
-// The corners must be finite; they are taken exactly. Both triangles are closed, and may be no more than a segment or a point.
+// The vertices must be finite; they are taken exactly. Both triangles are closed, and may be no more than a segment or a point.
 // The function solves a linear program: the weights are a solution, and where there is none, its dual has the plane.
 std::variant<CommonPoint, PartingPlane> common_point(const TrianglePoints& a, const TrianglePoints& b);
 

@@ -11,7 +11,7 @@
 // Format: JSON, its keys sorted, indented by one space, in ASCII, ended by a line feed:
 //   about        what it is of, for the reader: no part of the claim
 //   contacts     the claim, a list of {pair: [i, j], triangles of the first and of the second body; first, second: [u, v, w],
-//                weights of their corners, not negative, of sum 1, that make the same point}
+//                weights of their vertices, not negative, of sum 1, that make the same point}
 //   digest       SHA-256 of the same text with "" for the digest
 //   first, second
 //                the bodies, {name, triangles: [[a, b, c]...], vertices: [[x, y, z]...]}

@@ -10,8 +10,8 @@ PosedBody posed_body(ClusterBody& body, const std::string& name) {
   const SkinnedMesh& mesh = body.tree().character().mesh;
   PosedBody out{name, mesh.vertices, mesh.triangles};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const TrianglePoints corners = body.triangle(static_cast<int>(t));
-    for (int i = 0; i < 3; ++i) out.vertices[mesh.triangles[t][i]] = corners[i];
+    const TrianglePoints vertices = body.triangle(static_cast<int>(t));
+    for (int i = 0; i < 3; ++i) out.vertices[mesh.triangles[t][i]] = vertices[i];
   }
   return out;
 }

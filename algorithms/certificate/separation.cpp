@@ -54,9 +54,9 @@ std::vector<int> ordered(const PosedBody& body) {
   return order;
 }
 
-class Corners {
+class SetVertices {
  public:
-  Corners(const PosedBody& body, Triangles set, std::vector<int>& stamps, int stamp) {
+  SetVertices(const PosedBody& body, Triangles set, std::vector<int>& stamps, int stamp) {
     Point3 low = Point3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const int t : set)
       for (const int v : body.triangles[t]) {
@@ -91,7 +91,7 @@ class Corners {
 // Short numbers for a plane with this normal, if it parts them for certain. A dot product in double is off by less than
 // 4 roundings of the sum of its products' absolute values; 16 leave room for those of sums, of this bound and of underflow. The
 // offset is within an eighth of the gap of its middle.
-std::optional<PartingPlane> plane_between(const Corners& a, const Corners& b, const Point3& normal) {
+std::optional<PartingPlane> plane_between(const SetVertices& a, const SetVertices& b, const Point3& normal) {
   const double highest = -a.least(-normal).first, lowest = b.least(normal).first, gap = lowest - highest;
   const double off = 16 * 0x1p-53 * normal.cwiseAbs().dot(a.largest().cwiseMax(b.largest())) + 0x1p-1000;
   if (!(gap > 4 * off) || !std::isfinite(gap)) return {};
@@ -103,7 +103,7 @@ constexpr int most_directions = 20;  // that are tried before a set is halved
 
 // A plane between the sets, if one is found soon: by the point of the difference of their hulls that is nearest to 0, which is
 // approached along segments to the points that are farthest towards 0 [Gilbert 1966].
-std::optional<PartingPlane> find_plane(const Corners& a, const Corners& b) {
+std::optional<PartingPlane> find_plane(const SetVertices& a, const SetVertices& b) {
   Point3 nearest = b.middle() - a.middle();
   for (int i = 0; i < most_directions; ++i) {
     const double length = nearest.cwiseAbs().maxCoeff();
@@ -137,7 +137,7 @@ class Separator {
 
  private:
   void part(Triangles first, Triangles second) {
-    const Corners a(first_, first, first_stamps_, stamp_), b(second_, second, second_stamps_, stamp_);
+    const SetVertices a(first_, first, first_stamps_, stamp_), b(second_, second, second_stamps_, stamp_);
     ++stamp_;
     if (auto plane = find_plane(a, b)) {
       out_.steps.push_back(*std::move(plane));

@@ -27,8 +27,8 @@ class PrimitiveReader {
 
   ScenePrimitive read() const {
     ScenePrimitive out{label_, positions(), {}, {}, {}};
-    const Indices corners = indices(out.positions.size());
-    out.triangles = triangles(corners);
+    const Indices vertices = indices(out.positions.size());
+    out.triangles = triangles(vertices);
     out.weights = weights(out.positions.size());
     for (std::size_t t = 0; t < source_.targets.size(); ++t) out.targets.push_back(displacements(t, out.positions.size()));
     return out;
@@ -88,9 +88,9 @@ class PrimitiveReader {
     return out;
   }
 
-  std::vector<Triangle> triangles(const Indices& corners) const {
-    const auto corner = [&](std::size_t i) { return static_cast<int>(corners[i]); };
-    const std::size_t strip = corners.size() < 3 ? 0 : corners.size() - 2;
+  std::vector<Triangle> triangles(const Indices& vertices) const {
+    const auto vertex = [&](std::size_t i) { return static_cast<int>(vertices[i]); };
+    const std::size_t strip = vertices.size() < 3 ? 0 : vertices.size() - 2;
     std::vector<Triangle> out;
     switch (source_.mode) {
       case TINYGLTF_MODE_POINTS:
@@ -98,15 +98,15 @@ class PrimitiveReader {
       case TINYGLTF_MODE_LINE_LOOP:
       case TINYGLTF_MODE_LINE_STRIP: break;
       case TINYGLTF_MODE_TRIANGLES:
-        if (corners.size() % 3 != 0)
-          throw ModelError(file_, label_, "its triangles have " + std::to_string(corners.size()) + " corners in all");
-        for (std::size_t i = 0; i < corners.size(); i += 3) out.push_back({corner(i), corner(i + 1), corner(i + 2)});
+        if (vertices.size() % 3 != 0)
+          throw ModelError(file_, label_, "its triangles have " + std::to_string(vertices.size()) + " indices in all");
+        for (std::size_t i = 0; i < vertices.size(); i += 3) out.push_back({vertex(i), vertex(i + 1), vertex(i + 2)});
         break;
       case TINYGLTF_MODE_TRIANGLE_STRIP:  // every other one is turned around
-        for (std::size_t i = 0; i < strip; ++i) out.push_back({corner(i), corner(i + 1 + i % 2), corner(i + 2 - i % 2)});
+        for (std::size_t i = 0; i < strip; ++i) out.push_back({vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)});
         break;
       case TINYGLTF_MODE_TRIANGLE_FAN:
-        for (std::size_t i = 0; i < strip; ++i) out.push_back({corner(i + 1), corner(i + 2), corner(0)});
+        for (std::size_t i = 0; i < strip; ++i) out.push_back({vertex(i + 1), vertex(i + 2), vertex(0)});
         break;
       default: throw ModelError(file_, label_, "is of mode " + std::to_string(source_.mode) + ", which glTF has not");
     }

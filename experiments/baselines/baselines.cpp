@@ -11,7 +11,7 @@ std::vector<DetectorKind> baseline_kinds() {
        make_aabb_tree},
       {"skin_all_float",
        "skins everything in float, clusters of 256 triangles with their boxes in the same registers; clusters whose boxes meet "
-       "are culled and filtered in float, and only what that leaves unknown is decided on corners in double",
+       "are culled and filtered in float, and only what that leaves unknown is decided on vertices in double",
        baseline, make_skin_all_float},
       {"cgal_aabb", "CGAL's AABB_tree of the first body, rebuilt, asked with the second one's triangles' boxes", baseline,
        make_cgal_aabb},

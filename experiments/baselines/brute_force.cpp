@@ -20,7 +20,7 @@ BoxedTriangles boxes_of(const SkinnedMesh& model, const JointSets& sets, const P
   for (const Triangle& t : model.triangles) {
     out.triangles.push_back(place(placement, {skinned[t[0]], skinned[t[1]], skinned[t[2]]}));
     out.boxes.push_back(Box<double>::empty());
-    for (const Point3& corner : out.triangles.back()) out.boxes.back().merge(corner);
+    for (const Point3& vertex : out.triangles.back()) out.boxes.back().merge(vertex);
   }
   return out;
 }

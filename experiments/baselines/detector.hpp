@@ -22,7 +22,7 @@ struct DetectorCounts {
 };
 
 // A frame is its stages in this order; they are apart only so that each can be timed. The pairs that a detector finds
-// are those of triangles_meet for the corners in the world, apply(placement, corner skinned spherically), in any order.
+// are those of triangles_meet for the vertices in the world, apply(placement, vertex skinned spherically), in any order.
 class Detector {
  public:
   virtual ~Detector() = default;

@@ -8,7 +8,7 @@
 namespace refitlab {
 
 // Vertices rounded to the nearest float. Rounding is monotone: where the boxes of two triangles overlap in double, so
-// do those of their rounded corners, and nothing has to be rounded outwards.
+// do those of their rounded vertices, and nothing has to be rounded outwards.
 class RoundedVertices {
  public:
   void set(const std::vector<Point3>& vertices) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Skins everything in float, cluster by cluster, with the boxes of the clusters in the same registers, and merges these
 // bottom-up. Triangles of clusters whose boxes meet are culled, compared and filtered in float, with the skinning's slack in
-// the error bound; only what that leaves unknown is decided on corners in double.
+// the error bound; only what that leaves unknown is decided on vertices in double.
 #include "algorithms/runtime/collide/cluster_traversal.hpp"
 #include "experiments/baselines/baselines.hpp"
 
@@ -56,7 +56,7 @@ class SkinAllFloat : public Detector {
 
   void skin() override {
     first_.clusters().skin_all(), second_.clusters().skin_all();
-    skinned_ += first_.clusters().corners_skinned() + second_.clusters().corners_skinned();
+    skinned_ += first_.clusters().vertices_skinned() + second_.clusters().vertices_skinned();
   }
 
   void refit() override {
@@ -65,7 +65,7 @@ class SkinAllFloat : public Detector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    ClusterPairs pairs(first_.clusters(), second_.clusters(), counts_, room_);
+    ClusterPairs pairs(first_.clusters(), second_.clusters(), counts_, scratch_);
     auto found = ClusterTraversal(first_, second_, pairs, query, counts_, hits_).run();
     if (query == Query::yes_no && found.size() > 1) found.resize(1);
     return found;
@@ -82,7 +82,7 @@ class SkinAllFloat : public Detector {
   const ClusterTree tree_;
   SkinnedBody first_, second_;
   QueryCounts counts_;
-  ClusterPairRoom room_;
+  ClusterPairScratch scratch_;
   std::vector<int> hits_;
   long skinned_ = 0, refitted_ = 0;
 };

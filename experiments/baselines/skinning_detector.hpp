@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-// Triangle pairs are decided on corners in the world. These are placed when first asked for, or all at once.
+// Triangle pairs are decided on vertices in the world. These are placed when first asked for, or all at once.
 enum class Placing { when_asked, all };
 
 // What rounding may do to volumes and vertices in double, relative to the size of the coordinates.

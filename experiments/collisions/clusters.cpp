@@ -24,7 +24,7 @@ class Clusters : public CountingDetector {
  private:
   void add_frame(DetectorCounts& counts) const override {
     for (const ClusterBody* body : {&first_, &second_}) {
-      counts.vertices_skinned += body->corners_skinned();
+      counts.vertices_skinned += body->vertices_skinned();
       counts.nodes_refitted += body->nodes_bounded();
     }
   }

@@ -84,7 +84,7 @@ std::vector<JointCapsule> fit_capsules(const SkinnedMesh& mesh) {
 JointCapsules::JointCapsules(const SkinnedMesh& mesh, const std::vector<JointCapsule>& capsules)
     : numbers_(capsule_numbers, mesh.joints.size()) {
   const DefaultFloatEnvironment environment;
-  for (int j = 0; j < numbers_.room(); ++j) numbers_.at(6, j) = extent_of_nothing;
+  for (int j = 0; j < numbers_.stride(); ++j) numbers_.at(6, j) = extent_of_nothing;
   for (std::size_t j = 0; j < capsules.size(); ++j) {
     const JointCapsule& c = capsules[j];
     if (c.radius < 0) continue;
@@ -100,7 +100,7 @@ JointCapsules::JointCapsules(const SkinnedMesh& mesh, const std::vector<JointCap
 Box<float> JointCapsules::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
   float out[6];
-  joint_kernels(target).capsules(matrices.data(), numbers_.data(), numbers_.room(), 2 * lost_of_capsules, out);
+  joint_kernels(target).capsules(matrices.data(), numbers_.data(), numbers_.stride(), 2 * lost_of_capsules, out);
   return box_of_numbers(out);
 }
 

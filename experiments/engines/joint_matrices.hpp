@@ -23,11 +23,11 @@ class JointNumbers {
     for (Lanes<float>& block : lanes_) block.lane.fill(padding);
   }
   // Of one number: so many.
-  int room() const { return blocks_ * Lanes<float>::count; }
+  int stride() const { return blocks_ * Lanes<float>::count; }
   float* data() { return lanes_.data()->lane.data(); }
   const float* data() const { return lanes_.data()->lane.data(); }
-  float& at(int number, int joint) { return data()[number * room() + joint]; }
-  float at(int number, int joint) const { return data()[number * room() + joint]; }
+  float& at(int number, int joint) { return data()[number * stride() + joint]; }
+  float at(int number, int joint) const { return data()[number * stride() + joint]; }
 
  private:
   int blocks_;
@@ -45,9 +45,9 @@ class JointMatrices {
   void set(const Pose& pose, Target target = best_target()) {
     static_assert(sizeof(pose[0]) == pose_numbers * sizeof(double));
     const DefaultFloatEnvironment environment;
-    joint_kernels(target).matrices(pose[0].rotation.data(), joints_, scratch_.data(), scratch_.room(), matrices_.data());
+    joint_kernels(target).matrices(pose[0].rotation.data(), joints_, scratch_.data(), scratch_.stride(), matrices_.data());
   }
-  int room() const { return matrices_.room(); }
+  int stride() const { return matrices_.stride(); }
   const float* data() const { return matrices_.data(); }
 
  private:

@@ -202,7 +202,7 @@ std::vector<RoundedBox> fit_rounded_boxes(const SkinnedMesh& mesh, std::span<con
 RoundedBoxes::RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox>& boxes)
     : numbers_(rounded_box_numbers, mesh.joints.size()) {
   const DefaultFloatEnvironment environment;
-  for (int j = 0; j < numbers_.room(); ++j) numbers_.at(6, j) = extent_of_nothing;
+  for (int j = 0; j < numbers_.stride(); ++j) numbers_.at(6, j) = extent_of_nothing;
   for (std::size_t j = 0; j < boxes.size(); ++j) {
     const RoundedBox& b = boxes[j];
     if (b.radius < 0) continue;
@@ -218,7 +218,7 @@ RoundedBoxes::RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox
 Box<float> RoundedBoxes::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
   float out[6];
-  joint_kernels(target).rounded_boxes(matrices.data(), numbers_.data(), numbers_.room(), 2 * lost_of_boxes, out);
+  joint_kernels(target).rounded_boxes(matrices.data(), numbers_.data(), numbers_.stride(), 2 * lost_of_boxes, out);
   return box_of_numbers(out);
 }
 

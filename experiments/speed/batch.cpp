@@ -10,7 +10,6 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
-#include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 
@@ -75,15 +74,6 @@ class BatchExperiment {
       require_no_miss(
           kind, [&](int n) { return balls[n]; }, palette, name_of(target));
       timed.push_back({name_of(target), size_of(c_.tree.nodes), [&, target] { benchmark::DoNotOptimize(refit_all(target)[0]); }});
-    }
-    NodeRefit one(c_.tree, c_.sets);
-    one.begin(palette);
-    if (!is_linear) {
-      require_no_miss(
-          kind, [&](int n) { return one(n); }, palette, "node by node");
-      timed.push_back({"node_by_node", size_of(c_.tree.nodes), [&] {
-                         for (int n = 0; n < size_of(c_.tree.nodes); ++n) benchmark::DoNotOptimize(one(n));
-                       }});
     }
     measure("refit_" + kind.name, "sphere", timed);
   }

@@ -14,7 +14,7 @@ namespace refitlab {
 struct BatchSpeed {
   std::string model, pose;
   std::string what;  // "skin_linear", ..., "refit_linear", "refit_spherical", "skinning_palette"
-  std::string how;   // "scalar", a target of packs, or "node_by_node": NodeRefit
+  std::string how;   // "scalar", or a target of packs
   std::string item;  // that ns is for: "vertex", "sphere", "joint_set"
   double ns;         // median over the repetitions
   double ratio;      // to scalar, the median over the repetitions

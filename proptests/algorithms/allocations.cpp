@@ -6,7 +6,6 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
-#include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "proptests/harness.hpp"
@@ -62,23 +61,18 @@ PROPTEST(allocations) {
     return Checked(ok && pairs_found > 1000, asked);
   });
   t.example(
-      "a frame of poses and single nodes takes nothing from the heap after the first one, and a batch three times a "
+      "a frame of poses takes nothing from the heap after the first one, and a batch three times a "
       "kernel",
       {}, [] {
         const auto man = bake(make_man());
         BatchRefit batch(man.tree, man.sets);
-        NodeRefit single(man.tree, man.sets);
         const PalettePacks packs(man.mesh, man.sets, Skinning::spherical);
         SkinningPalette<double> palette;
         long taken = 0, of_batch = 0;
         float sum = 0;
         for (int frame = 0; frame < frames; ++frame) {
           const Pose pose = step(man, frame, 0);
-          const long allocations = allocations_in([&] {
-            packs.make(pose, palette);
-            single.begin(palette);
-            for (std::size_t n = 0; n < man.tree.nodes.size(); ++n) sum += single(static_cast<int>(n)).radius;
-          });
+          const long allocations = allocations_in([&] { packs.make(pose, palette); });
           const long batches =
               allocations_in([&] { sum += batch.spherical(palette)[0].radius + batch.linear(palette)[0].radius; });
           if (frame > 0) taken += allocations, of_batch = std::max(of_batch, batches);

@@ -88,10 +88,6 @@ Checked check_refit() {
       char name[80];
       std::snprintf(name, sizeof name, "%d joints, per kappa |x| at kappa %g", n, kappa);
       budgets.add(name, error_of_cap(n, kappa), algorithm1_slack(n) / u);
-      // A blend alone is turned by without a cap, in node_refit.cpp.
-      const double of_unit = error_of_blend<4>(n) * kappa + error_of_unit(1 / kappa);
-      const double alone = whole(rotate<Budget>(of_length<0, 4>(1, of_unit * u), of_length<0, 3>(1, 2 * u))).in_u() / kappa + 2;
-      budgets.add(std::string(name) + ", node by node", std::max(error_of_cap(n, kappa), alone), node_refit_slack(n) / u);
     }
   budgets.add("1 joint, per |x|", whole(rotate<Budget>(rounded_input<4>(1), of_length<0, 3>(1, 2 * u))).in_u() + 2,
               algorithm1_slack(1) / u);

@@ -76,9 +76,9 @@ SkinnedMesh row_of_triangles(int count, int joints, const JointsOf& joints_of) {
   for (int j = 0; j < joints; ++j) m.joints.push_back({"joint " + std::to_string(j), j - 1, {0, 0, 0}});
   for (int t = 0; t < count; ++t) {
     const Point3 at(t % 200, t / 200, 0);
-    for (const Point3& corner : {Point3(0, 0, 0), Point3(0.4, 0, 0), Point3(0, 0.4, 0)}) {
+    for (const Point3& vertex : {Point3(0, 0, 0), Point3(0.4, 0, 0), Point3(0, 0.4, 0)}) {
       const auto [i, j] = joints_of(static_cast<int>(m.vertices.size()));
-      m.vertices.push_back(at + corner);
+      m.vertices.push_back(at + vertex);
       if (i == j) m.influences.push_back({{i, 1.0}});
       else m.influences.push_back({{i, 0.5}, {j, 0.5}});
     }
@@ -201,7 +201,7 @@ PROPTEST(cluster_collide) {
           RC_ASSERT(holds(body.motion_bound(), p) && holds(oracle::in_world(body, body.wide_node_box(0)), p));
         RC_ASSERT(holds(other.motion_bound(), tip) && holds(oracle::in_world(other, other.wide_node_box(0)), tip));
       });
-  t.example("a leaf of more corners than 16 bits name is split, and so is one that is larger than clusters should be", {}, [] {
+  t.example("a leaf of more vertices than 16 bits name is split, and so is one that is larger than clusters should be", {}, [] {
     const auto c = bake(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }), {.triangles_per_leaf = 1000000});
     long lost = 0, tried = 0;
     bool ok = c.tree.nodes.size() == 1;
@@ -217,7 +217,7 @@ PROPTEST(cluster_collide) {
     }
     return Checked(ok && lost == 0, tried, std::to_string(lost) + " lost");
   });
-  t.example("a cluster of the most triangles, each corner alone in its joint-set, has places that 16 bits hold", {}, [] {
+  t.example("a cluster of the most triangles, each vertex alone in its joint-set, has places that 16 bits hold", {}, [] {
     std::vector<std::pair<int, int>> pairs;
     for (int i = 0; i < 130; ++i)
       for (int j = i + 1; j < 130; ++j) pairs.emplace_back(i, j);
@@ -241,12 +241,12 @@ PROPTEST(cluster_collide) {
               const int count = triangles_below(tree, {static_cast<int>(i), -1});
               RC_ASSERT(count >= 1 && count <= options.most_triangles);
               const auto places = tree.vertices().vertices(static_cast<int>(i));
-              const ClusterTriangles corners = tree.corners(static_cast<int>(i));
-              RC_ASSERT(corners.count == count);
+              const ClusterTriangles vertices = tree.cluster_triangles(static_cast<int>(i));
+              RC_ASSERT(vertices.count == count);
               for (int t = 0; t < count; ++t) {
                 const int triangle = tree.triangles(static_cast<int>(i))[t];
                 seen.push_back(triangle);
-                for (int k = 0; k < 3; ++k) RC_ASSERT(places[corners.corner[k][t]] == c.mesh.triangles[triangle][k]);
+                for (int k = 0; k < 3; ++k) RC_ASSERT(places[vertices.vertex[k][t]] == c.mesh.triangles[triangle][k]);
               }
             }
             std::sort(seen.begin(), seen.end());
@@ -310,29 +310,29 @@ PROPTEST(cluster_collide) {
         ok = ok && counts_at(0.5, Query::full, &memory) == near && first.nodes_bounded() == 0;
         memory.count_query(0);
         ok = ok && counts_at(0.5, Query::full, &memory) == near && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
-             first.corners_skinned() == 16 && second.corners_skinned() == 16;
+             first.vertices_skinned() == 16 && second.vertices_skinned() == 16;
         ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
         return Checked(ok, 6);
       });
-  t.example("a body counts the nodes that it bounds, and the clusters and corners that it skins, each once a frame", {}, [] {
+  t.example("a body counts the nodes that it bounds, and the clusters and vertices that it skins, each once a frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
     ClusterBody body(tree, Skinning::spherical);
-    long nodes = 0, corners = 0;
+    long nodes = 0, vertices = 0;
     for (const WideNode& wide_node : tree.wide_nodes()) nodes += wide_node.child_count;
-    for (const Cluster& cluster : tree.clusters()) corners += cluster.padded_vertex_count;
+    for (const Cluster& cluster : tree.clusters()) vertices += cluster.padded_vertex_count;
     const auto clusters = static_cast<long>(tree.clusters().size()), wide_nodes = static_cast<long>(tree.wide_nodes().size());
-    bool ok = nodes > wide_nodes && corners > clusters;
+    bool ok = nodes > wide_nodes && vertices > clusters;
     for (int frame = 0; frame < 2; ++frame) {
       body.begin(man.clips[0].sample(0.1 * frame), {});
-      ok = ok && body.nodes_bounded() == 0 && body.clusters_skinned() == 0 && body.corners_skinned() == 0;
+      ok = ok && body.nodes_bounded() == 0 && body.clusters_skinned() == 0 && body.vertices_skinned() == 0;
       for (int time = 0; time < 2; ++time) {
         for (int f = 0; f < static_cast<int>(wide_nodes); ++f) body.wide_node_boxes(f), body.wide_node_box(f);
-        for (int c = 0; c < static_cast<int>(clusters); ++c) body.clusters().cluster(c), body.clusters().corner(c, 0);
-        ok = ok && body.nodes_bounded() == nodes && body.clusters_skinned() == clusters && body.corners_skinned() == corners;
+        for (int c = 0; c < static_cast<int>(clusters); ++c) body.clusters().cluster(c), body.clusters().padded_vertex(c, 0);
+        ok = ok && body.nodes_bounded() == nodes && body.clusters_skinned() == clusters && body.vertices_skinned() == vertices;
       }
     }
-    return Checked(ok, nodes + corners);
+    return Checked(ok, nodes + vertices);
   });
   t.example("a body that rather skins does so where a wide node below the root has only clusters, and bounds the others", {}, [] {
     const auto man = bake(make_man());
@@ -354,14 +354,14 @@ PROPTEST(cluster_collide) {
     const auto count = static_cast<long>(tree.wide_nodes().size());
     return Checked(wrong == 0 && skinned > 0 && skinned < count, count, std::to_string(skinned) + " are skinned");
   });
-  t.example("no more is looked at than is near: boxes, pairs of triangles and corners of two men, at three distances", {}, [] {
+  t.example("no more is looked at than is near: boxes, pairs of triangles and vertices of two men, at three distances", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
     const Clip& walk = man.clips[0];
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
     struct Most {
       double distance;
-      long ball_tests, triangle_tests, corners, nodes;
+      long ball_tests, triangle_tests, vertices, nodes;
     };
     bool ok = true;
     std::string text;
@@ -374,11 +374,11 @@ PROPTEST(cluster_collide) {
       QueryCounts of_first;  // of a pair, which ends the query
       const auto first = collide(a, b, Query::yes_no, of_first);
       ok = ok && (first.empty() || 4 * of_first.triangle_tests < counts.triangle_tests);
-      const long corners = a.corners_skinned() + b.corners_skinned(), nodes = a.nodes_bounded() + b.nodes_bounded();
+      const long vertices = a.vertices_skinned() + b.vertices_skinned(), nodes = a.nodes_bounded() + b.nodes_bounded();
       ok = ok && counts.ball_tests <= most.ball_tests && counts.triangle_tests <= most.triangle_tests &&
-           corners <= most.corners && nodes <= most.nodes;
+           vertices <= most.vertices && nodes <= most.nodes;
       text += std::to_string(counts.ball_tests) + " boxes, " + std::to_string(counts.triangle_tests) + " pairs, " +
-              std::to_string(corners) + " corners, " + std::to_string(nodes) + " nodes; ";
+              std::to_string(vertices) + " vertices, " + std::to_string(nodes) + " nodes; ";
     }
     return Checked(ok, 3, text);
   });

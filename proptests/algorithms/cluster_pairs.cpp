@@ -20,8 +20,8 @@ using namespace refitlab;
 using oracle::sorted;
 
 // Looks into every pair of clusters.
-std::vector<TrianglePair> pairs_of(SkinnedClusters& a, SkinnedClusters& b, QueryCounts& counts, ClusterPairRoom& room) {
-  ClusterPairs pairs(a, b, counts, room);
+std::vector<TrianglePair> pairs_of(SkinnedClusters& a, SkinnedClusters& b, QueryCounts& counts, ClusterPairScratch& scratch) {
+  ClusterPairs pairs(a, b, counts, scratch);
   for (int i = 0; i < static_cast<int>(a.tree().clusters().size()); ++i)
     for (int j = 0; j < static_cast<int>(b.tree().clusters().size()); ++j) pairs.add(i, j);
   pairs.decide();
@@ -43,7 +43,7 @@ PROPTEST(cluster_pairs) {
             const Skinning skinning =
                 *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
             SkinnedClusters first(tree_a, skinning), second(tree_b, skinning);
-            ClusterPairRoom room;
+            ClusterPairScratch scratch;
             std::mt19937 random(plan_b.seed);
             std::normal_distribution<double> normal;
             for (int frame = 0; frame < 2; ++frame) {
@@ -58,7 +58,7 @@ PROPTEST(cluster_pairs) {
               second.begin(pose_b, at_b, is_common ? common : at_b.translation);
               const auto expected = oracle::all_pairs({a, pose_a, at_a}, {b, pose_b, at_b}, skinning);
               QueryCounts counts;
-              RC_ASSERT(pairs_of(first, second, counts, room) == expected);
+              RC_ASSERT(pairs_of(first, second, counts, scratch) == expected);
               RC_ASSERT(counts.triangle_tests >= static_cast<long>(expected.size()));
               RC_TAG(expected.empty() ? "apart" : "in contact");
             }
@@ -73,12 +73,12 @@ PROPTEST(cluster_pairs) {
             const RigidTransform<double> at, other{gen::random_rotation(random, 1), Point3::Zero()};
             first.begin(wide.pose, at, Point3::Zero()), second.begin(wide.pose, other, Point3::Zero());
             QueryCounts counts;
-            ClusterPairRoom room;
+            ClusterPairScratch scratch;
             RC_LOG() << wide.what;
-            RC_ASSERT(pairs_of(first, second, counts, room) ==
+            RC_ASSERT(pairs_of(first, second, counts, scratch) ==
                       oracle::all_pairs({a, wide.pose, at}, {a, wide.pose, other}, Skinning::spherical));
           });
-  t.holds("on every target the filter never contradicts exact arithmetic on corners within the slack of its floats",
+  t.holds("on every target the filter never contradicts exact arithmetic on vertices within the slack of its floats",
           {.number_type = "rational", .cases = 400, .tags_at_least = {{"decided", 0.2}, {"unknown", 0.1}}}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             std::uniform_real_distribution<double> u(-1, 1);
@@ -93,7 +93,7 @@ PROPTEST(cluster_pairs) {
             const auto put = [&](Candidates& c, int k, const TrianglePoints& t) {
               for (int i = 0; i < 9; ++i) {
                 const double x = t[i / 3][i % 3] + slack * 0.9 * u(random);
-                c.corners[k].lane[i] = static_cast<float>(x);
+                c.vertices[k].lane[i] = static_cast<float>(x);
               }
             };
             for (int k = 0; k < count; ++k) {
@@ -106,7 +106,7 @@ PROPTEST(cluster_pairs) {
               first[k] = second[k] = k;
             }
             const auto arrays = [](Candidates& c) {
-              return CandidateArrays{nullptr, nullptr, {}, c.corners.data()->lane.data()};
+              return CandidateArrays{nullptr, nullptr, {}, c.vertices.data()->lane.data()};
             };
             // Rounding to float is off by another 2^-24 of the size.
             const auto of_floats = static_cast<float>(slack + unit * 1.5 * 0x1p-24);
@@ -130,16 +130,16 @@ PROPTEST(cluster_pairs) {
     float* const xyz = blocks.data()->lane.data();
     for (int i = 0; i < 3 * places; ++i)
       xyz[i] = random() % 50 ? u(random) : random() % 2 ? 0.5f : std::numeric_limits<float>::quiet_NaN();
-    std::vector<std::uint16_t> corner[3];
-    for (auto& list : corner)
+    std::vector<std::uint16_t> vertex[3];
+    for (auto& list : vertex)
       for (int t = 0; t < count; ++t) list.push_back(static_cast<std::uint16_t>(random() % places));
-    const ClusterTriangles triangles{count, {corner[0].data(), corner[1].data(), corner[2].data()}};
+    const ClusterTriangles triangles{count, {vertex[0].data(), vertex[1].data(), vertex[2].data()}};
     Box<float> box;
     for (int i = 0; i < 3; ++i) {
       const float a = u(random), b = random() % 4 ? u(random) : 0.5f;
       box.low[i] = std::min(a, b), box.high[i] = std::max(a, b);
     }
-    const auto at = [&](int t, int c, int i) { return xyz[i * places + corner[c][t]]; };
+    const auto at = [&](int t, int c, int i) { return xyz[i * places + vertex[c][t]]; };
     std::vector<int> expected;
     for (int t = 0; t < count; ++t) {
       bool apart = false;
@@ -152,10 +152,10 @@ PROPTEST(cluster_pairs) {
     const float offset[] = {0.25f, -0.5f, 1};
     for (const Target target : available_targets()) {
       const ClusterPairKernels& kernels = cluster_pair_kernels(target);
-      Candidates room;
-      room.reserve(count, places);
-      CandidateArrays out{room.triangle.data(), room.outcodes.data(), {}, room.corners.data()->lane.data()};
-      for (int i = 0; i < 6; ++i) out.box[i] = room.box[i].data()->lane.data();
+      Candidates scratch;
+      scratch.reserve(count, places);
+      CandidateArrays out{scratch.triangle.data(), scratch.outcodes.data(), {}, scratch.vertices.data()->lane.data()};
+      for (int i = 0; i < 6; ++i) out.box[i] = scratch.box[i].data()->lane.data();
       const int found = kernels.cull(triangles, xyz, places, box, out);
       RC_ASSERT(std::vector<int>(out.triangle, out.triangle + found) == expected);
       if (found == 0) continue;
@@ -171,7 +171,7 @@ PROPTEST(cluster_pairs) {
         for (int i = 0; i < 9; ++i) {
           const float x = at(expected[k], i / 3, i % 3) + offset[i % 3];
           has_nan = has_nan || std::isnan(x);
-          RC_ASSERT(out.corners[16 * k + i] == x || std::isnan(x));
+          RC_ASSERT(out.vertices[16 * k + i] == x || std::isnan(x));
         }
       if (has_nan) continue;
       Box<float> around = Box<float>::empty();
@@ -193,7 +193,7 @@ PROPTEST(cluster_pairs) {
       RC_ASSERT(left == static_cast<int>(kept.size()));
       for (int k = 0; k < left; ++k) {
         RC_ASSERT(out.triangle[k] == expected[kept[k]]);
-        for (int i = 0; i < 9; ++i) RC_ASSERT(out.corners[16 * k + i] == at(expected[kept[k]], i / 3, i % 3) + offset[i % 3]);
+        for (int i = 0; i < 9; ++i) RC_ASSERT(out.vertices[16 * k + i] == at(expected[kept[k]], i / 3, i % 3) + offset[i % 3]);
         for (int i = 0; i < 3; ++i)
           RC_ASSERT(out.box[i][k] == side(kept[k], i).first && out.box[3 + i][k] == side(kept[k], i).second);
       }

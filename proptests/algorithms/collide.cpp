@@ -131,7 +131,7 @@ PROPTEST(collide) {
             const RigidTransform<double> first = gen::accepted_placement(random, most);
             RigidTransform<double> second = first;
             if (*rc::gen::arbitrary<bool>()) second.rotation.normalize();
-            second.translation = apply(first, Point3(2, 0, 0));  // so that its corner at the origin is the first one's other
+            second.translation = apply(first, Point3(2, 0, 0));  // so that its vertex at the origin is the first one's other
             QueryCounts counts;
             RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
             RC_ASSERT(collide({body, second}, {body, first}, Query::full, counts).size() == 1);

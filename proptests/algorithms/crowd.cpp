@@ -40,7 +40,7 @@ CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const Workers& wor
   for (Contact& contact : out.contacts) contact.pairs = sorted(contact.pairs);
   out.counts = {counts.pairs_of_boxes, counts.queries.ball_tests, counts.queries.triangle_tests};
   for (const auto* body : bodies)
-    out.work.insert(out.work.end(), {body->nodes_bounded(), body->clusters_skinned(), body->corners_skinned()});
+    out.work.insert(out.work.end(), {body->nodes_bounded(), body->clusters_skinned(), body->vertices_skinned()});
   return out;
 }
 

@@ -7,7 +7,6 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
-#include "algorithms/runtime/batch/node_refit.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
@@ -97,7 +96,6 @@ std::string complaint_or_refusal(const Character& c, const Pose& pose, const Wor
 
 std::string batch_complaints(const Character& c, const Pose& pose) {
   BatchRefit batch(c.tree, c.sets);
-  NodeRefit one(c.tree, c.sets);
   Posed linear(c, pose, Skinning::linear), spherical(c, pose, Skinning::spherical);
   std::string out;
   for (const Target target : available_targets()) {
@@ -106,8 +104,7 @@ std::string batch_complaints(const Character& c, const Pose& pose) {
     const PackedBalls& again = batch.spherical(spherical.palette, target);
     out += complaint(c, spherical, [&](int n) { return again[n]; });
   }
-  one.begin(spherical.palette);
-  return out + complaint(c, spherical, [&](int n) { return one(n); });
+  return out;
 }
 
 // The second one stands a little beside the first, and so in contact.

@@ -120,15 +120,15 @@ Checked check_boxes() {
 
 // --- The filter of triangles ---
 
-template <int digits, class Corners>
-Checked check_filter(const Corners& corners, bool are_exact) {
+template <int digits, class Vertices>
+Checked check_filter(const Vertices& vertices, bool are_exact) {
   using S = oracle::PolynomialBudget<digits>;
-  S::greatest_share = S::share_of_rounding = 0, S::compared = 0, S::are_corners_exact = are_exact;
+  S::greatest_share = S::share_of_rounding = 0, S::compared = 0, S::are_vertices_exact = are_exact;
   TriangleOf<S> a;
-  for (auto& corner : a) corner = {S::corner(0), S::corner(1), S::corner(2)};
+  for (auto& vertex : a) vertex = {S::vertex(0), S::vertex(1), S::vertex(2)};
   const TriangleOf<S> b = a;
-  [[maybe_unused]] const PlaneSides<S, Corners> sides(a, b, corners);
-  sign_of_determinant<S>(a[0], a[1], b[0], b[1], corners);
+  [[maybe_unused]] const PlaneSides<S, Vertices> sides(a, b, vertices);
+  sign_of_determinant<S>(a[0], a[1], b[0], b[1], vertices);
   char text[120];
   std::snprintf(text, sizeof text, "derived %.2f %% of the allowance, of rounding alone %.2f %%", 100 * S::greatest_share,
                 100 * S::share_of_rounding);
@@ -254,11 +254,11 @@ PROPTEST(float_budgets) {
   t.example("boxes around control points allow for what float may lose of them", options, check_boxes);
   t.example("the filter of triangles allows for what double may lose", {.number_type = "bounds of double"}, [] {
     using S = oracle::PolynomialBudget<53>;
-    return check_filter<53>(ExactCorners<S>{}, true);
+    return check_filter<53>(ExactVertices<S>{}, true);
   });
-  t.example("the filter of triangles whose corners are off allows for that and for what float may lose", options, [] {
+  t.example("the filter of triangles whose vertices are off allows for that and for what float may lose", options, [] {
     using S = oracle::PolynomialBudget<24>;
-    return check_filter<24>(NearCorners<S>{S::twice_slack()}, false);
+    return check_filter<24>(NearVertices<S>{S::twice_slack()}, false);
   });
   t.example("the slack of skinning in float allows for what float may lose", options, check_float_skin);
 }

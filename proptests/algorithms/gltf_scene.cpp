@@ -227,7 +227,7 @@ std::vector<Change> refused_changes() {
       {[](json& g) { primitive(g)["attributes"].erase("POSITION"); }, "mesh 0: has no positions"},
       {[](json& g) { attribute_accessor(g, "POSITION")["count"] = 0; }, "mesh 0: is empty"},
       {[](json& g) { g["accessors"][std::size_t(primitive(g)["indices"])]["count"] = 143; },
-       "mesh 0: its triangles have 143 corners in all"},
+       "mesh 0: its triangles have 143 indices in all"},
       {[](json& g) { primitive(g)["mode"] = 7; }, "mesh 0: is of mode 7, which glTF has not"},
       {[](json& g) { primitive(g)["attributes"].erase("WEIGHTS_0"); }, "mesh 0: joints and weights of set 0 do not go together"},
       {[](json& g) { attribute_accessor(g, "JOINTS_0")["count"] = 27; },

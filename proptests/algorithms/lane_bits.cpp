@@ -15,9 +15,9 @@ using namespace refitlab;
 // Boxes of which those in the list are at 0, and the others at 1: are the ones at 0 listed, in order?
 bool are_listed(const std::vector<bool>& at_zero, Target target) {
   const int count = static_cast<int>(at_zero.size());
-  std::vector<Lanes<float>> sides[6], corners(count);
+  std::vector<Lanes<float>> sides[6], vertices(count);
   std::vector<int> triangle;
-  CandidateArrays arrays{nullptr, nullptr, {}, corners.data()->lane.data()};
+  CandidateArrays arrays{nullptr, nullptr, {}, vertices.data()->lane.data()};
   for (int i = 0; i < 6; ++i) {
     sides[i].resize(blocks_for<float>(count));
     arrays.box[i] = sides[i].data()->lane.data();

@@ -36,7 +36,7 @@ Compared compare(SkinnedClusters& body, const std::vector<Point3>& expected) {
     const int count = tree.clusters()[c].padded_vertex_count;
     for (int p = 0; p < count; ++p)
       for (int i = 0; i < 3; ++i) {
-        const double x = body.corner(c, p).of[i];
+        const double x = body.padded_vertex(c, p).of[i];
         out.same_doubles = out.same_doubles && x == expected[tree.vertices().vertices(c)[p]][i];
         if (!(cluster.slack < std::numeric_limits<float>::infinity())) {
           ++out.undefined;
@@ -171,7 +171,7 @@ PROPTEST(skinned_clusters) {
     }
     return Checked(ok, all.within, std::to_string(all.largest_share) + " of the slack");
   });
-  t.example("single triangles have the very doubles, and clusters and corners are counted once a frame", {}, [] {
+  t.example("single triangles have the very doubles, and clusters and vertices are counted once a frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
     SkinnedClusters body(tree, Skinning::spherical);
@@ -181,7 +181,7 @@ PROPTEST(skinned_clusters) {
     bool ok = true;
     for (int time = 0; time < 2; ++time) {
       body.begin(pose, at, at.translation);
-      ok = ok && body.clusters_skinned() == 0 && body.corners_skinned() == 0;
+      ok = ok && body.clusters_skinned() == 0 && body.vertices_skinned() == 0;
       for (int t = 0; t < 200; ++t) {
         const TrianglePoints points = body.triangle(t);
         for (int i = 0; i < 3; ++i) ok = ok && points[i] == expected[man.mesh.triangles[t][i]];
@@ -189,7 +189,7 @@ PROPTEST(skinned_clusters) {
       long places = 0;
       for (const Cluster& c : tree.clusters()) places += c.padded_vertex_count;
       body.skin_all(), body.skin_all();
-      ok = ok && body.clusters_skinned() == static_cast<long>(tree.clusters().size()) && body.corners_skinned() == places;
+      ok = ok && body.clusters_skinned() == static_cast<long>(tree.clusters().size()) && body.vertices_skinned() == places;
     }
     return Checked(ok, 400);
   });

@@ -20,7 +20,7 @@ bool never_wrong(const TrianglePoints& a, const TrianglePoints& b, bool meets) {
   return quick == Filtered::unknown || (quick == Filtered::meet) == meets;
 }
 
-// The six orders of the corners of each and both orders of the two.
+// The six orders of the vertices of each and both orders of the two.
 bool never_wrong_in_any_order(const TrianglePoints& a, const TrianglePoints& b) {
   const bool meets = oracle::triangles_meet(a, b);
   static constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
@@ -42,7 +42,7 @@ TrianglePoints random_triangle(std::mt19937& random, double size) {
 }  // namespace
 
 PROPTEST(triangles_filter) {
-  t.holds("what it says of random triangles is what exact arithmetic says, whatever the order of their corners",
+  t.holds("what it says of random triangles is what exact arithmetic says, whatever the order of their vertices",
           {.number_type = "rational", .cases = 400}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const TrianglePoints a = random_triangle(random, 1), b = random_triangle(random, *rc::gen::element(1.0, 0.1));
@@ -50,7 +50,7 @@ PROPTEST(triangles_filter) {
             RC_TAG(filter_triangles(a, b) == Filtered::meet ? "meet" : "apart");
             RC_ASSERT(filter_triangles(a, b) != Filtered::unknown);
           });
-  t.holds("nor is it wrong where rounding decides: a corner of one nearly in the other's plane, edge or corner",
+  t.holds("nor is it wrong where rounding decides: a vertex of one nearly in the other's plane, edge or vertex",
           {.number_type = "rational", .cases = 400, .degenerate_at_least = 0.3}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const TrianglePoints a = random_triangle(random, 1);
@@ -104,7 +104,7 @@ PROPTEST(triangles_filter) {
     }
     return Checked(ok, 14);
   });
-  t.example("packs of random pairs are decided as one pair is, and floats near the corners decide nearly all of them", {}, [] {
+  t.example("packs of random pairs are decided as one pair is, and floats near the vertices decide nearly all of them", {}, [] {
     std::mt19937 random(2006);
     constexpr float slack = 1e-6f;
     std::uniform_real_distribution<float> off(-slack, slack);
@@ -128,8 +128,8 @@ PROPTEST(triangles_filter) {
         for (TrianglePoints& points : *all)
           for (auto& p : points)
             for (double& x : p) x += off(random) / 2;  // and half for the rounding to float
-      const NearCorners<Floats> corners{Floats(2 * slack)};
-      const auto near = filter_lanes(lanes_of(Floats(), near_a), lanes_of(Floats(), near_b), corners);
+      const NearVertices<Floats> vertices{Floats(2 * slack)};
+      const auto near = filter_lanes(lanes_of(Floats(), near_a), lanes_of(Floats(), near_b), vertices);
       for (std::size_t lane = 0; lane < Doubles::size(); ++lane, ++pairs) {
         const Filtered one = filter_triangles(a[lane], b[lane]);
         if (one == Filtered::unknown || lanes.meet[lane] != (one == Filtered::meet) ||

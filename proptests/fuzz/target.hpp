@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fuzz targets: what is tried on any bytes whatever. One file each, named as its target:
 //
-//   FUZZ_TARGET(result_table, bytes) { ... }
+//   FUZZ_TARGET(case_file, bytes) { ... }
 //
 // A target returns for bytes that are good and for those that are refused as they should be; anything else that happens
 // is a finding: an exception that gets out, a broken promise (check), a sanitizer's complaint, no end. Compiled with

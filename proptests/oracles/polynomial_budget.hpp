@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PolynomialBudget: a number type that derives the rounding budgets of determinants. A number is bounded by polynomials
-// with positive coefficients in the largest differences X, Y, Z of the corners' coordinates, and in e, by which the true differences
+// with positive coefficients in the largest differences X, Y, Z of the vertices' coordinates, and in e, by which the true differences
 // may be off. So one run of the code's own templates compares errors with allowances for all X, Y, Z and e, coefficient by
 // coefficient.
 #pragma once
@@ -58,29 +58,29 @@ template <int digits>
 struct PolynomialBudget {
   static constexpr double u = 1.0 / double(1L << digits);
   // The greatest share of the allowance that an error takes in any coefficient, of all determinants that were compared; and
-  // that of XYZ, which is all for corners that are exact.
+  // that of XYZ, which is all for vertices that are exact.
   static inline double greatest_share = 0, share_of_rounding = 0;
   static inline long compared = 0;
-  static inline bool are_corners_exact = false;
+  static inline bool are_vertices_exact = false;
 
   // What is computed is at most `most` and, if it is a sum of positive terms, at least `least`. It is within `error` of the
-  // true number. axis is the coordinate of a corner, and -1 for other numbers.
+  // true number. axis is the coordinate of a vertex, and -1 for other numbers.
   Polynomial most, error, least;
   int axis = -1;
 
   PolynomialBudget() = default;
   PolynomialBudget(double exact) : most(std::abs(exact)), least(std::max(exact, 0.0)) {}  // NOLINT
   PolynomialBudget(Polynomial m, Polynomial e, Polynomial l) : most(std::move(m)), error(std::move(e)), least(std::move(l)) {}
-  static PolynomialBudget corner(int axis) {
+  static PolynomialBudget vertex(int axis) {
     PolynomialBudget out;
     out.axis = axis;
     return out;
   }
-  // A computed difference of two corners' coordinates is within a rounding of itself, and e, of the true one. Numbers of the
+  // A computed difference of two vertices' coordinates is within a rounding of itself, and e, of the true one. Numbers of the
   // slack are exact.
   static PolynomialBudget difference(int axis) {
     const Polynomial x = Polynomial::variable(axis);
-    return {x, x * Polynomial(u) + (are_corners_exact ? Polynomial() : Polynomial::variable(3)), x};
+    return {x, x * Polynomial(u) + (are_vertices_exact ? Polynomial() : Polynomial::variable(3)), x};
   }
   static PolynomialBudget twice_slack() { return {Polynomial::variable(3), {}, Polynomial::variable(3)}; }
 

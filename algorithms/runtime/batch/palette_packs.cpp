@@ -49,7 +49,7 @@ void PalettePacks::add(int joint_set, const Ball3<double>& ball) {
 void PalettePacks::make(const Pose& pose, SkinningPalette<double>& palette, Target target) const {
   const DefaultFloatEnvironment environment;
   check_pose(mesh_, pose);
-  const auto out = room(palette);
+  const auto out = arrays(palette);
   for (int part = 0; part < part_count(); ++part) make_part(part, pose, out, target);
 }
 

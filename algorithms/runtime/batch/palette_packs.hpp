@@ -22,7 +22,7 @@ class PalettePacks {
   // for all of them; the pose is as check_pose wants it.
   int part_count() const { return static_cast<int>(parts_.size()); }
   int part_of(int joint_set) const { return part_of_[joint_set]; }
-  SkinningPalette<double>::Arrays room(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
+  SkinningPalette<double>::Arrays arrays(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
   void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target = best_target()) const;
 
   // A part for skinning in float; out is by joint-set. For spherical and Hejl's skinning.

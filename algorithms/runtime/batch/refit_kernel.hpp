@@ -23,13 +23,9 @@
 
 namespace refitlab {
 
-// Of a joint-set of so many joints, as shares of the lengths above: of Algorithm 1, of the same one node at a time
-// (node_refit.cpp), and of the linear refit.
+// The slacks of a joint-set of so many joints, as shares of the lengths above, of Algorithm 1 and of the linear refit.
 constexpr float algorithm1_slack(int joints) {
   return std::numeric_limits<float>::epsilon() * static_cast<float>(64 + 2 * joints);
-}
-constexpr float node_refit_slack(int joints) {
-  return std::numeric_limits<float>::epsilon() * static_cast<float>(66 + 2 * joints);
 }
 constexpr float linear_refit_slack(int joints) { return std::numeric_limits<float>::epsilon() * static_cast<float>(8 + joints); }
 inline constexpr float refit_radius_stretch = 1 + 8 * std::numeric_limits<float>::epsilon();

@@ -32,7 +32,7 @@ class Body {
   const Character& character() const { return character_; }
   // Returns the ball of a node, in model space of this frame.
   const Ball3<double>& ball(int node) { return balls_[node]; }
-  // Returns the skinned corners of a triangle, in model space of this frame. They are the very doubles that skin() yields.
+  // Returns the skinned vertices of a triangle, in model space of this frame. They are the very doubles that skin() yields.
   TrianglePoints triangle(int triangle);
 
   const FrameRefits& refits() const { return balls_; }

@@ -11,27 +11,27 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
   BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
 }
 
-REFITLAB_KERNEL void filter_pairs(const PaddedVertex* corners_a, const PaddedVertex* corners_b,
+REFITLAB_KERNEL void filter_pairs(const PaddedVertex* vertices_a, const PaddedVertex* vertices_b,
                                   const TrianglePairCandidate* pairs, int count, Filtered* answers) {
   using S = refitlab::Pack<double>;
   constexpr int width = static_cast<int>(S::size());
   for (int first = 0; first < count; first += width) {
     const int lanes = count - first < width ? count - first : width;
-    const auto load = [&](const PaddedVertex* corners, auto places, TriangleOf<S>& out) {
+    const auto load = [&](const PaddedVertex* vertices, auto places, TriangleOf<S>& out) {
       alignas(64) double numbers[9][width];
       for (int lane = 0; lane < width; ++lane) {  // those behind the last repeat it
         const TrianglePairCandidate& pair = pairs[first + (lane < lanes ? lane : lanes - 1)];
         for (int c = 0; c < 3; ++c)
-          for (int i = 0; i < 3; ++i) numbers[3 * c + i][lane] = corners[places(pair)[c]].of[i];
+          for (int i = 0; i < 3; ++i) numbers[3 * c + i][lane] = vertices[places(pair)[c]].of[i];
       }
       for (int c = 0; c < 3; ++c)
         for (int i = 0; i < 3; ++i) out[c][i] = S(numbers[3 * c + i], std::experimental::vector_aligned);
     };
     TriangleOf<S> a, b;
     load(
-        corners_a, [](const TrianglePairCandidate& p) { return p.a; }, a);
+        vertices_a, [](const TrianglePairCandidate& p) { return p.a; }, a);
     load(
-        corners_b, [](const TrianglePairCandidate& p) { return p.b; }, b);
+        vertices_b, [](const TrianglePairCandidate& p) { return p.b; }, b);
     const auto filtered = filter_lanes<S>(a, b);
     bool apart[width], meet[width];
     filtered.are_apart.copy_to(apart, std::experimental::element_aligned);

@@ -17,7 +17,7 @@ struct alignas(32) PaddedVertex {
 
 // A pair of triangles of two clusters.
 struct TrianglePairCandidate {
-  std::array<std::uint16_t, 3> a, b;  // the positions of their corners in the cluster
+  std::array<std::uint16_t, 3> a, b;  // the positions of their vertices in the cluster
   int first, second;                  // the indices of the triangles in the models
 };
 
@@ -27,7 +27,7 @@ struct BoxKernels {
   void (*bound)(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots, const float* centers,
                 const float* rotation, FlippedBox* boxes);
   // Writes the result of filter_triangles for each pair to answers.
-  void (*filter_pairs)(const PaddedVertex* corners_a, const PaddedVertex* corners_b, const TrianglePairCandidate* pairs,
+  void (*filter_pairs)(const PaddedVertex* vertices_a, const PaddedVertex* vertices_b, const TrianglePairCandidate* pairs,
                        int count, Filtered* answers);
   // Places skinned vertices, block_count times their x, y, z. placement is a quaternion and a translation.
   void (*place)(const Lanes<double>* skinned, int block_count, const double* placement, PaddedVertex* out);

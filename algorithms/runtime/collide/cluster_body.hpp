@@ -65,14 +65,14 @@ class ClusterBody {
   // The clusters, seen from where the placement puts the model's origin.
   SkinnedClusters& clusters() { return clusters_; }
 
-  // Returns the corners of a single triangle of the model in the world, without its cluster: the very doubles that
+  // Returns the vertices of a single triangle of the model in the world, without its cluster: the very doubles that
   // apply(placement, skin()) yields.
   TrianglePoints triangle(int triangle) { return clusters_.triangle(triangle); }
 
   // Working storage for one query at a time, so that the query need not allocate its own.
   struct QueryScratch {
     std::vector<int> hits;
-    ClusterPairRoom pairs;
+    ClusterPairScratch pairs;
   };
   QueryScratch& query_scratch() { return query_scratch_; }
 
@@ -82,7 +82,7 @@ class ClusterBody {
   // These counts are since begin.
   long nodes_bounded() const { return nodes_bounded_; }
   long clusters_skinned() const { return clusters_.clusters_skinned(); }
-  long corners_skinned() const { return clusters_.corners_skinned(); }
+  long vertices_skinned() const { return clusters_.vertices_skinned(); }
 
  private:
   void start();

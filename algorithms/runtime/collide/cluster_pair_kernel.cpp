@@ -13,7 +13,7 @@ namespace {
 
 using S = Pack<float>;
 constexpr int width = static_cast<int>(S::size());
-constexpr int record = Lanes<float>::count;  // of a candidate's corners
+constexpr int record = Lanes<float>::count;  // of a candidate's vertices
 static_assert(Lanes<float>::count % width == 0);
 
 S load(const float* numbers) { return S(numbers, std::experimental::vector_aligned); }
@@ -53,7 +53,7 @@ REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, in
   int found = 0;
   for (int t = 0; t < triangles.count; ++t) {
     out.triangle[found] = t;
-    found += (codes[triangles.corner[0][t]] & codes[triangles.corner[1][t]] & codes[triangles.corner[2][t]]) == 0;
+    found += (codes[triangles.vertex[0][t]] & codes[triangles.vertex[1][t]] & codes[triangles.vertex[2][t]]) == 0;
   }
   return found;
 }
@@ -61,13 +61,13 @@ REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, in
 REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
                            const CandidateArrays& out, Box<float>& all) {
   for (int k = 0; k < count; ++k) {
-    float* const corners = out.corners + record * k;
+    float* const vertices = out.vertices + record * k;
     for (int c = 0; c < 3; ++c) {
-      const int at = triangles.corner[c][out.triangle[k]];
-      for (int i = 0; i < 3; ++i) corners[3 * c + i] = xyz[i * place_count + at] + offset[i];
+      const int at = triangles.vertex[c][out.triangle[k]];
+      for (int i = 0; i < 3; ++i) vertices[3 * c + i] = xyz[i * place_count + at] + offset[i];
     }
     for (int i = 0; i < 3; ++i) {
-      const float a = corners[i], b = corners[3 + i], c = corners[6 + i];
+      const float a = vertices[i], b = vertices[3 + i], c = vertices[6 + i];
       out.box[i][k] = min_of(min_of(a, b), c), out.box[3 + i][k] = max_of(max_of(a, b), c);
     }
   }
@@ -105,10 +105,10 @@ REFITLAB_KERNEL int keep(int count, const Box<float>& box, const CandidateArrays
       if (from != kept) {
         candidates.triangle[kept] = candidates.triangle[from];
         for (float* side : candidates.box) side[kept] = side[from];
-        Row<float, 8> corners;
-        read_row(candidates.corners + record * from, corners);
-        write_row(corners, candidates.corners + record * kept);
-        candidates.corners[record * kept + 8] = candidates.corners[record * from + 8];
+        Row<float, 8> vertices;
+        read_row(candidates.vertices + record * from, vertices);
+        write_row(vertices, candidates.vertices + record * kept);
+        candidates.vertices[record * kept + 8] = candidates.vertices[record * from + 8];
       }
       ++kept;
     }
@@ -134,15 +134,15 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
   return found;
 }
 
-// The corners of a candidate a lane. Those behind the last pair repeat it. They are read eight at a time, however few lanes there are.
-TriangleOf<S> corners_of(const CandidateArrays& candidates, const std::int32_t* which, int count) {
+// The vertices of a candidate a lane. Those behind the last pair repeat it. They are read eight at a time, however few lanes there are.
+TriangleOf<S> vertices_of(const CandidateArrays& candidates, const std::int32_t* which, int count) {
   constexpr int read = std::max(width, 8);
   alignas(64) float numbers[9][read];
   const float* rows[8];
   for (int block = 0; block < read; block += 8) {
     for (int i = 0; i < 8; ++i) {
       const int lane = block + i < count ? block + i : count - 1;
-      rows[i] = candidates.corners + record * which[lane];
+      rows[i] = candidates.vertices + record * which[lane];
       numbers[8][block + i] = rows[i][8];
     }
     transpose<float>(rows, numbers[0] + block, read);
@@ -156,10 +156,10 @@ TriangleOf<S> corners_of(const CandidateArrays& candidates, const std::int32_t* 
 REFITLAB_KERNEL void filter(const CandidateArrays& a, const CandidateArrays& b, const std::int32_t* first,
                             const std::int32_t* second, int count, float slack, std::int32_t* meet, int& meet_count,
                             std::int32_t* unknown, int& unknown_count) {
-  const NearCorners<S> corners{S(2 * slack)};
+  const NearVertices<S> vertices{S(2 * slack)};
   for (int from = 0; from < count; from += width) {
-    const auto filtered = filter_lanes<S, NearCorners<S>>(corners_of(a, first + from, count - from),
-                                                          corners_of(b, second + from, count - from), corners);
+    const auto filtered = filter_lanes<S, NearVertices<S>>(vertices_of(a, first + from, count - from),
+                                                           vertices_of(b, second + from, count - from), vertices);
     const std::uint32_t valid = first_lanes(count - from), apart = lane_bits(filtered.are_apart);
     const std::uint32_t meeting = lane_bits(filtered.meet) & ~apart & valid, open = ~(meeting | apart) & valid;
     for (std::uint32_t lanes = meeting; lanes; lanes &= lanes - 1) meet[meet_count++] = from + std::countr_zero(lanes);

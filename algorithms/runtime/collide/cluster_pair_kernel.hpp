@@ -18,7 +18,7 @@ namespace refitlab {
 // The triangles of a cluster, by place in it.
 struct ClusterTriangles {
   int count;
-  const std::uint16_t* corner[3];
+  const std::uint16_t* vertex[3];
 };
 
 // Triangles of a cluster that are left. The arrays have room for all triangles of the cluster, and for one block more.
@@ -27,7 +27,7 @@ struct Candidates {
   std::vector<int> triangle;           // in the cluster
   std::vector<std::uint8_t> outcodes;  // by place, while culling
   std::vector<Lanes<float>> box[6];    // low x, y, z, high x, y, z
-  std::vector<Lanes<float>> corners;   // a record a candidate: its corners' coordinates, 9 numbers, and unused ones
+  std::vector<Lanes<float>> vertices;  // a record a candidate: its vertices' coordinates, 9 numbers, and unused ones
 
   // For so many triangles and places.
   void reserve(int triangles, int places);
@@ -38,17 +38,17 @@ struct CandidateArrays {
   int* triangle;
   std::uint8_t* outcodes;
   float* box[6];
-  float* corners;  // 16 numbers each
+  float* vertices;  // 16 numbers each
 };
 
 struct ClusterPairKernels {
   // find_meeting.
   int (*overlaps)(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out);
-  // Lists the triangles whose corners are not all beyond one side of box. xyz: x of all places, then y, then z, place_count
+  // Lists the triangles whose vertices are not all beyond one side of box. xyz: x of all places, then y, then z, place_count
   // (whole blocks) each. Returns their number.
   int (*cull)(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
               const CandidateArrays& out);
-  // Fills the corners, moved by offset, and the boxes of count candidates. all: the box around them.
+  // Fills the vertices, moved by offset, and the boxes of count candidates. all: the box around them.
   void (*place)(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
                 const CandidateArrays& out, Box<float>& all);
   // Keeps the candidates whose boxes are not apart from box. Returns their number.
@@ -57,7 +57,7 @@ struct ClusterPairKernels {
   // the second ones in [begin, end), of which begin is a multiple of 16. Returns their number.
   int (*meeting)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
                  std::int32_t* first, std::int32_t* second);
-  // Filters so many pairs whose corners are off by at most slack. The indices of those that certainly meet are written to
+  // Filters so many pairs whose vertices are off by at most slack. The indices of those that certainly meet are written to
   // meet, and those of unknown ones to unknown; each has room for all.
   void (*filter)(const CandidateArrays& a, const CandidateArrays& b, const std::int32_t* first, const std::int32_t* second,
                  int count, float slack, std::int32_t* meet, int& meet_count, std::int32_t* unknown, int& unknown_count);

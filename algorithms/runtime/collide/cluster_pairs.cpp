@@ -13,13 +13,15 @@ namespace {
 constexpr int pairs_at_once = 1 << 14, open_at_once = 1 << 12;
 
 CandidateArrays arrays_of(Candidates& c) {
-  CandidateArrays out{c.triangle.data(), c.outcodes.data(), {}, c.corners.data()->lane.data()};
+  CandidateArrays out{c.triangle.data(), c.outcodes.data(), {}, c.vertices.data()->lane.data()};
   for (int i = 0; i < 6; ++i) out.box[i] = c.box[i].data()->lane.data();
   return out;
 }
 
-TrianglePoints points_of(const PaddedVertex* corners, const std::array<std::uint16_t, 3>& places) {
-  const auto point = [&](int i) { return Point3(corners[places[i]].of[0], corners[places[i]].of[1], corners[places[i]].of[2]); };
+TrianglePoints points_of(const PaddedVertex* vertices, const std::array<std::uint16_t, 3>& places) {
+  const auto point = [&](int i) {
+    return Point3(vertices[places[i]].of[0], vertices[places[i]].of[1], vertices[places[i]].of[2]);
+  };
   return {point(0), point(1), point(2)};
 }
 
@@ -35,16 +37,16 @@ void Candidates::reserve(int triangles, int places) {
   reserve_at_least(triangle, triangles + 1);
   reserve_at_least(outcodes, places);
   for (auto& side : box) reserve_at_least(side, blocks);
-  reserve_at_least(corners, triangles);
+  reserve_at_least(vertices, triangles);
 }
 
-ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairRoom& room)
+ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairScratch& scratch)
     : first_(first),
       second_(second),
       counts_(counts),
-      room_(room) {
+      scratch_(scratch) {
   const DefaultFloatEnvironment environment;
-  room.open.clear();  // a query that ends early leaves what it need not know
+  scratch.open.clear();  // a query that ends early leaves what it need not know
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
     const double offset = second.origin()[i] - first.origin()[i];
@@ -52,11 +54,11 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
     largest = std::max(largest, std::abs(offset));
   }
   lost_ = four_roundings * static_cast<float>(largest);
-  room.first.reserve(first.tree().most_triangles(), first.tree().most_vertices());
-  room.second.reserve(second.tree().most_triangles(), second.tree().most_vertices());
+  scratch.first.reserve(first.tree().most_triangles(), first.tree().most_vertices());
+  scratch.second.reserve(second.tree().most_triangles(), second.tree().most_vertices());
   const std::size_t pairs =
       std::max(pairs_at_once, Lanes<float>::count * std::max(first.tree().most_triangles(), second.tree().most_triangles()));
-  for (auto* list : {&room.of_first, &room.of_second, &room.meet, &room.unknown}) reserve_at_least(*list, pairs);
+  for (auto* list : {&scratch.of_first, &scratch.of_second, &scratch.meet, &scratch.unknown}) reserve_at_least(*list, pairs);
 }
 
 void ClusterPairs::add(int a, int b) {
@@ -72,10 +74,10 @@ void ClusterPairs::add(int a, int b) {
   }
   Box<float> common_of_b = moved_back(common);
   common.grow(slack), common_of_b.grow(slack);
-  const ClusterTriangles triangles_a = first_.tree().corners(a), triangles_b = second_.tree().corners(b);
+  const ClusterTriangles triangles_a = first_.tree().cluster_triangles(a), triangles_b = second_.tree().cluster_triangles(b);
   const int places_a = first_.tree().clusters()[a].padded_vertex_count,
             places_b = second_.tree().clusters()[b].padded_vertex_count;
-  const CandidateArrays candidates_a = arrays_of(room_.first), candidates_b = arrays_of(room_.second);
+  const CandidateArrays candidates_a = arrays_of(scratch_.first), candidates_b = arrays_of(scratch_.second);
   int count_a = kernels_.cull(triangles_a, of_a.xyz(), places_a, common, candidates_a);
   if (count_a == 0) return;
   int count_b = kernels_.cull(triangles_b, of_b.xyz(), places_b, common_of_b, candidates_b);
@@ -97,9 +99,9 @@ void ClusterPairs::add(int a, int b) {
   for (int begin = 0; begin < in_blocks; begin += step) {
     const int end = std::min(in_blocks, begin + step);
     const int count = is_first_in_blocks ? kernels_.meeting(candidates_b, count_b, candidates_a, begin, end, 2 * slack,
-                                                            room_.of_second.data(), room_.of_first.data())
+                                                            scratch_.of_second.data(), scratch_.of_first.data())
                                          : kernels_.meeting(candidates_a, count_a, candidates_b, begin, end, 2 * slack,
-                                                            room_.of_first.data(), room_.of_second.data());
+                                                            scratch_.of_first.data(), scratch_.of_second.data());
     filter(a, b, count, slack);
   }
 }
@@ -108,55 +110,56 @@ void ClusterPairs::filter(int a, int b, int count, float slack) {
   if (count == 0) return;
   counts_.triangle_tests += count;
   int meet_count = 0, unknown_count = 0;
-  const CandidateArrays candidates_a = arrays_of(room_.first), candidates_b = arrays_of(room_.second);
-  kernels_.filter(candidates_a, candidates_b, room_.of_first.data(), room_.of_second.data(), count, slack, room_.meet.data(),
-                  meet_count, room_.unknown.data(), unknown_count);
+  const CandidateArrays candidates_a = arrays_of(scratch_.first), candidates_b = arrays_of(scratch_.second);
+  kernels_.filter(candidates_a, candidates_b, scratch_.of_first.data(), scratch_.of_second.data(), count, slack,
+                  scratch_.meet.data(), meet_count, scratch_.unknown.data(), unknown_count);
   const int *const triangles_a = first_.tree().triangles(a), *const triangles_b = second_.tree().triangles(b);
-  const auto first_of = [&](int pair) { return room_.first.triangle[room_.of_first[pair]]; };
-  const auto second_of = [&](int pair) { return room_.second.triangle[room_.of_second[pair]]; };
+  const auto first_of = [&](int pair) { return scratch_.first.triangle[scratch_.of_first[pair]]; };
+  const auto second_of = [&](int pair) { return scratch_.second.triangle[scratch_.of_second[pair]]; };
   for (int m = 0; m < meet_count; ++m)
-    found_.push_back({triangles_a[first_of(room_.meet[m])], triangles_b[second_of(room_.meet[m])]});
-  const ClusterTriangles corners_a = first_.tree().corners(a), corners_b = second_.tree().corners(b);
+    found_.push_back({triangles_a[first_of(scratch_.meet[m])], triangles_b[second_of(scratch_.meet[m])]});
+  const ClusterTriangles vertices_a = first_.tree().cluster_triangles(a), vertices_b = second_.tree().cluster_triangles(b);
   for (int m = 0; m < unknown_count; ++m) {
-    const int i = first_of(room_.unknown[m]), j = second_of(room_.unknown[m]);
-    room_.open.push_back({a,
-                          b,
-                          {corners_a.corner[0][i], corners_a.corner[1][i], corners_a.corner[2][i]},
-                          {corners_b.corner[0][j], corners_b.corner[1][j], corners_b.corner[2][j]},
-                          {triangles_a[i], triangles_b[j]}});
+    const int i = first_of(scratch_.unknown[m]), j = second_of(scratch_.unknown[m]);
+    scratch_.open.push_back({a,
+                             b,
+                             {vertices_a.vertex[0][i], vertices_a.vertex[1][i], vertices_a.vertex[2][i]},
+                             {vertices_b.vertex[0][j], vertices_b.vertex[1][j], vertices_b.vertex[2][j]},
+                             {triangles_a[i], triangles_b[j]}});
   }
-  if (room_.open.size() >= open_at_once) decide();
+  if (scratch_.open.size() >= open_at_once) decide();
 }
 
 void ClusterPairs::decide() {
   const DefaultFloatEnvironment environment;
-  auto& pairs = room_.pairs;
-  auto &corners_a = room_.corners_a, &corners_b = room_.corners_b;
-  for (std::size_t from = 0; from < room_.open.size(); from += open_at_once) {
-    const std::size_t end = std::min<std::size_t>(room_.open.size(), from + open_at_once);
-    pairs.clear(), corners_a.clear(), corners_b.clear();
+  auto& pairs = scratch_.pairs;
+  auto &vertices_a = scratch_.vertices_a, &vertices_b = scratch_.vertices_b;
+  for (std::size_t from = 0; from < scratch_.open.size(); from += open_at_once) {
+    const std::size_t end = std::min<std::size_t>(scratch_.open.size(), from + open_at_once);
+    pairs.clear(), vertices_a.clear(), vertices_b.clear();
     for (std::size_t p = from; p < end; ++p) {
-      const ClusterPairRoom::Open& open = room_.open[p];
+      const ClusterPairScratch::Open& open = scratch_.open[p];
       TrianglePairCandidate pair;
       for (int i = 0; i < 3; ++i) {
-        pair.a[i] = pair.b[i] = static_cast<std::uint16_t>(corners_a.size());
-        corners_a.push_back(first_.corner(open.cluster_a, open.a[i]));
-        corners_b.push_back(second_.corner(open.cluster_b, open.b[i]));
+        pair.a[i] = pair.b[i] = static_cast<std::uint16_t>(vertices_a.size());
+        vertices_a.push_back(first_.padded_vertex(open.cluster_a, open.a[i]));
+        vertices_b.push_back(second_.padded_vertex(open.cluster_b, open.b[i]));
       }
       pair.first = open.pair.first, pair.second = open.pair.second;
       pairs.push_back(pair);
     }
-    room_.answers.resize(pairs.size());
+    scratch_.answers.resize(pairs.size());
     box_kernels(best_target())
-        .filter_pairs(corners_a.data(), corners_b.data(), pairs.data(), static_cast<int>(pairs.size()), room_.answers.data());
+        .filter_pairs(vertices_a.data(), vertices_b.data(), pairs.data(), static_cast<int>(pairs.size()),
+                      scratch_.answers.data());
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-      const bool meet = room_.answers[p] == Filtered::unknown
-                            ? triangles_meet(points_of(corners_a.data(), pairs[p].a), points_of(corners_b.data(), pairs[p].b))
-                            : room_.answers[p] == Filtered::meet;
+      const bool meet = scratch_.answers[p] == Filtered::unknown
+                            ? triangles_meet(points_of(vertices_a.data(), pairs[p].a), points_of(vertices_b.data(), pairs[p].b))
+                            : scratch_.answers[p] == Filtered::meet;
       if (meet) found_.push_back({pairs[p].first, pairs[p].second});
     }
   }
-  room_.open.clear();
+  scratch_.open.clear();
 }
 
 }  // namespace refitlab

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ClusterPairs: the pairs of triangles that touch, of pairs of clusters. Floats decide what they can
-// (cluster_pair_kernel.hpp), and the corners in double decide the rest.
+// (cluster_pair_kernel.hpp), and the vertices in double decide the rest.
 #pragma once
 
 #include "algorithms/runtime/collide/collide.hpp"
@@ -9,8 +9,8 @@
 namespace refitlab {
 
 // Working storage, which may be used again for any bodies.
-struct ClusterPairRoom {
-  struct Open {  // a pair that floats leave unknown: its corners by position in their clusters, and triangles of the models
+struct ClusterPairScratch {
+  struct Open {  // a pair that floats leave unknown: its vertices by position in their clusters, and triangles of the models
     int cluster_a, cluster_b;
     std::array<int, 3> a, b;
     TrianglePair pair;
@@ -18,7 +18,7 @@ struct ClusterPairRoom {
   Candidates first, second;
   std::vector<std::int32_t> of_first, of_second, meet, unknown;  // of pairs of candidates
   std::vector<Open> open;
-  std::vector<PaddedVertex> corners_a, corners_b;
+  std::vector<PaddedVertex> vertices_a, vertices_b;
   std::vector<TrianglePairCandidate> pairs;
   std::vector<Filtered> answers;
 };
@@ -26,7 +26,7 @@ struct ClusterPairRoom {
 class ClusterPairs {
  public:
   // All of these must outlive this.
-  ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairRoom& room);
+  ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairScratch& scratch);
 
   // A box of the second body, seen from the first one's origin, and a box of the first one, seen from the second one's. Both
   // have four roundings of their coordinates to spare, of which this takes one.
@@ -51,7 +51,7 @@ class ClusterPairs {
 
   SkinnedClusters &first_, &second_;
   QueryCounts& counts_;
-  ClusterPairRoom& room_;
+  ClusterPairScratch& scratch_;
   const ClusterPairKernels& kernels_ = cluster_pair_kernels(best_target());
   float offset_[3], lost_;  // from the first origin to the second one, and four roundings of it
   std::vector<TrianglePair> found_;

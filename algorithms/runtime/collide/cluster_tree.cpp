@@ -116,7 +116,7 @@ void ClusterTree::pack_clusters() {
     for (int t = 0; t < part.triangle_count; ++t) {
       const int triangle = character_->tree.triangle_order[part.first_triangle + t];
       triangles_.push_back(triangle);
-      for (int i = 0; i < 3; ++i) corners_[i].push_back(place_of[mesh.triangles[triangle][i]]);
+      for (int i = 0; i < 3; ++i) triangle_vertices_[i].push_back(place_of[mesh.triangles[triangle][i]]);
     }
   }
 }

@@ -14,7 +14,7 @@
 
 namespace refitlab {
 
-// With this limit, positions fit 16 bits even if each corner is alone in its joint-set, and so in sixteen lanes.
+// With this limit, positions fit 16 bits even if each vertex is alone in its joint-set, and so in sixteen lanes.
 inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<float>::count);
 
 struct ClusterOptions {
@@ -55,10 +55,10 @@ class ClusterTree {
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
   const FloatVertices& floats() const { return floats_; }       // the same
 
-  // The triangles of a cluster: their corners by position in it, and their indices in the model.
-  ClusterTriangles corners(int cluster) const {
+  // The triangles of a cluster: their vertices by position in it, and their indices in the model.
+  ClusterTriangles cluster_triangles(int cluster) const {
     const Cluster& c = clusters_[cluster];
-    const auto of = [&](int i) { return corners_[i].data() + c.first_triangle; };
+    const auto of = [&](int i) { return triangle_vertices_[i].data() + c.first_triangle; };
     return {c.triangle_count, {of(0), of(1), of(2)}};
   }
   const int* triangles(int cluster) const { return triangles_.data() + clusters_[cluster].first_triangle; }
@@ -87,7 +87,7 @@ class ClusterTree {
   std::vector<WideNodeChild> children_;
   std::vector<Cluster> clusters_;
   std::vector<Part> cluster_parts_;
-  std::vector<std::uint16_t> corners_[3];
+  std::vector<std::uint16_t> triangle_vertices_[3];
   std::vector<int> triangles_;
   int most_triangles_ = 0, most_vertices_ = 0;
   PackedVertices vertices_;

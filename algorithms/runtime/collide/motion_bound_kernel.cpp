@@ -108,11 +108,11 @@ void bound(const double* pose, const double* rotation, const MotionBoundPack* pa
 }
 
 REFITLAB_KERNEL void bound_any(const double* pose, int joint_count, const double* rotation, const MotionBoundPack* packs,
-                               int pack_count, bool deviates, float* numbers, int joint_room, MotionBoundBox& out,
+                               int pack_count, bool deviates, float* numbers, int joint_stride, MotionBoundBox& out,
                                std::uint32_t* unbounded) {
-  if (joint_room == 32)
-    bound<true>(pose, rotation, packs, pack_count, deviates, {numbers, joint_count, joint_room}, out, unbounded);
-  else bound<false>(pose, rotation, packs, pack_count, deviates, {numbers, joint_count, joint_room}, out, unbounded);
+  if (joint_stride == 32)
+    bound<true>(pose, rotation, packs, pack_count, deviates, {numbers, joint_count, joint_stride}, out, unbounded);
+  else bound<false>(pose, rotation, packs, pack_count, deviates, {numbers, joint_count, joint_stride}, out, unbounded);
 }
 
 }  // namespace

@@ -50,11 +50,11 @@ struct MotionBoundBox {
 
 struct MotionBoundKernels {
   // Makes the bounds of all packs. pose has a quaternion, a translation and an unused number for each joint. rotation is
-  // the placement's. numbers has room for eight numbers a joint, joint_room apart (a multiple of 32, not less than the
+  // the placement's. numbers has room for eight numbers a joint, joint_stride apart (a multiple of 32, not less than the
   // number of joints). unbounded has, for each pack, a bit for each lane without a known bound, the first lowest. deviates
   // says whether blends deviate from linear ones.
   void (*bound)(const double* pose, int joint_count, const double* rotation, const MotionBoundPack* packs, int pack_count,
-                bool deviates, float* numbers, int joint_room, MotionBoundBox& out, std::uint32_t* unbounded);
+                bool deviates, float* numbers, int joint_stride, MotionBoundBox& out, std::uint32_t* unbounded);
 };
 
 namespace baseline {

@@ -27,14 +27,14 @@ constexpr float positive = 1e-5f;
 
 S load(const float* lanes) { return S(lanes, std::experimental::vector_aligned); }
 
-// Number i of all joints is at numbers + i * room(). few says that there are at most 32 joints.
+// Number i of all joints is at numbers + i * stride(). few says that there are at most 32 joints.
 template <bool few>
 struct Joints {
   float* numbers;
-  int count, any_room;
+  int count, any_stride;
 
-  int room() const { return few ? 32 : any_room; }
-  float* number(int i) const { return numbers + i * room(); }
+  int stride() const { return few ? 32 : any_stride; }
+  float* number(int i) const { return numbers + i * stride(); }
 
   // Reads eight doubles a joint. Lanes behind the last joint repeat it.
   void read(const double* pose) const {
@@ -71,7 +71,7 @@ struct Joints {
       read_row(pose + 8 * joint, row);
       rows[i] = __builtin_convertvector(row, Floats);
     }
-    transpose<float>(rows, numbers + first, room());
+    transpose<float>(rows, numbers + first, stride());
   }
 };
 

@@ -70,10 +70,10 @@ bool merge(const Joints<few>& joints, const MotionBoundPiecePack* packs, int pac
                   : merge_all<false>(joints, packs, pack_count, off, boxes);
 }
 
-REFITLAB_KERNEL bool bound_pieces(float* numbers, int joint_count, int joint_room, const MotionBoundPiecePack* packs,
+REFITLAB_KERNEL bool bound_pieces(float* numbers, int joint_count, int joint_stride, const MotionBoundPiecePack* packs,
                                   int pack_count, bool deviates, float off, FlippedBox* boxes) {
-  if (joint_room == 32) return merge<true>({numbers, joint_count, joint_room}, packs, pack_count, deviates, off, boxes);
-  return merge<false>({numbers, joint_count, joint_room}, packs, pack_count, deviates, off, boxes);
+  if (joint_stride == 32) return merge<true>({numbers, joint_count, joint_stride}, packs, pack_count, deviates, off, boxes);
+  return merge<false>({numbers, joint_count, joint_stride}, packs, pack_count, deviates, off, boxes);
 }
 
 }  // namespace

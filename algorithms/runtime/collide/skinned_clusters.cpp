@@ -47,7 +47,7 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
       float_palettes_made_(palette_packs_.part_count()),
       palettes_made_(palette_packs_.part_count()),
       float_palette_(tree.character().sets.count()),
-      palette_arrays_(palette_packs_.room(palette_)),
+      palette_arrays_(palette_packs_.arrays(palette_)),
       clusters_made_(tree.clusters().size()),
       blocks_made_((tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count) / Lanes<double>::count),
       clusters_(tree.clusters().size()),
@@ -74,7 +74,7 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
   // The world's doubles are the sum of a turned vertex and the translation, and the origin is subtracted from both.
   float_placement_.lost = lost_in_world * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
   float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
-  clusters_skinned_ = corners_skinned_ = work_ = 0;
+  clusters_skinned_ = vertices_skinned_ = work_ = 0;
 }
 
 void SkinnedClusters::make_all_palettes() {
@@ -103,7 +103,7 @@ void SkinnedClusters::skin_cluster(int n) {
   clusters_made_.mark(n);
   ++clusters_skinned_;
   work_ += tree_.floats().block_count(n);
-  corners_skinned_ += tree_.clusters()[n].padded_vertex_count;
+  vertices_skinned_ += tree_.clusters()[n].padded_vertex_count;
 }
 
 // Makes the palettes for it, too.
@@ -130,7 +130,7 @@ void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
   out.box = Box<float>::empty();
   bool are_finite = true;
   for (int p = 0; p < count; ++p) {
-    const PaddedVertex& v = corner(n, p);
+    const PaddedVertex& v = padded_vertex(n, p);
     Vec<float, 3> x;
     for (int i = 0; i < 3; ++i) {
       const double seen = v.of[i] - origin_[i];
@@ -160,14 +160,15 @@ void SkinnedClusters::skin_block(int n, int block) {
   const DefaultFloatEnvironment environment;
   constexpr int lanes = Lanes<double>::count;
   const Cluster& cluster = tree_.clusters()[n];
-  if (corners_.empty()) corners_.resize(tree_.clusters().back().first_vertex + tree_.clusters().back().padded_vertex_count);
+  if (padded_vertices_.empty())
+    padded_vertices_.resize(tree_.clusters().back().first_vertex + tree_.clusters().back().padded_vertex_count);
   make_palette(tree_.character().sets.of_vertex(tree_.vertices().vertices(n)[lanes * block]));
   Lanes<double> skinned[3];
   tree_.vertices().skin_block(n, block, palette(), skinning_, skinned);
   const double placement[] = {placement_.rotation[0],   placement_.rotation[1],    placement_.rotation[2],
                               placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
                               placement_.translation[2]};
-  box_kernels(best_target()).place(skinned, 1, placement, &corners_[cluster.first_vertex + lanes * block]);
+  box_kernels(best_target()).place(skinned, 1, placement, &padded_vertices_[cluster.first_vertex + lanes * block]);
   blocks_made_.mark(cluster.first_vertex / lanes + block);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SkinnedClusters: the clusters of a placed character in one frame, skinned in float where they are asked for, and corners in
+// SkinnedClusters: the clusters of a placed character in one frame, skinned in float where they are asked for, and vertices in
 // double where floats leave something open.
 #pragma once
 
@@ -57,13 +57,13 @@ class SkinnedClusters {
     return clusters_[cluster];
   }
 
-  // A cluster's corner in the world, by position: the very doubles that apply(placement, skin()) yields.
-  const PaddedVertex& corner(int cluster, int position) {
+  // A cluster's vertex in the world, by position: the very doubles that apply(placement, skin()) yields.
+  const PaddedVertex& padded_vertex(int cluster, int position) {
     const int at = tree_.clusters()[cluster].first_vertex + position;
     if (!blocks_made_.is_made(at / Lanes<double>::count)) skin_block(cluster, position / Lanes<double>::count);
-    return corners_[at];
+    return padded_vertices_[at];
   }
-  // The corners of a single triangle of the model in the world: the same doubles.
+  // The vertices of a single triangle of the model in the world: the same doubles.
   TrianglePoints triangle(int triangle);
 
   // Of each coordinate in the world, in double.
@@ -77,7 +77,7 @@ class SkinnedClusters {
 
   // These counts are since begin.
   long clusters_skinned() const { return clusters_skinned_; }
-  long corners_skinned() const { return corners_skinned_; }  // in float or in double
+  long vertices_skinned() const { return vertices_skinned_; }  // in float or in double
 
  private:
   void start(const RigidTransform<double>& placement, const Point3& origin);
@@ -103,10 +103,10 @@ class SkinnedClusters {
   SkinningPalette<double> affine_palette_;           // of all joint-sets, where joints are affine
   const SkinningPalette<double>::Arrays palette_arrays_;
   FrameStamps clusters_made_, blocks_made_;
-  std::vector<FloatCluster> clusters_;  // their storage is allocated when a query first reaches them
-  std::vector<PaddedVertex> corners_;   // by position, cluster after cluster, when the first is asked for
+  std::vector<FloatCluster> clusters_;         // their storage is allocated when a query first reaches them
+  std::vector<PaddedVertex> padded_vertices_;  // by position, cluster after cluster, when the first is asked for
   const long work_of_all_;
-  long clusters_skinned_ = 0, corners_skinned_ = 0, work_ = 0;
+  long clusters_skinned_ = 0, vertices_skinned_ = 0, work_ = 0;
 };
 
 }  // namespace refitlab

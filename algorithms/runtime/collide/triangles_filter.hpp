@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A quick test whether two triangles have a point in common, in double or in packs of doubles, or in packs of floats that are
-// only near the corners. It gives no answer where rounding, or what the corners are off by, might decide.
+// only near the vertices. It gives no answer where rounding, or what the vertices are off by, might decide.
 //
-// It computes on which sides of each triangle's plane the other's corners are. Where each triangle crosses the other's
+// It computes on which sides of each triangle's plane the other's vertices are. Where each triangle crosses the other's
 // plane, it computes the order of the crossings on the line that the planes share [Guigue and Devillers 2003]. All of these
 // are signs of determinants.
 //
@@ -14,8 +14,8 @@
 // above 1e-286, and 2^-1075 is nothing in comparison. For other values no sign is certain: products may underflow, or
 // determinants may overflow where their bounds do not.
 //
-// Corners that are off. Let u = 2^-24 now, and let each coordinate differ by at most a slack from that of the corner that
-// counts. Differences of these corners differ by at most e = 2 slack from those of the floats, before rounding. So each of the
+// Vertices that are off. Let u = 2^-24 now, and let each coordinate differ by at most a slack from that of the vertex that
+// counts. Differences of these vertices differ by at most e = 2 slack from those of the floats, before rounding. So each of the
 // six products differs by at most (X + e)(Y + e)(Z + e) - XYZ = e (XY + YZ + ZX) + e^2 (X + Y + Z) + e^3 of what it is of the
 // floats' exact differences, and X, Y, Z of these are within 1 + u of the computed ones. Rounding has 67 u XYZ < 4.1e-6 XYZ as
 // above. The code takes 6.1 times the former and 6e-6 XYZ, which leaves more than a hundredth and a fourth for its own
@@ -39,10 +39,10 @@ struct Sign {
   Mask is_positive, is_negative;
 };
 
-// How determinants of differences of corners are judged by the largest |differences| of coordinates. These corners are those
+// How determinants of differences of vertices are judged by the largest |differences| of coordinates. These vertices are those
 // that count.
 template <class S>
-struct ExactCorners {
+struct ExactVertices {
   S error(const S& x, const S& y, const S& z) const { return x * y * z * S(1e-14); }
   auto are_in_range(const S& error, const S& x, const S& y, const S& z) const {
     return error > S(1e-200) && x + y + z < S(1e100);
@@ -50,7 +50,7 @@ struct ExactCorners {
 };
 // These are floats within a slack of them.
 template <class S>
-struct NearCorners {
+struct NearVertices {
   S twice_slack;
 
   S error(const S& x, const S& y, const S& z) const {
@@ -64,43 +64,44 @@ struct NearCorners {
 };
 
 // The largest |differences| by coordinate.
-template <class S, class Corners = ExactCorners<S>>
+template <class S, class Vertices = ExactVertices<S>>
 class DifferenceExtent {
  public:
-  explicit DifferenceExtent(const Corners& corners = {}) : corners_(corners) {}
+  explicit DifferenceExtent(const Vertices& vertices = {}) : vertices_(vertices) {}
   void add(const Vec<S, 3>& difference) {
     using std::abs;
     for (int i = 0; i < 3; ++i) largest_[i] = max_of(largest_[i], S(abs(difference[i])));
   }
-  S error() const { return corners_.error(largest_[0], largest_[1], largest_[2]); }
+  S error() const { return vertices_.error(largest_[0], largest_[1], largest_[2]); }
   auto sign_of(const S& determinant, const S& error) const {
-    const auto is_in_range = corners_.are_in_range(error, largest_[0], largest_[1], largest_[2]);
+    const auto is_in_range = vertices_.are_in_range(error, largest_[0], largest_[1], largest_[2]);
     return Sign<decltype(determinant > error)>{is_in_range && determinant > error, is_in_range && determinant < -error};
   }
   auto sign_of(const S& determinant) const { return sign_of(determinant, error()); }
 
  private:
-  Corners corners_;
+  Vertices vertices_;
   S largest_[3] = {S(0), S(0), S(0)};
 };
 
 // Returns the sign of the determinant of (b - a, c - a, d - a).
-template <class S, class Corners>
-auto sign_of_determinant(const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>& c, const Vec<S, 3>& d, const Corners& corners) {
+template <class S, class Vertices>
+auto sign_of_determinant(const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>& c, const Vec<S, 3>& d,
+                         const Vertices& vertices) {
   const Vec<S, 3> p = b - a, q = c - a, r = d - a;
-  DifferenceExtent<S, Corners> extent(corners);
+  DifferenceExtent<S, Vertices> extent(vertices);
   extent.add(p), extent.add(q), extent.add(r);
   return extent.sign_of(dot<S, 3>(cross<S>(p, q), r));
 }
 
-// The sides of a triangle's plane on which another triangle's corners are.
-template <class S, class Corners = ExactCorners<S>>
+// The sides of a triangle's plane on which another triangle's vertices are.
+template <class S, class Vertices = ExactVertices<S>>
 class PlaneSides {
  public:
-  PlaneSides(const TriangleOf<S>& plane, const TriangleOf<S>& points, const Corners& corners = {}) : corners_(corners) {
+  PlaneSides(const TriangleOf<S>& plane, const TriangleOf<S>& points, const Vertices& vertices = {}) : vertices_(vertices) {
     const Vec<S, 3> p = plane[1] - plane[0], q = plane[2] - plane[0], normal = cross<S>(p, q);
     const TriangleOf<S> r{points[0] - plane[0], points[1] - plane[0], points[2] - plane[0]};
-    DifferenceExtent<S, Corners> extent(corners);  // of all, for all three
+    DifferenceExtent<S, Vertices> extent(vertices);  // of all, for all three
     extent.add(p), extent.add(q);
     for (const Vec<S, 3>& x : r) extent.add(x);
     const S error = extent.error();
@@ -108,7 +109,7 @@ class PlaneSides {
     for (int i = 0; i < 3; ++i) side_[i] = extent.sign_of(distance_[i], error);
   }
 
-  const Corners& corners() const { return corners_; }
+  const Vertices& vertices() const { return vertices_; }
   auto are_one() const {
     return (side_[0].is_positive && side_[1].is_positive && side_[2].is_positive) ||
            (side_[0].is_negative && side_[1].is_negative && side_[2].is_negative);
@@ -129,7 +130,7 @@ class PlaneSides {
 
  private:
   using Mask = decltype(S(0) > S(0));
-  Corners corners_;
+  Vertices vertices_;
   S distance_[3];  // scaled
   Sign<Mask> side_[3];
 };
@@ -137,17 +138,17 @@ class PlaneSides {
 // Requires two triangles that certainly cross each other's planes. The crossings of each triangle with the shared line are
 // an interval, and the triangles meet if neither interval begins after the other has ended. The sign is positive if they
 // are apart, and negative if they meet.
-template <class S, class Corners>
-auto sign_of_gap(const PlaneSides<S, Corners>& of_a, const PlaneSides<S, Corners>& of_b, TriangleOf<S> a, TriangleOf<S> b) {
+template <class S, class Vertices>
+auto sign_of_gap(const PlaneSides<S, Vertices>& of_a, const PlaneSides<S, Vertices>& of_b, TriangleOf<S> a, TriangleOf<S> b) {
   const auto swap_where = [](auto where, Vec<S, 3>& x, Vec<S, 3>& y) {
     const Vec<S, 3> was = x;
     x = choose(where, y, x), y = choose(where, was, y);
   };
   const auto is_a_above = of_a.turn(a), is_b_above = of_b.turn(b);
-  swap_where(!is_a_above, b[1], b[2]);  // so that each first corner is above the other's plane
+  swap_where(!is_a_above, b[1], b[2]);  // so that each first vertex is above the other's plane
   swap_where(!is_b_above, a[1], a[2]);
-  const auto first = sign_of_determinant<S>(a[0], a[1], b[0], b[1], of_a.corners()),
-             second = sign_of_determinant<S>(a[0], a[2], b[2], b[0], of_a.corners());
+  const auto first = sign_of_determinant<S>(a[0], a[1], b[0], b[1], of_a.vertices()),
+             second = sign_of_determinant<S>(a[0], a[2], b[2], b[0], of_a.vertices());
   return decltype(first){first.is_positive || second.is_positive, first.is_negative && second.is_negative};
 }
 
@@ -156,13 +157,13 @@ template <class Mask>
 struct FilteredLanes {
   Mask are_apart, meet;
 };
-template <class S, class Corners = ExactCorners<S>>
-auto filter_lanes(const TriangleOf<S>& a, const TriangleOf<S>& b, const Corners& corners = {}) {
+template <class S, class Vertices = ExactVertices<S>>
+auto filter_lanes(const TriangleOf<S>& a, const TriangleOf<S>& b, const Vertices& vertices = {}) {
   using Mask = typename S::mask_type;
-  const PlaneSides<S, Corners> of_b(a, b, corners);
+  const PlaneSides<S, Vertices> of_b(a, b, vertices);
   FilteredLanes<Mask> out{of_b.are_one(), Mask(false)};
   if (all_of(out.are_apart)) return out;
-  const PlaneSides<S, Corners> of_a(b, a, corners);
+  const PlaneSides<S, Vertices> of_a(b, a, vertices);
   out.are_apart = out.are_apart || of_a.are_one();
   const Mask cross = !out.are_apart && of_a.are_certain() && of_b.are_certain();
   if (any_of(cross)) {

@@ -9,7 +9,7 @@
 namespace refitlab {
 namespace {
 
-// The nine differences of a corner of one triangle and one of the other. The triangles have a point in common where 0 is in
+// The nine differences of a vertex of one triangle and one of the other. The triangles have a point in common where 0 is in
 // the differences' hull, and so in the hull of at most four of them [Caratheodory 1911]: a tetrahedron, or where all that
 // hold it are flat a triangle, or a segment or a point.
 class Differences {
@@ -61,7 +61,7 @@ class Differences {
   bool is_on_segment(int i, int j) const {
     return sign_of_dot(exact_[i], exact_[j]) <= 0 && is_zero(cross_of(exact_[i], exact_[j]));
   }
-  // In one plane with 0, whose triangles with two of the corners each have normals that point the same way.
+  // In one plane with 0, whose triangles with two of the vertices each have normals that point the same way.
   bool is_in_triangle(int i, int j, int k) const {
     if (side_[i][j][k] != 0) return false;
     const Vector ij = cross_of(exact_[i], exact_[j]), jk = cross_of(exact_[j], exact_[k]), ki = cross_of(exact_[k], exact_[i]);
