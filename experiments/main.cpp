@@ -6,7 +6,6 @@
 #include <set>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
@@ -21,6 +20,7 @@
 #include "experiments/pictures/sampled_miss_figure.hpp"
 #include "experiments/pictures/scenario_figures.hpp"
 #include "experiments/pictures/twist_figures.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "experiments/resume/resume.hpp"
 #include "experiments/run_file.hpp"
 #include "experiments/speed/balls.hpp"

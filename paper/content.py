@@ -9,7 +9,7 @@ from report.verdicts import of_lemma, said_of_claims, summed_up
 
 MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
 SCENES = ["far", "near", "light", "heavy", "worst"]
-GROWN_SCENES = ["near", "light", "heavy"]
+GROWN_SCENES = ["far", "near", "light", "heavy"]
 SPHERICAL = {  # as the tables call the variants of spherical blending
     "spherical_repaired": "repaired",
     "spherical_miniball": "repaired, smallest balls",

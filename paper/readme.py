@@ -59,7 +59,7 @@ def queries_block(results):
         ceilings[scene] = digits(whole / (whole - before), 3)
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
-(`experiments/run --full`; commit {commit}, {cpu}, one thread). Every set of pairs is checked against brute force. The last three
+(`experiments/run --full`; commit {commit}, {cpu}, one thread). Every set of pairs is checked against brute force. The last four
 columns compare with Embree alone.
 
 | | {' | '.join(heads)} |

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "algorithms/model/keyed.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/deformations/deforming.hpp"
+#include "experiments/procedural/procedural.hpp"
 
 namespace refitlab {
 namespace {

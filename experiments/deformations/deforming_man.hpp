@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// The man of algorithms/model/procedural with the three targets of add_targets. No pose of his clips is rigid.
+// The man of experiments/procedural with the three targets of add_targets. No pose of his clips is rigid.
 Model make_deforming_man();
 
 }  // namespace refitlab

@@ -4,9 +4,9 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/model/load.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/tree/character.hpp"
+#include "experiments/procedural/procedural.hpp"
 
 using namespace refitlab;
 

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/explorer/packed_model.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/misses.hpp"
 

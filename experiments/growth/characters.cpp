@@ -15,9 +15,9 @@
 #endif
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
+#include "experiments/procedural/procedural.hpp"
 
 namespace refitlab {
 namespace {

@@ -9,11 +9,11 @@
 #include <iostream>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/methods.hpp"
 
 namespace refitlab {

@@ -6,15 +6,15 @@
 #include <iostream>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/model/procedural/subdivide.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/detectors.hpp"
+#include "experiments/procedural/procedural.hpp"
+#include "experiments/procedural/subdivide.hpp"
 
 namespace refitlab {
 namespace {
 
-constexpr const char* scene_names[] = {"near", "light", "heavy"};
+constexpr const char* scene_names[] = {"far", "near", "light", "heavy"};
 constexpr const char* reference = "skin_all_float";
 constexpr const char* detectors[] = {
     "clusters", "spherical_repaired", "control_mixed", "control_mixed_through_descendants", reference, "embree"};

@@ -17,7 +17,7 @@ struct TriangleGrowthSettings {
 
 struct TriangleGrowth {
   int triangles;
-  CollisionResult result;  // of a full query in the scene near, light or heavy
+  CollisionResult result;  // of a full query in the scene far, near, light or heavy
 };
 
 // By scene, number and detector: clusters, on demand by three variants, skin_all_float, which the others must agree with,

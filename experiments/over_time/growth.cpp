@@ -11,12 +11,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/model/procedural/subdivide.hpp"
 #include "algorithms/model/write_gltf.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/over_time/over_time.hpp"
 #include "experiments/over_time/repeated.hpp"
+#include "experiments/procedural/procedural.hpp"
+#include "experiments/procedural/subdivide.hpp"
 
 namespace refitlab {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "algorithms/model/guarded_load.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 
 namespace refitlab {
 namespace {

@@ -4,10 +4,10 @@
 #include <bit>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_allocations {

@@ -5,13 +5,13 @@
 #include <random>
 
 #include "algorithms/bake/build_tree.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/batch/single_precision.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "algorithms/runtime/refit/linear.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"

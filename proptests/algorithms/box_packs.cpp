@@ -4,11 +4,11 @@
 #include <random>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/collide/cluster_tree.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/opposite_joints.hpp"

@@ -8,7 +8,7 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"

@@ -4,9 +4,9 @@
 // those with morph targets.
 #include <cstdio>
 
-#include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/deformations/deformed_levels.hpp"
 #include "experiments/deformations/deforming.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_deformed_tightness {

@@ -7,12 +7,12 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_keyed {

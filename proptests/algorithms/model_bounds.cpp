@@ -8,7 +8,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/model/keyed.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_model_bounds {

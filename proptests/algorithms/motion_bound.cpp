@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"

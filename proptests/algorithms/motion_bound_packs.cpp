@@ -5,9 +5,9 @@
 #include <random>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/collide/cluster_body.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"

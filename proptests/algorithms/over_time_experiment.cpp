@@ -5,12 +5,12 @@
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/model/keyed.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "experiments/over_time/clip_checks.hpp"
 #include "experiments/over_time/crossfade_checks.hpp"
 #include "experiments/over_time/exact_places.hpp"
 #include "experiments/over_time/repeated.hpp"
 #include "experiments/over_time/sampled_boxes.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_over_time_experiment {

@@ -5,8 +5,8 @@
 #include <bit>
 #include <set>
 
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"

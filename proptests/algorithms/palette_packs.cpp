@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"

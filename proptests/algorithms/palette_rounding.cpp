@@ -11,12 +11,12 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/refit_case.hpp"
 #include "proptests/gen/skinned_samples.hpp"

@@ -4,8 +4,8 @@
 
 #include "algorithms/bake/build_pieces.hpp"
 #include "algorithms/bake/build_tree.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"

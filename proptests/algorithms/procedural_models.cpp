@@ -10,8 +10,8 @@
 #include <numeric>
 #include <set>
 
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_procedural_models {

@@ -10,11 +10,11 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/load.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness.hpp"
 

@@ -10,9 +10,9 @@
 #include <set>
 
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/methods.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "proptests/harness.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/posed_bodies.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/harness.hpp"

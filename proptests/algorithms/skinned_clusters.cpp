@@ -6,7 +6,7 @@
 #include <random>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/opposite_joints.hpp"

@@ -7,7 +7,7 @@
 
 #include "algorithms/bake/build_tree.hpp"
 #include "algorithms/bake/weight_vertices.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"

@@ -7,11 +7,11 @@
 #include "algorithms/bake/build_pieces.hpp"
 #include "algorithms/methods/refit/algorithm1_printed.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "algorithms/runtime/refit/control_hull.hpp"
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/refit/linear.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 

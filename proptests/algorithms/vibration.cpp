@@ -8,7 +8,6 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/bd_tree.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/refit/deformed_reference.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
@@ -16,6 +15,7 @@
 #include "experiments/deformations/deforming.hpp"
 #include "experiments/deformations/deforming_man.hpp"
 #include "experiments/deformations/reduced_basis.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"

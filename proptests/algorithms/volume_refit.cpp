@@ -7,8 +7,8 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/volume_variants.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/rational_root.hpp"

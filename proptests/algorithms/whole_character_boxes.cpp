@@ -7,12 +7,12 @@
 #include <random>
 
 #include "algorithms/model/keyed.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/engines/bind_box.hpp"
 #include "experiments/engines/box_measures.hpp"
 #include "experiments/engines/engine_methods.hpp"
 #include "experiments/engines/weighted_radii.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "lemmas/a1_affine_image.hpp"
 #include "proptests/gen/affine.hpp"
 #include "proptests/gen/list.hpp"

@@ -11,7 +11,7 @@
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/model_of_scene.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"

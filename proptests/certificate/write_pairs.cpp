@@ -8,9 +8,9 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/pairs_certificate.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/posed_bodies.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A twisted man, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not. Writes
-// the baked man into a file that it is given.
+// A bent arm, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not. Writes
+// the baked arm into a file that it is given.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/runtime/tree/character_file.hpp"
@@ -20,22 +22,45 @@ static bool products_are_rounded() {
   return x * x + minus_rounded_square == 0;
 }
 
+// An arm of two bones along x, in metres: rings of vertices, whose weights pass from the one joint to the other at the elbow.
+static refitlab::SkinnedMesh make_arm() {
+  using namespace refitlab;
+  constexpr int rings = 40, sides = 12;
+  constexpr double length = 1, radius = 0.15;
+  SkinnedMesh arm{.name = "arm", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}};
+  arm.joints = {{"shoulder", -1, Point3::Zero()}, {"elbow", 0, {length / 2, 0, 0}}};
+  for (int ring = 0; ring < rings; ++ring)
+    for (int side = 0; side < sides; ++side) {
+      const double along = double(ring) / (rings - 1), angle = 6.283185307179586 * side / sides;
+      const double forearm = std::min(std::max((along - 0.4) / 0.2, 0.0), 1.0);
+      arm.vertices.push_back({length * along, radius * std::cos(angle), radius * std::sin(angle)});
+      arm.influences.emplace_back();
+      for (const auto& [joint, weight] : quantize_weights({{0, 1 - forearm}, {1, forearm}}))
+        arm.influences.back().push_back({joint, weight});
+      const int a = ring * sides + side, b = ring * sides + (side + 1) % sides;
+      if (ring + 1 < rings) arm.triangles.push_back({a, b, a + sides}), arm.triangles.push_back({b, b + sides, a + sides});
+    }
+  return arm;
+}
+
 int main(int, char** argv) {
   using namespace refitlab;
-  const auto man = bake(make_man(1034));
-  std::ofstream(argv[1], std::ios::binary) << bytes_of(man);
+  const Character arm = bake(make_arm());
+  std::ofstream(argv[1], std::ios::binary) << bytes_of(arm);
   const RefitVariant& variant = default_variant(Skinning::spherical);
-  const Pose pose = man.clips[1].sample(man.clips[1].duration);
-  const SkinningPalette<double> palette = make_skinning_palette(man.mesh, man.sets, pose, variant.skinning);
-  const int node = man.tree.nodes[0].first_child;
-  const Ball3<double> ball = variant.refit(man.refit_node(node, palette, variant.pieces));
+  // The forearm is turned by a quarter about the elbow, which stays where it is.
+  const double half = std::sqrt(0.5), elbow = arm.mesh.joints[1].origin[0];
+  const Pose pose{RigidTransform<double>{}, {{half, 0, 0, half}, {elbow, -elbow, 0}}};
+  const SkinningPalette<double> palette = make_skinning_palette(arm.mesh, arm.sets, pose, variant.skinning);
+  const int node = arm.tree.nodes[0].first_child;
+  const Ball3<double> ball = variant.refit(arm.refit_node(node, palette, variant.pieces));
 
-  const std::vector<Point3> deformed = skin(man.mesh, man.sets, palette, variant.skinning);
+  const std::vector<Point3> deformed = skin(arm.mesh, arm.sets, palette, variant.skinning);
   int outside = 0;
-  for (const int v : man.vertices[node]) outside += (deformed[v] - ball.center).norm() > ball.radius * (1 + 1e-12);
-  std::printf("%s: radius %.3f, %zu vertices, %d outside\n", variant.name.c_str(), ball.radius, man.vertices[node].size(),
+  for (const int v : arm.vertices[node]) outside += (deformed[v] - ball.center).norm() > ball.radius * (1 + 1e-12);
+  std::printf("%s: radius %.3f, %zu vertices, %d outside\n", variant.name.c_str(), ball.radius, arm.vertices[node].size(),
               outside);
-  if (outside || man.vertices[node].empty() || !(ball.radius > 0)) return 1;
+  if (outside || arm.vertices[node].empty() || !(ball.radius > 0)) return 1;
   if (!products_are_rounded()) return std::puts("compiled with fused multiply-add"), 1;
 
   // Lemma 5 in exact numbers: the printed ball of half a sphere and more misses the apex, the repaired one does not.

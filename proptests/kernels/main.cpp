@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
@@ -14,6 +13,7 @@
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/collide/triangles_meet.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/procedural/procedural.hpp"
 
 using namespace refitlab;
 

@@ -10,11 +10,11 @@
 
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/methods/refit/deformed.hpp"
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/explorer/packed_model.hpp"
 #include "experiments/explorer/pages/all.hpp"
+#include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/measure.hpp"
 #include "lemmas/exact/exact.hpp"

@@ -12,14 +12,14 @@
 
 int main(int, char** argv) try {
   using namespace refitlab;
-  const Character man = read_character(argv[1]);
-  const ClusterTree clusters(man);
-  Pose pose = reference_pose(man.mesh);
+  const Character arm = read_character(argv[1]);
+  const ClusterTree clusters(arm);
+  Pose pose = reference_pose(arm.mesh);
   for (auto& joint : pose) joint = {{std::cos(0.1), 0, std::sin(0.1), 0}, Point3::Zero()};  // turned as a whole
 
   ClusterBody first(clusters, Skinning::spherical), second(clusters, Skinning::spherical), third(clusters, Skinning::spherical);
   first.begin(pose, {});
-  second.begin(reference_pose(man.mesh), {identity_quaternion<double>(), {0.1, 0, 0}});
+  second.begin(reference_pose(arm.mesh), {identity_quaternion<double>(), {0.1, 0, 0}});
   third.begin(pose, {identity_quaternion<double>(), {10, 0, 0}});
   QueryCounts counts;
   const auto touching = collide(first, second, Query::full, counts), apart = collide(first, third, Query::full, counts);
@@ -29,10 +29,10 @@ int main(int, char** argv) try {
   const auto contacts = collide_all(bodies, Query::yes_no, of_crowd);
 
   const RefitVariant& variant = default_variant(Skinning::spherical);
-  const auto palette = make_skinning_palette(man.mesh, man.sets, pose, variant.skinning);
-  const Ball3<double> ball = variant.refit(man.refit_node(0, palette, variant.pieces));
+  const auto palette = make_skinning_palette(arm.mesh, arm.sets, pose, variant.skinning);
+  const Ball3<double> ball = variant.refit(arm.refit_node(0, palette, variant.pieces));
   std::printf("%s: %zu triangles in a ball of radius %.3f; %zu pairs touch, %zu from afar, %zu contact of a crowd\n",
-              man.mesh.name.c_str(), man.mesh.triangles.size(), ball.radius, touching.size(), apart.size(), contacts.size());
+              arm.mesh.name.c_str(), arm.mesh.triangles.size(), ball.radius, touching.size(), apart.size(), contacts.size());
   return touching.empty() || !apart.empty() || contacts.size() != 1 || !(ball.radius > 0) ? 1 : 0;
 } catch (const std::exception& e) {
   std::fprintf(stderr, "runtime_only: %s\n", e.what());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/model/procedural/procedural_body.hpp"
+#include "experiments/procedural/procedural_body.hpp"
 
 #include <algorithm>
 #include <cmath>

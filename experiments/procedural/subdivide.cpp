@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/model/procedural/subdivide.hpp"
+#include "experiments/procedural/subdivide.hpp"
 
 #include <algorithm>
 #include <map>

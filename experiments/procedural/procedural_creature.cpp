@@ -3,10 +3,10 @@
 #include <numbers>
 #include <tuple>
 
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/model/procedural/procedural_motion.hpp"
-#include "algorithms/model/procedural/procedural_skeleton.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "experiments/procedural/procedural.hpp"
+#include "experiments/procedural/procedural_motion.hpp"
+#include "experiments/procedural/procedural_skeleton.hpp"
 
 namespace refitlab {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "algorithms/model/procedural/procedural_mesh.hpp"
+#include "experiments/procedural/procedural_mesh.hpp"
 
 namespace refitlab {
 namespace {

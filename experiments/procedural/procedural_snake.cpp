@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "algorithms/model/procedural/procedural.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "experiments/procedural/procedural.hpp"
 
 namespace refitlab {
 namespace {

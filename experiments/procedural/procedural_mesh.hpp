@@ -2,7 +2,7 @@
 // Triangle meshes of implicit bodies.
 #pragma once
 
-#include "algorithms/model/procedural/procedural_body.hpp"
+#include "experiments/procedural/procedural_body.hpp"
 
 namespace refitlab {
 

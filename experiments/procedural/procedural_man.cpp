@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "algorithms/model/procedural/procedural.hpp"
-#include "algorithms/model/procedural/procedural_motion.hpp"
-#include "algorithms/model/procedural/procedural_skeleton.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "experiments/procedural/procedural.hpp"
+#include "experiments/procedural/procedural_motion.hpp"
+#include "experiments/procedural/procedural_skeleton.hpp"
 
 namespace refitlab {
 namespace {

@@ -2,7 +2,7 @@
 // Skeletons of the built-in models, their vertex weights, and poses by turning joints.
 #pragma once
 
-#include "algorithms/model/procedural/procedural_mesh.hpp"
+#include "experiments/procedural/procedural_mesh.hpp"
 
 namespace refitlab {
 
