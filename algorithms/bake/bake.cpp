@@ -48,8 +48,7 @@ AnimatedCharacter bake(Model model, const TreeOptions& options, std::initializer
 
 AnimatedCharacter bake(Model model, const TreeOptions& options, std::initializer_list<Pieces> pieces, Joints joints) {
   std::vector<Clip> clips = std::move(model.clips);
-  if (!model.morphs.empty()) model.targets = morph_targets(model);
-  return {bake(SkinnedMesh(std::move(model)), options, pieces, joints), std::move(clips)};
+  return {bake(skinned_mesh(std::move(model)), options, pieces, joints), std::move(clips)};
 }
 
 }  // namespace refitlab

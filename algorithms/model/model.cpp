@@ -2,6 +2,7 @@
 #include "algorithms/model/model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -34,6 +35,11 @@ MorphTargets morph_targets(const Model& model) {
       ++target;
     }
   return out;
+}
+
+SkinnedMesh skinned_mesh(Model model) {
+  if (!model.morphs.empty()) model.targets = morph_targets(model);
+  return SkinnedMesh(std::move(model));
 }
 
 std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side) {

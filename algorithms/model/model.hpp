@@ -62,6 +62,9 @@ Joints joints_of(const Model& model);
 // All targets of all morphed meshes, those of the first mesh first.
 MorphTargets morph_targets(const Model& model);
 
+// Returns the model's mesh, with these targets.
+SkinnedMesh skinned_mesh(Model model);
+
 // In their order, the weights at a time of an animation of the model.
 std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side = Side::after);
 

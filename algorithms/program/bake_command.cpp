@@ -127,9 +127,8 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
 }
 
 Character baked_character(const Model& model) {
-  SkinnedMesh mesh(model);
+  SkinnedMesh mesh = skinned_mesh(model);
   mesh.name.clear();  // what is written does not depend on where the file was
-  if (!model.morphs.empty()) mesh.targets = morph_targets(model);
   return bake(std::move(mesh), {}, {Pieces::mixed}, joints_of(model));
 }
 

@@ -15,11 +15,7 @@ PosedCharacter posed_character(Model model, const Animation& animation, double t
   const DefaultFloatEnvironment environment;
   Pose rigid;
   AffinePose affine;
-  Deformation deformation;
-  if (!model.morphs.empty()) {
-    model.targets = morph_targets(model);
-    deformation.weights = morph_weights(model, animation, time);
-  }
+  Deformation deformation{morph_weights(model, animation, time), {}};
   if (rigidity_defect(skin_matrices(model.skeleton, animation, time)) <= rigidity_tolerance) {
     rigid = pose(model.skeleton, animation, time).pose;
   } else {
@@ -30,7 +26,7 @@ PosedCharacter posed_character(Model model, const Animation& animation, double t
       affine.clear();
     }
   }
-  SkinnedMesh mesh(std::move(model));
+  SkinnedMesh mesh = skinned_mesh(std::move(model));
   if (!deformation.is_none()) mesh.vertices = deformed_vertices(mesh, JointSets(mesh), deformation);
   mesh.targets = {};
   return {bake(std::move(mesh), {}, {}), std::move(rigid), std::move(affine)};
