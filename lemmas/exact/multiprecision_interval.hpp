@@ -24,7 +24,7 @@ struct NumberTraits<MultiprecisionInterval> {
     mpfi_sqr(y.backend().data(), x.backend().data());
     return y;
   }
-  // The root of the non-negative part of x; no number if there is none.
+  // Returns the root of the non-negative part of x, which is no number if there is no such part.
   static S sqrt(const S& x) {
     S y = x;
     if (mpfr_sgn(low(y)) < 0 && mpfr_sgn(high(y)) >= 0) mpfr_set_zero(low(y), 1);

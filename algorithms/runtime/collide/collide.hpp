@@ -6,7 +6,8 @@
 
 namespace refitlab {
 
-// A body and its placement. The placement takes the body's model space to the world, in the same units for all bodies.
+// A PlacedBody is a body and its placement. The placement takes the body's model space to the world, in the same units for all
+// bodies.
 struct PlacedBody {
   Body& body;
   RigidTransform<double> placement = {};

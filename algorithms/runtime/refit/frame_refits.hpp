@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FrameRefits: the balls of one character in one frame. Each is refitted once, when it is first asked for.
+// FrameRefits has the balls of one character in one frame. Each is refitted once, when it is first asked for.
 //
 // Beyond the paper's on-demand refit (5), a node can use what the frame knows already, in two ways:
 // - Nodes of many joint-sets are refitted through a BVH cut. The cost of their own refit grows with the number of
