@@ -89,7 +89,8 @@ Verdict encloses(const HalfBox<S>& box, const Vec<S, 3>& x) {
   return v;
 }
 
-// The hypotheses of (iii): w is convex and gives the nearest point of the hull, and the point differs from it by beside.
+// The hypotheses of (iii) are that w is convex, and that beside is no longer than the radius. The point is beside plus the point
+// of the hull that w gives.
 template <class S>
 Verdict is_near_points(std::span<const S> w, const Vec<S, 3>& beside, const S& squared_radius) {
   return is_convex(w) & less_equal(squared_norm(beside), squared_radius);
@@ -156,7 +157,7 @@ SquaredBall<S, 3> linear_control_ball(std::span<const AffineMap<S>> maps, std::s
   return {linear_blend(maps, w, reference.center), blended_squared_stretch(maps, stretches, w) * reference.squared_radius};
 }
 
-// The hypotheses of (v): no factor is negative or less than its joint's s.
+// The hypotheses of (v) are that no factor is negative or less than its joint's s.
 template <class S>
 Verdict are_stretches(std::span<const AffineMap<S>> maps, std::span<const S> stretches) {
   Verdict v = Verdict::holds;

@@ -77,7 +77,7 @@ Verdict normalization_hypotheses(const Moment<S, 4>& blend, const Motion<S>& mot
          less_equal(squared_norm(blend.acceleration), sq(motion.acceleration));
 }
 
-// The hypotheses of (iii).
+// Judges the hypotheses of (iii): the quaternions are units, and no dot product is below the cosine.
 template <class S>
 Verdict are_close_units(std::span<const Quaternion<S>> units, const S& cosine) {
   Verdict v = less_equal(cosine, S(1));

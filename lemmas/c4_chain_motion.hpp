@@ -25,13 +25,13 @@
 
 namespace refitlab {
 
-// The motions of the channels of one joint. A scale is measured by its greatest factor.
+// A LinkMotion has the motions of the channels of one joint. A scale is measured by its greatest factor.
 template <class S>
 struct LinkMotion {
   Motion<S> translation, rotation, scale;
 };
 
-// The motions of a chain of joints: of its linear part, of its offset and of its rotation.
+// A ChainMotion has the motions of a chain of joints: of its linear part, of its offset and of its rotation.
 template <class S>
 struct ChainMotion {
   Motion<S> linear, offset, rotation;
@@ -59,7 +59,7 @@ Motion<S> carried_motion(const ChainMotion<S>& chain, const Motion<S>& point) {
   return product(chain.linear, point) + chain.offset;
 }
 
-// The channels of one joint at a moment, with both derivatives.
+// A LinkMoment has the channels of one joint at a moment, with both derivatives.
 template <class S>
 struct LinkMoment {
   Moment<S, 3> translation;

@@ -85,7 +85,7 @@ Verdict in_slab(const Slab<S>& slab, const Vec<S, 3>& direction, const Vec<S, 3>
   return less_equal(slab.low, along) & less_equal(along, slab.high);
 }
 
-// The hypotheses of (i), for a slab and for a ball.
+// Judges the hypotheses of (i), for a slab and for a ball.
 template <class S>
 Verdict interval_hypotheses(std::span<const CubicCurve<S, 3>> curves, const S& acceleration, const Slab<S>& start,
                             const Slab<S>& end, const Vec<S, 3>& direction, const Ball3<S>& around_both, const S& share) {
@@ -97,7 +97,7 @@ Verdict interval_hypotheses(std::span<const CubicCurve<S, 3>> curves, const S& a
   return v;
 }
 
-// The hypotheses of (ii).
+// Judges the hypotheses of (ii).
 template <class S>
 Verdict patch_hypotheses(const BentPatch<S>& patch, std::span<const Motion<S>> motions, std::span<const S> shares) {
   Verdict v = Verdict::holds;

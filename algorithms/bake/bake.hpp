@@ -18,8 +18,8 @@ inline constexpr std::initializer_list<Pieces> all_pieces{Pieces::joint_sets, Pi
 Character bake(SkinnedMesh mesh, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces,
                Joints joints = Joints::rigid);
 
-// A character with the clips of the model that it was made from. It has the model's morph targets, mesh after
-// mesh, and pieces for joints as those of the clips are (joints_of).
+// An AnimatedCharacter is a character with the clips of the model that it was made from. It has the model's morph targets, mesh
+// after mesh, and pieces for joints as those of the clips are (joints_of).
 struct AnimatedCharacter : Character {
   std::vector<Clip> clips;
 };

@@ -15,7 +15,7 @@
 namespace refitlab {
 namespace {
 
-// A node of the binary tree before pruning.
+// A BinaryNode is one of the binary tree before pruning.
 struct BinaryNode {
   Ball3<double> ball;
   int first_triangle, triangle_count;

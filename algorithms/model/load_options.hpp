@@ -4,9 +4,10 @@
 
 namespace refitlab {
 
-// rigid: skin matrices must be rotations, up to one constant scale; others are refused. affine: any skin matrices are accepted.
-// Where they are not as above, vertices and offset matrices are as the file has them, without a factor taken out of the skin
-// matrices, and Clip::sample throws for a time whose pose is not rigid; skin_matrices gives the matrices.
+// rigid: skin matrices must be rotations, up to one constant scale; others are refused.
+// affine: any skin matrices are accepted. If they are not rigid as above, vertices and offset matrices are as the file has them,
+// without a factor taken out of the skin matrices. Clip::sample then throws for a time whose pose is not rigid; skin_matrices
+// gives the matrices.
 enum class Joints { rigid, affine };
 
 // constant: the weights of morph targets stay as the file has them where no clip moves them, and the vertices are displaced

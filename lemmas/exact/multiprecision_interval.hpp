@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MultiprecisionInterval: an interval with ends of 60 decimal digits, the middle rung of the precision ladder.
+// A MultiprecisionInterval has ends of 60 decimal digits. It is the middle rung of the precision ladder.
 #pragma once
 
 #include <CGAL/Gmpq.h>

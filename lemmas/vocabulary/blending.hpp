@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two blendings of rotations: Equation (1) of the paper, and dual quaternion linear blending. The parts that are linear in
-// the weights are blended first. The image of a vertex is a quotient of polynomials in them.
+// There are two blendings of rotations: Equation (1) of the paper, and dual quaternion linear blending. The parts that are linear
+// in the weights are blended first. The image of a vertex is a quotient of polynomials in them.
 #pragma once
 
 #include <span>

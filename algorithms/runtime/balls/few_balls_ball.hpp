@@ -22,7 +22,7 @@ struct SmallestBallOfBalls {
   int pivots = 0;
 };
 
-// The least, the greatest and the sum of some balls' radii.
+// A RadiusRange has the least, the greatest and the sum of some balls' radii.
 struct RadiusRange {
   explicit RadiusRange(std::span<const Ball3<double>> balls) : least(balls[0].radius), greatest(balls[0].radius) {
     for (const auto& b : balls) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Computes the smallest enclosing ball of few points of R^3 or R^4 in float or double, by pivoting.
 //
-// The support starts as a point far from the first one and the point farthest from that; as long as a point is outside
-// the smallest ball of the support, the farthest such point enters it. That ball grows at every pivot and is as large
-// as the smallest ball of all once nothing is outside. The certificate is smallest_ball.hpp's. Where rounding keeps the
-// pivots from ending, the walk of smallest_ball.hpp takes over.
+// The support starts as a point far from the first one, and the point farthest from that. As long as a point is outside the
+// smallest ball of the support, the farthest such point enters it. That ball grows at every pivot and is as large as the smallest
+// ball of all once nothing is outside. The certificate is smallest_ball.hpp's. Where rounding keeps the pivots from ending, the
+// walk of smallest_ball.hpp takes over.
 #pragma once
 
 #include <limits>

@@ -2,14 +2,14 @@
 // The kernels of the batch refit do Algorithm 1 repaired and the linear refit, in float and with mean balls. They take as many
 // nodes at a time as there are lanes, all of them moved by the same joint-sets.
 //
-// Rounding. u = 2^-24, n joints. Of Algorithm 1: a unit quaternion q'_k / ||q'_k|| is off by (n + 7) u / ||q'_k||, and the
-// apex by 6 u, so the cap's angle alpha = 4 arcsin s by 2 sqrt(2) (n + 19) u / ||q'_k|| (s^2 < 1/2); the ratios, the
-// rotation of x = p - r_c and its length add less than 70 u ||x||; the weights are exact. The centers' images and the
+// Rounding. Let u = 2^-24, and n be the number of joints. In Algorithm 1 a unit quaternion q'_k / ||q'_k|| is off by (n + 7) u /
+// ||q'_k||, and the apex by 6 u. So the cap's angle alpha = 4 arcsin s is off by 2 sqrt(2) (n + 19) u / ||q'_k|| (s^2 < 1/2). The
+// ratios, the rotation of x = p - r_c and its length add less than 70 u ||x||. The weights are exact. The centers' images and the
 // difference x are off by (n + 4) u times their sizes. All of that is less than
 //     epsilon (64 + 2 n) (||x|| / min ||q'_k|| + size),     epsilon = 2 u, size = max ||r_i|| + 2 ||r_c||,
-// which is added to the radius, and the sums of radii are less than 8 epsilon times the radius off. The means need no
-// bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||), and,
-// as of rotations whose ||q_i||^2 = 1 + e are off by e (palette_rounding.hpp), 2 |e| r.
+// which is added to the radius. The sums of radii are off by less than 8 epsilon times the radius. The means need no bound,
+// because a ball is measured from the computed center, whatever it is. The linear refit adds epsilon (8 + n) (max ||t_i|| + max
+// ||p||). It also adds 2 |e| r, as rotations with ||q_i||^2 = 1 + e are off by e (palette_rounding.hpp).
 // Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few
 // of them (balls/round_up.hpp). proptests/algorithms/bound_budgets.cpp derives what the slacks must be at least.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The query for the touching triangles of two skinned characters by their sphere trees, refitted on demand (paper 5).
+// This query finds the touching triangles of two skinned characters by their sphere trees, refitted on demand (paper 5).
 #pragma once
 
 #include "algorithms/runtime/collide/body.hpp"

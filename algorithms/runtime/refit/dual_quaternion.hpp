@@ -93,8 +93,8 @@ class DualQuaternionPiece {
 
  private:
   static constexpr int axis_steps = 6;
-  // The least squared cosine of an angle to the axis, and the least squared length of a q'_k. Smaller values may come from
-  // rounding.
+  // These are the least squared cosine of an angle to the axis, and the least squared length of a q'_k. Smaller values may come
+  // from rounding.
   static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
   static constexpr double least_squared_weight_vertex = std::is_floating_point_v<S> ? 1e-4 : 0;
 

@@ -21,7 +21,7 @@ namespace refitlab {
 struct FrameOptions {
   // A node that is not a leaf and has more joint-sets than this is bounded through its cut. 0 means that no node is.
   int most_joint_sets = 0;
-  // The largest size of a cut. While the cut stays within this size, its member of most joint-sets is replaced by the
+  // This is the largest size of a cut. While the cut stays within this size, its member of most joint-sets is replaced by the
   // member's children. A node of more children has all of them as its cut.
   int most_in_cut = 64;
   bool children_first = false;

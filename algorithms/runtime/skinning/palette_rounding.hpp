@@ -74,7 +74,8 @@ inline constexpr int mix_weight = 6, mix_numerator = 27;  // mix_rotations
 inline constexpr int matrix = 3;                          // times a point, relative to its Frobenius norm
 }  // namespace rounding
 
-// The scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own rounding error.
+// PaletteScales are the scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own
+// rounding error.
 template <class S>
 struct PaletteScales {
   S joints;         // n

@@ -22,7 +22,7 @@
 namespace refitlab {
 namespace rotation_centers {
 
-// A symmetric matrix, stored as its distinct entries: row by row, from the diagonal on.
+// A Symmetric matrix is stored as its distinct entries, row by row, from the diagonal on.
 template <class S>
 struct Symmetric {
   using Point = Vec<S, 3>;

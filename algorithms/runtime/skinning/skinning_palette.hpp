@@ -24,9 +24,9 @@ enum class Skinning {
 // A PaletteEntry is the palette of one joint-set in one pose, for reading. Arrays are by position in the joint-set.
 template <class S>
 struct PaletteEntry {
-  // The transforms C_{j_i}. The signs of the rotations are the skinning's. They are consistent within the joint-set, so
-  // that QLERP takes the short way from the first joint to each other one. Bounds must use these signs, because q and -q
-  // blend differently.
+  // These are the transforms C_{j_i}. The signs of the rotations are the skinning's. They are consistent within the joint-set, so
+  // that QLERP takes the short way from the first joint to each other one. Bounds must use these signs, because q and -q blend
+  // differently.
   std::span<const RigidTransform<S>> transforms;
   Vec<S, 3> rotation_center;                 // r_c, reference frame
   std::span<const Vec<S, 3>> center_images;  // C_{j_i} r_c
