@@ -2,14 +2,16 @@
 // Beyond the paper: what an affine map makes of a ball, a box, and the hull of balls: joints that scale and shear.
 //
 // Statement. Let C x = A x + b, and s^2 the greatest sum of absolute values in a row of A^T A. Then
-// (i) C carries the ball about c of radius r into that about C c of radius s r. If the columns of A are at right angles, as of a
-//   rotation behind a scale along axes, no smaller radius will do;
-// (ii) a box about c with the half extents e into that about C c with |A| e, and no smaller box about C c will do; and a slab
-//   {x : low <= (n, x) <= high} holds an image just if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the point. In
-//   the direction n the images of a ball are within ||A^T n|| r of C c, and reach that far;
-// (iii) a point within r of the hull of points p_k to within s r of the hull of the C p_k. So a control hull may be carried.
+// (i) C carries the ball about c of radius r into that about C c of radius s r. If the columns of A are at right angles, as those
+//   of a rotation behind a scale along axes are, no smaller radius will do.
+// (ii) C carries a box about c with the half extents e into that about C c with |A| e, and no smaller box about C c will do. A
+//   slab {x : low <= (n, x) <= high} holds an image if and only if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the
+//   point.
+//   In the direction n the images of a ball are within ||A^T n|| r of C c, and reach that far.
+// (iii) C carries a point within r of the hull of points p_k to within s r of the hull of the C p_k. So a control hull may be
+//   carried.
 // (iv) Linear blending by any affine C_i, v' = sum w_i C_i v, stays in any convex set that holds all C_i v.
-// (v) Let C_c = sum c_i C_i be the blend at a weight vertex c, and s_i no less than what C_i stretches by. A vertex within r of p
+// (v) Let C_c = sum c_i C_i be the blend at a weight vertex c, and let s_i be no less than the s of C_i. A vertex within r of p
 //   whose weights are a convex combination of some c is in the hull of the balls about the C_c p of the radii s(c) r, where s(c)
 //   is the s of C_c, or sum c_i s_i if that is less. So rigid joints leave r as it is, and a scale of all joints is exact.
 //

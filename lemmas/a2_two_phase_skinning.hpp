@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: joints that scale, with spherical and dual quaternion skinning: scales first, then rotations.
 //
-// Statement. Let joints be C_i = R_i S_i, affine S_i (scale and shear) followed by rigid R_i. Skinning in two phases, as
-// engines do, blends v'' = sum w_i S_i v and then carries v'' by the rigid blend of the R_i with the same weights.
-// (i) A convex set that holds all S_i v holds v'': so a ball that encloses the images of the reference ball by all S_i
-// (a1_affine_image), or a box, does.
-// (ii) What bounds the rigid skinning of every point of that set, by whatever weights, bounds v'. So refits of rigid joints need
-// nothing but another reference ball, made anew where a scale changes.
+// Statement. Let joints be C_i = R_i S_i, with an affine S_i (scale and shear) followed by a rigid R_i. Skinning in two phases,
+// as engines do, blends v'' = sum w_i S_i v and then carries v'' by the rigid blend of the R_i with the same weights.
+// (i) A convex set that holds all S_i v holds v''. Such a set is a ball, or a box, that encloses the images of the reference ball
+// by all S_i (a1_affine_image).
+// (ii) A bound of the rigid skinning of every point of that set, with any weights, also bounds v'. So refits of rigid joints need
+// only another reference ball, which is made anew where a scale changes.
 // Where all S_i are one S, v'' = S v; where S_i = 1 it is the rigid skinning; and one joint gives C_i v.
 //
 // Replaces: section 3, where joints are rigid.

@@ -5,7 +5,7 @@
 // radius r_k.
 // (i) For given m, v is in the ball about c + sum m_k c_k of the radius r + sum |m_k| r_k. If displacements are independent, no
 //   smaller one will do.
-// (ii) For m_k in [l_k, h_k], with the middle n_k and half width e_k, and g_k = max(|l_k|, |h_k|), it is in the ball about
+// (ii) For m_k in [l_k, h_k], with the middle n_k and half width e_k, and g_k = max(|l_k|, |h_k|), v is in the ball about
 //   c + sum n_k c_k of the radius r + sum (e_k ||c_k|| + g_k r_k).
 // (iii) In a direction, slabs of v_0 and of the d_k give that of v by products of intervals, summed. Boxes are three slabs.
 // (iv) If the m_k move within M_k (lemmas/vocabulary/motion.hpp), v moves within the sum of M_k times ||d_k||, besides its own

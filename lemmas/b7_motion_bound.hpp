@@ -7,8 +7,8 @@
 //   ||B - L||^2 <= 9/16 (1 - c) A(f)^2,
 //   ||B - L||^2 <= (1 - c) / (4 (1 + c)) A(f)^2  if c >= 3/5: no two rotations are more than 106 degrees apart.
 // The second is sharp: two joints at halves that turn about an axis, and f not on it, reach it.
-// So where v is carried is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= s
-// A(f)), s^2 one of these factors, in the hull of the C_k f blown up by both lengths, for
+// So the image of v is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= s A(f)), s^2 one
+// of these factors, in the hull of the C_k f blown up by both lengths, for
 // - linear blending: the first may be shorter, and the second is 0;
 // - dual quaternions: it is B - L;
 // - spherical blending about a rotation center r, at f = r: it is 0;

@@ -9,7 +9,7 @@
 // - a slerp of unit quaternions a and b with a != -b, where theta is the angle between them: 1, theta / T, theta^2 / T^2; and
 //   with t = ||b - a|| / ||b + a||, which is tan(theta / 2), halved three times by t -> t / (1 + sqrt(1 + t^2)),
 //   theta <= 16 t.
-// A rotation that is a cubic spline is normalised: what is said of the spline goes through c3_normalized_motion.
+// A rotation that is a cubic spline is normalised, so the bounds of the spline go through c3_normalized_motion.
 // The length of a scale is not Euclidean: it is the greatest factor, by which a diagonal matrix stretches.
 // Engines take the shorter way, to b or -b, whose angle is at most a right one; the bound there is at most 1/3 % too great.
 //

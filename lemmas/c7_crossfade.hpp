@@ -6,12 +6,12 @@
 // (i) translations and scales (1 - w) x + w y have the size max(A, B), and move in a by 1 - w_0 times A, in b by w_1 times B,
 //   and in w at the speed g and without bending, g >= ||y - x||.
 // (ii) Rotations blended by nlerp, (1 - w) p + w q normalised, for unit p and q with (p, q) >= c > -1: their blend moves by (i)
-//   with g = sqrt(2 - 2 c) and is at least sqrt((1 + c) / 2) long, so what is said of normalised blends is said of it.
-// (iii) By slerp, for (p, q) >= c >= 0: in w within 1, theta, theta^2 for theta = arccos c. In a, for p within 1, L, M, with m =
-//   1 - w at most the share and m w at most P: at a speed of U L, U = min(1, m (1 + (pi/2 - 1) (1 - c))), bending by (U +
-//   P (c + pi (1 - c))) M + P (4 c / 3 + pi (1 - c)) s L^2 + 3 P (4 c / 15 + pi/2 (1 - c)) s^2 L^2, s = sqrt(1 - c^2);
-//   and so in b, for w.
-// (iv) By slerp, for (p, q) >= -1/2: in w as (iii) says, in a at a speed of 2 L / sqrt 3 at most; and so in b.
+//   with g = sqrt(2 - 2 c) and is at least sqrt((1 + c) / 2) long, so that c3_normalized_motion bounds it.
+// (iii) Rotations blended by slerp, for (p, q) >= c >= 0, move in w within 1, theta, theta^2 for theta = arccos c. In a, let p
+//   move within 1, L, M, let m = 1 - w be at most the share, and m w at most P. Then they move at a speed of at most U L, with
+//   U = min(1, m (1 + (pi/2 - 1) (1 - c))), and bend by at most (U + P (c + pi (1 - c))) M + P (4 c / 3 + pi (1 - c)) s L^2 +
+//   3 P (4 c / 15 + pi/2 (1 - c)) s^2 L^2, with s = sqrt(1 - c^2). The same is true in b, with w in place of m.
+// (iv) Rotations blended by slerp, for (p, q) >= -1/2, move in w as (iii) says, and in a or b at a speed of at most 2 L / sqrt 3.
 // Engines take q or -q, the one with (p, q) >= 0. Where that sign is not the same for all times, both are bounded, each also at
 // times at which engines take the other one, with a c that is a little below 0: the joint is in one of both bounds. With these
 // links c4_chain_motion gives a point's motion in each parameter, and c6_interval_hull the slack of a box of times and weights

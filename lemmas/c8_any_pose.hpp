@@ -11,7 +11,7 @@
 // blending about a fixed center r it is in that for r, blown up by ||v - r||. By dual quaternions, or spherically about a
 // least-squares center, with rigid joints and all (q_k, q_l) >= 0, it is no farther than 3/4 A from the ball for v, with A^2 the
 // sum of the squares of (i) over all pairs of joints at v (b7_motion_bound).
-// Over an interval of a clip this needs no derivative: the bound where a blend may vanish, or channels are not known.
+// Over an interval of a clip this bound needs no derivative, so it serves where a blend may vanish, or channels are not known.
 //
 // Replaces: nothing in the paper, which bounds one pose at a time.
 // Notation: l -> length, f -> stretch, d -> distance.
