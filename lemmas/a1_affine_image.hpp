@@ -6,8 +6,7 @@
 //   of a rotation behind a scale along axes are, no smaller radius will do.
 // (ii) C carries a box about c with the half extents e into that about C c with |A| e, and no smaller box about C c will do. A
 //   slab {x : low <= (n, x) <= high} holds an image if and only if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the
-//   point.
-//   In the direction n the images of a ball are within ||A^T n|| r of C c, and reach that far.
+//   point. In the direction n the images of a ball are within ||A^T n|| r of C c, and reach that far.
 // (iii) C carries a point within r of the hull of points p_k to within s r of the hull of the C p_k. So a control hull may be
 //   carried.
 // (iv) Linear blending by any affine C_i, v' = sum w_i C_i v, stays in any convex set that holds all C_i v.

@@ -30,7 +30,7 @@
 namespace refitlab {
 
 // Returns a certificate that the listed triangles of the bodies meet, and no others. Their order does not matter.
-// Throws NoProof if that is not so, and what separate() throws; It also throws NoProof for reasons with longer numbers than
+// Throws NoProof if that is not so, and what separate() throws. It also throws NoProof for reasons with longer numbers than
 // checkers read. Coordinates such as 10^-100 beside 1 may need these.
 std::string pairs_certificate(const std::string& about, const PosedBody& first, const PosedBody& second,
                               std::vector<TrianglePair> pairs);

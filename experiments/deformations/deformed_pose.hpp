@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A DeformedPose is a pose of joints that may scale, with weights of morph targets.
+// A DeformedPose is a pose of joints that may scale, with weights of morph targets. A DeformedFrame is what refits take from it.
 #pragma once
 
 #include "algorithms/runtime/skinning/deformation.hpp"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What engines ship: how tight the boxes around whole characters are, who gets out of them, and what they cost, beside ours."""
+"""This section shows what engines ship: how tight the boxes around whole characters are, who gets out of them, and what they
+cost, beside ours."""
 from . import pictures
 from .over_time import SKINNINGS
 from .statistics import mean

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What stands behind each statement: its tests, what of it is proved in Coq or why not, and the programs that run it; summed up here for
-README, the reference and the paper.
+"""This sums up what stands behind each statement, for README, the reference and the paper: its tests, what of it is proved in
+Coq or why not, and the programs that run it.
 
 The tests' part is the run's (verdicts.csv), with what is proved for all points of a box of parameters (proptests/exhaustive/proved.csv) and
 with how many mutants by rule of the statement's file the tests kill (proptests/mutants/judged.csv). The proofs' part is

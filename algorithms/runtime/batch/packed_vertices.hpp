@@ -34,8 +34,8 @@ class PackedVertices {
   // Returns the vertex at each place of a group. A padding place repeats the vertex before it.
   std::span<const int> vertices(int group) const;
 
-  // Skins one group; out.blocks grows as needed and is used again. palette is of make_skinning_palette for this model, with the
-  // same skinning, or of affine joints. The same holds for skin_all.
+  // Skins one group; out.blocks grows as needed and is used again. palette must come from make_skinning_palette for this model
+  // with the same skinning, or have affine joints. The same holds for skin_all.
   void skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                   Target target = best_target()) const;
 
