@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// The displacement d_k of a vertex by one target. A vertex has one for each target that moves it.
+// A Displacement is d_k of a vertex by one target. A vertex has one for each target that moves it.
 template <class S>
 struct Displacement {
   int target;

@@ -19,7 +19,7 @@ struct AnyPoseBound {
 // Returns the bound of some vertices, at least one, whatever the rotations of all nodes. Nodes are translated and scaled as in
 // the rest pose or in one of the model's clips, and morph targets have weights as there; but these may come from different clips.
 // skinning is linear, dual_quaternion or spherical. For the latter two, the quaternions of any two joints of a vertex must have a
-// dot product that is not negative. If the vertex has only two joints, it never is. Throws ModelError for a model without a
+// dot product that is not negative. It is never negative for a vertex of two joints. Throws ModelError for a model without a
 // skeleton of keys.
 AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices, Skinning skinning);
 
