@@ -4,7 +4,7 @@ import html.parser
 
 
 class Page(html.parser.HTMLParser):
-    """links: what href and src lead to; ids; wrong: what is not closed or there twice."""
+    """It has links, to which href and src lead, ids, and wrong, which is what is not closed or there twice."""
 
     VOID = {"meta", "br", "hr", "img", "link", "input"}
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// experiments: the main job. Runs the experiments on the default models or on the user's own, and writes tables and pictures.
+// The program `experiments` is the main job. It runs the experiments on the default models or on the user's own, and writes
+// tables and pictures.
 #include <functional>
 #include <future>
 #include <iostream>
@@ -33,7 +34,7 @@ namespace {
 
 void append(auto& all, const auto& results) { all.insert(all.end(), results.begin(), results.end()); }
 
-// What was measured of the models.
+// ModelResults are the measurements of the models.
 struct ModelResults {
   std::vector<TightnessResult> tightness;
   std::vector<SpeedResult> speed;
@@ -47,7 +48,7 @@ struct ModelResults {
   std::vector<DeformationResult> deformations;
 };
 
-// The pictures of a model: of the first all but one, and the walk through each other of the second, or of the only one.
+// Draws the pictures of a model. The first model gets all but one. The second, or the only one, gets the walk through each other.
 void draw_pictures(const AnimatedCharacter& character, const NamedPose& twist, const std::shared_future<NamedPose>& worst,
                    std::size_t index, std::size_t models, PictureTable& pictures) {
   if (index == 0) {
@@ -59,7 +60,7 @@ void draw_pictures(const AnimatedCharacter& character, const NamedPose& twist, c
   if (index == std::min<std::size_t>(1, models - 1)) draw_walk_through(character, pictures);
 }
 
-// All that is wanted of one model, which is number index of so many.
+// Runs all wanted experiments on one model, which is number index of so many.
 void run_on(Model&& model, std::size_t index, std::size_t models, const Options& options, Units& run, PictureTable& pictures,
             ModelResults& results) {
   std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
@@ -67,7 +68,7 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
   const std::string identity = identify(model), of_model = " of " + model.name;
   const auto character = bake(std::move(model));
   const NamedPose twist = figure_twist(character);
-  // Seconds of work: done when first asked for, which a resumed run may never do.
+  // This takes seconds, so it is done when it is first asked for, which a resumed run may never do.
   const auto worst = std::async(std::launch::deferred, worst_twist, std::cref(character)).share();
   draw_pictures(character, twist, worst, index, models, pictures);
   if (options.wants("tightness"))
@@ -97,7 +98,7 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
                                           [&] { return run_collisions(character, options.collisions); }));
 }
 
-// While all of the models are there.
+// Runs the experiments that need all of the models at once.
 void run_over_time_on(const std::vector<Model>& models, const Options& options, Units& run, PictureTable& pictures,
                       ModelResults& results) {
   if (!options.wants("over_time")) return;
@@ -126,7 +127,7 @@ void run_deformations_on(const std::vector<Model>& models, const Options& option
                                               [&] { return run_deformations(model, options.deformations); }));
 }
 
-// Each file once all of its rows are there: until then the one of the last whole run stays.
+// Writes each file once all of its rows are there. Until then the file of the last whole run stays.
 void write_results_by_model(const Options& options, const ModelResults& results, RunFile& result) {
   if (options.wants("tightness")) write_tightness(results.tightness, result("tightness.csv"));
   if (options.wants("speed")) {
@@ -144,13 +145,13 @@ void write_results_by_model(const Options& options, const ModelResults& results,
   if (options.wants("deformations")) write_deformations(results.deformations, result("deformations.csv"));
 }
 
-// The models of a run. No experiment but that on deformations takes those that deform.
+// RunModels are the models of a run. Only the experiment on deformations takes those that deform.
 struct RunModels {
   DefaultModels rigid;
   std::vector<Model> deforming;
 };
 
-// Throws std::invalid_argument if one of the names is that of no model.
+// Keeps the characters that are wanted. Throws std::invalid_argument if a name is that of no model.
 void keep_wanted_characters(const Options& options, RunModels& models) {
   std::set<std::string> names{no_character};
   for (std::vector<Model>* some : {&models.rigid.models, &models.deforming}) {
@@ -182,7 +183,7 @@ RunModels load_models(const Options& options) {
   return out;
 }
 
-// What has nothing to do with a model.
+// Runs the experiments, or parts of them, that have nothing to do with a model.
 void run_without_model(const Options& options, Units& run, RunFile& result) {
   if (options.wants("growth")) {
     const SpeedSettings speed{options.speed.seconds_per_run / 5, options.speed.repetitions};
@@ -206,7 +207,7 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
                            result("over_time_growth.csv"));
 }
 
-// A line for each experiment and character: what may run by itself, with --only and --character.
+// Prints a line for each experiment and character that may run by itself, with --only and --character.
 void list_parts(const Options& options, const RunModels& models) {
   const auto list = [&](const char* experiment, const std::string& character) {
     if (options.wants(experiment)) std::cout << experiment << '\t' << character << '\n';
@@ -220,8 +221,8 @@ void list_parts(const Options& options, const RunModels& models) {
     for (const char* experiment : experiments_without_model) list(experiment, no_character);
 }
 
-// How often resumed_or will be called; of collisions with the first model only, once. deforming: of the models, those for deformations
-// alone.
+// Returns how often resumed_or will be called, which is once for collisions with the first model only. deforming is the number of
+// the models that are for deformations alone.
 std::size_t unit_count(const Options& options, std::size_t models, std::size_t deforming) {
   const auto count = [&](const char* name, std::size_t units) { return options.wants(name) ? units : 0; };
   const std::size_t with_collisions = options.collisions.first_model_only ? std::min<std::size_t>(models, 1) : models;
@@ -233,7 +234,7 @@ std::size_t unit_count(const Options& options, std::size_t models, std::size_t d
   return units;
 }
 
-// What the report needs to know of the run as a whole.
+// Writes what the report needs to know of the run as a whole.
 void write_catalogue(const Options& options, const DefaultModels& models, RunFile& result) {
   const auto packed =
       options.packs_models ? pack_models(models.models, options.out + "/results/models") : std::vector<std::string>{};

@@ -15,7 +15,7 @@ std::vector<std::string> all_experiments() {
   return out;
 }
 
-// Whether everything runs at all: collisions of one character only, too few repetitions for times to mean much.
+// This shows only that everything runs. It has collisions of one character only, and too few repetitions for times to mean much.
 void measure_quickly(Options& o) {
   o.effort = "quick";
   const SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3}, once{.seconds_per_run = 0.001, .repetitions = 1};
@@ -33,7 +33,7 @@ void measure_quickly(Options& o) {
   o.deformations = {.times_per_clip = 1, .reduced = {.poses = 2}, .speed = once};
 }
 
-// What the paper and README say.
+// These are the settings for the numbers of the paper and README.
 void measure_fully(Options& o) {
   o.effort = "full";
   const SpeedSettings speed{.seconds_per_run = 0.2, .repetitions = 7};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options: what a run of the experiments is asked for on the command line.
+// Options are what a run of the experiments is asked for on the command line.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace refitlab {
 
 inline constexpr const char* experiments_on_models[] = {"tightness",  "speed",     "volumes", "rounding",
                                                         "collisions", "over_time", "engines", "deformations"};
-// Of these all or a part has nothing to do with a model; that part is of no character.
+// All or a part of these has nothing to do with a model. That part belongs to no character.
 inline constexpr const char* experiments_without_model[] = {"growth", "speed", "synthetic", "over_time"};
 inline constexpr const char* no_character = "none";
 
@@ -48,7 +48,7 @@ struct Options {
   DeformationSettings deformations{.speed = speed};
   bool anew = false, check_only = false, lists_parts = false, packs_models = false;
   CertificateRequest certificate;
-  // Whether an experiment is wanted that has something to do with a model.
+  // Returns whether an experiment is wanted that has something to do with a model.
   bool wants_models() const {
     return std::any_of(std::begin(experiments_on_models), std::end(experiments_on_models),
                        [&](const char* name) { return wants(name); });
@@ -57,11 +57,11 @@ struct Options {
   bool wants_character(const std::string& name) const {
     return characters.empty() || std::find(characters.begin(), characters.end(), name) != characters.end();
   }
-  // On one's own models what has nothing to do with a model runs only if it is asked for.
+  // If the user gives models, the parts that have nothing to do with a model run only if they are asked for.
   bool wants_no_character() const { return wants_character(no_character) && (files.empty() || !only.empty()); }
 };
 
-// False if only help was asked for. Throws what boost::program_options does for options that it does not know, and for
+// Returns false if only help was asked for. Throws what boost::program_options throws for options that it does not know, and for
 // some that exclude each other.
 bool parse(int argc, char** argv, Options& options);
 

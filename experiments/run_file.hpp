@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RunFile: out/results/run.csv, the result files that a run wrote and how long it measured. It is there once a run is done.
+// RunFile is out/results/run.csv, which has the result files that a run wrote and how long it measured. It is there once a run is
+// done.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@ namespace refitlab {
 class RunFile {
  public:
   explicit RunFile(const Options& options) : options_(options) { std::filesystem::remove(path()); }
-  // The path of a result file of this run.
+  // Returns the path of a result file of this run.
   std::string operator()(const std::string& name) {
     if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
     return options_.out + "/results/" + name;

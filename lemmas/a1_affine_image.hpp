@@ -2,14 +2,15 @@
 // Beyond the paper: what an affine map makes of a ball, a box, and the hull of balls: joints that scale and shear.
 //
 // Statement. Let C x = A x + b, and s^2 the greatest sum of absolute values in a row of A^T A. Then
-// (i) C carries the ball about c of radius r into that about C c of radius s r. If the columns of A are at right angles, as of a
-//   rotation behind a scale along axes, no smaller radius will do;
-// (ii) a box about c with the half extents e into that about C c with |A| e, and no smaller box about C c will do; and a slab
-//   {x : low <= (n, x) <= high} holds an image just if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the point. In
-//   the direction n the images of a ball are within ||A^T n|| r of C c, and reach that far;
-// (iii) a point within r of the hull of points p_k to within s r of the hull of the C p_k. So a control hull may be carried.
+// (i) C carries the ball about c of radius r into that about C c of radius s r. If the columns of A are at right angles, as those
+//   of a rotation behind a scale along axes are, no smaller radius will do.
+// (ii) C carries a box about c with the half extents e into that about C c with |A| e, and no smaller box about C c will do. A
+//   slab {x : low <= (n, x) <= high} holds an image if and only if {x : low - (n, b) <= (A^T n, x) <= high - (n, b)} holds the
+//   point. In the direction n the images of a ball are within ||A^T n|| r of C c, and reach that far.
+// (iii) C carries a point within r of the hull of points p_k to within s r of the hull of the C p_k. So a control hull may be
+//   carried.
 // (iv) Linear blending by any affine C_i, v' = sum w_i C_i v, stays in any convex set that holds all C_i v.
-// (v) Let C_c = sum c_i C_i be the blend at a weight vertex c, and s_i no less than what C_i stretches by. A vertex within r of p
+// (v) Let C_c = sum c_i C_i be the blend at a weight vertex c, and let s_i be no less than the s of C_i. A vertex within r of p
 //   whose weights are a convex combination of some c is in the hull of the balls about the C_c p of the radii s(c) r, where s(c)
 //   is the s of C_c, or sum c_i s_i if that is less. So rigid joints leave r as it is, and a scale of all joints is exact.
 //
@@ -17,10 +18,10 @@
 // Notation: A -> columns, b -> offset, s^2 -> squared_stretch, e -> half.
 //
 // Proof. ||A d||^2 = (d, A^T A d), and the greatest eigenvalue of a symmetric matrix is at most its greatest row sum; A^T A is
-// diagonal if columns are at right angles. (ii) |(A d)_i| <= sum |A_ij| |d_j|, with equality at a corner; (n, C x) = (A^T n, x) + (n,
-// b), and (n, A d) = (A^T n, d) is ||A^T n|| r for d along A^T n. (iii) C of a convex combination is that of the images, and C(p + d) = C p + A d. (iv) v' is a convex combination. (v) With
-// w = sum u_k c_k, v' = sum u_k C_{c_k} v is a convex combination of images, of which that by c is within s(c) r of C_c p by (i):
-// ||A_c d|| is also at most sum c_i ||A_i d||.
+// diagonal if columns are at right angles. (ii) |(A d)_i| <= sum |A_ij| |d_j|, with equality at a corner; (n, C x) = (A^T n, x) +
+// (n, b), and (n, A d) = (A^T n, d) is ||A^T n|| r for d along A^T n. (iii) C of a convex combination is that of the images, and
+// C(p + d) = C p + A d. (iv) v' is a convex combination. (v) With w = sum u_k c_k, v' = sum u_k C_{c_k} v is a convex combination
+// of images, of which that by c is within s(c) r of C_c p by (i): ||A_c d|| is also at most sum c_i ||A_i d||.
 #pragma once
 
 #include "lemmas/vocabulary/affine.hpp"
@@ -35,7 +36,7 @@ S absolute(const S& x) {
   return max_of(x, S(-x));
 }
 
-// s^2.
+// Returns s^2.
 template <class S>
 S squared_stretch(const AffineMap<S>& map) {
   S greatest(0);
@@ -47,19 +48,19 @@ S squared_stretch(const AffineMap<S>& map) {
   return greatest;
 }
 
-// (i), by squared radii: the root is left to the caller.
+// Returns the ball of (i) by its squared radius, so that it takes no root.
 template <class S>
 SquaredBall<S, 3> image_of_ball(const AffineMap<S>& map, const SquaredBall<S, 3>& ball) {
   return {apply(map, ball.center), squared_stretch(map) * ball.squared_radius};
 }
 
-// A box by its middle and its half extents.
+// A box is given by its center and its half extents.
 template <class S>
 struct HalfBox {
   Vec<S, 3> center, half;
 };
 
-// (ii).
+// Returns the box of (ii).
 template <class S>
 HalfBox<S> image_of_box(const AffineMap<S>& map, const HalfBox<S>& box) {
   HalfBox<S> out{apply(map, box.center), Vec<S, 3>::Constant(S(0))};
@@ -68,13 +69,13 @@ HalfBox<S> image_of_box(const AffineMap<S>& map, const HalfBox<S>& box) {
   return out;
 }
 
-// (ii): A^T n, in whose slabs the points of the images' slabs are.
+// Returns A^T n of (ii): a point is in a slab along it if and only if its image is in one along n.
 template <class S>
 Vec<S, 3> direction_before(const AffineMap<S>& map, const Vec<S, 3>& direction) {
   return {dot(map.columns[0], direction), dot(map.columns[1], direction), dot(map.columns[2], direction)};
 }
 
-// (ii): ||A^T n||, how far the image of the unit ball reaches in a direction.
+// Returns ||A^T n|| of (ii), which is how far A takes the unit ball in the direction n.
 template <class S>
 S reach_along(const AffineMap<S>& map, const Vec<S, 3>& direction) {
   return norm(direction_before(map, direction));
@@ -89,7 +90,8 @@ Verdict encloses(const HalfBox<S>& box, const Vec<S, 3>& x) {
   return v;
 }
 
-// Of (iii): weights of the point's place in the hull, and what is added to it.
+// The hypotheses of (iii) are that w is convex, and that beside is no longer than the radius. The point is beside plus the point
+// of the hull that w gives.
 template <class S>
 Verdict is_near_points(std::span<const S> w, const Vec<S, 3>& beside, const S& squared_radius) {
   return is_convex(w) & less_equal(squared_norm(beside), squared_radius);
@@ -97,14 +99,14 @@ Verdict is_near_points(std::span<const S> w, const Vec<S, 3>& beside, const S& s
 
 // --- Conclusion ---
 
-// The witness: the image, and how far it is from the center's.
+// The witness is the image of the point and its offset from the center's image.
 template <class S>
 struct CarriedPoint {
   Verdict verdict;
   Vec<S, 3> image, beside;
 };
 
-// Independent check, row by row: beside is A d, and the image is the center's and beside.
+// Checks the witness independently, row by row: beside is A d, and the image is the center's image plus beside.
 template <class S>
 Verdict is_carried(const AffineMap<S>& map, const SquaredBall<S, 3>& ball, const Vec<S, 3>& point,
                    const CarriedPoint<S>& witness) {
@@ -131,7 +133,7 @@ Verdict box_is_carried(const AffineMap<S>& map, const HalfBox<S>& box, const Vec
   return encloses(image_of_box(map, box), apply(map, point));
 }
 
-// (iii): the image of the point is as near to that combination of the images.
+// Judges (iii): the image of the point is within s r of the same combination of the images.
 template <class S>
 Verdict hull_is_carried(const AffineMap<S>& map, std::span<const Vec<S, 3>> points, std::span<const S> w, const Vec<S, 3>& beside,
                         const S& squared_radius) {
@@ -141,7 +143,7 @@ Verdict hull_is_carried(const AffineMap<S>& map, std::span<const Vec<S, 3>> poin
   return less_equal(squared_distance(image, of_images), S(squared_stretch(map) * squared_radius));
 }
 
-// (v), squared: of the weights w, for factors that stretch no less than the joints do.
+// Returns the squared stretch of (v) for the weights w. No factor of stretches is less than its joint's s.
 template <class S>
 S blended_squared_stretch(std::span<const AffineMap<S>> maps, std::span<const S> stretches, std::span<const S> w) {
   S blended = stretches[0] * w[0];
@@ -149,14 +151,14 @@ S blended_squared_stretch(std::span<const AffineMap<S>> maps, std::span<const S>
   return min_of(squared_stretch(blended_map(maps, w)), sq(blended));
 }
 
-// (v): the control ball at a weight vertex, of a vertex within the reference ball.
+// Returns the control ball of (v) at the weight vertex w. It holds the blend of each point of the reference ball.
 template <class S>
 SquaredBall<S, 3> linear_control_ball(std::span<const AffineMap<S>> maps, std::span<const S> stretches, std::span<const S> w,
                                       const SquaredBall<S, 3>& reference) {
   return {linear_blend(maps, w, reference.center), blended_squared_stretch(maps, stretches, w) * reference.squared_radius};
 }
 
-// Of (v): no factor stretches less than its joint.
+// The hypotheses of (v) are that no factor is negative or less than its joint's s.
 template <class S>
 Verdict are_stretches(std::span<const AffineMap<S>> maps, std::span<const S> stretches) {
   Verdict v = Verdict::holds;
@@ -165,7 +167,7 @@ Verdict are_stretches(std::span<const AffineMap<S>> maps, std::span<const S> str
   return v;
 }
 
-// (v) at one weight vertex: the blend of a point of the reference ball is in the control ball.
+// Judges (v) at one weight vertex: the blend of a point of the reference ball is in the control ball.
 template <class S>
 Verdict is_in_control_ball(std::span<const AffineMap<S>> maps, std::span<const S> stretches, std::span<const S> w,
                            const SquaredBall<S, 3>& reference, const Vec<S, 3>& point) {
@@ -174,7 +176,7 @@ Verdict is_in_control_ball(std::span<const AffineMap<S>> maps, std::span<const S
 
 // --- Erratum: as if joints were rigid ---
 
-// The radius of a rigid joint, which a scale leaves.
+// Judges whether the image is in a ball of the same radius, as it would be if the joint were rigid.
 template <class S>
 Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>& ball, const Vec<S, 3>& point) {
   return encloses(SquaredBall<S, 3>{apply(map, ball.center), ball.squared_radius}, apply(map, point));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: joints that scale, with spherical and dual quaternion skinning: scales first, then rotations.
 //
-// Statement. Let joints be C_i = R_i S_i, affine S_i (scale and shear) followed by rigid R_i. Skinning in two phases, as
-// engines do, blends v'' = sum w_i S_i v and then carries v'' by the rigid blend of the R_i with the same weights.
-// (i) A convex set that holds all S_i v holds v'': so a ball that encloses the images of the reference ball by all S_i
-// (a1_affine_image), or a box, does.
-// (ii) What bounds the rigid skinning of every point of that set, by whatever weights, bounds v'. So refits of rigid joints need
-// nothing but another reference ball, made anew where a scale changes.
+// Statement. Let joints be C_i = R_i S_i, with an affine S_i (scale and shear) followed by a rigid R_i. Skinning in two phases,
+// as engines do, blends v'' = sum w_i S_i v and then carries v'' by the rigid blend of the R_i with the same weights.
+// (i) A convex set that holds all S_i v holds v''. Such a set is a ball, or a box, that encloses the images of the reference ball
+// by all S_i (a1_affine_image).
+// (ii) A bound of the rigid skinning of every point of that set, with any weights, also bounds v'. So refits of rigid joints need
+// only another reference ball, which is made anew where a scale changes.
 // Where all S_i are one S, v'' = S v; where S_i = 1 it is the rigid skinning; and one joint gives C_i v.
 //
 // Replaces: section 3, where joints are rigid.
@@ -19,7 +19,7 @@
 
 namespace refitlab {
 
-// The balls whose hull has all v'': a reference ball for refits of the rigid joints is one around them.
+// Returns the balls whose hull holds every v''. A ball around them is a reference ball for a refit of the rigid joints.
 template <class S>
 std::vector<SquaredBall<S, 3>> scaled_balls(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& reference) {
   std::vector<SquaredBall<S, 3>> out;
@@ -29,7 +29,7 @@ std::vector<SquaredBall<S, 3>> scaled_balls(std::span<const AffineMap<S>> scales
 
 // --- Hypotheses ---
 
-// The ball encloses the images of the vertex, and the weights are convex.
+// The ball encloses the vertex's images by all scales, and the weights are convex.
 template <class S>
 Verdict two_phase_hypotheses(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& around, const Vec<S, 3>& vertex,
                              std::span<const S> w) {
@@ -40,7 +40,7 @@ Verdict two_phase_hypotheses(std::span<const AffineMap<S>> scales, const Squared
 
 // --- Conclusion ---
 
-// The witness: v''.
+// The witness is v''.
 template <class S>
 struct ScaledVertex {
   Verdict verdict;
@@ -54,7 +54,7 @@ ScaledVertex<S> stays_in_scaled_ball(std::span<const AffineMap<S>> scales, const
   return {encloses(around, scaled), scaled};
 }
 
-// Independent check: v'' is what the blended matrix makes of the vertex, and in the ball.
+// Checks the witness independently: v'' is the vertex's image by the blended matrix, and it is in the ball.
 template <class S>
 Verdict is_scaled_vertex(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& around, const Vec<S, 3>& vertex,
                          std::span<const S> w, const Vec<S, 3>& scaled) {
@@ -74,7 +74,7 @@ Verdict is_scaled_vertex(std::span<const AffineMap<S>> scales, const SquaredBall
 
 // --- Erratum: the reference ball itself ---
 
-// What a refit that does not know of scales takes for v''.
+// Judges what a refit without scales assumes: v'' is in the reference ball.
 template <class S>
 Verdict stays_in_reference_ball(std::span<const AffineMap<S>> scales, const SquaredBall<S, 3>& reference, const Vec<S, 3>& vertex,
                                 std::span<const S> w) {

@@ -5,10 +5,11 @@
 // radius r_k.
 // (i) For given m, v is in the ball about c + sum m_k c_k of the radius r + sum |m_k| r_k. If displacements are independent, no
 //   smaller one will do.
-// (ii) For m_k in [l_k, h_k], with the middle n_k and half width e_k, and g_k = max(|l_k|, |h_k|), it is in the ball about
+// (ii) For m_k in [l_k, h_k], with the middle n_k and half width e_k, and g_k = max(|l_k|, |h_k|), v is in the ball about
 //   c + sum n_k c_k of the radius r + sum (e_k ||c_k|| + g_k r_k).
 // (iii) In a direction, slabs of v_0 and of the d_k give that of v by products of intervals, summed. Boxes are three slabs.
-// (iv) If the m_k move within M_k (lemmas/vocabulary/motion.hpp), v moves within the sum of M_k times ||d_k||, besides its own size.
+// (iv) If the m_k move within M_k (lemmas/vocabulary/motion.hpp), v moves within the sum of M_k times ||d_k||, besides its own
+//   size.
 // Everything behind it (control hulls, trees, clusters, chains of joints) takes the displaced ball for the reference ball.
 //
 // Replaces: section 3, where the reference pose is one.
@@ -24,7 +25,7 @@
 
 namespace refitlab {
 
-// (i), one target at a time.
+// These compute (i), for one target and for all of them.
 template <class S>
 Ball3<S> displaced_by(const Ball3<S>& ball, const Ball3<S>& displacement, const S& weight) {
   return {displaced_by<S>(ball.center, displacement.center, weight), ball.radius + absolute<S>(weight) * displacement.radius};
@@ -36,7 +37,8 @@ Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> dis
   return out;
 }
 
-// (ii), likewise. length: no less than that of the center of the displacements. A weight that does not move gives (i).
+// These compute (ii) likewise. length is no less than that of the displacements' center. A weight whose range is one number gives
+// (i).
 template <class S>
 Ball3<S> displaced_by(const Ball3<S>& ball, const Ball3<S>& displacement, const Slab<S>& weight, const S& length) {
   const S middle = (weight.low + weight.high) / S(2), half = (weight.high - weight.low) / S(2);
@@ -52,7 +54,7 @@ Ball3<S> displaced_ball(const Ball3<S>& reference, std::span<const Ball3<S>> dis
   return out;
 }
 
-// (iii): the products of two intervals.
+// Returns the products of the numbers of two intervals, as (iii) needs them.
 template <class S>
 Slab<S> product_of_slabs(const Slab<S>& a, const Slab<S>& b) {
   const S p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
@@ -68,7 +70,7 @@ Slab<S> displaced_slab(const Slab<S>& reference, std::span<const Slab<S>> displa
   return out;
 }
 
-// (iv): of v, by how long v_0 and the displacements are at most.
+// Returns the motion of v by (iv). size is no less than ||v_0||, and lengths[k] is no less than ||d_k||.
 template <class S>
 Motion<S> displaced_motion(const S& size, std::span<const S> lengths, std::span<const Motion<S>> weights) {
   Motion<S> out = at_rest(size);
@@ -78,7 +80,7 @@ Motion<S> displaced_motion(const S& size, std::span<const S> lengths, std::span<
 
 // --- Hypotheses ---
 
-// A vertex and its displacements.
+// A vertex of the reference pose has a displacement for each target.
 template <class S>
 struct MorphedVertex {
   Vec<S, 3> reference;
@@ -109,14 +111,15 @@ Vec<S, 3> displaced(const MorphedVertex<S>& vertex, std::span<const S> weights) 
   return v;
 }
 
-// The witness of (i): by how much the vertex is beside the center because of its reference, and of each displacement.
+// The witness of (i) splits the way from the ball's center to the vertex: the part of the reference, then that of each target.
 template <class S>
 struct DisplacedVertex {
   Verdict verdict;
   std::vector<Vec<S, 3>> beside;
 };
 
-// Independent check: the parts lead from the center to the vertex, and none is longer than its share of the radius.
+// Checks the witness independently: the parts lead from the center to the vertex, and none is longer than its share of the
+// radius.
 template <class S>
 Verdict is_displaced(const MorphedVertex<S>& vertex, const Ball3<S>& reference, std::span<const Ball3<S>> displacements,
                      std::span<const S> weights, std::span<const Vec<S, 3>> beside) {
@@ -143,7 +146,7 @@ DisplacedVertex<S> stays_in_displaced_ball(const MorphedVertex<S>& vertex, const
   return out;
 }
 
-// (ii).
+// Judges (ii).
 template <class S>
 Verdict stays_in_ball_of_ranges(const MorphedVertex<S>& vertex, const Ball3<S>& reference,
                                 std::span<const Ball3<S>> displacements, std::span<const Slab<S>> ranges,
@@ -153,7 +156,7 @@ Verdict stays_in_ball_of_ranges(const MorphedVertex<S>& vertex, const Ball3<S>& 
 
 // --- Erratum: the reference pose's ball ---
 
-// What a refit that does not know of morph targets takes.
+// Judges what a refit without morph targets assumes: the displaced vertex is in the reference ball.
 template <class S>
 Verdict stays_in_reference(const MorphedVertex<S>& vertex, const Ball3<S>& reference, std::span<const S> weights) {
   return encloses(reference, displaced(vertex, weights));

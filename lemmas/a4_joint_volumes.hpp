@@ -35,13 +35,13 @@ struct CarriedVolume {
   S distance, growth;  // of the vertex from it, at most; by how much the volume grows
 };
 
-// By how much a joint's share of the inequality lacks.
+// Returns a joint's summand w (d - g) of the inequality, which is positive where its volume grows too little.
 template <class S>
 S lack_of_growth(const S& weight, const S& distance, const S& growth) {
   return weight * (distance - growth);
 }
 
-// The ball of (i).
+// Returns the ball of (i).
 template <class S>
 Ball3<S> mean_ball(std::span<const CarriedVolume<S>> volumes, std::span<const S> w) {
   Ball3<S> out{Vec<S, 3>::Constant(S(0)), S(0)};
@@ -66,7 +66,7 @@ Verdict volumes_hypotheses(std::span<const CarriedVolume<S>> volumes, std::span<
 
 // --- Conclusion ---
 
-// The witness: what each joint adds to v' beside the ball's center.
+// The witness splits the way from the ball's center to v' into the part of each joint.
 template <class S>
 struct VertexAmongVolumes {
   Verdict verdict;
@@ -80,7 +80,7 @@ Vec<S, 3> skinned_among(std::span<const CarriedVolume<S>> volumes, std::span<con
   return out;
 }
 
-// (i).
+// Judges (i).
 template <class S>
 VertexAmongVolumes<S> stays_in_mean_ball(std::span<const CarriedVolume<S>> volumes, std::span<const S> w,
                                          const Vec<S, 3>& vertex) {
@@ -90,8 +90,8 @@ VertexAmongVolumes<S> stays_in_mean_ball(std::span<const CarriedVolume<S>> volum
   return out;
 }
 
-// Independent check: each part is as long as the weighted way from the point to the vertex, no part is longer than its share of the
-// distances, and from the center they lead to v'.
+// Checks the witness independently: each part is as long as the weighted way from the point to the vertex, no part is longer than
+// its share of the distances, and the parts lead from the center to v'.
 template <class S>
 Verdict is_vertex_among(std::span<const CarriedVolume<S>> volumes, std::span<const S> w, const Vec<S, 3>& vertex,
                         std::span<const Vec<S, 3>> beside) {
@@ -110,7 +110,7 @@ Verdict is_vertex_among(std::span<const CarriedVolume<S>> volumes, std::span<con
   return v & less_equal(lack, S(0));
 }
 
-// (ii), for a direction of unit length: what the grown volumes reach by these points.
+// Returns how far the grown volumes reach along a direction of unit length, as (ii) says.
 template <class S>
 S reach_along(std::span<const CarriedVolume<S>> volumes, const Vec<S, 3>& direction) {
   S reach = dot(direction, apply(volumes[0].joint, volumes[0].point)) + volumes[0].growth;
@@ -126,7 +126,8 @@ Verdict stays_below_reach(std::span<const CarriedVolume<S>> volumes, std::span<c
 
 // --- Erratum: the volume of one joint ---
 
-// A vertex that is in the volume of the joint that moves it most, where none grows: as volumes a bone are often fitted.
+// Judges (ii) with volumes that do not grow. Volumes of bones are often fitted so: each holds the vertices that its joint moves
+// most.
 template <class S>
 Verdict stays_with_its_own_joint(std::span<const CarriedVolume<S>> volumes, std::span<const S> w, const Vec<S, 3>& vertex,
                                  const Vec<S, 3>& direction) {

@@ -30,14 +30,14 @@
 
 namespace refitlab {
 
-// N and D of a deformed point N / D.
+// A deformed point N / D is kept as its numerator N and its denominator D.
 template <class S>
 struct ScaledPoint {
   Vec<S, 3> numerator;
   S denominator;
 };
 
-// N_I / W_I for the weight vertices of a sorted multi-index I.
+// A control point N_I / W_I belongs to the weight vertices of a sorted multi-index I.
 template <class S>
 struct ControlPoint {
   std::vector<std::size_t> index;
@@ -45,14 +45,14 @@ struct ControlPoint {
   S weight;
 };
 
-// W_kl, and P_kl or, of degree 2, N_kl of two weight vertices.
+// A mixed pair holds W_kl of two weight vertices, and with it P_kl, or N_kl for degree 2.
 template <class S>
 struct MixedPair {
   S weight;
   Vec<S, 3> numerator;
 };
 
-// W_kl and P_kl. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
+// Returns W_kl and P_kl. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
 template <class S>
 MixedPair<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
   const Vec<S, 3> va = imaginary(a), vb = imaginary(b);
@@ -61,21 +61,22 @@ MixedPair<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const
   return {real + imag, x * (real - imag) + vb * dot(va, x) + va * dot(vb, x) + turn};
 }
 
-// Im(d q*).
+// Returns Im(d q*).
 template <class S>
 Vec<S, 3> scaled_translation(const Quaternion<S>& dual, const Quaternion<S>& rotation) {
   const Vec<S, 3> dv = imaginary(dual), qv = imaginary(rotation);
   return dv * rotation[0] - qv * dual[0] - cross(dv, qv);
 }
 
-// W_kl and N_kl = P_kl + T_kl: the control point of degree 2.
+// Returns the control point of degree 2: W_kl and N_kl = P_kl + T_kl.
 template <class S>
 MixedPair<S> mix_motions(const BlendedDuals<S>& a, const BlendedDuals<S>& b, const Vec<S, 3>& point) {
   const MixedPair<S> turned = mix_rotations(a.rotation, b.rotation, point);
   return {turned.weight, turned.numerator + scaled_translation(a.dual, b.rotation) + scaled_translation(b.dual, a.rotation)};
 }
 
-// 3 N_jkl and 3 W_jkl: the control point of degree 3, of the mixed pairs of its weight vertices and their center images.
+// Returns the control point of degree 3, as 3 N_jkl and 3 W_jkl. It takes the mixed pairs and the center images of its weight
+// vertices.
 template <class S>
 ScaledPoint<S> spherical_control_point(const MixedPair<S>& jk, const MixedPair<S>& kl, const MixedPair<S>& jl,
                                        const Vec<S, 3>& center_j, const Vec<S, 3>& center_k, const Vec<S, 3>& center_l) {
@@ -153,7 +154,7 @@ void for_each_index(std::size_t m, int degree, Visit&& visit, std::vector<std::s
   }
 }
 
-// B_I(u).
+// Returns B_I(u).
 template <class S>
 S bernstein(const std::vector<std::size_t>& index, std::span<const S> u) {
   int orderings = 1, repeats = 0;
@@ -175,7 +176,7 @@ Verdict bezier_simplex_hypotheses(std::span<const S> u) {
   return equal(sum, S(1));
 }
 
-// For the deformed point itself: the blend is not 0.
+// The deformed point exists: the blend is not 0.
 template <class Blend, class S = typename Blend::Number>
 Verdict blend_has_image(const Blend& blend, std::span<const S> u) {
   return less(S(0), blend.at(u).denominator);
@@ -192,7 +193,7 @@ Verdict is_blended_image(const Blend& blend, std::span<const S> u, const Vec<S, 
 
 // --- Witness and its check ---
 
-// sum_I B_I(u) N_I and sum_I B_I(u) W_I.
+// Returns sum_I B_I(u) N_I and sum_I B_I(u) W_I.
 template <class S>
 ScaledPoint<S> evaluate(const std::vector<ControlPoint<S>>& points, std::span<const S> u) {
   ScaledPoint<S> sum{Vec<S, 3>::Constant(S(0)), S(0)};
@@ -212,7 +213,7 @@ Verdict agrees_at(const Blend& blend, const std::vector<ControlPoint<S>>& points
   return v;
 }
 
-// Numerator and denominator agree for every u of sum 1.
+// The numerator and the denominator of the blend and of the simplex agree for every u of sum 1.
 template <class Blend, class S = typename Blend::Number>
 Verdict is_bezier_simplex(const Blend& blend, const std::vector<ControlPoint<S>>& points) {
   Verdict v = Verdict::holds;

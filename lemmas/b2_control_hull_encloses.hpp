@@ -22,7 +22,7 @@
 
 namespace refitlab {
 
-// N_I / W_I.
+// Returns the positions N_I / W_I.
 template <class S>
 std::vector<Vec<S, 3>> positions(const std::vector<ControlPoint<S>>& points) {
   std::vector<Vec<S, 3>> out;
@@ -74,7 +74,7 @@ HullCombination<S> image_in_control_hull(const Blend& blend, std::span<const S> 
   return {v, image, std::move(coefficients)};
 }
 
-// What it gives a bounding volume: a ball around the control balls holds every vertex of the reference ball.
+// Judges whether the ball encloses all control balls. If it does, it holds every vertex of the reference ball.
 template <class S>
 Verdict encloses_control_balls(const Ball3<S>& ball, const std::vector<ControlPoint<S>>& points, const S& radius) {
   Verdict v = Verdict::holds;

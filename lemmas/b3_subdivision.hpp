@@ -34,7 +34,7 @@
 
 namespace refitlab {
 
-// The edge that is cut, and which of its ends the half keeps.
+// A half of the simplex keeps one end of the edge that is cut. The middle replaces the other end.
 struct Half {
   std::size_t kept, replaced;
 };
@@ -44,9 +44,9 @@ Vec<S, D> middle_of(const Vec<S, D>& a, const Vec<S, D>& b) {
   return (a + b) / S(2);
 }
 
-// The edge of a simplex of m weight vertices to cut: the pair with the smallest normalised dot product W_kl, compared
-// without roots or quotients; dot_of(k, l) is W_kl. A weight vertex that may be 0 makes any pair of it the widest.
-// (1, 0) of equally wide ones and (0, 0) of a single weight vertex.
+// Returns the edge to cut in a simplex of m weight vertices. It is the pair with the smallest normalised dot product W_kl,
+// compared without roots or quotients; dot_of(k, l) is W_kl. Each pair of a weight vertex that may be 0 is the widest. The result
+// is (1, 0) if all pairs are equally wide, and (0, 0) for a single weight vertex.
 template <class S, class Dots>
 std::pair<std::size_t, std::size_t> widest_edge(std::size_t m, const Dots& dot_of) {
   std::pair<std::size_t, std::size_t> widest{m > 1 ? 1 : 0, 0};
@@ -84,7 +84,7 @@ Verdict halving_hypotheses(const SphericalBlend<S>& blend, const Half& half, std
 
 // --- 1. Cover ---
 
-// The blend with u is that of the half with the coefficients.
+// The blend with u is the blend of the half with the coefficients.
 template <class S>
 struct HalfPoint {
   Verdict verdict;
@@ -92,7 +92,8 @@ struct HalfPoint {
   std::vector<S> coefficients;  // u'
 };
 
-// Independent check: the same quaternion and the same image of the rotation center, so the same deformed vertices.
+// Checks independently that both blends have the same quaternion and the same image of the rotation center. Then they deform
+// vertices alike.
 template <class S>
 Verdict is_same_blend(const SphericalBlend<S>& a, std::span<const S> u, const SphericalBlend<S>& b, std::span<const S> v) {
   Verdict same = verdict_of(a.weight_vertex_count() == u.size() && b.weight_vertex_count() == v.size());
@@ -109,7 +110,7 @@ Verdict is_half_point(const SphericalBlend<S>& blend, std::span<const S> u, cons
   return is_convex<S>(witness.coefficients) & is_same_blend<S>(blend, u, half_of(blend, witness.half), witness.coefficients);
 }
 
-// Which half of the edge (k, l) holds the blend with u.
+// Returns the half of the edge (k, l) that holds the blend with u.
 template <class S>
 HalfPoint<S> halves_cover(const SphericalBlend<S>& blend, std::size_t k, std::size_t l, std::span<const S> u) {
   const Half half = prefer_less(u[k], u[l]) ? Half{l, k} : Half{k, l};
@@ -121,7 +122,7 @@ HalfPoint<S> halves_cover(const SphericalBlend<S>& blend, std::size_t k, std::si
   return out;
 }
 
-// The other way round: u of the whole, for u' of a half.
+// Goes the other way: returns the whole's u for the u' of a half.
 template <class S>
 HalfPoint<S> half_in_whole(const SphericalBlend<S>& blend, const Half& half, std::span<const S> in_half) {
   std::vector<S> u(in_half.begin(), in_half.end());
@@ -132,8 +133,8 @@ HalfPoint<S> half_in_whole(const SphericalBlend<S>& blend, const Half& half, std
   return {v, half, std::move(u)};
 }
 
-// The control point of a half as a convex combination of the whole's. The positions of its multi-index that hold the
-// new weight vertex are shared out to both ends of the edge; the coefficients belong to control_points(blend).
+// Returns a half's control point as a convex combination of the whole's control points. The positions of its multi-index that
+// hold the new weight vertex are shared out to both ends of the edge; the coefficients belong to control_points(blend).
 template <class S>
 HullCombination<S> half_control_point_in_hull(const SphericalBlend<S>& blend, const Half& half,
                                               const std::vector<std::size_t>& index) {
@@ -181,7 +182,7 @@ Verdict sizes_bound(const SphericalBlend<S>& blend, const SimplexSizes<S>& sizes
   return v;
 }
 
-// What W_I times the distance is at most.
+// Returns the bound of W_I times the distance.
 template <class S>
 S distance_bound(const SimplexSizes<S>& sizes) {
   const S& s = sizes.rotation_spread;
@@ -189,7 +190,7 @@ S distance_bound(const SimplexSizes<S>& sizes) {
   return sizes.arm * sq(s) / S(3) + sizes.rotation_length * s * t / S(3) + sq(s) * t / S(5);
 }
 
-// The mean of the weight vertices of I.
+// Returns the weights of the mean of the weight vertices of I.
 template <class S>
 std::vector<S> middle_weights(const std::vector<std::size_t>& index, std::size_t m) {
   std::vector<S> u(m, S(0));
@@ -204,7 +205,7 @@ struct ControlPointDistance {
   Vec<S, 3> scaled_gap;    // W_I (N_I / W_I - v'(u))
 };
 
-// Independent check. The blend is not 0 at the weights; W_I and the gap are what they are said to be; both bounds hold.
+// Checks the witness independently: the blend is not 0 at the weights, W_I and the gap are right, and both bounds hold.
 template <class S>
 Verdict is_control_point_distance(const SphericalBlend<S>& blend, const std::vector<std::size_t>& index,
                                   const SimplexSizes<S>& sizes, const ControlPointDistance<S>& witness) {
@@ -230,7 +231,7 @@ ControlPointDistance<S> control_point_is_near(const SphericalBlend<S>& blend, co
   return out;
 }
 
-// Halving the longest edge (a, b): the new edge from its middle to c has a squared length of at most 3/4 of it.
+// If the longest edge (a, b) is halved, the new edge from its middle to c has at most 3/4 of its squared length.
 template <class S>
 Verdict new_edge_is_shorter(const Quaternion<S>& a, const Quaternion<S>& b, const Quaternion<S>& c) {
   const S longest = squared_distance(a, b);
@@ -248,14 +249,14 @@ Verdict positive_if_middle_is_long(const Quaternion<S>& p, const Quaternion<S>& 
   return implies(positive, is_long) & implies(is_long, positive);
 }
 
-// Quaternions of equal length whose middle is not 0.
+// The quaternions have equal lengths, and their middle is not 0.
 template <class S>
 Verdict equal_lengths_hypotheses(const Quaternion<S>& p, const Quaternion<S>& q) {
   const Quaternion<S> sum = p + q;
   return equal(squared_norm(p), squared_norm(q)) & less(S(0), squared_norm(sum));
 }
 
-// The dot products of the middle with both ends are positive: they are its squared length.
+// Each dot product of the middle with an end is the middle's squared length, and so positive.
 template <class S>
 struct PositiveHalves {
   Verdict verdict;

@@ -30,13 +30,13 @@ struct CapFallback {
   S squared_cosine;                      // kappa^2
 };
 
-// h.
+// Returns h.
 template <class S>
 S fallback_height(const CapFallback<S>& cap) {
   return max_of(S(S(2) * cap.squared_cosine - S(1)), S(0));
 }
 
-// The ball around the rotated x: what is added to each r'_k.
+// Returns the ball that is added to each r'_k. It holds the rotated x.
 template <class S>
 SquaredBall<S, 3> fallback_ball(const CapFallback<S>& cap, const Vec<S, 3>& x) {
   if (less_equal(cap.squared_cosine, S(S(1) / S(2))) == Verdict::holds) return {Vec<S, 3>::Constant(S(0)), squared_norm(x)};
@@ -61,15 +61,15 @@ Verdict cap_fallback_hypotheses(const CapFallback<S>& cap, std::span<const S> u)
 
 // --- Conclusion ---
 
-// The witness: the way from a point of the hull of all r'_k + h R_c x to the vertex, by a step of the rotation and y.
+// The witness leads from a point of the hull of all r'_k + h R_c x to the vertex by two steps: that of the rotation, and y.
 template <class S>
 struct FallbackSteps {
   Verdict verdict;
   Vec<S, 3> vertex, hull_point, rotation_step;
 };
 
-// Independent check: the hull point has the coefficients u, the rotation step is from h R_c x to R_b x and short
-// enough.
+// Checks the witness independently: the hull point has the coefficients u, and the rotation step goes from h R_c x to R_b x and
+// is short enough.
 template <class S>
 Verdict is_fallback_steps(const CapFallback<S>& cap, const Vec<S, 3>& x, std::span<const S> u, const Vec<S, 3>& offset,
                           const FallbackSteps<S>& steps) {
@@ -94,7 +94,7 @@ FallbackSteps<S> cap_fallback_encloses(const CapFallback<S>& cap, const Vec<S, 3
   return out;
 }
 
-// Where no W_kl is negative, the cap about the sum of the weight vertices is there: they are strictly ahead of it.
+// If no W_kl is negative, the cap about the sum of the weight vertices exists, because all of them are strictly ahead of it.
 template <class S>
 Verdict positive_pairs_are_ahead(const std::vector<Quaternion<S>>& rotations) {
   Verdict hypothesis = Verdict::holds, ahead = Verdict::holds;

@@ -48,7 +48,7 @@ AxisParts<S> split_at_axis(const Vec<S, 3>& axis, const Vec<S, 3>& x) {
   return {along, x - along};
 }
 
-// The ball of the statement.
+// Returns the ball of the statement.
 template <class S>
 SquaredBall<S, 3> twist_ball(const CapFallback<S>& cap, const AxisParts<S>& parts) {
   const SquaredBall<S, 3> of_across = fallback_ball(cap, parts.across);
@@ -62,7 +62,8 @@ struct TwistedPoint {
   Vec<S, 3> rotated;  // R_b x
 };
 
-// Independent check: x is split at the axis, R_b x keeps the part along, and is in the ball.
+// Checks the witness independently: x is split into its parts along and across the axis, R_b x keeps the part along it, and R_b x
+// is in the ball.
 template <class S>
 Verdict is_twisted_point(const Vec<S, 3>& axis, const CapFallback<S>& cap, const Vec<S, 3>& x, std::span<const S> u,
                          const TwistedPoint<S>& witness) {

@@ -4,8 +4,8 @@
 // Statement. Let q_k + eps d_k, k = 1 ... m, be the weight vertices of a dual quaternion blend
 // (b1_rational_bezier_simplex), of any length, p its point and f any other, and a an axis of R^4 with all (q_k, a) > 0.
 //   With E_k = 2 d_k + q_k p - f q_k   (p and f as pure quaternions),
-// no blend with u in W_m is 0, and all v'(u) are in the ball about f of radius ||a|| max_k ||E_k|| / (q_k, a). Of a
-// weight vertex that is not 0 and whose image is v'_k,
+// no blend with u in W_m is 0, and all v'(u) are in the ball about f of radius ||a|| max_k ||E_k|| / (q_k, a). For a weight
+// vertex that is not 0 and whose image is v'_k,
 //   ||E_k||^2 = ||q_k||^2 ||v'_k - f||^2 + 4 (d_k, q_k)^2 / ||q_k||^2:
 // of unit dual quaternions it is the distance of the image from f, which the ball exceeds by 1 / cosine of the angle
 // from the axis. An axis is there if and only if 0 is not in the hull of the q_k; if it is, there may be no ball: near
@@ -29,7 +29,7 @@ Quaternion<S> pure_quaternion(const Vec<S, 3>& x) {
   return {S(0), x[0], x[1], x[2]};
 }
 
-// E_k.
+// Returns E_k.
 template <class S>
 Quaternion<S> reach_of(const BlendedDuals<S>& weight_vertex, const Vec<S, 3>& point, const Vec<S, 3>& center) {
   return weight_vertex.dual * S(2) + multiply(weight_vertex.rotation, pure_quaternion(point)) -
@@ -41,14 +41,14 @@ Quaternion<S> reach_at(const DualQuaternionBlend<S>& blend, std::size_t k, const
   return reach_of<S>({blend.rotations[k], blend.duals[k]}, blend.point, center);
 }
 
-// ||E_k||^2 / (q_k, a)^2: what the squared radius is the greatest of, but for ||a||^2.
+// Returns ||E_k||^2 / (q_k, a)^2. The squared radius is the greatest of these, times ||a||^2.
 template <class S>
 S squared_reach(const BlendedDuals<S>& weight_vertex, const Vec<S, 3>& point, const Quaternion<S>& axis,
                 const Vec<S, 3>& center) {
   return squared_norm(reach_of(weight_vertex, point, center)) / sq(dot(weight_vertex.rotation, axis));
 }
 
-// The ball of the statement.
+// Returns the ball of the statement.
 template <class S>
 SquaredBall<S, 3> dual_quaternion_ball(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis, const Vec<S, 3>& center) {
   S greatest(0);
@@ -73,7 +73,7 @@ Verdict dual_quaternion_ball_hypotheses(const DualQuaternionBlend<S>& blend, con
 
 // --- Conclusion ---
 
-// The witness: the image, and E.
+// The witness is the image and E.
 template <class S>
 struct ReachedImage {
   Verdict verdict;
@@ -81,8 +81,8 @@ struct ReachedImage {
   Quaternion<S> reach;  // E
 };
 
-// Independent check, by the steps of the proof: the blend is not 0, ||q||^2 v' is what the skinning makes, E leads to
-// it from f, and E is short enough.
+// Checks the witness independently, by the steps of the proof: the blend is not 0, ||q||^2 v' is what the skinning makes, E leads
+// to it from f, and E is short enough.
 template <class S>
 Verdict is_reached_image(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis, const SquaredBall<S, 3>& ball,
                          std::span<const S> u, const ReachedImage<S>& witness) {
@@ -105,7 +105,7 @@ ReachedImage<S> dual_quaternion_ball_encloses(const DualQuaternionBlend<S>& blen
   return out;
 }
 
-// ||E_k||^2 of a weight vertex that is not 0.
+// Judges the formula for ||E_k||^2 of a weight vertex that is not 0.
 template <class S>
 Verdict reach_is_distance(const DualQuaternionBlend<S>& blend, std::size_t k, const Vec<S, 3>& center) {
   const Quaternion<S>& q = blend.rotations[k];

@@ -7,8 +7,8 @@
 //   ||B - L||^2 <= 9/16 (1 - c) A(f)^2,
 //   ||B - L||^2 <= (1 - c) / (4 (1 + c)) A(f)^2  if c >= 3/5: no two rotations are more than 106 degrees apart.
 // The second is sharp: two joints at halves that turn about an axis, and f not on it, reach it.
-// So where v is carried is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= s
-// A(f)), s^2 one of these factors, in the hull of the C_k f blown up by both lengths, for
+// So the image of v is known from f and the joints: v' = L + (a vector of length ||v - f||) + (one of length <= s A(f)), s^2 one
+// of these factors, in the hull of the C_k f blown up by both lengths, for
 // - linear blending: the first may be shorter, and the second is 0;
 // - dual quaternions: it is B - L;
 // - spherical blending about a rotation center r, at f = r: it is 0;
@@ -17,7 +17,7 @@
 //   r||^2.
 // For given weights u, whatever the signs of the quaternions, with (q_k, q_l) >= c_kl and 0 < D <= ||q||^2,
 //   ||B - L||^2 <= A(f)^2 / D^2 sum_{k<l} u_k^2 u_l^2 (1 - d_kl) (1 + d_kl + 2 D), d_kl = max(c_kl, -D).
-// Of a part of the joints A is no greater and c no less, so a bound for many joints holds for fewer of them.
+// For some of the joints A is no greater and c is no less, so a bound for all joints holds for some of them too.
 // With f = v the first length is 0: v' is within s A(v) of the hull of the C_k v, and all v at once of that of the
 // images of any set that holds them, such as a box. Their A is known from one of them: A(v) <= A(f) +
 // sqrt(2 n (n - 1) (1 - c^2)) ||v - f||.
@@ -65,7 +65,7 @@ std::vector<Vec<S, 3>> images_of(const std::vector<RigidTransform<S>>& transform
   return out;
 }
 
-// A^2.
+// Returns A^2.
 template <class S>
 S squared_spread(const std::vector<Vec<S, 3>>& images) {
   S sum(0);
@@ -74,21 +74,21 @@ S squared_spread(const std::vector<Vec<S, 3>>& images) {
   return sum;
 }
 
-// The same of any number of images, by their sum and the sum of their squared lengths as seen from any one point:
+// Returns A^2 of count images. squares is the sum of their squared lengths and sum is their sum, both as seen from any one point:
 // sum_{k<l} ||y_k - y_l||^2 = n sum ||y_k||^2 - ||sum y_k||^2.
 template <class S>
 S squared_spread_of_sums(const S& count, const S& squares, const Vec<S, 3>& sum) {
   return count * squares - squared_norm(sum);
 }
 
-// s^2, or for c >= 3/5 a little more: (1 - c) / (4 (1 + c)) is 1 - c times a convex function of c, which its chord from c =
-// 3/5 to 1, (13 - 5 c) / 64, is above. Without a quotient, and for packs too.
+// Returns s^2, or for c >= 3/5 a little more: (1 - c) / (4 (1 + c)) is 1 - c times a convex function of c, which its chord from c
+// = 3/5 to 1, (13 - 5 c) / 64, is above. This takes no quotient and serves packs too.
 template <class S>
 S squared_deviation_share(const S& cosine) {
   return (S(1) - cosine) * choose(S(5) * cosine >= S(3), S(S(13) / S(64) - S(5) / S(64) * cosine), S(S(9) / S(16)));
 }
 
-// The same of given weights, by c_kl for k < l in order, and D.
+// Returns the share for given weights u. cosines are the c_kl for k < l in order, and squared_blend is D.
 template <class S>
 S squared_deviation_share(std::span<const S> u, std::span<const S> cosines, const S& squared_blend) {
   S sum(0);
@@ -101,8 +101,8 @@ S squared_deviation_share(std::span<const S> u, std::span<const S> cosines, cons
   return sum / sq(squared_blend);
 }
 
-// The same by pairs, as the proof has it before it is bounded any further: sum p^2 ((g_k - g_l)^2 + 1 - c_kl^2) / D^2, as a share of a = 1 -
-// c. versines are the (1 - c_kl) / a for k < l in order, so that nothing cancels where the rotations are close, and a may be 0.
+// Returns the share before the proof bounds it any further: sum p^2 ((g_k - g_l)^2 + 1 - c_kl^2) / D^2, divided by a = 1 - c.
+// versines are the (1 - c_kl) / a for k < l in order, so that nothing cancels where the rotations are close, and a may be 0.
 template <class S>
 S deviation_share_of_pairs(std::span<const S> u, std::span<const S> versines, const S& a) {
   std::vector<S> behind(u.size(), S(0));  // (1 - g_k) / a
@@ -123,11 +123,12 @@ S deviation_share_of_pairs(std::span<const S> u, std::span<const S> versines, co
       const S& versine = versines[pair++];
       sum = sum + sq(S(u[k] * u[l])) * (a * sq(S(behind[k] - behind[l])) + versine * (S(2) - a * versine));
     }
-  // Both are D. Intervals bound the one better from below where rotations are close, the other where they are far apart.
+  // Both arguments are D. Intervals bound the first better from below where rotations are close, and the second where they are
+  // far apart.
   return sum / sq(max_of(S(S(1) - S(2) * a * lost), squared_blend));
 }
 
-// The blend that carries a point by dual quaternions.
+// Returns the dual quaternion blend that carries the point.
 template <class S>
 DualQuaternionBlend<S> dual_blend(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point) {
   DualQuaternionBlend<S> blend{{}, {}, point};
@@ -138,7 +139,7 @@ DualQuaternionBlend<S> dual_blend(const std::vector<RigidTransform<S>>& transfor
   return blend;
 }
 
-// Transforms without what they move.
+// Returns the transforms without their translations.
 template <class S>
 std::vector<RigidTransform<S>> rotations_alone(std::vector<RigidTransform<S>> transforms) {
   for (auto& c : transforms) c.translation = Vec<S, 3>::Constant(S(0));
@@ -163,7 +164,7 @@ Verdict reach_hypotheses(const std::vector<RigidTransform<S>>& transforms, const
   return are_within(transforms, cosine) & is_convex(u);
 }
 
-// The normal equations.
+// The center satisfies the normal equations.
 template <class S>
 Verdict is_least_squares_center(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& center) {
   Vec<S, 3> gradient = Vec<S, 3>::Constant(S(0));
@@ -177,14 +178,14 @@ Verdict is_least_squares_center(const std::vector<RigidTransform<S>>& transforms
 
 // --- Conclusion ---
 
-// The witness: v' = carried + turned + deviated.
+// The witness splits v' = carried + turned + deviated.
 template <class S>
 struct ReachedVertex {
   Verdict verdict;
   Vec<S, 3> carried, turned, deviated;
 };
 
-// Both bounds.
+// Judges both bounds on the squared length of the deviation.
 template <class S>
 Verdict deviates_little(const S& squared_length, const S& cosine, const S& squared_spread) {
   const S allowed = (S(1) - cosine) * squared_spread;
@@ -192,7 +193,8 @@ Verdict deviates_little(const S& squared_length, const S& cosine, const S& squar
          implies(less_equal(S(3), S(S(5) * cosine)), less_equal(S(S(4) * (S(1) + cosine) * squared_length), allowed));
 }
 
-// Independent check, but for what makes v': carried is the linear blend of f, and both lengths are kept.
+// Checks the witness independently, except that it sums up to v': carried is the linear blend of f, turned is as long as v - f,
+// and deviated is within its bounds.
 template <class S>
 Verdict is_reached_vertex(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
                           std::span<const S> u, const Vec<S, 3>& vertex, const ReachedVertex<S>& witness) {
@@ -204,7 +206,7 @@ Verdict is_reached_vertex(const std::vector<RigidTransform<S>>& transforms, cons
   return v;
 }
 
-// Dual quaternions. The witness's sum is the vertex's image by dual_blend (is_blended_image).
+// Computes the witness for dual quaternions. Its sum is the vertex's image by dual_blend (is_blended_image).
 template <class S>
 ReachedVertex<S> dual_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
                             std::span<const S> u, const Vec<S, 3>& vertex) {
@@ -217,7 +219,7 @@ ReachedVertex<S> dual_reach(const std::vector<RigidTransform<S>>& transforms, co
   return out;
 }
 
-// Spherical blending about a center. The sum is the vertex's image by Equation (1).
+// Computes the witness for spherical blending about a center. Its sum is the vertex's image by Equation (1).
 template <class S>
 ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& center,
                                  const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& vertex) {
@@ -233,7 +235,7 @@ ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transform
   return out;
 }
 
-// The identity of the proof: ||q||^2 (B - L) by pairs, each of two perpendicular vectors.
+// Judges the identity of the proof: ||q||^2 (B - L) is a sum over pairs, and each summand is made of two perpendicular vectors.
 template <class S>
 Verdict deviates_by_pairs(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point, std::span<const S> u) {
   const auto images = images_of(transforms, point);
@@ -256,7 +258,7 @@ Verdict deviates_by_pairs(const std::vector<RigidTransform<S>>& transforms, cons
   return v;
 }
 
-// The spread of what the rotations alone make of a vector.
+// Judges the bound on the spread of a vector's images by the rotations alone.
 template <class S>
 Verdict turns_little(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& vector) {
   const S n(static_cast<int>(transforms.size()));
@@ -264,7 +266,8 @@ Verdict turns_little(const std::vector<RigidTransform<S>>& transforms, const S& 
                     S(S(2) * n * (n - S(1)) * (S(1) - sq(cosine)) * squared_norm(vector)));
 }
 
-// Pythagoras' theorem for a least-squares center.
+// Judges Pythagoras' theorem for a least-squares center: the squared spread of a point is that of the center plus that of the
+// turned difference.
 template <class S>
 Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& center, const Vec<S, 3>& point) {
   const S at_point = squared_spread(images_of(transforms, point)), at_center = squared_spread(images_of(transforms, center)),

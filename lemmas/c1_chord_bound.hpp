@@ -26,31 +26,31 @@
 
 namespace refitlab {
 
-// M h^2 / 8.
+// Returns M h^2 / 8.
 template <class S>
 S chord_slack(const S& acceleration, const S& duration) {
   return acceleration * sq(duration) / S(8);
 }
 
-// L h / 2.
+// Returns L h / 2.
 template <class S>
 S first_order_slack(const S& speed, const S& duration) {
   return speed * duration / S(2);
 }
 
-// The smaller of both.
+// Returns the smaller of both slacks.
 template <class S>
 S chord_slack(const Motion<S>& motion, const S& duration) {
   return min_of(chord_slack(motion.acceleration, duration), first_order_slack(motion.speed, duration));
 }
 
-// (1 - s) a + s b.
+// Returns (1 - s) a + s b.
 template <class S, int D>
 Vec<S, D> between(const Vec<S, D>& a, const Vec<S, D>& b, const S& share) {
   return a * S(S(1) - share) + b * share;
 }
 
-// A cubic by its Bezier points, the curve on which the statement is executed.
+// The statement is executed on a cubic, which is given by its Bezier points.
 template <class S, int D>
 struct CubicCurve {
   std::array<Vec<S, D>, 4> points;
@@ -62,13 +62,13 @@ struct CubicCurve {
       for (int i = 0; i < degree; ++i) p[i] = between<S, D>(p[i], p[i + 1], share);
     return p[0];
   }
-  // The Bezier points of f', whose hull has all of f'.
+  // Returns the Bezier points of f', whose hull holds all of f'.
   std::array<Vec<S, D>, 3> velocities() const {
     const S scale = S(3) / duration;
     return {Vec<S, D>((points[1] - points[0]) * scale), Vec<S, D>((points[2] - points[1]) * scale),
             Vec<S, D>((points[3] - points[2]) * scale)};
   }
-  // f'' at both ends, between which it goes linearly.
+  // Returns f'' at both ends. It is linear in between.
   std::array<Vec<S, D>, 2> accelerations() const {
     const auto v = velocities();
     const S scale = S(2) / duration;
@@ -91,7 +91,7 @@ Verdict bends_within(const CubicCurve<S, D>& curve, const S& acceleration) {
   return v;
 }
 
-// ||f'|| <= L, by its Bezier points.
+// ||f'|| <= L. This is decided by its Bezier points.
 template <class S, int D>
 Verdict runs_within(const CubicCurve<S, D>& curve, const S& speed) {
   Verdict v = less_equal(S(0), speed);
@@ -111,7 +111,7 @@ Verdict first_order_hypotheses(const CubicCurve<S, D>& curve, const S& speed, co
 
 // --- Conclusion ---
 
-// (i) for three points of any curve: at its ends, and at the share s.
+// Judges (i) for three points of any curve: both ends, and the point at the share s.
 template <class S, int D>
 Verdict is_near_chord(const Vec<S, D>& from, const Vec<S, D>& to, const Vec<S, D>& at, const S& acceleration, const S& duration,
                       const S& share) {
@@ -119,7 +119,7 @@ Verdict is_near_chord(const Vec<S, D>& from, const Vec<S, D>& to, const Vec<S, D
   return less_equal(squared_distance(at, between<S, D>(from, to, share)), sq(allowed));
 }
 
-// (ii) for the same.
+// Judges (ii) for the same points.
 template <class S, int D>
 Verdict is_near_chord_to_first_order(const Vec<S, D>& from, const Vec<S, D>& to, const Vec<S, D>& at, const S& speed,
                                      const S& duration, const S& share) {
@@ -127,14 +127,14 @@ Verdict is_near_chord_to_first_order(const Vec<S, D>& from, const Vec<S, D>& to,
   return less_equal(squared_distance(at, between<S, D>(from, to, share)), sq(allowed));
 }
 
-// The witness of (i): the chord, and k, the mean of f'' that leads from f to it.
+// The witness of (i) is the point of the chord, and k, the mean of f'' that leads from f to it.
 template <class S, int D>
 struct ChordPoint {
   Verdict verdict;
   Vec<S, D> on_chord, bend;
 };
 
-// Independent check: on_chord is on the chord, and k leads there and is short enough.
+// Checks the witness independently: on_chord is on the chord, and k leads there and is short enough.
 template <class S, int D>
 Verdict is_chord_point(const CubicCurve<S, D>& curve, const S& acceleration, const S& share, const ChordPoint<S, D>& witness) {
   const Vec<S, D> at = curve.at(share);
@@ -152,7 +152,7 @@ ChordPoint<S, D> point_near_chord(const CubicCurve<S, D>& curve, const S& accele
           between<S, D>(curve.points[0], curve.points[3], share), (ends[0] * S(S(2) - share) + ends[1] * S(S(1) + share)) / S(3)};
 }
 
-// The witness of (ii): the mean velocities before and after.
+// The witness of (ii) is the mean velocities before and after.
 template <class S, int D>
 struct ChordSteps {
   Verdict verdict;
@@ -180,7 +180,7 @@ ChordSteps<S, D> steps_near_chord(const CubicCurve<S, D>& curve, const S& speed,
 
 // --- Erratum: the hull of the moments that are looked at ---
 
-// What engines take for f: some point of the chord. A curve leaves it wherever it bends.
+// Judges what engines assume: f is on the chord. A curve leaves its chord wherever it bends.
 template <class S, int D>
 Verdict is_on_chord_of_moments(const Vec<S, D>& from, const Vec<S, D>& to, const Vec<S, D>& at, const S& share) {
   return is_near_chord<S, D>(from, to, at, S(0), S(1), share);

@@ -9,8 +9,8 @@
 // - a slerp of unit quaternions a and b with a != -b, where theta is the angle between them: 1, theta / T, theta^2 / T^2; and
 //   with t = ||b - a|| / ||b + a||, which is tan(theta / 2), halved three times by t -> t / (1 + sqrt(1 + t^2)),
 //   theta <= 16 t.
-// A rotation that is a cubic spline is normalised: what is said of the spline goes through c3_normalized_motion.
-// Of a scale, lengths are not Euclidean: the length is the greatest factor, as a diagonal matrix stretches.
+// A rotation that is a cubic spline is normalised, so the bounds of the spline go through c3_normalized_motion.
+// The length of a scale is not Euclidean: it is the greatest factor, by which a diagonal matrix stretches.
 // Engines take the shorter way, to b or -b, whose angle is at most a right one; the bound there is at most 1/3 % too great.
 //
 // Replaces: nothing in the paper, which has no clips.
@@ -26,7 +26,7 @@
 
 namespace refitlab {
 
-// How long a vector is, and how much a scale stretches.
+// by_length is the length of a vector. by_greatest_factor is how much a scale stretches.
 inline constexpr auto by_length = []<class S, int D>(const Vec<S, D>& x) -> S { return norm<S, D>(x); };
 inline constexpr auto by_greatest_factor = []<class S, int D>(const Vec<S, D>& x) -> S {
   S greatest = max_of(x[0], S(-x[0]));
@@ -39,7 +39,7 @@ Motion<S> linear_motion(const Vec<S, D>& from, const Vec<S, D>& to, const S& dur
   return {max_of(norm(from), norm(to)), norm(Vec<S, D>(to - from)) / duration, S(0)};
 }
 
-// The Bezier curve of a cubic spline: tangents are per second, out of the first key and into the second, as in glTF.
+// Returns the Bezier curve of a cubic spline. Tangents are per second, out of the first key and into the second, as in glTF.
 template <class S, int D>
 CubicCurve<S, D> spline_curve(const Vec<S, D>& from, const Vec<S, D>& out, const Vec<S, D>& into, const Vec<S, D>& to,
                               const S& duration) {
@@ -57,26 +57,26 @@ Motion<S> cubic_motion(const CubicCurve<S, D>& curve, const Norm& norm) {
   return {longest(curve.points), longest(curve.velocities()), longest(curve.accelerations())};
 }
 
-// b or -b: where a slerp goes that takes the shorter way. Of both, b if they are as far.
+// Returns b or -b, to which a slerp goes by the shorter way. It is b if both are equally far.
 template <class S>
 Quaternion<S> by_shorter_way(const Quaternion<S>& from, const Quaternion<S>& to) {
   return choose<bool, S, 4>(certainly_less(dot(from, to), S(0)), -to, to);
 }
 
-// theta, or a little more, by tan(theta / 2).
+// Returns theta or a little more, in radians. tangent is tan(theta / 2).
 template <class S>
 S angle_by_half_tangent(S tangent) {
   for (int i = 0; i < 3; ++i) tangent = tangent / (S(1) + root(S(S(1) + sq(tangent))));
   return S(16) * tangent;
 }
 
-// In radians, as of vectors of R^4: the rotation turns by twice as much.
+// Returns a bound of the angle between both as vectors of R^4, in radians. The rotation turns by twice as much.
 template <class S>
 S angle_at_most(const Quaternion<S>& from, const Quaternion<S>& to) {
   return angle_by_half_tangent<S>(norm<S, 4>(to - from) / norm<S, 4>(to + from));
 }
 
-// Of a quaternion that goes along a great circle at this speed, radians of R^4 per second.
+// Returns the motion of a unit quaternion along a great circle. speed is in radians of R^4 per second.
 template <class S>
 Motion<S> circle_motion(const S& speed) {
   return {S(1), speed, sq(speed)};
@@ -89,7 +89,7 @@ Motion<S> slerp_motion(const Quaternion<S>& from, const Quaternion<S>& to, const
 
 // --- Hypotheses ---
 
-// Of a slerp.
+// A slerp has an arc: both ends have length 1 and are not opposite.
 template <class S>
 Verdict has_an_arc(const Quaternion<S>& from, const Quaternion<S>& to) {
   return equal(squared_norm(from), S(1)) & equal(squared_norm(to), S(1)) & less(S(-1), dot(from, to));
@@ -102,14 +102,14 @@ Verdict channel_hypotheses(const S& duration, const S& share) {
 
 // --- Conclusion ---
 
-// The witness: where the channel is at a share of the time between its keys, with its derivatives by seconds.
+// The witness is the channel's value at a share of the time between its keys, with its derivatives per second.
 template <class S, int D>
 struct ChannelMoment {
   Verdict verdict;
   Moment<S, D> moment;
 };
 
-// A cubic at a share, by Bernstein's polynomials.
+// Evaluates a cubic at a share by Bernstein's polynomials.
 template <class S, int D>
 Vec<S, D> by_bernstein(const CubicCurve<S, D>& curve, const S& share) {
   const S left = S(1) - share;
@@ -117,8 +117,8 @@ Vec<S, D> by_bernstein(const CubicCurve<S, D>& curve, const S& share) {
          curve.points[2] * S(S(3) * left * share * share) + curve.points[3] * S(share * share * share);
 }
 
-// Independent check, by Taylor's polynomial from the moment to a time before both keys and one behind them: what it needs
-// of the third derivative is constant.
+// Checks the witness independently, by Taylor's polynomial from the moment to a time before both keys and to one behind them. The
+// third derivative is constant.
 template <class S, int D>
 Verdict is_moment_of(const CubicCurve<S, D>& curve, const S& share, const Moment<S, D>& moment) {
   const Vec<S, D> third = (curve.points[3] - curve.points[0]) + (curve.points[1] - curve.points[2]) * S(3);
@@ -135,7 +135,7 @@ Verdict is_moment_of(const CubicCurve<S, D>& curve, const S& share, const Moment
   return v;
 }
 
-// The three lengths by which a channel is measured are within the bounds.
+// The lengths of the value and of both derivatives are within the bounds.
 template <class S, int D, class Norm>
 Verdict is_within(const Moment<S, D>& moment, const Motion<S>& motion, const Norm& norm) {
   return less_equal(norm(moment.value), motion.size) & less_equal(norm(moment.velocity), motion.speed) &
@@ -158,8 +158,8 @@ ChannelMoment<S, D> line_moves(const Vec<S, D>& from, const Vec<S, D>& to, const
   return {is_within(moment, linear_motion(from, to, duration, norm), norm), moment};
 }
 
-// Of a slerp that turns at this speed along the great circle from q towards an e across it, both of length 1: q' is the
-// speed times e, and q'' points back to 0.
+// Judges a slerp that moves at this speed along the great circle from q towards an e across it, both of length 1. q' is the speed
+// times e, and q'' points back to 0.
 template <class S>
 ChannelMoment<S, 4> slerp_moves(const Quaternion<S>& q, const Quaternion<S>& across, const S& speed, const Motion<S>& motion) {
   const Moment<S, 4> moment{q, across * speed, q * S(-sq(speed))};

@@ -28,27 +28,27 @@
 
 namespace refitlab {
 
-// (i). The blend's own size is of no use.
+// Returns the motion of (i). It does not use the blend's size.
 template <class S>
 Motion<S> normalized_motion(const Motion<S>& blend, const S& least) {
   const S turn = blend.speed / least;
   return {S(1), turn, blend.acceleration / least + S(37) / S(32) * sq(turn)};
 }
 
-// (ii).
+// Returns the motion of (ii).
 template <class S>
 Motion<S> inverse_motion(const Motion<S>& blend, const S& least) {
   const S turn = blend.speed / least;
   return {S(1) / least, turn / least, (blend.acceleration / least + S(2) * sq(turn)) / least};
 }
 
-// (iii), m^2; of no less than this many quaternions.
+// Returns m^2 of (iii). count is no less than the number of quaternions.
 template <class S>
 S least_squared_blend(const S& cosine, const S& count) {
   return cosine + (S(1) - cosine) / count;
 }
 
-// The same of given weights, by c_kl for k < l in order.
+// Returns the squared length of the blend with given weights. cosines are the c_kl for k < l in order.
 template <class S>
 S least_squared_blend(std::span<const S> w, std::span<const S> cosines) {
   S sum(0);
@@ -60,7 +60,7 @@ S least_squared_blend(std::span<const S> w, std::span<const S> cosines) {
   return sum;
 }
 
-// (iv), m ||a||.
+// Returns m ||a|| of (iv).
 template <class S>
 S least_along(std::span<const Quaternion<S>> blended, const Quaternion<S>& axis) {
   S least = dot(blended[0], axis);
@@ -77,7 +77,7 @@ Verdict normalization_hypotheses(const Moment<S, 4>& blend, const Motion<S>& mot
          less_equal(squared_norm(blend.acceleration), sq(motion.acceleration));
 }
 
-// Of (iii).
+// Judges the hypotheses of (iii): the quaternions are units, and no dot product is below the cosine.
 template <class S>
 Verdict are_close_units(std::span<const Quaternion<S>> units, const S& cosine) {
   Verdict v = less_equal(cosine, S(1));
@@ -90,7 +90,7 @@ Verdict are_close_units(std::span<const Quaternion<S>> units, const S& cosine) {
 
 // --- Conclusion ---
 
-// The witness of (i): ||p|| q' and ||p|| q'', which need no root.
+// The witness of (i) is ||p|| q' and ||p|| q'', which need no root.
 template <class S>
 struct NormalizedMoment {
   Verdict verdict;
@@ -106,7 +106,7 @@ Verdict is_along(const Quaternion<S>& x, const Quaternion<S>& p) {
   return v;
 }
 
-// Independent check: q stays of length 1, p' and p'' are those of ||p|| q, and both are within the bounds.
+// Checks the witness independently: q stays of length 1, p' and p'' are those of ||p|| q, and both are within the bounds.
 template <class S>
 Verdict is_normalized_moment(const Moment<S, 4>& blend, const Motion<S>& motion, const S& least,
                              const NormalizedMoment<S>& witness) {
@@ -132,14 +132,14 @@ NormalizedMoment<S> normalized_moves(const Moment<S, 4>& blend, const Motion<S>&
   return out;
 }
 
-// The witness of (ii).
+// The witness of (ii) is the inverse with both derivatives.
 template <class S>
 struct InverseMoment {
   Verdict verdict;
   Moment<S, 4> moment;
 };
 
-// Whether ||q||^2 times the quotient is the dividend, with their first two derivatives: free of quotients.
+// ||q||^2 times the quotient is the dividend, and so are the first two derivatives. This takes no quotients.
 template <class S, int D>
 Verdict is_divided(const Moment<S, 4>& q, const Moment<S, D>& quotient, const Moment<S, D>& dividend) {
   const S length = squared_norm(q.value), faster = S(2) * dot(q.value, q.velocity),
@@ -153,7 +153,7 @@ Verdict is_divided(const Moment<S, 4>& q, const Moment<S, D>& quotient, const Mo
   return v;
 }
 
-// Independent check: ||p||^2 g = p, with its derivatives.
+// Checks the witness independently: ||p||^2 g = p, with both derivatives, and g moves within the bounds.
 template <class S>
 Verdict is_inverse_moment(const Moment<S, 4>& blend, const Motion<S>& motion, const S& least, const Moment<S, 4>& witness) {
   return moves_within(witness, inverse_motion(motion, least)) & is_divided<S, 4>(blend, witness, blend);
@@ -168,13 +168,13 @@ InverseMoment<S> inverse_moves(const Moment<S, 4>& blend, const Motion<S>& motio
   return {moves_within(moment, inverse_motion(motion, least)), moment};
 }
 
-// (iii).
+// Judges (iii).
 template <class S>
 Verdict blend_is_long(std::span<const Quaternion<S>> units, const S& cosine, std::span<const S> w) {
   return less_equal(least_squared_blend(cosine, S(static_cast<int>(units.size()))), squared_norm(combine<S, 4>(w, units)));
 }
 
-// (iv): m is at most 0, or the blend is as long.
+// Judges (iv): m is at most 0, or the blend is at least as long as m.
 template <class S>
 Verdict blend_is_long_by_axis(std::span<const Quaternion<S>> blended, const Quaternion<S>& axis, std::span<const S> w) {
   const S least = least_along(blended, axis);
@@ -183,7 +183,7 @@ Verdict blend_is_long_by_axis(std::span<const Quaternion<S>> blended, const Quat
 
 // --- Erratum: as if a blend were not normalised ---
 
-// The blend's own bounds for the quaternion: too little wherever it is shorter than 1.
+// Judges the quaternion by the blend's own bounds. They are too small wherever the blend is shorter than 1.
 template <class S>
 Verdict moves_like_its_blend(const Moment<S, 4>& blend, const Motion<S>& motion) {
   return normalized_moves(blend, motion, S(1)).verdict;

@@ -25,13 +25,13 @@
 
 namespace refitlab {
 
-// Of the channels of one joint; of the scale by its greatest factor.
+// A LinkMotion has the motions of the channels of one joint. A scale is measured by its greatest factor.
 template <class S>
 struct LinkMotion {
   Motion<S> translation, rotation, scale;
 };
 
-// Of what a chain of joints does.
+// A ChainMotion has the motions of a chain of joints: of its linear part, of its offset and of its rotation.
 template <class S>
 struct ChainMotion {
   Motion<S> linear, offset, rotation;
@@ -53,13 +53,13 @@ ChainMotion<S> compose(const ChainMotion<S>& outer, const ChainMotion<S>& inner)
           product(outer.rotation, inner.rotation)};
 }
 
-// Of a point that moves below the chain.
+// Returns the motion of a point that moves below the chain, as seen from above it.
 template <class S>
 Motion<S> carried_motion(const ChainMotion<S>& chain, const Motion<S>& point) {
   return product(chain.linear, point) + chain.offset;
 }
 
-// The channels of one joint at a moment.
+// A LinkMoment has the channels of one joint at a moment, with both derivatives.
 template <class S>
 struct LinkMoment {
   Moment<S, 3> translation;
@@ -67,7 +67,7 @@ struct LinkMoment {
   Moment<S, 3> scale;
 };
 
-// The moment of q y q*, of s y, and of a link's image.
+// These return the moment of q y q*, of s y, and of a link's image.
 template <class S>
 Moment<S, 3> turned_moment(const Moment<S, 4>& q, const Moment<S, 3>& y) {
   const auto quaternions = [](const auto& a, const auto& b) { return multiply<S>(a, b); };
@@ -98,14 +98,14 @@ Verdict link_hypotheses(const LinkMoment<S>& link, const LinkMotion<S>& motion) 
 
 // --- Conclusion ---
 
-// The witness: the point below the last link, in the frame of each link from the last to the first.
+// The witness is the point below the last link, then its image by each link from the last to the first.
 template <class S>
 struct ChainSteps {
   Verdict verdict;
   std::vector<Moment<S, 3>> steps;
 };
 
-// The bounds of a chain, the first link first.
+// Returns the bounds of a chain. The first link comes first.
 template <class S>
 ChainMotion<S> chain_motion(std::span<const LinkMotion<S>> links) {
   ChainMotion<S> chain = no_links<S>();
@@ -122,8 +122,8 @@ ChainSteps<S> chain_moves(std::span<const LinkMoment<S>> links, std::span<const 
   return out;
 }
 
-// Independent check: each step by Im(q y q*) alone, which is quadratic in q: its derivative in a direction is half of a
-// difference, and the last step is within the bounds.
+// Checks the witness independently. Each step follows from Im(q y q*) alone, which is quadratic in q, so that its derivative in a
+// direction is half of a difference. The last step is within the bounds.
 template <class S>
 Verdict are_chain_steps(std::span<const LinkMoment<S>> links, std::span<const LinkMotion<S>> motions, const Moment<S, 3>& point,
                         const Motion<S>& below, std::span<const Moment<S, 3>> steps) {

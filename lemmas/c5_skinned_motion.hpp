@@ -9,11 +9,11 @@
 // (ii) Q I d + Y, by spherical blending about a fixed center r, where I is the inverse's motion of Q and m, Q counts with the
 //   size 1, d = ||v - r||, and Y is the widest of the C_k r;
 // (iii) (Z I) as seen from f, by dual quaternions, where Z is the widest of the products X_f,k Q_k.
-// What all joints do alike may be left out: if C_k = C D_k with rigid transforms, (i) to (iii) hold for the D_k in the
-// frame of C, and v' moves within A M + b, M what they say and A, b of C. A vertex of one joint is then bounded as in c4.
-// Where no m > 0 is known (ii) leaves the hull of the C_k r, blown up by d, at all times, and (iii) leaves nothing: a blend
-// that vanishes carries a vertex as far as wanted (b6_dual_quaternion_ball). A center that is chosen anew in each pose
-// may jump, and then so does v'; b7_motion_bound bounds it from the C_k v.
+// A motion that all joints share may be left out: if C_k = C D_k with rigid transforms, (i) to (iii) hold for the D_k in the
+// frame of C, and v' moves within A M + b, M what they say and A, b of C. A vertex of one joint is then bounded as in c4. Where
+// no m > 0 is known (ii) leaves the hull of the C_k r, blown up by d, at all times, and (iii) leaves nothing: a blend that
+// vanishes carries a vertex as far as wanted (b6_dual_quaternion_ball). A center that is chosen anew in each pose may jump, and
+// then so does v'; b7_motion_bound bounds it from the C_k v.
 //
 // Replaces: nothing in the paper, which bounds one pose at a time.
 // Notation: x_k -> images, q_k -> rotations, w -> weights, f -> center of the dual blend, r -> pivot, m -> least.
@@ -35,8 +35,7 @@ Motion<S> widest(std::span<const Motion<S>> motions) {
   return all;
 }
 
-// (i) is widest(images).
-// (ii).
+// (i) is widest(images). Returns the motion of (ii).
 template <class S>
 Motion<S> spherical_motion(std::span<const Motion<S>> pivot_images, std::span<const Motion<S>> rotations, const S& distance,
                            const S& least) {
@@ -45,7 +44,7 @@ Motion<S> spherical_motion(std::span<const Motion<S>> pivot_images, std::span<co
   return product(turn, at_rest(distance)) + widest(pivot_images);
 }
 
-// (iii). Sizes of the images are their distances from f, and so is that of the result.
+// Returns the motion of (iii). The images' sizes are their distances from f, and so is the size of the result.
 template <class S>
 Motion<S> dual_motion(std::span<const Motion<S>> images, std::span<const Motion<S>> rotations, const S& least) {
   Motion<S> reach = product(images[0], rotations[0]);
@@ -55,7 +54,7 @@ Motion<S> dual_motion(std::span<const Motion<S>> images, std::span<const Motion<
 
 // --- Hypotheses ---
 
-// Images of a point, quaternions and weights of the joints, at a moment.
+// A moment of skinning has the images of a point, the quaternions and the weights, by joint.
 template <class S>
 struct SkinMoment {
   std::vector<Moment<S, 3>> images;
@@ -84,14 +83,14 @@ Verdict skin_hypotheses(const SkinMoment<S>& skin, std::span<const Motion<S>> im
 
 // --- Conclusion ---
 
-// The witness: the skinned vertex at the moment; from f, for dual quaternions.
+// The witness is the skinned vertex at the moment. For dual quaternions it is as seen from f.
 template <class S>
 struct SkinnedMoment {
   Verdict verdict;
   Moment<S, 3> vertex;
 };
 
-// E, whose images are measured from f.
+// Returns E. The images are as seen from f.
 template <class S>
 Moment<S, 4> reach_moment(const SkinMoment<S>& skin) {
   std::vector<Moment<S, 4>> reaches;
@@ -104,7 +103,7 @@ Moment<S, 4> reach_moment(const SkinMoment<S>& skin) {
   return blended<S, 4>(skin.weights, reaches);
 }
 
-// Im(a b*).
+// Returns Im(a b*).
 template <class S>
 Moment<S, 3> imaginary_of_product(const Moment<S, 4>& a, const Moment<S, 4>& b) {
   return product(a, b, [](const Quaternion<S>& x, const Quaternion<S>& y) { return imaginary<S>(multiply<S>(x, conjugate(y))); });
@@ -115,14 +114,14 @@ Moment<S, 4> blend_inverse(const Moment<S, 4>& blend, const S& least) {
   return inverse_moves(blend, {S(0), S(0), S(0)}, least).moment;
 }
 
-// (i).
+// Judges (i).
 template <class S>
 SkinnedMoment<S> linear_moves(const SkinMoment<S>& skin, std::span<const Motion<S>> images) {
   const Moment<S, 3> vertex = blended<S, 3>(skin.weights, skin.images);
   return {moves_within(vertex, widest(images)), vertex};
 }
 
-// (ii), for the arm v - r, where the images are those of r.
+// Judges (ii). arm is v - r, and the images are those of r.
 template <class S>
 SkinnedMoment<S> spherical_moves(const SkinMoment<S>& skin, const Vec<S, 3>& arm, std::span<const Motion<S>> images,
                                  std::span<const Motion<S>> rotations, const S& distance, const S& least) {
@@ -133,7 +132,7 @@ SkinnedMoment<S> spherical_moves(const SkinMoment<S>& skin, const Vec<S, 3>& arm
   return {moves_within(vertex, spherical_motion(images, rotations, distance, least)), vertex};
 }
 
-// (iii).
+// Judges (iii).
 template <class S>
 SkinnedMoment<S> dual_moves(const SkinMoment<S>& skin, std::span<const Motion<S>> images, std::span<const Motion<S>> rotations,
                             const S& least) {
@@ -142,7 +141,8 @@ SkinnedMoment<S> dual_moves(const SkinMoment<S>& skin, std::span<const Motion<S>
   return {moves_within(vertex, dual_motion(images, rotations, least)), vertex};
 }
 
-// Independent check, free of quotients (is_divided): ||q||^2 times the vertex, with its derivatives, is what it should be.
+// Checks the witness independently and without quotients: ||q||^2 times the vertex is Im(E q*), with both derivatives
+// (is_divided).
 template <class S>
 Verdict is_dual_moment(const SkinMoment<S>& skin, std::span<const Motion<S>> images, std::span<const Motion<S>> rotations,
                        const S& least, const Moment<S, 3>& vertex) {

@@ -10,7 +10,7 @@
 // of the e_i. Nothing is asked of mixed derivatives.
 // (iii) A number that is at least c at both ends is at least c - e in between: so are the cosines of quaternions, whose dot
 // product moves within the product of their bounds.
-// Intervals end where a channel jumps, or bends without a bound: at keys. What is bounded there is both sides of the key.
+// Intervals end where a channel jumps, or bends without a bound: at keys. There, both sides of the key are bounded.
 //
 // Replaces: nothing in the paper. Engines take K itself, at keys or at a fixed rate: points leave it in between.
 // Notation: e -> slack, n -> direction, h -> duration or sides, shares of the sides -> shares.
@@ -26,20 +26,20 @@
 
 namespace refitlab {
 
-// That of the interval, by those of its ends.
+// Returns the slab of the interval. start and end are the slabs of its ends.
 template <class S>
 Slab<S> interval_slab(const Slab<S>& start, const Slab<S>& end, const S& slack, const S& direction_length) {
   const S wider = direction_length * slack;
   return {min_of(start.low, end.low) - wider, max_of(start.high, end.high) + wider};
 }
 
-// That of the interval, by one that encloses those of both ends.
+// Returns the ball of the interval. around_both encloses the balls of both ends.
 template <class S>
 Ball3<S> interval_ball(const Ball3<S>& around_both, const S& slack) {
   return inflate(around_both, slack);
 }
 
-// (ii): the sum of the e_i.
+// Returns the sum of the e_i of (ii).
 template <class S>
 S box_slack(std::span<const Motion<S>> motions, std::span<const S> sides) {
   S sum(0);
@@ -47,14 +47,15 @@ S box_slack(std::span<const Motion<S>> motions, std::span<const S> sides) {
   return sum;
 }
 
-// (iii).
+// Returns the least value of (iii).
 template <class S>
 S least_over_interval(const S& start, const S& end, const S& slack) {
   return min_of(start, end) - slack;
 }
 
-// A function of p parameters, shares of the sides of a box, on which (ii) is executed: by its corners, the first parameter's
-// ends next to each other, and for each parameter by the corners of its second derivative, which does not depend on it.
+// (ii) is executed on a function of p parameters, which are shares of the sides of a box. The function is given by its values at
+// the corners, the first parameter's ends next to each other. For each parameter it has the corners of the second derivative,
+// which does not depend on that parameter.
 template <class S>
 struct BentPatch {
   std::vector<Vec<S, 3>> corners;             // 2^p
@@ -84,7 +85,7 @@ Verdict in_slab(const Slab<S>& slab, const Vec<S, 3>& direction, const Vec<S, 3>
   return less_equal(slab.low, along) & less_equal(along, slab.high);
 }
 
-// Of (i), for a slab and for a ball.
+// Judges the hypotheses of (i), for a slab and for a ball.
 template <class S>
 Verdict interval_hypotheses(std::span<const CubicCurve<S, 3>> curves, const S& acceleration, const Slab<S>& start,
                             const Slab<S>& end, const Vec<S, 3>& direction, const Ball3<S>& around_both, const S& share) {
@@ -96,7 +97,7 @@ Verdict interval_hypotheses(std::span<const CubicCurve<S, 3>> curves, const S& a
   return v;
 }
 
-// Of (ii).
+// Judges the hypotheses of (ii).
 template <class S>
 Verdict patch_hypotheses(const BentPatch<S>& patch, std::span<const Motion<S>> motions, std::span<const S> shares) {
   Verdict v = Verdict::holds;
@@ -109,7 +110,7 @@ Verdict patch_hypotheses(const BentPatch<S>& patch, std::span<const Motion<S>> m
 
 // --- Conclusion ---
 
-// (i): every curve at the share is in the slab and in the ball of the interval. The slack is that of M.
+// Judges (i): every curve at the share is in the slab and in the ball of the interval. The slack is that of M.
 template <class S>
 Verdict stays_in_interval(std::span<const CubicCurve<S, 3>> curves, const S& acceleration, const Slab<S>& start,
                           const Slab<S>& end, const Vec<S, 3>& direction, const S& direction_length, const Ball3<S>& around_both,
@@ -124,7 +125,7 @@ Verdict stays_in_interval(std::span<const CubicCurve<S, 3>> curves, const S& acc
   return v;
 }
 
-// The witness of (ii): a point of the hull of the corners, by its weights there.
+// The witness of (ii) is a point of the hull of the corners and its weights.
 template <class S>
 struct HullPoint {
   Verdict verdict;
@@ -132,7 +133,7 @@ struct HullPoint {
   Vec<S, 3> in_hull;
 };
 
-// Independent check: the weights are convex and lead to the point, and f is no farther than the slack.
+// Checks the witness independently: the weights are convex and lead to the point, and f is no farther than the slack.
 template <class S>
 Verdict is_near_hull(const BentPatch<S>& patch, std::span<const Motion<S>> motions, std::span<const S> shares,
                      const HullPoint<S>& witness) {
@@ -144,7 +145,7 @@ Verdict is_near_hull(const BentPatch<S>& patch, std::span<const Motion<S>> motio
   return v & less_equal(squared_distance(patch.at(shares), witness.in_hull), sq(allowed));
 }
 
-// By accelerations alone: speeds count as unknown.
+// Computes the witness from the accelerations alone. The speeds count as unknown.
 template <class S>
 HullPoint<S> point_near_hull(const BentPatch<S>& patch, std::span<const Motion<S>> motions, std::span<const S> shares) {
   HullPoint<S> out{Verdict::undecided, {S(1)}, patch.corners[0]};
@@ -160,7 +161,7 @@ HullPoint<S> point_near_hull(const BentPatch<S>& patch, std::span<const Motion<S
 
 // --- Erratum: the hull of the ends ---
 
-// What engines take for an interval: the box at both ends, without a slack.
+// Returns what engines take for an interval: the box around both ends, without a slack.
 template <class S>
 Slab<S> slab_of_keys(const Slab<S>& start, const Slab<S>& end) {
   return interval_slab(start, end, S(0), S(0));

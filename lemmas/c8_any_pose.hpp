@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: where a vertex can be in any pose whatever, from bone lengths and the range of scales alone.
 //
-// Statement. Let the links of a chain carry y to t + R (s y) with any rotations R, ||t|| <= l and factors of the scale s of at most
-// f. With d the length of a point x below the last link, and d -> f d + l for each link from the last to the first, the image of
-// x is at most the last d from the origin of the first link's frame. The chain stretched out, at its greatest scales,
+// Statement. Let the links of a chain carry y to t + R (s y) with any rotations R, ||t|| <= l and factors of the scale s of at
+// most f. With d the length of a point x below the last link, and d -> f d + l for each link from the last to the first, the
+// image of x is at most the last d from the origin of the first link's frame. The chain stretched out, at its greatest scales,
 // reaches it.
 // (i) Two joints that have the first links in common carry points no farther apart than the product of the common f times the
 // sum of what the rest of both chains reaches.
@@ -11,7 +11,7 @@
 // blending about a fixed center r it is in that for r, blown up by ||v - r||. By dual quaternions, or spherically about a
 // least-squares center, with rigid joints and all (q_k, q_l) >= 0, it is no farther than 3/4 A from the ball for v, with A^2 the
 // sum of the squares of (i) over all pairs of joints at v (b7_motion_bound).
-// Over an interval of a clip this needs no derivative: the bound where a blend may vanish, or channels are not known.
+// Over an interval of a clip this bound needs no derivative, so it serves where a blend may vanish, or channels are not known.
 //
 // Replaces: nothing in the paper, which bounds one pose at a time.
 // Notation: l -> length, f -> stretch, d -> distance.
@@ -26,13 +26,13 @@
 
 namespace refitlab {
 
-// Of a joint in all poses: how long its translation is, and how much its scale stretches, at most.
+// The bounds of one joint over all poses: the greatest length of its translation, and the greatest stretch of its scale.
 template <class S>
 struct LinkRange {
   S length, stretch;
 };
 
-// The last d, the first link first.
+// Returns the last d. The first link comes first.
 template <class S>
 S reach_of_chain(std::span<const LinkRange<S>> links, const S& distance) {
   S reach = distance;
@@ -40,7 +40,7 @@ S reach_of_chain(std::span<const LinkRange<S>> links, const S& distance) {
   return reach;
 }
 
-// (i): what is below the common links reaches so far from where they part.
+// Returns the bound of (i) for the distance of two points. reach and other_reach are measured from where their chains part.
 template <class S>
 S apart_at_most(std::span<const LinkRange<S>> common, const S& reach, const S& other_reach) {
   S apart = reach + other_reach;
@@ -48,7 +48,7 @@ S apart_at_most(std::span<const LinkRange<S>> common, const S& reach, const S& o
   return apart;
 }
 
-// (3/4 A)^2, by A^2.
+// Returns (3/4 A)^2. squared_spread is A^2.
 template <class S>
 S squared_stray_in_any_pose(const S& squared_spread) {
   return squared_deviation_share(S(0)) * squared_spread;
@@ -56,7 +56,7 @@ S squared_stray_in_any_pose(const S& squared_spread) {
 
 // --- Hypotheses ---
 
-// A joint in a pose: y -> translation + R (scale y).
+// In a pose, a joint maps y -> translation + R (scale y).
 template <class S>
 struct PosedLink {
   Quaternion<S> rotation;
@@ -76,7 +76,7 @@ Vec<S, 3> posed(const PosedLink<S>& link, const Vec<S, 3>& y) {
   return rotate<S>(link.rotation, Vec<S, 3>(link.scale[0] * y[0], link.scale[1] * y[1], link.scale[2] * y[2])) + link.translation;
 }
 
-// The witness: the point in each frame from the last to the first.
+// The witness is the point, then its image by each link from the last to the first.
 template <class S>
 struct ReachSteps {
   Verdict verdict;
@@ -92,7 +92,8 @@ ReachSteps<S> stays_in_reach(std::span<const PosedLink<S>> links, std::span<cons
   return out;
 }
 
-// Independent check, link by link: turned back, a step is the one before it, scaled, and no longer than its own reach.
+// Checks the witness independently, link by link: a step turned back is the step before it, scaled, and no step is longer than
+// its reach.
 template <class S>
 Verdict are_reach_steps(std::span<const PosedLink<S>> links, std::span<const LinkRange<S>> ranges, const Vec<S, 3>& point,
                         const S& distance, std::span<const Vec<S, 3>> steps) {
@@ -110,7 +111,7 @@ Verdict are_reach_steps(std::span<const PosedLink<S>> links, std::span<const Lin
   return v;
 }
 
-// (i), of points below two chains that part after the common links.
+// Judges (i) for points below two chains that part after the common links.
 template <class S>
 Verdict stay_together(std::span<const PosedLink<S>> common, std::span<const LinkRange<S>> ranges, const Vec<S, 3>& a,
                       const Vec<S, 3>& b, const S& reach_of_a, const S& reach_of_b) {
@@ -121,7 +122,7 @@ Verdict stay_together(std::span<const PosedLink<S>> common, std::span<const Link
 
 // --- Erratum: the reference pose blown up ---
 
-// What engines without clips guess: the reach in the reference pose, times a factor.
+// Judges what engines without clips guess: no vertex reaches farther than in the reference pose, times a factor.
 template <class S>
 Verdict stays_in_guess(const Vec<S, 3>& reference, const Vec<S, 3>& posed, const S& factor) {
   return less_equal(squared_norm(posed), S(sq(factor) * squared_norm(reference)));

@@ -66,7 +66,7 @@ std::vector<S> lengths_by_roots(const VecList<S, D>& vectors) {
   return out;
 }
 
-// The element of the other hull on the same ray.
+// The witness is the element of the other hull on the same ray.
 template <class S>
 struct SameRay {
   Verdict verdict;         // scale > 0 and the weights are not negative

@@ -40,8 +40,8 @@ Verdict is_rim(const Cap<S, D>& cap, const S& sine, const Vec<S, D>& rim_directi
 
 // --- Conclusion ---
 
-// The ball's center as a share of a - c, which is k = max(cos alpha, 0), and its squared radius as a share of r^2, which is
-// 1 - k^2.
+// The ratios are the ball's center as a share of a - c, which is k = max(cos alpha, 0), and its squared radius as a share of r^2,
+// which is 1 - k^2.
 template <class S>
 struct CapBallRatios {
   S center, squared_radius;

@@ -78,7 +78,7 @@ Verdict weight_vertices_span_hypotheses(const WeightBounds<S>& bounds, const Wei
   return weight_vertices_are_admissible(bounds, weight_vertices) & weight_vertices_are_complete(bounds, weight_vertices);
 }
 
-// For the number of weight vertices: a list without repetition of points with at most one coordinate off its bounds.
+// The list repeats no point, and each point has at most one coordinate off its bounds. The number of weight vertices needs this.
 template <class S>
 Verdict weight_vertices_are_proper(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices) {
   Verdict v = weight_vertices_are_admissible(bounds, weight_vertices);
@@ -128,7 +128,7 @@ struct WeightVertexCombination {
   std::vector<S> coefficients;  // u: one a weight vertex, at most n of them not 0; empty if none were found
 };
 
-// W' is inside the hull of the weight vertices: the coefficients of an admissible w.
+// W' is inside the hull of the weight vertices. The witness is the coefficients of an admissible w.
 template <class S>
 WeightVertexCombination<S> weight_vertices_span(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
                                                 const std::vector<S>& w) {
@@ -143,7 +143,7 @@ WeightVertexCombination<S> weight_vertices_span(const WeightBounds<S>& bounds, c
     loose -= bound[i] != nullptr;
   }
   for (S remaining(1);;) {
-    // A weight vertex of the face of x: at every bound that x is at.
+    // The weight vertex is in the face of x: it is at every bound that x is at.
     Verdict found = Verdict::fails;
     std::size_t k = 0;
     for (; k < weight_vertices.size(); ++k) {
@@ -154,7 +154,7 @@ WeightVertexCombination<S> weight_vertices_span(const WeightBounds<S>& bounds, c
       if (on_face == Verdict::holds) break;
     }
     if (k == weight_vertices.size()) return {found, {}};
-    // The first bound on the way from the weight vertex through x.
+    // The step ends at the first bound on the way from the weight vertex through x.
     std::optional<S> step;
     std::size_t hit = n;
     const S* wall = nullptr;
@@ -186,7 +186,7 @@ struct AdmissibleWeights {
   std::vector<S> weights;  // w
 };
 
-// The hull of the weight vertices is inside W': the admissible weights that convex coefficients make.
+// The hull of the weight vertices is inside W'. The witness is the admissible weights that convex coefficients make.
 template <class S>
 AdmissibleWeights<S> weight_vertices_combine(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
                                              const std::vector<S>& coefficients) {
@@ -196,7 +196,7 @@ AdmissibleWeights<S> weight_vertices_combine(const WeightBounds<S>& bounds, cons
   return {admits<S>(bounds, w), w};
 }
 
-// n C(n-1, floor((n-1)/2)): 1, 2, 6, 12, 30, 60 for n = 1 ... 6.
+// Returns n C(n-1, floor((n-1)/2)), which is 1, 2, 6, 12, 30, 60 for n = 1 ... 6.
 constexpr std::size_t most_weight_vertices(std::size_t n) {
   std::size_t count = n;
   for (std::size_t k = 1; k <= (n - 1) / 2; ++k) count = count * (n - k) / k;
@@ -206,7 +206,7 @@ constexpr std::size_t most_weight_vertices(std::size_t n) {
 // --- Erratum: W' may be empty ---
 // The paper gives W' a hull of m points for any bounds. It is never empty for bounds taken from vertices.
 
-// A weight vertex of W', which shows that there is one.
+// A weight vertex of W' shows that W' is not empty.
 template <class S>
 struct SomeWeightVertex {
   Verdict verdict;

@@ -19,7 +19,7 @@
 
 namespace refitlab {
 
-// Equation 5: r'_k = sum_i c_ki r_i.
+// Returns the r'_k = sum_i c_ki r_i of Equation 5.
 template <class S, int D>
 std::vector<Vec<S, D>> weight_vertex_images(const WeightVertices<S>& weight_vertices, std::span<const Vec<S, D>> points) {
   std::vector<Vec<S, D>> images;
@@ -76,7 +76,7 @@ struct LinearPartPoint {
   std::vector<S> coefficients;  // u of W_m for the first inclusion, w of W' for the second
 };
 
-// The linear part is inside the hull: u for the blend with weights w.
+// The linear part is inside the hull. The witness is the u for the blend with weights w.
 template <class S, int D>
 LinearPartPoint<S, D> linear_part_in_hull(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
                                           std::span<const Vec<S, D>> points, const std::vector<S>& w) {
@@ -88,7 +88,7 @@ LinearPartPoint<S, D> linear_part_in_hull(const WeightBounds<S>& bounds, const W
   return {v, blend, std::move(span.coefficients)};
 }
 
-// The hull is inside the linear part: w for the combination of the images with coefficients u.
+// The hull is inside the linear part. The witness is the w for the combination of the images with coefficients u.
 template <class S, int D>
 LinearPartPoint<S, D> hull_in_linear_part(const WeightBounds<S>& bounds, const WeightVertices<S>& weight_vertices,
                                           std::span<const Vec<S, D>> points, const std::vector<S>& coefficients) {

@@ -25,7 +25,7 @@ Verdict distance_is_in_range(const Vec<S, D>& center, const S& squared_radius) {
 
 // --- Hypotheses ---
 
-// ||c|| + r >= 1: all that the paper draws from "E intersects S_3".
+// ||c|| + r >= 1. This is all that the paper draws from "E intersects S_3".
 template <class S, int D>
 Verdict reaches_surface_from_inside(const Vec<S, D>& center, const S& radius) {
   return less_equal(S(1), radius) | less_equal(sq(S(S(1) - radius)), squared_norm(center));
@@ -84,8 +84,7 @@ DistanceRange<S> distance_range(const Vec<S, D>& center, const S& radius) {
   return {distance_is_in_range(center, sq(radius)), sq(S(S(1) + radius)) - c2, c2 - sq(S(S(1) - radius))};
 }
 
-// For a ball known by its squared radius and one unit vector in it. The witness is the vector: N / 2 <= (x, c), and
-// (x, c) <= ||c||.
+// Judges a ball by its squared radius and one unit vector in it. The vector is the witness: N / 2 <= (x, c) <= ||c||.
 template <class S, int D>
 Verdict distance_range_by_point(const Vec<S, D>& center, const S& squared_radius, const Vec<S, D>& x) {
   const S n = scaled_distance(center, squared_radius), along = dot(x, center);

@@ -16,7 +16,7 @@
 
 namespace refitlab {
 
-// Im(q x q*) / ||q||^2: the rotated x for a non-zero quaternion of any length.
+// Returns the rotated x, Im(q x q*) / ||q||^2, for a non-zero quaternion of any length.
 template <class S>
 Vec<S, 3> rotate_by(const Quaternion<S>& q, const Vec<S, 3>& x) {
   return rotate_scaled(q, x) / squared_norm(q);
@@ -42,7 +42,7 @@ Verdict minkowski_sum_hypotheses(const Quaternion<S>& blend) {
 
 // --- Witness and its check ---
 
-// One point of both sets: R_q(v - c) and R_q(p - c) + y.
+// The witness is one point of both sets, R_q(v - c) = R_q(p - c) + y.
 template <class S>
 struct TurnedPoint {
   Vec<S, 3> point;   // v, in the ball

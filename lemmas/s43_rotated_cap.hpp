@@ -33,7 +33,7 @@ RotationSlack<S> rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, 
   return {less_equal(right, left), left - right, dot(imaginary(multiply(conjugate(p), q)), v)};
 }
 
-// The slack is what is claimed, and a square.
+// The slack is the difference that is claimed, and it is a square.
 template <class S>
 Verdict is_rotation_bound(const Quaternion<S>& p, const Quaternion<S>& q, const Vec<S, 3>& v, const RotationSlack<S>& witness) {
   const Vec<S, 3> a = rotate_scaled(p, v), b = rotate_scaled(q, v);
@@ -62,7 +62,7 @@ Verdict rotated_cap_hypotheses(const Quaternion<S>& apex, const S& cos_angle, co
   return less(S(0), squared_norm(apex)) & less(S(0), squared_norm(q)) & within_angle<S, 4>(apex, q, cos_angle);
 }
 
-// x is on the sphere of v and within the rotated cap: what a rotation of the cap can make of v.
+// x is on the sphere of v and within the rotated cap.
 template <class S>
 Verdict filled_cap_hypotheses(const Quaternion<S>& apex, const Vec<S, 3>& v, const Vec<S, 3>& x, const S& rotated_cosine) {
   return less(S(0), squared_norm(apex)) & equal(squared_norm(x), squared_norm(v)) &
@@ -90,9 +90,9 @@ S rotated_cap_cosine_repaired(const S& cos_angle) {
   return S(2) * sq(max_of(cos_angle, S(0))) - S(1);
 }
 
-// The same by the squared half chord s^2 of alpha_C, ||n - a||^2 / 4 for a unit n on the rim and a unit apex: cos alpha_C = 1
-// - 2 s^2, so 1 - cos(2 alpha_C) = 8 s^2 (1 - s^2). It keeps all digits at small angles, where a cosine loses half of them.
-// For s^2 <= 1/2; beyond, the whole sphere is reached.
+// Returns 1 - cos(2 alpha_C) from the squared half chord s^2 of alpha_C. It is ||n - a||^2 / 4 for a unit n on the rim and a unit
+// apex: cos alpha_C = 1 - 2 s^2, so 1 - cos(2 alpha_C) = 8 s^2 (1 - s^2). It keeps all digits at small angles, where a cosine
+// loses half of them. This is for s^2 <= 1/2; beyond that, the whole sphere is reached.
 template <class S>
 S rotated_cap_versine(const S& squared_half_chord) {
   return S(8) * squared_half_chord * (S(1) - squared_half_chord);
@@ -120,7 +120,7 @@ RotatedPair<S> rotated_cap(const Quaternion<S>& apex, const Quaternion<S>& q, co
   return {less_equal(S(squared_norm(v) * rotated_cosine), dot(at_apex, rotated)), at_apex, rotated};
 }
 
-// The rotated cap is filled: a rotation of the cap that takes v to x.
+// The rotated cap is filled. The witness is a rotation of the cap that takes v to x.
 template <class S>
 struct RotationOnto {
   Verdict verdict;
@@ -137,7 +137,7 @@ template <class S>
 RotationOnto<S> rotation_onto(const Quaternion<S>& apex, const S& cos_angle, const Vec<S, 3>& v, const Vec<S, 3>& x) {
   const Vec<S, 3> u = rotate_by(apex, v);
   const Vec<S, 3> axis = cross(u, x);
-  // The shortest rotation from u to x; half a turn about any perpendicular axis if x = -u, none if v = 0.
+  // This is the shortest rotation from u to x. It is half a turn about any perpendicular axis if x = -u, and none if v = 0.
   Quaternion<S> shortest = {squared_norm(v) + dot(u, x), axis[0], axis[1], axis[2]};
   if (!certainly_less(S(0), shortest[0])) {
     if (equal(squared_norm(u), S(0)) == Verdict::holds) shortest = identity_quaternion<S>();

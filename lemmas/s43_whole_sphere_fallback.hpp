@@ -29,8 +29,8 @@ Verdict units_in_ball(std::span<const Quaternion<S>> units, const Quaternion<S>&
   return v;
 }
 
-// The ball makes a cap of less than a half of S_3: r^2 < 1 + ||c||^2. A ball of units then has c != 0; one of nothing
-// need not, and makes no cap.
+// The ball makes a cap of less than a half of S_3: r^2 < 1 + ||c||^2. A ball that holds a unit quaternion then has c != 0. With c
+// = 0 there is no cap.
 template <class S>
 Verdict ball_makes_cap(const Quaternion<S>& center, const S& squared_radius) {
   return less(S(0), squared_norm(center)) & less(S(0), scaled_distance(center, squared_radius));
@@ -62,7 +62,7 @@ BlendInCap<S> blend_in_cap(std::span<const Quaternion<S>> units, const Quaternio
                            std::span<const S> coefficients) {
   const Quaternion<S> blend = combine(coefficients, units);
   const S along = dot(blend, center), n = scaled_distance(center, squared_radius);
-  // Squared with its sign: N may be negative where the statement is tried without its hypotheses.
+  // Both sides are squared with their signs, as N may be negative where the statement is tried without its hypotheses.
   const S left = S(4) * sq(along), right = sq(n) * squared_norm(blend);
   const Verdict ahead = less_equal(S(0), along), positive = less_equal(S(0), n);
   const Verdict v = (positive & ahead & less_equal(right, left)) | (!positive & (ahead | less_equal(left, right)));
@@ -90,22 +90,22 @@ Verdict line_15_makes_ball_printed(const Quaternion<S>& center, const S& squared
   return distance_is_in_range(center, squared_radius);
 }
 
-// The cap in R^3 that holds all the R_b v.
+// This cap in R^3 holds all the R_b v.
 template <class S>
 struct RotatedVectorsCap {
   Quaternion<S> apex;  // non-zero, of any length; the cap's apex is R_apex v
   S cos_angle;         // cos alpha = 2 d_H^2 - 1; -1 for the whole sphere
 };
 
-// Repaired line 13: the fallback whenever the cap is not certain.
+// Computes the repaired line 13, which falls back to the whole sphere whenever the cap is not certain.
 template <class S>
 RotatedVectorsCap<S> rotated_vectors_cap_repaired(const Quaternion<S>& center, const S& squared_radius) {
   if (ball_makes_cap(center, squared_radius) != Verdict::holds) return {identity_quaternion<S>(), S(-1)};
   return {center, sq(scaled_distance(center, squared_radius)) / (S(2) * squared_norm(center)) - S(1)};
 }
 
-// Lines 13-15, repaired: cos alpha is in [-1, 1], so that sin alpha exists, and R_b v is in the cap. For blends that
-// are not 0.
+// Judges the repaired lines 13-15 for a blend that is not 0: cos alpha is in [-1, 1], so that sin alpha exists, and R_b v is in
+// the cap.
 template <class S>
 Verdict rotated_blend_is_bounded(const RotatedVectorsCap<S>& cap, const Quaternion<S>& blend, const Vec<S, 3>& v) {
   return less_equal(S(-1), cap.cos_angle) & less_equal(cap.cos_angle, S(1)) &

@@ -37,7 +37,7 @@ std::vector<Vec<S, 3>> rotation_center_images(std::span<const RigidTransform<S>>
   return images;
 }
 
-// Equation 1: Q_w(v - r_c) + sum_i w_i C_{j_i} r_c, for a blend that is not 0.
+// Computes Equation 1, Q_w(v - r_c) + sum_i w_i C_{j_i} r_c, for a blend that is not 0.
 template <class S>
 Vec<S, 3> blend_vertex(const PosedJointSet<S>& set, std::span<const S> w, const Vec<S, 3>& v) {
   const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
@@ -88,8 +88,8 @@ std::vector<SquaredBall<S, 3>> joint_set_balls_repaired(std::span<const PosedJoi
 
 // --- Hypotheses ---
 
-// The vertex is in the reference ball, its weights are the given combination of its joint-set's weight vertices, the
-// blend is a rotation.
+// The vertex is in the reference ball, its weights are the given combination of its joint-set's weight vertices, and the blend is
+// a rotation.
 template <class S>
 Verdict is_vertex_of(const PosedJointSet<S>& set, const Ball3<S>& reference, std::span<const S> w, const Vec<S, 3>& v,
                      const std::vector<S>& coefficients) {

@@ -29,7 +29,7 @@ struct PartBounds {
   S inflation;                    // r
 };
 
-// A deformed vertex, as its parts.
+// A deformed vertex is the sum of these parts.
 template <class S>
 struct Parts {
   std::vector<S> coefficients;  // the linear part is sum_k u_k r'_k
@@ -60,7 +60,7 @@ Verdict sum_of_bounds_hypotheses(const Ball3<S>& ball, const PartBounds<S>& boun
 
 // --- Witness and its check ---
 
-// The way from the ball's center to the vertex in three steps, of at most R - s, s and r.
+// The witness leads from the ball's center to the vertex in three steps, which are at most R - s, s and r long.
 template <class S>
 struct SumSteps {
   Vec<S, 3> to_center, to_spherical, to_offset;
@@ -95,7 +95,7 @@ SumOfBounds<S> sum_of_bounds(const Ball3<S>& ball, const PartBounds<S>& bounds, 
   return {encloses(inflate(ball, bounds.inflation), vertex), vertex, steps};
 }
 
-// A point of CH(r'_1 (+) F, ..., r'_m (+) F), taken apart: its linear part is sum u_k r'_k, the rest is in F.
+// A point of CH(r'_1 (+) F, ..., r'_m (+) F) is taken apart: its linear part is sum u_k r'_k, and the rest is in F.
 template <class S>
 struct HullOfBallsPoint {
   Verdict verdict;
@@ -111,7 +111,7 @@ HullOfBallsPoint<S> hull_of_balls_in_sum(const PartBounds<S>& bounds, std::span<
   return {encloses(bounds.spherical, spherical), linear, spherical};
 }
 
-// The point of the inner ball that is farthest from a given one. It has a square root; the decision has none.
+// Returns the point of the inner ball that is farthest from a given one. It takes a root, which the decision does not need.
 template <class S>
 Vec<S, 3> farthest_point(const Ball3<S>& inner, const Vec<S, 3>& from) {
   const Vec<S, 3> away = inner.center - from;

@@ -23,7 +23,7 @@
 
 namespace refitlab {
 
-// kappa^2 of non-zero quaternions and a non-zero axis: the best there is.
+// Returns the greatest kappa^2 for non-zero quaternions and a non-zero axis.
 template <class S>
 S squared_cap_cosine(std::span<const Quaternion<S>> quaternions, const Quaternion<S>& axis) {
   const auto ratio = [&](const Quaternion<S>& q) { return S(sq(dot(q, axis)) / (squared_norm(q) * squared_norm(axis))); };
@@ -58,7 +58,7 @@ Verdict one_cap_hypotheses(std::span<const Quaternion<S>> quaternions, const Qua
 
 // --- Conclusion ---
 
-// The matrix G: entries that are not negative show the statement for all coefficients at once.
+// The witness is the matrix G. If no entry is negative, the statement holds for all coefficients at once.
 template <class S>
 struct OneCap {
   Verdict verdict;
@@ -99,8 +99,8 @@ OneCap<S> one_cap(std::span<const Quaternion<S>> quaternions, const Quaternion<S
   return {v, std::move(gram)};
 }
 
-// What it says in R^3, for a blend and an axis that are not 0: R_b v is within the angle with cosine 2 kappa^2 - 1 of
-// R_c v.
+// Judges the statement in R^3, for a blend and an axis that are not 0: R_b v is within the angle with cosine 2 kappa^2 - 1 of R_c
+// v.
 template <class S>
 RotatedPair<S> one_cap_rotated(const Quaternion<S>& blend, const Quaternion<S>& axis, const S& squared_cosine,
                                const Vec<S, 3>& v) {

@@ -73,7 +73,7 @@ SmallestCap<S, D> smallest_cap(std::span<const Vec<S, D>> units, std::span<const
   const Vec<S, D> c = combine(coefficients, units);
   const S c2 = squared_norm(c), r2 = S(1) - c2;
   Verdict v = less(S(0), c2) & is_smallest_ball(units, coefficients, c, r2);
-  // d_H ||c|| of Equation 6 and as a minimum of dot products: both are ||c||^2.
+  // d_H ||c|| by Equation 6 and d_H ||c|| as a minimum of dot products are both ||c||^2.
   v &= equal(S(scaled_distance(c, r2) / S(2)), c2) & equal(min_dot_distance(units, c, r2).least_dot, c2);
   return {v, c, r2, c2};
 }

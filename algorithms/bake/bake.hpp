@@ -13,18 +13,18 @@ namespace refitlab {
 inline constexpr std::initializer_list<Pieces> all_pieces{Pieces::joint_sets, Pieces::mixed, Pieces::many};
 
 // mesh must be valid (see SkinnedMesh). pieces are the descriptions that the later refits need (RefitVariant::pieces).
-// joints: pieces for affine ones are more, and tighter where joints scale; for rigid ones they are fewer. The refits hold for both. Baking takes
-// some thirty microseconds a triangle. Throws std::invalid_argument for triangles_per_leaf < 1.
+// For affine joints there are more pieces, which are tighter where joints scale; for rigid joints there are fewer. The refits
+// hold for both. Baking takes some thirty microseconds a triangle. Throws std::invalid_argument for triangles_per_leaf < 1.
 Character bake(SkinnedMesh mesh, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces,
                Joints joints = Joints::rigid);
 
-// A character with the clips of the model that it was made from. It has the model's morph targets, mesh after
-// mesh, and pieces for joints as those of the clips are (joints_of).
+// An AnimatedCharacter is a character with the clips of the model that it was made from. It has the model's morph targets, mesh
+// after mesh, and pieces for joints as those of the clips are (joints_of).
 struct AnimatedCharacter : Character {
   std::vector<Clip> clips;
 };
 AnimatedCharacter bake(Model model, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces);
-// With pieces for such joints, whatever those of the clips are.
+// Does the same with pieces for such joints, whatever those of the clips are.
 AnimatedCharacter bake(Model model, const TreeOptions& tree, std::initializer_list<Pieces> pieces, Joints joints);
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls of displacements by morph targets.
+// These balls hold the displacements by morph targets.
 #pragma once
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"

@@ -14,7 +14,7 @@
 namespace refitlab {
 namespace {
 
-// Vertices of one joint-set, with what a piece is judged by.
+// A Cluster has vertices of one joint-set, and the sizes by which a piece is judged.
 struct Cluster {
   int joint_set;
   std::vector<int> vertices;
@@ -41,7 +41,8 @@ class Clustering {
     return c;
   }
 
-  // Halves a cluster at the median of its widest coordinate: a position, or a weight (scaled to the node's size).
+  // Halves a cluster at the median of its widest coordinate, which is that of a position, or a weight (scaled to the node's
+  // size).
   std::pair<Cluster, Cluster> split(const Cluster& c) const {
     Point3 low = mesh_.vertices[c.vertices[0]], high = low;
     for (const int v : c.vertices) low = low.cwiseMin(mesh_.vertices[v]), high = high.cwiseMax(mesh_.vertices[v]);
@@ -58,7 +59,7 @@ class Clustering {
   }
 
  private:
-  // The joint (by position) whose weights vary most, and by how much.
+  // Returns the joint (by position) whose weights vary most, and by how much.
   std::pair<int, double> weight_range(const Cluster& c) const {
     std::pair<int, double> widest{0, 0};
     for (std::size_t i = 0; i < sets_.joints(c.joint_set).size(); ++i) {
@@ -133,7 +134,7 @@ class NodeClusters {
   const PieceOptions& options_;
 };
 
-// Those that touch the smallest ball of all come first, the others stay in order.
+// Puts the pieces that touch the smallest ball of all first. The others stay in order.
 void order_by_support(std::span<NodePiece> pieces, const std::vector<Ball3<double>>& references) {
   std::vector<Ball3<double>> balls;
   for (const auto& piece : pieces) balls.push_back(references[piece.reference]);
@@ -150,7 +151,7 @@ PieceTable build_pieces(const SphereTree& tree, const NodeVertices& vertices, co
                         const PieceOptions& options) {
   const DefaultFloatEnvironment environment;
   PieceTable table;
-  // In the order of the leaves, so that what a node lists lies close together.
+  // The vertices are in the order of the leaves, so that those of a node lie close together.
   std::vector<std::vector<int>> vertices_of;                           // by reference
   std::vector<NodePiece> listed(mesh.vertices.size(), {-1, 0, 1, 0});  // by vertex
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {

@@ -15,7 +15,7 @@
 namespace refitlab {
 namespace {
 
-// The binary tree before pruning.
+// A BinaryNode is one of the binary tree before pruning.
 struct BinaryNode {
   Ball3<double> ball;
   int first_triangle, triangle_count;
@@ -46,7 +46,7 @@ class Builder {
     return {tree_.triangle_order.data() + first, static_cast<std::size_t>(count)};
   }
 
-  // Makes the binary node of these triangles and all below it; returns its index.
+  // Makes the binary node of these triangles and all below it. Returns its index.
   int split(int first, int count) {
     const int index = static_cast<int>(binary_.size());
     std::vector<Point3> points;
@@ -68,7 +68,7 @@ class Builder {
     return index;
   }
 
-  // The binary nodes that become the children of one with this radius: those that stay, in order.
+  // Appends the binary nodes that become the children of one with this radius. They are those that stay, in order.
   void kept_children(int binary, double radius, std::vector<int>& out) const {
     for (const int child : binary_[binary].children) {
       const BinaryNode& c = binary_[child];
@@ -77,7 +77,7 @@ class Builder {
     }
   }
 
-  // Level by level into the flat array; the queue of binary nodes runs parallel to it.
+  // Writes the nodes level by level into the flat array. The queue of binary nodes runs parallel to it.
   void flatten() {
     std::vector<int> source{0};
     tree_.nodes.push_back(node_of(0, -1, 1));
@@ -119,7 +119,7 @@ class Builder {
     tree_.leaf_vertices.insert(tree_.leaf_vertices.end(), vertices.begin(), vertices.end());
   }
 
-  // Joint-sets, weight bounds and weight vertices of a node's vertices.
+  // Adds the joint-sets, weight bounds and weight vertices of a node's vertices.
   void add_joint_sets(TreeNode& node) {
     std::map<int, WeightBounds<double>> bounds;
     for (const int v : distinct_vertices(mesh_, triangles(node.first_triangle, node.triangle_count))) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Weight vertices: the vertices c_1 ... c_m of the polytope W' = {w : l_i <= w_i <= h_i, sum w_i = 1} (paper 4.1, Equation
-// 4).
+// Weight vertices are the vertices c_1 ... c_m of the polytope W' = {w : l_i <= w_i <= h_i, sum w_i = 1} (paper 4.1, Equation 4).
 //
 // W' is a box cut by a hyperplane. So at a weight vertex at most one coordinate lies strictly between its bounds. The
 // search fixes each coordinate at its low or high bound, or leaves it free (once). It turns back where a sum of 1 is

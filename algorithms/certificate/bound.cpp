@@ -23,14 +23,14 @@ using Point = Vec<Rational, 3>;
 
 constexpr int most_halvings_tried = most_halvings + 3;  // a ball that is not a refit's may need more
 
-// A weight vertex exactly, and as a refit in double has it.
+// A WeightVertex is kept exactly, and as a refit in double has it.
 template <template <class> class Blend>
 struct WeightVertex {
   Blend<Rational> exact;
   Blend<double> rounded;
 };
 
-// W_kl and N_kl of degree 2, and whether all W_kl are positive.
+// Mixtures has W_kl and N_kl of degree 2, and whether all W_kl are positive.
 struct Mixtures {
   template <class Piece, class WeightVertices>
   Mixtures(const Piece& piece, const WeightVertices& weight_vertices) : m(weight_vertices.size()) {
@@ -47,7 +47,7 @@ struct Mixtures {
   bool are_positive = true;
 };
 
-// The blends of a spherical piece carry x into the target.
+// A SphericalClaim says that the blends of a spherical piece carry x into the target.
 struct SphericalClaim {
   using WeightVertex = refitlab::WeightVertex<BlendedJoints>;
   Point x;
@@ -70,7 +70,7 @@ struct SphericalClaim {
   }
 
  private:
-  // The centers of both of the refits' balls around the unit quaternions; none where a weight vertex vanishes.
+  // Returns the centers of the two balls that refits make around the unit quaternions, or none if a weight vertex vanishes.
   static std::vector<Quaternion<double>> axes(const std::vector<WeightVertex>& weight_vertices) {
     std::vector<Quaternion<double>> unit;
     for (const WeightVertex& c : weight_vertices) {
@@ -82,7 +82,7 @@ struct SphericalClaim {
     return {MeanBalls::center_of_points(points), SmallestBalls::center_of_points(points)};
   }
 
-  // Of all rotations for the axis 0.
+  // Judges the bound by the cap about an axis. The axis 0 stands for all rotations.
   bool by_cap(const std::vector<WeightVertex>& weight_vertices, const Quaternion<double>& axis) const {
     CapFallback<Rational> cap{{}, {}, convert<Rational>(axis), 0};
     for (const WeightVertex& c : weight_vertices) cap.rotations.push_back(c.exact.rotation);
@@ -112,7 +112,7 @@ struct SphericalClaim {
   }
 };
 
-// The blends of a dual quaternion piece carry x into the target.
+// A DualQuaternionClaim says that the blends of a dual quaternion piece carry x into the target.
 struct DualQuaternionClaim {
   using WeightVertex = refitlab::WeightVertex<BlendedDuals>;
   Point x;
@@ -163,7 +163,7 @@ struct DualQuaternionClaim {
   }
 };
 
-// The edge at which a refit halves a simplex.
+// Returns the edge at which a refit halves a simplex.
 template <class WeightVertex>
 std::array<std::size_t, 2> edge_to_halve(const std::vector<WeightVertex>& weight_vertices) {
   const auto [k, l] = widest_edge<double>(weight_vertices.size(), [&](std::size_t a, std::size_t b) {
@@ -204,7 +204,8 @@ bool linear_holds(const PaletteEntry<Rational>& palette, const std::vector<std::
   return true;
 }
 
-// A double whose square is no less. Below 2^-1000 that is 2^-500, since squares of doubles may be no doubles there.
+// Returns a double whose square is no less. For squares below 2^-1000 it is 2^-500, since squares of doubles may be no doubles
+// there.
 Rational root_above(const Rational& square) {
   if (square == 0) return 0;
   double root = std::max(std::sqrt(CGAL::to_double(square)), 0x1p-500);
@@ -212,7 +213,7 @@ Rational root_above(const Rational& square) {
   return root;
 }
 
-// By the lesser of what the blend at a weight vertex stretches, and of the joints' stretches blended.
+// Looks for a bound by stretches: at each weight vertex, the lesser of the blend's stretch and of the joints' stretches, blended.
 std::optional<Bound> find_stretch(const PaletteEntry<Rational>& palette,
                                   const std::vector<std::vector<Rational>>& weight_vertices, const Ball3<Rational>& reference,
                                   const Ball3<Rational>& ball) {

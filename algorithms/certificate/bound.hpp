@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bound: how it can be proved that a ball holds all that skinning makes of a piece, found by trying exactly.
+// A Bound says how it can be proved that a ball holds all that skinning makes of a piece. It is found by exact trials.
 //
-// A refit's own bound is always among those tried (its axes, and its simplices halved at the same edges), so a ball that a
-// refit proves is found a bound. Balls from elsewhere (of batches, of descendants, of deformed vertices with a margin) are
-// found one too where these bounds are tight enough.
+// A refit's own bound is always among those tried (its axes, and its simplices halved at the same edges), so there is a bound for
+// every ball that a refit proves. For balls from elsewhere (of batches, of descendants, of deformed vertices with a margin) there
+// is one too if these bounds are tight enough.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ struct Bound {
                         of_weight_vertices = {};  // of stretch: no less than what each makes differences longer by
 };
 
-// Nothing if none of those tried proves it. All numbers are taken as exact rationals; they must be finite.
+// Returns nothing if no bound that is tried proves it. All numbers are taken as exact rationals; they must be finite.
 std::optional<Bound> find_bound(const RefitNode<double>& node, std::size_t piece, Skinning skinning, const Ball3<double>& ball);
 
 }  // namespace refitlab

@@ -58,7 +58,7 @@ json weight_vertices_of(const RefitNode<double>& node, const NodePiece& set) {
   return out;
 }
 
-// The reference ball holds the position, exactly.
+// Returns whether the reference ball holds the position, exactly.
 bool is_in(const Ball3<double>& ball, const Point3& position) {
   Rational apart(0);
   for (int i = 0; i < 3; ++i) {

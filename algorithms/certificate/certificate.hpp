@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificate: why a ball holds a node's vertices, as a document that anyone can check.
+// A certificate is a document that says why a ball holds a node's vertices. Anyone can check it.
 //
 // It has the node's vertices, each with its piece and how its weights are mixed of the piece's weight vertices
 // (shares.hpp), the inputs of the refit (per joint-set the joints' quaternions and the center images, translations or
@@ -37,7 +37,7 @@
 
 namespace refitlab {
 
-// Of a ball for which no proof was found: it misses something, or is tighter than the bounds of this library.
+// This is thrown for a ball for which no proof was found: it misses something, or is tighter than the bounds of this library.
 class NoProof : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -50,7 +50,7 @@ struct CertifiedVertex {
   std::span<const double> weights;  // by joint of it
 };
 
-// What a certificate says of its node beyond what a refit looks at.
+// A certificate says this of its node beyond the data of a refit.
 struct CertifiedNode {
   std::string about;  // for the reader
   int number;         // in the sphere tree
@@ -59,12 +59,12 @@ struct CertifiedNode {
   std::string model_digest, pose_digest;     // SHA-256
 };
 
-// That the ball holds all that the skinning makes of the node's pieces, by whatever refit it was made. Hejl's skinning is
-// spherical. Takes milliseconds a piece, for exact arithmetic.
-// Throws NoProof, also for a vertex that no piece holds; std::invalid_argument for a number that is not finite or weights
-// that are negative or whose sum is not 1 exactly: skinning by them is not what the proofs are about. It also throws
-// std::invalid_argument for a palette of affine joints in other than linear skinning. Morph targets, and joints that scale
-// in two phases, are certified for the node of a deformed_character (runtime/refit/deformed_reference.hpp): of its vertices.
+// Returns a certificate that the ball holds all that the skinning makes of the node's pieces, whatever refit made the ball.
+// Hejl's skinning counts as spherical. Exact arithmetic takes milliseconds for each piece.
+// Throws NoProof, also for a vertex that no piece holds. Throws std::invalid_argument for a number that is not finite, and for
+// weights that are negative or whose sum is not exactly 1, because the proofs are not about these. It also throws
+// std::invalid_argument for a palette of affine joints in other than linear skinning. Morph targets, and joints that scale in two
+// phases, are certified for the vertices of a node of a deformed_character (runtime/refit/deformed_reference.hpp).
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball, const CertifiedNode& of);
 
 }  // namespace refitlab

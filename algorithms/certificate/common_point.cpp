@@ -14,7 +14,7 @@
 namespace refitlab {
 namespace {
 
-// 2^-e for the e by which the largest coordinate is 2^e times at least 1/2, as two powers that double has.
+// Returns 2^-e as a product of two powers that double has. The largest coordinate is 2^e times a number in [1/2, 1).
 std::array<double, 2> unit_powers(const TrianglePoints& a, const TrianglePoints& b) {
   double largest = 0;
   for (int i = 0; i < 3; ++i) largest = std::max({largest, a[i].cwiseAbs().maxCoeff(), b[i].cwiseAbs().maxCoeff()});
@@ -27,8 +27,8 @@ std::array<double, 2> unit_powers(const TrianglePoints& a, const TrianglePoints&
 
 std::variant<CommonPoint, PartingPlane> common_point(const TrianglePoints& a, const TrianglePoints& b) {
   const DefaultFloatEnvironment environment;
-  // Of the weights u, w >= 0: sum_i u_i a_i - sum_j w_j b_j = 0, sum_i u_i = 1 and sum_j w_j = 1.
-  // With coordinates near 1, or the numbers of a plane would be of different sizes.
+  // The weights u, w >= 0 satisfy sum_i u_i a_i - sum_j w_j b_j = 0, sum_i u_i = 1 and sum_j w_j = 1. Coordinates are scaled to
+  // about 1, as otherwise the numbers of a plane would be of different sizes.
   const auto powers = unit_powers(a, b);
   const CGAL::Gmpzf one(1), unit = CGAL::Gmpzf(powers[0]) * CGAL::Gmpzf(powers[1]);
   CGAL::Quadratic_program<CGAL::Gmpzf> program(CGAL::EQUAL, true, 0, false, 0);
@@ -52,7 +52,8 @@ std::variant<CommonPoint, PartingPlane> common_point(const TrianglePoints& a, co
     for (int i = 0; i < 3; ++i) out.first[i] = numerators[i] / sum, out.second[i] = numerators[3 + i] / sum;
     return out;
   }
-  // Farkas: (n, p, q) with (n, a_i) + p >= 0, -(n, b_j) + q >= 0 and p + q < 0. So (-n, a_i) <= p < -q <= (-n, b_j).
+  // By Farkas' lemma there are (n, p, q) with (n, a_i) + p >= 0, -(n, b_j) + q >= 0 and p + q < 0. So (-n, a_i) <= p < -q <= (-n,
+  // b_j).
   std::array<Rational, 5> y;
   auto certificate = solution.infeasibility_certificate_begin();
   for (Rational& n : y) n = as_rational(*certificate++);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Documents: the model and the pose that certificates are bound to, as plain text that anyone can read and compare.
+// Documents are the model and the pose that certificates are bound to, as plain text that anyone can read and compare.
 //
 // Format: JSON, its keys sorted, indented by one space, in ASCII, ended by a line feed; a number is a string as in
 // certificate.hpp, an index is an integer. Its digest is the SHA-256 of all of its bytes. A model has
@@ -23,7 +23,7 @@ namespace refitlab {
 std::string model_document(const Character& character);
 std::string pose_document(const Character& character, const SkinningPalette<double>& palette, Skinning skinning);
 
-// The vertices of a node, and which documents they are of (by digest).
+// Returns the vertices of a node, and the documents that they belong to (by digest).
 CertifiedNode certified_node(const Character& character, int node, const std::string& about, const std::string& model_digest,
                              const std::string& pose_digest);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as exact fractions in JSON, and JSON in its one canonical form.
+// Numbers become exact fractions in JSON, and JSON gets its one canonical form.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace refitlab {
 
-// "-3/8" or "5". Throws std::invalid_argument for a number that is not finite.
+// Returns a fraction as a string, such as "-3/8" or "5". Throws std::invalid_argument for a number that is not finite.
 inline nlohmann::json exact_json(double x) {
   if (!std::isfinite(x)) throw std::invalid_argument("certificate: a number is not finite");
   return as_text(Rational(x));
@@ -31,13 +31,13 @@ nlohmann::json exact_json(const Vec<double, D>& v) {
 inline nlohmann::json exact_json(const Ball3<double>& ball) {
   return {{"center", exact_json(ball.center)}, {"radius", exact_json(ball.radius)}};
 }
-// A joint-set in a palette, with the numbers of its joints in the model and what the skinning reads.
+// Returns a joint-set of a palette, with the numbers of its joints in the model and the data that the skinning reads.
 nlohmann::json exact_json(const PaletteEntry<double>& palette, std::span<const int> joints, Skinning skinning);
 
-// "spherical" for Hejl's too, "affine" for linear skinning by affine joints.
+// Returns the name of the skinning. It is "spherical" for Hejl's too, and "affine" for linear skinning by affine joints.
 const char* certified_name(const SkinningPalette<double>& palette, Skinning skinning);
 
-// Keys sorted, indented by one space, in ASCII, ended by a line feed.
+// Returns the document in ASCII with sorted keys, indented by one space and ended by a line feed.
 inline std::string canonical(const nlohmann::json& document) {
   return document.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }

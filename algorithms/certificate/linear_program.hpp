@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact numbers of CGAL's linear programs over doubles, as fractions.
+// The exact numbers of CGAL's linear programs over doubles become fractions.
 #pragma once
 
 #include <CGAL/Gmpzf.h>
@@ -17,7 +17,8 @@ inline Rational as_rational(const CGAL::Gmpzf& x) {
   return x.exp() < 0 ? Rational(x.man(), power) : Rational(x.man() * power);
 }
 
-// The same proportions in whole numbers without a common divisor, and by what the numbers were multiplied. One of them is not 0.
+// Replaces the numbers by whole numbers in the same proportions, without a common divisor. At least one is not 0. Returns the
+// factor.
 inline Rational make_whole(std::span<Rational> numbers) {
   CGAL::Gmpz multiple(1), divisor(0);
   for (const Rational& n : numbers) mpz_lcm(multiple.mpz(), multiple.mpz(), n.denominator().mpz());

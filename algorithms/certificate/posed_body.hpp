@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PosedBody: the vertices of a character in one frame, which certificates of touching triangles are about.
+// A PosedBody has the vertices of a character in one frame, which certificates of touching triangles are about.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ struct PosedBody {
   }
 };
 
-// The doubles that queries decide pairs of. A vertex of no triangle is left where the mesh has it. The body has begun a frame.
+// Returns the doubles from which queries decide pairs. A vertex of no triangle stays where the mesh has it. The body must have
+// begun a frame.
 PosedBody posed_body(ClusterBody& body, const std::string& name);
 
 }  // namespace refitlab

@@ -26,7 +26,7 @@ void require_whole(const PosedBody& body) {
         throw std::invalid_argument("separation: a triangle has a vertex that is not there");
 }
 
-// The sides of the box around the middles of triangles, which are times 3.
+// Returns the sides of the box around the middles of triangles, which are multiplied by 3.
 Point3 extent_of(const PosedBody& body, Triangles set, std::vector<Point3>& middles) {
   Point3 low = Point3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const int t : set) {
@@ -36,7 +36,7 @@ Point3 extent_of(const PosedBody& body, Triangles set, std::vector<Point3>& midd
   return high - low;
 }
 
-// Halved at the middle along the longest side of their box, halves of halves too.
+// Orders the triangles so that each half, and each half of a half, is cut at the middle along the longest side of its box.
 void put_in_order(const PosedBody& body, std::span<int> set, std::vector<Point3>& middles) {
   if (set.size() < 2) return;
   Eigen::Index axis;
@@ -74,7 +74,7 @@ class SetVertices {
   const Point3& middle() const { return middle_; }
   double size() const { return size_; }
   const Point3& largest() const { return largest_; }  // |coordinates|
-  // The least product with the normal, and where.
+  // Returns the least product with the normal, and the point that has it.
   std::pair<double, Point3> least(const Point3& normal) const {
     std::pair<double, Point3> out{std::numeric_limits<double>::infinity(), points_[0]};
     for (const Point3& p : points_)
@@ -88,9 +88,9 @@ class SetVertices {
   double size_;
 };
 
-// Short numbers for a plane with this normal, if it parts them for certain. A dot product in double is off by less than
+// Returns a plane with this normal in short numbers, if it certainly parts the sets. A dot product in double is off by less than
 // 4 roundings of the sum of its products' absolute values; 16 leave room for those of sums, of this bound and of underflow. The
-// offset is within an eighth of the gap of its middle.
+// offset differs from the middle of the gap by at most an eighth of it.
 std::optional<PartingPlane> plane_between(const SetVertices& a, const SetVertices& b, const Point3& normal) {
   const double highest = -a.least(-normal).first, lowest = b.least(normal).first, gap = lowest - highest;
   const double off = 16 * 0x1p-53 * normal.cwiseAbs().dot(a.largest().cwiseMax(b.largest())) + 0x1p-1000;
@@ -101,8 +101,8 @@ std::optional<PartingPlane> plane_between(const SetVertices& a, const SetVertice
 
 constexpr int most_directions = 20;  // that are tried before a set is halved
 
-// A plane between the sets, if one is found soon: by the point of the difference of their hulls that is nearest to 0, which is
-// approached along segments to the points that are farthest towards 0 [Gilbert 1966].
+// Returns a plane between the sets, if one is found soon. It comes from the point of the difference of their hulls that is
+// nearest to 0. That is approached along segments to the points that are farthest towards 0 [Gilbert 1966].
 std::optional<PartingPlane> find_plane(const SetVertices& a, const SetVertices& b) {
   Point3 nearest = b.middle() - a.middle();
   for (int i = 0; i < most_directions; ++i) {

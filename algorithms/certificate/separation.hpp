@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Separation: why no triangles of two bodies meet but those of which a common point is given.
+// A Separation says why no triangles of two bodies meet except those with a given common point.
 //
 // The triangles of both bodies are a pair of sets. Planes part such pairs; where none is found, one of the sets is halved.
-// What is left are pairs of triangles, which have a plane or a point in common.
+// In the end there are pairs of triangles, which have a plane between them or a point in common.
 #pragma once
 
 #include <variant>
@@ -14,7 +14,8 @@
 
 namespace refitlab {
 
-// What is done with a pair of sets: in the order, a set of n triangles has its first n / 2, rounded down, in its first half.
+// Halved says which set of a pair is halved. A set of n triangles has its first n / 2 in the order, rounded down, in its first
+// half.
 enum class Halved { first, second };
 struct Touching {};
 using SeparationStep = std::variant<PartingPlane, Halved, Touching>;

@@ -9,8 +9,8 @@
 namespace refitlab {
 namespace {
 
-// The first 32 bits of the fractional parts of the square roots (initial state) and cube roots (constants of the rounds) of
-// the first primes: doubles have 15 bits more, and for none of these primes do they matter.
+// These are the first 32 bits of the fractional parts of the square roots (initial state) and cube roots (constants of the
+// rounds) of the first primes. Doubles have 15 bits more, which do not matter for any of these primes.
 struct Constants {
   std::array<std::uint32_t, 8> state;
   std::array<std::uint32_t, 64> rounds;
@@ -28,7 +28,7 @@ struct Constants {
   static std::uint32_t fraction(double x) { return static_cast<std::uint32_t>((x - std::floor(x)) * 4294967296.0); }
 };
 
-// The message, a 1, zeros, and the message's length in bits as 64: whole blocks of 64 bytes.
+// Returns the message, a 1, zeros, and the message's length in bits as 64 bits. Together they are whole blocks of 64 bytes.
 std::string padded(std::string_view bytes) {
   std::string out(bytes);
   out += '\x80';

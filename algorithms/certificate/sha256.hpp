@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SHA-256 [FIPS 180-4], which binds a certificate.
+// SHA-256 [FIPS 180-4] binds a certificate.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// 64 lower-case hexadecimal digits.
+// Returns 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
 }  // namespace refitlab

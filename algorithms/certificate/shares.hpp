@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shares: that weights are a convex combination of the weight vertices of a piece, as numbers that anyone can check.
+// Shares show that weights are a convex combination of the weight vertices of a piece, as numbers that anyone can check.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,9 @@ struct Shares {
   std::vector<Rational> shares;
 };
 
-// At most as many as there are weights; one for a weight vertex. Nothing if the weights are outside the hull of the
-// weight vertices: both are taken exactly. weight_vertices: rows of as many finite numbers as there are weights.
+// Returns at most as many shares as there are weights, and one for a weight vertex. Returns nothing if the weights are outside
+// the hull of the weight vertices. Both are taken exactly. weight_vertices has rows of as many finite numbers as there are
+// weights.
 std::optional<Shares> find_shares(const std::vector<std::span<const double>>& weight_vertices, std::span<const double> weights);
 
 }  // namespace refitlab

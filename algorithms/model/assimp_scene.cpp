@@ -12,7 +12,7 @@
 namespace refitlab {
 namespace {
 
-// By the file's numbers, exactly.
+// Converts the file's numbers exactly.
 Eigen::Matrix4d to_eigen(const aiMatrix4x4& m) {
   Eigen::Matrix4d out;
   out << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
@@ -28,7 +28,7 @@ bool is_usable(const Eigen::Quaterniond& q) { return q.coeffs().allFinite() && q
 Eigen::Vector3d in_standard_form(const Eigen::Vector3d& v) { return v; }
 Eigen::Quaterniond in_standard_form(const Eigen::Quaterniond& q) { return q.normalized(); }
 
-// The keys of one kind, or the node's own value where the channel has none. thing: clip and joint, for errors.
+// Returns the keys of one kind, or the node's own value if the channel has none. thing names the clip and the joint for errors.
 template <class Value, class SourceKey, class SourceValue>
 std::vector<Key<Value>> convert_keys(const SourceKey* keys, unsigned count, double ticks_per_second, const SourceValue& otherwise,
                                      const std::string& file, const std::string& thing) {
@@ -58,13 +58,13 @@ NodeTrack convert_track(const aiNodeAnim& channel, int node, const aiNode& sourc
       {convert_keys<Eigen::Vector3d>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale, file, thing)}};
 }
 
-// The nodes of a scene, depth first, and by name: assimp refers to nodes by name only.
+// NodeTree has the nodes of a scene, depth first and by name, because assimp refers to nodes by name only.
 class NodeTree {
  public:
   NodeTree(const aiScene& scene, const std::string& file) : file_(file) { add(*scene.mRootNode, -1); }
   const std::vector<SceneNode>& nodes() const { return nodes_; }
   const aiNode& source(int node) const { return *sources_[node]; }
-  // The one node of that name, or -1; throws ModelError where there are two.
+  // Returns the one node of that name, or -1 if there is none. Throws ModelError if there are two.
   int find(const std::string& name) const {
     int found = -1;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -114,7 +114,7 @@ std::vector<Animation> animations_of(const aiScene& scene, const NodeTree& tree,
 
 std::string label_of(const aiMesh& mesh) { return "mesh '" + std::string(mesh.mName.C_Str()) + "'"; }
 
-// What later steps take for granted, assimp's own triangulation among them.
+// Checks what later steps, assimp's own triangulation among them, take for granted.
 void check_assimp_mesh(const aiMesh& mesh, const std::string& file) {
   const std::string thing = label_of(mesh);
   if (mesh.mNumVertices == 0 || mesh.mNumFaces == 0 || !mesh.mVertices) throw ModelError(file, thing, "is empty");
@@ -171,7 +171,7 @@ SceneSkin skin_of(const aiMesh& mesh, const NodeTree& tree, const std::string& f
   return out;
 }
 
-// What assimp says of its last failure; some of its messages quote the rest of the file.
+// Returns what assimp says of its last failure, shortened, as some of its messages quote the rest of the file.
 std::string complaint(const Assimp::Importer& importer) { return std::string(importer.GetErrorString()).substr(0, 200); }
 
 }  // namespace
@@ -208,7 +208,7 @@ Scene convert_scene(const aiScene& source, const std::string& file) {
 Scene assimp_scene(const std::string& path) {
   const DefaultFloatEnvironment environment;
   Assimp::Importer importer;
-  // As the file has it, checked, then triangulated.
+  // The scene is read as the file has it, checked, and then triangulated.
   const aiScene* source = importer.ReadFile(path, 0);
   if (!source) throw ModelError(path, "file", "assimp cannot read it: " + complaint(importer));
   check_assimp_scene(*source, path);

@@ -15,7 +15,7 @@ Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond
   return a.slerp(t, b).normalized();
 }
 
-// Of the channel's spline from a key to the next.
+// Evaluates the channel's spline from a key to the next.
 template <int D, class Value, class Coefficients>
 Vec<double, D> on_spline(const Channel<Value>& channel, std::size_t key, double share, const Coefficients& of) {
   const Key<Value>&a = channel.keys[key], &b = channel.keys[key + 1];
@@ -34,7 +34,7 @@ Eigen::Quaterniond on_spline(const Channel<Eigen::Quaterniond>& channel, std::si
   return Eigen::Quaterniond(on_spline<4>(channel, key, share, coefficients)).normalized();
 }
 
-// What a key's value stands for where the channel stays at it.
+// Returns the value of the channel where it stays at a key.
 Eigen::Vector3d at_key(const Eigen::Vector3d& v, Interpolation) { return v; }
 Eigen::VectorXd at_key(const Eigen::VectorXd& v, Interpolation) { return v; }
 Eigen::Quaterniond at_key(const Eigen::Quaterniond& q, Interpolation interpolation) {

@@ -25,19 +25,19 @@ Eigen::Quaterniond vector_of(const NumberTable& values, std::size_t row, const E
 bool is_finite(const Eigen::Vector3d& v) { return v.allFinite(); }
 bool is_finite(const Eigen::VectorXd& v) { return v.allFinite(); }
 bool is_finite(const Eigen::Quaterniond& q) { return q.coeffs().allFinite(); }
-// A spline's keys stay as they are: its curve depends on their lengths, and what comes of it is normalised.
+// A spline's keys stay as they are, because its curve depends on their lengths. Its values are normalised afterwards.
 Eigen::Vector3d key_value(const Eigen::Vector3d& v, Interpolation) { return v; }
 Eigen::VectorXd key_value(const Eigen::VectorXd& v, Interpolation) { return v; }
 Eigen::Quaterniond key_value(const Eigen::Quaterniond& q, Interpolation interpolation) {
   return interpolation == Interpolation::cubic ? q : q.normalized();
 }
 
-// How many rows of an accessor a value takes.
+// Returns how many rows of an accessor a value takes.
 std::size_t scalars_of(const Eigen::VectorXd& v) { return static_cast<std::size_t>(v.size()); }
 std::size_t scalars_of(const Eigen::Vector3d&) { return 1; }
 std::size_t scalars_of(const Eigen::Quaterniond&) { return 1; }
 
-// Why a value can be no key; empty if it can.
+// Returns why a value cannot be a key, or nothing if it can.
 std::string complaint(const Eigen::Vector3d& v, Interpolation) { return v.allFinite() ? "" : "not finite"; }
 std::string complaint(const Eigen::VectorXd& v, Interpolation) { return v.allFinite() ? "" : "not finite"; }
 std::string complaint(const Eigen::Quaterniond& q, Interpolation interpolation) {
@@ -102,7 +102,7 @@ class ClipReader {
     throw ModelError(file_, thing, "interpolates by '" + sampler.interpolation + "', which glTF has not");
   }
 
-  // Of a node that shows no morph targets they move nothing.
+  // Adds the weights of a node. They move nothing if the node shows no morph targets.
   void add_weights(int place, const tinygltf::AnimationChannel& channel, const tinygltf::Node& node, const std::string& thing) {
     const auto mesh = static_cast<std::size_t>(node.mesh);
     if (node.mesh < 0 || mesh >= source_.meshes.size() || source_.meshes[mesh].primitives.empty()) return;

@@ -17,11 +17,11 @@ using nlohmann::json;
 
 constexpr std::int64_t greatest_index = std::numeric_limits<std::int32_t>::max();
 
-// Required extensions that say how a surface looks, and the one of geometry that is read.
+// These are required extensions that say how a surface looks, and the one of geometry that is read.
 constexpr const char* readable_extensions[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_",
                                                "KHR_lights_",    "EXT_lights_",  "KHR_xmp",      "KHR_mesh_quantization"};
 
-// What the members of an object may be.
+// Kind says what a member of an object may be.
 enum class Kind { index, text, flag, numbers, indices, attributes };
 
 struct Member {
@@ -222,7 +222,7 @@ class Description {
 
   json skin(const json& from, const std::string& thing) const {
     json out = copied(from, thing, {{"joints", Kind::indices}, {"inverseBindMatrices", Kind::index}});
-    // Missing ones are identities; tinygltf would complain.
+    // Missing matrices are identities, but tinygltf would complain about them.
     if (!out.contains("inverseBindMatrices")) out["inverseBindMatrices"] = -1;
     return out;
   }

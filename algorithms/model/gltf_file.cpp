@@ -14,7 +14,8 @@
 namespace refitlab {
 namespace {
 
-// Beside the file that refers to it, and nowhere else: tinygltf looks into the working directory too.
+// Returns whether a file is beside the one that refers to it. It may be nowhere else, but tinygltf looks into the working
+// directory too.
 bool is_beside(const std::string& path, void* folder) {
   std::error_code error;
   return path.starts_with(*static_cast<const std::string*>(folder)) && std::filesystem::is_regular_file(path, error);

@@ -56,7 +56,7 @@ class PrimitiveReader {
     return out;
   }
 
-  // Zeros where a target moves something else than positions.
+  // Returns the displacements by a target. They are zeros if it moves something else than positions.
   std::vector<Eigen::Vector3d> displacements(std::size_t target, std::size_t vertices) const {
     const auto found = source_.targets[target].find("POSITION");
     std::vector<Eigen::Vector3d> out(vertices, Eigen::Vector3d::Zero());
@@ -113,7 +113,7 @@ class PrimitiveReader {
     return out;
   }
 
-  // By vertex, from all sets that there are.
+  // Returns the weights by vertex, from all sets of joints and weights.
   std::vector<std::vector<std::pair<int, double>>> weights(std::size_t vertices) const {
     std::vector<std::vector<std::pair<int, double>>> out;
     for (int set = 0;; ++set) {
@@ -141,7 +141,7 @@ class PrimitiveReader {
     }
   }
 
-  // Sets are numbered from 0 on; those behind a gap would get lost.
+  // Sets are numbered from 0 on. Sets behind a gap would get lost, so they are refused.
   void check_last_set(int count) const {
     for (const auto& [name, accessor] : source_.attributes)
       for (const char* kind : {"JOINTS_", "WEIGHTS_"})
@@ -167,7 +167,7 @@ void check_joints(const ScenePrimitive& primitive, std::size_t joints, const std
                          "joint index " + std::to_string(joint) + " is out of range 0.." + std::to_string(joints - 1));
 }
 
-// The node's own, or else the mesh's, or else zeros.
+// Returns the node's own weights, or else the mesh's, or else zeros.
 std::vector<double> default_weights(const tinygltf::Model& source, const tinygltf::Node& node, const SceneMesh& mesh,
                                     const std::string& file, const std::string& thing) {
   const std::size_t targets = mesh.primitives.empty() ? 0 : mesh.primitives[0].targets.size();

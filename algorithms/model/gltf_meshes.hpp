@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The meshes and skins of a glTF file.
+// The meshes and skins of a glTF file are converted here.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace refitlab {
 
-// All meshes, by the file's index; strips and fans as triangles, points and lines without any.
-// Throws ModelError that names the mesh, the primitive, the vertex or index, and the reason.
+// Returns all meshes, by the file's index. Strips and fans become triangles; points and lines have none. Throws ModelError that
+// names the mesh, the primitive, the vertex or index, and the reason.
 std::vector<SceneMesh> convert_meshes(const tinygltf::Model& source, const GltfNumbers& numbers, const std::string& file);
 
-// All skins, by the file's index. Inverse bind matrices that are missing are identities.
-// Throws ModelError for fewer matrices than joints, for a joint that there is not, and for a skin without joints.
+// Returns all skins, by the file's index. Missing inverse bind matrices are identities.
+// Throws ModelError for fewer matrices than joints, for a joint that does not exist, and for a skin without joints.
 std::vector<SceneSkin> convert_skins(const tinygltf::Model& source, const GltfNodes& nodes, const GltfNumbers& numbers,
                                      const std::string& file);
 
-// The meshes that nodes of the scene show, each with its skin, in the order of the nodes.
-// Throws ModelError for a mesh or skin that there is not, and for joints or weights that do not go with the skin.
+// Returns the meshes that nodes of the scene show, each with its skin, in the order of the nodes. Throws ModelError for a mesh or
+// skin that does not exist, and for joints or weights that do not fit the skin.
 std::vector<ShownMesh> convert_shown(const tinygltf::Model& source, const GltfNodes& nodes, const Scene& scene);
 
 }  // namespace refitlab

@@ -32,7 +32,7 @@ SceneNode scene_node(const tinygltf::Node& node, const std::string& name, int pa
   return {name, parent, local, source};
 }
 
-// By node: its parent, or -1.
+// Returns each node's parent, or -1.
 std::vector<int> parents_of(const tinygltf::Model& source, const std::string& file) {
   std::vector<int> out(source.nodes.size(), -1);
   for (std::size_t n = 0; n < source.nodes.size(); ++n)
@@ -69,7 +69,7 @@ class Order {
     out.places.assign(source.nodes.size(), -1);
   }
 
-  // With all below it: parents before children, children in the order of the file.
+  // Adds a node with all nodes below it, parents before children, and children in the order of the file.
   void add_tree(int root) {
     std::vector<std::pair<int, int>> waiting = {{root, -1}};  // a node, and its parent in this order
     while (!waiting.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nodes of a glTF file in the order of a Scene.
+// The nodes of a glTF file are put in the order of a Scene.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ struct GltfNodes {
   int shown = 0;                 // so many of them, the first, are in the scene
 };
 
-// The scene is the default one; without a default, the first; without any, all nodes.
-// Throws ModelError: a node that is below two others, below itself, or not there; a transform that is no affine map; a
-// scene that has a node twice, or one below another.
+// The scene is the default one, or else the first one, or else all nodes. Throws ModelError for a node that is below two others,
+// below itself, or not there, for a transform that is no affine map, and for a scene that has a node twice, or one below another.
 GltfNodes convert_nodes(const tinygltf::Model& source, const std::string& file);
 
-// Throws ModelError for a rotation by a zero quaternion, and for a node that has a matrix.
+// Returns the transform of a node at rest. Throws ModelError for a rotation by a zero quaternion, and for a node that has a
+// matrix.
 NodeTransform rest_transform(const tinygltf::Node& node, const std::string& file, const std::string& thing);
 
 }  // namespace refitlab

@@ -81,7 +81,7 @@ NumberTable GltfNumbers::read(int accessor, int type, Numbers numbers, const std
     const Bytes bytes = bytes_of(a.bufferView, a.byteOffset, out.rows, out.width * size, at);
     read_rows(bytes, a, out);
   } else {
-    // Zeros cost no bytes, and must not cost all memory.
+    // Zeros cost no bytes in the file, and must not cost all memory.
     if (out.rows > total_bytes()) throw ModelError(file_, at, "has more elements than there are bytes in the file");
     out.values.assign(out.rows * out.width, 0);
   }

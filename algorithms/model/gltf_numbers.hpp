@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers that accessors of a glTF file name, in double: from a buffer or sparse or both, normalised or not.
+// GltfNumbers reads the numbers that accessors of a glTF file name, in double. They are from a buffer or sparse or both,
+// normalised or not.
 #pragma once
 
 #include <string>
@@ -9,14 +10,14 @@
 
 namespace refitlab {
 
-// Rows of as many numbers as the accessor's type has: 3 of a VEC3, 16 of a MAT4 (column by column).
+// A row has as many numbers as the accessor's type: 3 for a VEC3, and 16 for a MAT4 (column by column).
 struct NumberTable {
   std::size_t rows = 0, width = 1;
   std::vector<double> values;
   double at(std::size_t row, std::size_t column) const { return values[row * width + column]; }
 };
 
-// What the numbers of an accessor may be.
+// Numbers says what the numbers of an accessor may be.
 enum class Numbers {
   floats,                // single precision
   floats_or_normalized,  // or integers that stand for fractions, by glTF 2.0, 3.6.2.2
@@ -29,9 +30,9 @@ class GltfNumbers {
   // Both must stay as long as this is used.
   GltfNumbers(const tinygltf::Model& source, const std::string& file) : source_(source), file_(file) {}
 
-  // type: of tinygltf, such as TINYGLTF_TYPE_VEC3. thing: for errors.
-  // Throws ModelError that names the file, the thing, the accessor and the reason: an accessor, buffer view or buffer that
-  // there is not, what reaches past its end, another type than these, sparse indices that are out of range or order.
+  // Reads an accessor. type is one of tinygltf, such as TINYGLTF_TYPE_VEC3. thing is for error messages. Throws ModelError that
+  // names the file, the thing, the accessor and the reason. The reasons are an accessor, buffer view or buffer that does not
+  // exist, one that reaches past the end of another, another type than these, and sparse indices that are out of range or order.
   NumberTable read(int accessor, int type, Numbers numbers, const std::string& thing) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loading files that crash the library that reads them, for command-line tools.
+// Command-line tools load files with this, because some files crash the library that reads them.
 #pragma once
 
 #include <string>
@@ -9,10 +9,9 @@
 
 namespace refitlab {
 
-// load_model, of a file that assimp reads after it was tried in a forked copy of the process. Not for programs with threads
-// or open connections.
-// Throws what load_model does, ModelError for a file that brings the copy down or keeps it busy for so many seconds, and
-// std::system_error where there can be no copy.
+// Does load_model, but tries a file that assimp reads in a forked copy of the process first. It is not for programs with threads
+// or open connections. Throws what load_model throws, ModelError for a file that brings the copy down or keeps it busy for so
+// many seconds, and std::system_error if there can be no copy.
 Model load_model_guarded(const std::string& path, const LoadOptions& options = {}, unsigned seconds = 600);
 
 }  // namespace refitlab

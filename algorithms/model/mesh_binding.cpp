@@ -9,7 +9,7 @@
 namespace refitlab {
 namespace {
 
-// The corners of the box of a primitive: where two placements agree there, they agree on it.
+// Returns the corners of the box of a primitive. Two placements that agree there agree on the whole primitive.
 std::vector<Eigen::Vector4d> box_corners(const ScenePrimitive& primitive) {
   Eigen::Vector3d low = primitive.positions[0], high = low;
   for (const Eigen::Vector3d& p : primitive.positions) {
@@ -78,7 +78,7 @@ class Binder {
     return found == joints_.end() ? -1 : static_cast<int>(found - joints_.begin());
   }
 
-  // The frame of a node, to the reference pose, as it is in the file relative to the nearest joint.
+  // Returns the map from a node's frame to the reference pose, as the file has it relative to the nearest joint.
   Eigen::Matrix4d rest_frame(int node) const {
     int nearest = -1;
     for (int n = node; n >= 0 && nearest < 0; n = scene_.nodes[n].parent) nearest = joint_of_node(n);
@@ -87,7 +87,7 @@ class Binder {
     return (globals_[j.node] * j.offset).inverse() * globals_[node];
   }
 
-  // From the mesh's frame to the reference pose, by a bone that another mesh has used, or else by its first.
+  // Returns the map from the mesh's frame to the reference pose, by a bone that another mesh has used, or else by its first bone.
   Eigen::Matrix4d placement(const std::vector<int>& nodes, const std::vector<Eigen::Matrix4d>& offsets,
                             const std::vector<Eigen::Vector4d>& box) const {
     std::size_t b = 0;
@@ -100,7 +100,7 @@ class Binder {
     return keep ? identity : found;
   }
 
-  // The joint of a node whose offset, after the mesh's placement, does what `own` does to the mesh; made where there is
+  // Returns the joint of a node whose offset, after the mesh's placement, does what `own` does to the mesh. Makes it if there is
   // none.
   int joint(int node, const Eigen::Matrix4d& own, const Eigen::Matrix4d& offset, const Eigen::Matrix4d& placement,
             const std::vector<Eigen::Vector4d>& box) {
@@ -115,7 +115,8 @@ class Binder {
   std::vector<Eigen::Matrix4d> globals_;
 };
 
-// Joints in the order of their nodes, so that parents come first; gives each its parent. Returns new index by old.
+// Puts joints in the order of their nodes, so that parents come first, and gives each its parent. Returns the new index by the
+// old one.
 std::vector<int> order_joints(std::vector<BoundJoint>& joints, const std::vector<SceneNode>& nodes) {
   std::vector<int> old(joints.size()), fresh(joints.size()), first_of_node(nodes.size(), -1);
   for (std::size_t j = 0; j < old.size(); ++j) old[j] = static_cast<int>(j);
@@ -144,8 +145,8 @@ bool weights_move(const Scene& scene, int node) {
 
 BoundScene bind_meshes(const Scene& scene) {
   BoundScene out;
-  // The joints of a skinned mesh say where it is; it is there once, however many nodes show it: by mesh, skin, weights of
-  // morph targets, and the node that has them where a clip moves them.
+  // The joints of a skinned mesh say where it is, so it is there once, however many nodes show it. The key is the mesh, the skin,
+  // the weights of morph targets, and, if a clip moves these, the node that has them.
   std::map<std::tuple<int, int, std::vector<double>, int>, int> skinned;
   for (std::size_t s = 0; s < scene.shown.size(); ++s) {
     const ShownMesh& use = scene.shown[s];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The meshes of a scene, each in its place in one reference pose, and the joints that move them.
+// A BoundScene has the meshes of a scene, each in its place in one reference pose, and the joints that move them.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace refitlab {
 
-// A primitive that a node shows, in its place: its vertices, moved by placement, are in the frame of the reference pose.
+// A BoundPrimitive is a primitive that a node shows, in its place. Its vertices, moved by placement, are in the frame of the
+// reference pose.
 struct BoundPrimitive {
   int shown, primitive;  // of scene.shown[shown]'s mesh
   Eigen::Matrix4d placement;
   std::vector<int> joints;  // by joint of the skin; a mesh without a skin has one joint for all of its vertices
 };
 
-// A node shows what another, before it, shows with the same skin and the same morph weights: both are indices of
+// A RepeatedMesh is one that an earlier node shows with the same skin and the same morph weights. Both are indices of
 // scene.shown.
 struct RepeatedMesh {
   int shown, first;
@@ -34,7 +35,7 @@ struct BoundScene {
 // agree, a node gets a joint for each offset. A skinned primitive that shares no joint, and one without a skin, are placed
 // as the nodes of the file have them relative to the nearest ancestor that is a joint (or else to the first joint);
 // the node of a mesh without a skin becomes a joint.
-// Throws ModelError: no skin, an offset matrix that is singular, not affine or not finite.
+// Throws ModelError if there is no skin, and for an offset matrix that is singular, not affine or not finite.
 BoundScene bind_meshes(const Scene& scene);
 
 }  // namespace refitlab

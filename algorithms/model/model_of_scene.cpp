@@ -18,7 +18,7 @@ namespace {
 
 using Weights = std::vector<std::pair<int, double>>;  // joint, weight
 
-// Gathers the triangles of all primitives, a vertex for each position, weights and displacements.
+// A Skin gathers the triangles of all primitives. It has one vertex for each position with its weights and displacements.
 class Skin {
  public:
   Skin(const Scene& scene, Morphs morphs, Model& model) : scene_(scene), morphs_(morphs), model_(model) {}
@@ -51,7 +51,7 @@ class Skin {
   }
 
  private:
-  // The index of the node's mesh in model.morphs, with room for its targets.
+  // Returns the index of the node's mesh in model.morphs, and makes room for its targets.
   int morphed_mesh(const ShownMesh& use) {
     auto& meshes = model_.morphs;
     const auto found = std::find_if(meshes.begin(), meshes.end(), [&](const MorphedMesh& m) { return m.node == use.node; });
@@ -60,7 +60,7 @@ class Skin {
     return static_cast<int>(meshes.size()) - 1;
   }
 
-  // In the order of the skin's joints: so the sum does not depend on the format.
+  // Returns the weights in the order of the skin's joints, so that their sum does not depend on the format.
   static Weights weights_of(const BoundPrimitive& bound, const ScenePrimitive& primitive, int index, bool skinned) {
     if (!skinned) return {{bound.joints[0], 1.0}};
     Weights out = primitive.weights[index];
@@ -69,7 +69,7 @@ class Skin {
     return out;
   }
 
-  // In the primitive's frame, with the displacements of weights that do not move.
+  // Returns the position in the primitive's frame, with the displacements of weights that do not move.
   Eigen::Vector3d position_of(const ShownMesh& use, const ScenePrimitive& primitive, int index) const {
     Eigen::Vector3d out = primitive.positions[index];
     for (std::size_t t = 0; morphs_ == Morphs::constant && t < primitive.targets.size(); ++t)
@@ -77,7 +77,7 @@ class Skin {
     return out;
   }
 
-  // Of the reference pose, target by target; nothing if all are zero.
+  // Returns the displacements in the reference pose, target by target, or nothing if all are zero.
   static std::vector<double> displacements_of(const BoundPrimitive& bound, const ScenePrimitive& primitive, int index) {
     std::vector<double> out;
     bool any = false;
@@ -122,7 +122,7 @@ class Skin {
   Morphs morphs_;
   Model& model_;
   std::map<Key, int> known_;
-  // Of the primitive in work: how many vertices' weights do not sum to 1, and by how much at most.
+  // In the current primitive, so many vertices have weights that do not sum to 1, and the sum is off by so much at most.
   long off_sums_ = 0;
   double farthest_sum_ = 0;
 };
@@ -145,7 +145,7 @@ void add_repeated_sources(const Scene& scene, const BoundScene& bound, Model& mo
     }
 }
 
-// A clip whose morph weights are anywhere other than those of the node.
+// Throws ModelError for a clip whose morph weights ever differ from those of the node.
 void check_weights_stay(const Scene& scene) {
   for (const ShownMesh& use : scene.shown)
     for (const Animation& motion : scene.animations)
@@ -174,7 +174,7 @@ std::vector<Joint> rest_joints(const BoundSkeleton& skeleton) {
   return joints;
 }
 
-// Over the reference pose and all clips, at the times that are checked on loading.
+// Returns the greatest defect over the reference pose and all clips, at the times that are checked on loading.
 double greatest_defect(const BoundSkeleton& skeleton, const std::vector<Animation>& motions) {
   double out = rigidity_defect(skin_matrices(skeleton, motions.empty() ? Animation{} : motions.front(), 0));
   for (const Animation& motion : motions)
@@ -183,7 +183,7 @@ double greatest_defect(const BoundSkeleton& skeleton, const std::vector<Animatio
   return out;
 }
 
-// The same; throws where a pose is not rigid.
+// Returns the same, but throws ModelError if a pose is not rigid.
 double checked_defect(const BoundSkeleton& skeleton, const std::vector<Animation>& motions) {
   double out = pose(skeleton, motions.empty() ? Animation{} : motions.front(), 0).rigidity_defect;
   for (const Animation& motion : motions)

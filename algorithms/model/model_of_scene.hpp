@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene as a model.
+// A scene becomes a model.
 #pragma once
 
 #include "algorithms/model/load_options.hpp"
@@ -8,8 +8,8 @@
 
 namespace refitlab {
 
-// As load_model says. Takes for granted that indices are in range, positions finite, and weights finite and not negative.
-// The scene's file is the model's name. Throws ModelError.
+// Returns the model as load_model says. It takes for granted that indices are in range, positions are finite, and weights are
+// finite and not negative. The scene's file is the model's name. Throws the ModelErrors of load_model.
 Model model_of_scene(const Scene& scene, const LoadOptions& options = {});
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes of files that end: a device or a pipe need not.
+// Regular files end. A device or a pipe need not, so it is not read.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// Nothing for what is no regular file, or cannot be read.
+// Returns the bytes of a file, or nothing if it is no regular file or cannot be read.
 std::optional<std::string> bytes_of_regular_file(const std::filesystem::path& path);
 
 }  // namespace refitlab

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scene: what a model file says, in double and whatever its format, before its meshes are bound to one reference pose.
+// A Scene is what a model file says, in double and whatever its format, before its meshes are bound to one reference pose.
 //
-// Lengths are in units of the file, times in seconds, matrices act on columns.
+// Lengths are in units of the file, times in seconds, and matrices act on columns.
 #pragma once
 
 #include <string>
@@ -16,9 +16,9 @@ struct ScenePrimitive {
   std::string label;  // for errors, such as "mesh 2 'body', primitive 1"
   std::vector<Eigen::Vector3d> positions;
   std::vector<Triangle> triangles;
-  // By vertex: a joint of the skin, and a weight. Empty for a primitive without weights.
+  // Each vertex has a list of joints of the skin with weights. A primitive without weights has none.
   std::vector<std::vector<std::pair<int, double>>> weights = {};
-  // By morph target and vertex: the displacements.
+  // Displacements are by morph target and vertex.
   std::vector<std::vector<Eigen::Vector3d>> targets = {};
 };
 
@@ -31,7 +31,7 @@ struct SceneSkin {
   std::vector<Eigen::Matrix4d> offsets;  // by joint: the inverse bind matrices
 };
 
-// A node that shows a mesh. skin: -1 for none.
+// A ShownMesh is a node that shows a mesh. skin is -1 if there is none.
 struct ShownMesh {
   int node, mesh, skin;
   std::vector<double> weights = {};  // by morph target, where no clip moves them

@@ -13,11 +13,11 @@
 namespace refitlab {
 namespace {
 
-// Of a matrix whose columns were made unit vectors: the Frobenius norm of M^T M - I.
+// This bounds the Frobenius norm of M^T M - I for a matrix whose columns were made unit vectors.
 constexpr double orthogonality_tolerance = 1e-5;
 
-// The orthogonal factor of the polar decomposition, for a matrix within rigidity_tolerance of a rotation: each step of
-// Newton's iteration squares the defect, so that four leave rounding only.
+// Returns the orthogonal factor of the polar decomposition of a matrix within rigidity_tolerance of a rotation. Each step of
+// Newton's iteration squares the defect, so that four steps leave rounding only.
 Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d m) {
   for (int step = 0; step < 4; ++step) m = 0.5 * (m + m.inverse().transpose()).eval();
   return m;
@@ -30,7 +30,7 @@ double defect_of(const Eigen::Matrix4d& matrix) {
 
 bool is_proper(const Eigen::Matrix4d& matrix) { return matrix.allFinite() && matrix.topLeftCorner<3, 3>().determinant() > 0; }
 
-// Why m, which is not within rigidity_tolerance of a rotation, is refused.
+// Returns why m, which is not within rigidity_tolerance of a rotation, is refused.
 std::string reason_against(const Eigen::Matrix3d& m) {
   if (!m.allFinite()) return "the skin matrix is not finite";
   const Eigen::Vector3d s = m.jacobiSvd().singularValues();

@@ -54,7 +54,7 @@ class GltfWriter {
     return out_["accessors"].size() - 1;
   }
 
-  // A node may be one joint of a skin only: for others it gets a child that stays where it is.
+  // A node may be only one joint of a skin. For further joints it gets children that do not move.
   void add_skin() {
     std::set<int> used;
     std::vector<int> joints;

@@ -102,7 +102,7 @@ nlohmann::ordered_json json_of_parts(const ModelBounds& bounds, const std::vecto
   return out;
 }
 
-// Until the bounds were there, and until the file was.
+// The first is the peak until the bounds were made, and the second until the file was written.
 struct PeakMemory {
   std::optional<double> bounding, all;
 };

@@ -51,7 +51,7 @@ BakedFile baked_of(std::string_view bytes, const std::string& path) {
   BakedFile out{chunk_skinnings[skinning], rotations == 1 ? RotationBlend::nlerp : RotationBlend::slerp, std::nullopt,
                 cluster_bounds_of(clusters, path)};
   if (!character.empty()) out.character = character_of(character, path);
-  // All clips have as many.
+  // All clips have equally many.
   const std::size_t nodes = out.clusters.clips[0].nodes.size();
   if (nodes > 0 && (!out.character || out.character->tree.nodes.size() != nodes))
     throw ModelError(path, "clips", "they have bounds of nodes that are not the character's");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `refitlab bake` wrote into a glTF file, read back.
+// A BakedFile is what `refitlab bake` wrote into a glTF file, read back.
 #pragma once
 
 #include <optional>
@@ -20,13 +20,13 @@ struct BakedFile {
   ClusterBounds clusters;
 };
 
-// The chunk of refitlab: the skinning, how crossfades blend rotations, the baked character and the clusters.
+// Returns the chunk of refitlab, which has the skinning, how crossfades blend rotations, the baked character and the clusters.
 std::string chunk_of(const BakedFile& baked);
 
-// Of a file's bytes, which may have up to three zeros behind the chunk. Throws ModelError for a chunk that is damaged.
+// Returns what a chunk has. There may be up to three zeros behind it. Throws ModelError for a chunk that is damaged.
 BakedFile baked_of(std::string_view chunk, const std::string& file);
 
-// Throws ModelError for a file that is no binary glTF, has no such chunk, or one that is damaged.
+// Reads the chunk of a file. Throws ModelError for a file that is no binary glTF, has no such chunk, or a damaged one.
 BakedFile read_baked(const std::string& path);
 
 }  // namespace refitlab

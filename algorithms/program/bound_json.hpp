@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bound as JSON, the same in extras, summaries and certificates. Numbers are floats, written with all the digits of a double: a
-// reader of either kind reads just these.
+// A bound has the same JSON in extras, summaries and certificates. Numbers are floats, written with all the digits of a double,
+// so that a reader of either kind reads just these.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-// By direction of a slab, the least and the greatest; an empty list of a box alone.
+// Returns the least and the greatest value for each direction of a slab. The list is empty for a box alone.
 template <class Json>
 Json json_of_slabs(const BoundedPart& part) {
   Json out = Json::array();
@@ -17,7 +17,7 @@ Json json_of_slabs(const BoundedPart& part) {
   return out;
 }
 
-// "box", "ball", and "slabs" where there are any.
+// Returns an object with "box", "ball", and "slabs" if there are any.
 template <class Json>
 Json json_of_bound(const BoundedPart& part) {
   Json box = Json::array(), ball = Json::array();
@@ -30,7 +30,7 @@ Json json_of_bound(const BoundedPart& part) {
   return out;
 }
 
-// The directions of the slabs of k-DOPs, beyond the axes.
+// Returns the directions of the slabs of k-DOPs, without the axes.
 template <class Json>
 Json json_of_directions(int dop) {
   Json out = Json::array();

@@ -25,7 +25,7 @@ struct Tally {
   double by = 0;
 };
 
-// How far a vertex is beyond a bound, at most 0 if it is inside.
+// Returns how far a vertex is beyond a bound. It is at most 0 if the vertex is inside.
 double beyond(const BoundedPart& part, const Point3& p) {
   double most = norm<double, 3>(p - part.ball.center.cast<double>()) - part.ball.radius;
   for (int i = 0; i < 3; ++i) most = std::max({most, part.box.low[i] - p[i], p[i] - part.box.high[i]});
@@ -38,7 +38,8 @@ double beyond(const BoundedPart& part, const Point3& p) {
   return most;
 }
 
-// Looks at one cluster or node at some moments, and where they show a vertex to be nearest to the bound, ever closer to it.
+// A PartCheck looks at one cluster or node at some moments. Near the moments at which a vertex is nearest to the bound, it looks
+// ever closer.
 class PartCheck {
  public:
   PartCheck(const MovingJoints& joints, const MovingVertices& vertices, const BoundedPart& bound)
@@ -48,7 +49,7 @@ class PartCheck {
     for (const ParameterBox& box : joints.boxes()) error_ = std::max(error_, vertices.placing_error(joints.cell(box)));
   }
 
-  // ranges: by parameter.
+  // ranges are by parameter.
   void look(const std::vector<ParameterMoment>& moments, const std::vector<std::pair<double, double>>& ranges) {
     std::vector<double> closeness;
     for (const ParameterMoment& moment : moments) closeness.push_back(look_at(moment));
@@ -123,7 +124,7 @@ std::vector<int> vertices_of(const Model& model, const ClusterBounds& bounds, co
   return vertices;
 }
 
-// What a file has bounds of, and the vertices of each.
+// CheckedParts are the parts of which a file has bounds, with the vertices of each.
 struct CheckedParts {
   std::string kind;
   std::vector<std::vector<int>> vertices;
@@ -135,7 +136,7 @@ CheckedParts clusters_of(const Model& model, const ClusterBounds& bounds, const 
   return out;
 }
 
-// None of a file that has no bounds of nodes.
+// Returns the nodes, or none for a file that has no bounds of nodes.
 CheckedParts nodes_of(const Model& model, const BakedFile& baked, const std::string& file) {
   CheckedParts out{"node", {}};
   const std::size_t count = baked.clusters.clips[0].nodes.size();
@@ -148,7 +149,7 @@ CheckedParts nodes_of(const Model& model, const BakedFile& baked, const std::str
   return out;
 }
 
-// All parts, at these moments, and at as many random ones as there are samples.
+// Checks all parts at these moments, and at as many random ones as there are samples.
 Tally check_parts(const Model& model, const JointSets& sets, Skinning skinning, const MovingJoints& joints,
                   const CheckedParts& parts, const std::vector<BoundedPart>& bounds, std::vector<ParameterMoment> moments,
                   int samples, unsigned seed) {
@@ -180,7 +181,7 @@ Tally check_parts(const Model& model, const JointSets& sets, Skinning skinning, 
   return all;
 }
 
-// The times of an animation's keys.
+// Returns the times of an animation's keys.
 std::vector<ParameterMoment> moments_of_keys(const AnimatedJoints& joints) {
   std::vector<ParameterMoment> out;
   for (const double time : joints.times()) out.push_back({{{time, Side::after}}});

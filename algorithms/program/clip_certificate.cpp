@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-// What the file has instead of the parts, the model's sources. A cluster's triangles are those of the file's primitive.
+// Returns the file's names for the parts. A cluster's triangles are those of the file's primitive.
 std::vector<json> names_of(const Model& model, const ModelBounds& bounds) {
   const ClusterBounds clusters = clusters_of(model, bounds);
   auto cluster = clusters.clusters.begin();
@@ -45,7 +45,7 @@ json json_of_proven(const BoundedPart& part, const PartIntervals& intervals) {
 }  // namespace
 
 std::string clip_certificate(const Model& model, const ModelBounds& bounds, const std::string& baked) {
-  // Parts of the same vertices, whose bounds are the same, are proven once.
+  // Parts with the same vertices, whose bounds are the same, are proved once.
   const std::vector<json> names = names_of(model, bounds);
   std::map<std::vector<int>, std::size_t> known;
   std::vector<std::size_t> distinct;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why the bounds of a baked file hold at every time, for proptests/certificate/check_clip, which verifies it.
+// A clip certificate says why the bounds of a baked file hold at every time. proptests/certificate/check_clip verifies it.
 //
-// Format, version 1: a JSON document on one line, with the members of objects in alphabetical order. Numbers that are not integers
-// are doubles by the fewest digits that read back as the same double.
+// Format, version 1: a JSON document on one line, with the members of objects in alphabetical order. Numbers that are not
+// integers are doubles by the fewest digits that read back as the same double.
 //   clips      the file's animations and the rest pose, each
 //     animation   its index in the file, or -1 for the rest pose
 //     bounds      by part:
@@ -25,7 +25,8 @@
 
 namespace refitlab {
 
-// Of bounds of linear skinning with intervals. baked: the bytes of the file that has them, from which the model is.
+// Returns the certificate of bounds of linear skinning with intervals. baked has the bytes of the file with these bounds, from
+// which the model was loaded.
 std::string clip_certificate(const Model& model, const ModelBounds& bounds, const std::string& baked);
 
 }  // namespace refitlab

@@ -23,7 +23,7 @@ const Clip* clip_of(const std::vector<Clip>& clips, const std::string& file, con
   return &*found;
 }
 
-// "man.glb, clip walk at 0.5 s"
+// Returns a name such as "man.glb, clip walk at 0.5 s".
 std::string posed_name(const std::string& file, const po::variables_map& map, const std::string& side) {
   const std::string clip = map["clip-" + side].as<std::string>(), name = std::filesystem::path(file).filename().string();
   if (clip.empty()) return name + " at rest";

@@ -25,7 +25,7 @@ Json header(const ModelBounds& bounds, double tolerance) {
   return out;
 }
 
-// Of an animation or a crossfade: its bound of the whole, and those of skins, meshes and primitives.
+// Returns the bounds in an animation or a crossfade: that of the whole, and those of skins, meshes and primitives.
 Json json_of_parts(const Model& model, const ModelBounds& bounds, const std::vector<BoundedPart>& bounded) {
   Json skins = Json::array(), meshes = Json::array(), primitives = Json::array();
   Json out = Json::object();
@@ -45,7 +45,7 @@ Json json_of_parts(const Model& model, const ModelBounds& bounds, const std::vec
   return out;
 }
 
-// With what holds while it fades to each other one.
+// Returns the bounds in a clip, and those while it fades to each other clip.
 Json json_of_clip(const Model& model, const ModelBounds& bounds, int clip) {
   Json out = json_of_parts(model, bounds, bounds.clips[clip].parts);
   for (const BoundedCrossfade& fade : bounds.crossfades) {
@@ -82,7 +82,7 @@ std::string with_extras(const std::string& json, const Model& model, const Model
     }
     return json;
   };
-  // A primitive that several nodes show has one place in the file: what holds for all of them.
+  // A primitive that several nodes show has one place in the file, which gets a bound for all of them.
   std::map<std::pair<int, int>, std::vector<BoundedPart>> primitives;
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     const ModelPart& part = bounds.parts[p];

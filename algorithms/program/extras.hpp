@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds over time as the `extras` of a glTF file's skins, meshes, primitives and animations, for readers that know nothing of
-// refitlab; extras.schema.json says what is in them.
+// Bounds over time become the `extras` of a glTF file's skins, meshes, primitives and animations, for readers that know nothing
+// of refitlab. extras.schema.json says what is in them.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace refitlab {
 
-// The JSON text of a file with the bounds added. Skins, meshes and primitives get what holds in all clips and in the rest pose,
-// animations what holds in them. Every other byte stays. Where extras of refitlab are there already, they are replaced.
-// file: for errors. Throws ModelError for extras that are no object.
+// Returns the JSON text of a file with the bounds added. Skins, meshes and primitives get bounds for all clips and the rest pose,
+// and animations get their own. Every other byte stays. Existing extras of refitlab are replaced. file is for error messages.
+// Throws ModelError for extras that are no object.
 std::string with_extras(const std::string& json, const Model& model, const ModelBounds& bounds, double tolerance,
                         const std::string& file);
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Whether every pose that a clip's sampling shows is rigid, as refits on demand want it; else why not.
+// Returns whether every sampled pose of a clip is rigid, as refits on demand require, or else why not.
 std::string rigid_or_why(const Clip& clip) {
   try {
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) clip.sample(clip.duration * share);

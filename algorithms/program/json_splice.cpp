@@ -7,7 +7,7 @@
 namespace refitlab {
 namespace {
 
-// A place in JSON that is known to be well formed.
+// A Scanner is at a place in JSON that is known to be well formed.
 class Scanner {
  public:
   explicit Scanner(std::string_view text, std::size_t at = 0) : text_(text), at_(at) { skip_space(); }
@@ -15,17 +15,17 @@ class Scanner {
   std::size_t at() const { return at_; }
   char here() const { return text_[at_]; }
 
-  // Past one character and the space behind it.
+  // Goes past one character and the space behind it.
   void step() { ++at_, skip_space(); }
 
-  // The string here, its escapes resolved; past it.
+  // Returns the string here with its escapes resolved, and goes past it.
   std::string string() {
     const std::size_t start = at_;
     skip_string();
     return nlohmann::json::parse(text_.substr(start, at_ - start)).get<std::string>();
   }
 
-  // Past the value here, and not past the space behind it.
+  // Goes past the value here, but not past the space behind it.
   void skip_value() {
     if (here() == '"') return skip_string();
     int depth = 0;
@@ -56,7 +56,8 @@ class Scanner {
 
 constexpr std::size_t nowhere = std::string::npos;
 
-// Where the value of a member of the object here begins; nowhere if there is none. end: behind the last member's value.
+// Returns where the value of a member of the object here begins, or nowhere if there is none. end is set behind the last member's
+// value.
 std::size_t find_member(Scanner scanner, const std::string& name, std::size_t& end, bool& is_empty) {
   std::size_t found = nowhere;
   end = scanner.at() + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PosedCharacter: a character for queries in one pose of a model, whatever its joints and morph targets do there.
+// A PosedCharacter is a character for queries in one pose of a model, whatever its joints and morph targets do there.
 #pragma once
 
 #include "algorithms/bake/bake.hpp"
@@ -16,9 +16,9 @@ struct PosedCharacter {
   void begin(ClusterBody& body, const RigidTransform<double>& placement) const;
 };
 
-// The character at a time of an animation of the model, which must be loaded with Joints::affine and Morphs::moving. Morph targets,
-// and the scales of joints in skinning in two phases, are applied to its vertices in double (deformed_vertices). Throws ModelError
-// for a pose that the skinning does not take.
+// Returns the character at a time of an animation of the model, which must be loaded with Joints::affine and Morphs::moving.
+// Morph targets, and the scales of joints in skinning in two phases, are applied to its vertices in double (deformed_vertices).
+// Throws ModelError for a pose that the skinning does not take.
 PosedCharacter posed_character(Model model, const Animation& animation, double time, Skinning skinning);
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program `refitlab`: bounds over time for glTF files, for people who have never heard of refits.
+// The program `refitlab` makes bounds over time for glTF files, for people who have never heard of refits.
 #pragma once
 
 #include <iosfwd>

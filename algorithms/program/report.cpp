@@ -37,7 +37,7 @@ std::vector<double> sampled_times(const AnimatedJoints& joints, Sampling samplin
   return times;
 }
 
-// The sampled times, and between any two of them some more.
+// Returns the sampled times, and some more between any two of them.
 std::vector<double> more_times(const std::vector<double>& times, int between = moments_between) {
   std::vector<double> out;
   for (std::size_t i = 0; i + 1 < times.size(); ++i)
@@ -52,7 +52,7 @@ void merge_at(const AnimatedJoints& joints, const MovingVertices& vertices, doub
   for (const Point3& p : points) box.merge(p);
 }
 
-// How far a box reaches out of another one.
+// Returns how far a box reaches out of another one.
 double beyond(const Box<double>& box, const Box<double>& from) {
   return std::max((from.low - box.low).maxCoeff(), (box.high - from.high).maxCoeff());
 }
@@ -79,7 +79,7 @@ nlohmann::json numbers(const Box<float>& box) {
   return out;
 }
 
-// Vertices in 16 bits a coordinate, shares of the box of the whole.
+// Returns vertices with 16 bits for each coordinate, as shares of the box of the whole.
 std::string frames_of(const AnimatedJoints& joints, const MovingVertices& all, const Box<float>& box) {
   std::string bytes;
   std::vector<Point3> points;
@@ -94,7 +94,7 @@ std::string frames_of(const AnimatedJoints& joints, const MovingVertices& all, c
   return base64(bytes);
 }
 
-// The coordinate in which the cluster leaves the box of its keys by most, over time.
+// Returns, over time, the coordinate in which the cluster leaves the box of its keys by most.
 nlohmann::json chart_of(const AnimatedJoints& joints, const MovingVertices& cluster, const BoundedPart& bound) {
   Box<double> of_keys = Box<double>::empty(), of_all = of_keys;
   for (const double time : joints.times()) merge_at(joints, cluster, time, of_keys);
@@ -187,7 +187,7 @@ std::string report_page(const Model& model, const ModelBounds& bounds, const std
   }
   std::string page = report_template;
   const std::string mark = "/*DATA*/";
-  // "<" could end the script.
+  // A "<" could end the script.
   std::string json = data.dump();
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
   return page.replace(page.find(mark), mark.size(), json);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One run at a time in a folder.
+// A folder is used by one run at a time.
 #pragma once
 
 #include <string>

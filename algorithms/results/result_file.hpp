@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Result files: tables in long form whose every row says where it comes from, written whole or not at all.
+// Result files are tables in long form. Every row says where it comes from. They are written whole or not at all.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace refitlab {
 
-// What every result row carries after its own columns: commit, dirty flag, compiler, flags, CPU.
+// Every result row has these after its own columns: commit, dirty flag, compiler, flags, CPU.
 struct Provenance {
   std::string commit, dirty, compiler, flags, cpu;
   static const Provenance& of_this_build();
 };
 
-// The shortest decimal text that reads back as the same double; "nan", "inf" and "-inf" for what is no number.
+// Returns the shortest decimal text that reads back as the same double, or "nan", "inf" or "-inf".
 std::string format_number(double value);
 
 class ResultFile {
  public:
   explicit ResultFile(std::vector<std::string> columns) : columns_(std::move(columns)) {}
-  // One row, a value per column. seed: of the random choices behind the row (0 where there are none).
+  // Adds a row, which has a value for each column. seed is that of the random choices behind the row, or 0 if there are none.
   void add(std::vector<std::string> row, std::uint64_t seed = 0);
   std::string text() const;  // RFC 4180 CSV with the provenance columns
   void write(const std::string& path) const { write_whole(path, text()); }

@@ -25,7 +25,7 @@ const std::string& this_program() {
   return fingerprint;
 }
 
-// All that has to be the same, to be read by people too.
+// Returns all that has to be the same. It can be read by people too.
 std::string head(const std::string& unit, const std::string& inputs) {
   const Provenance& p = Provenance::of_this_build();
   return "refitlab unit 1\nunit: " + unit + "\ncommit: " + p.commit + " " + p.dirty + "\ncompiler: " + p.compiler +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// RunFolder: the finished units of a run, kept so that a run that was stopped resumes where it was.
+// A RunFolder keeps the finished units of a run, so that a run that was stopped resumes where it was.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@ namespace refitlab {
 // and its result is undamaged. The folder is held by one run at a time.
 class RunFolder {
  public:
-  // anew: forgets all units. Throws std::runtime_error if the folder is in use or cannot be written.
+  // If anew is true, all units are forgotten. Throws std::runtime_error if the folder is in use or cannot be written.
   explicit RunFolder(const std::string& folder, bool anew = false);
 
-  // The result of a unit that this very program made from these inputs; or nothing. inputs: options and whatever else
+  // Returns the result of a unit that this very program made from these inputs, or nothing. inputs are options and whatever else
   // the result depends on, as text.
   std::optional<std::string> find(const std::string& unit, const std::string& inputs) const;
-  // Keeps it from now on, in place of an older one of that name.
+  // Keeps the result of a unit from now on, in place of an older one of that name.
   void keep(const std::string& unit, const std::string& inputs, const std::string& result) const;
 
  private:

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
   throw std::runtime_error(path + ": cannot " + what + ": " + std::strerror(error));
 }
 
-// A new file beside path that no other process or thread has.
+// Opens a new file beside path that no other process or thread has.
 int open_temporary(const std::string& path, std::string& name) {
   for (int attempt = 0;; ++attempt) {
     name = path + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
@@ -40,14 +40,15 @@ bool write_all(int file, const std::string& text) {
   return true;
 }
 
-// The file that a symbolic link leads to, or else the path.
+// Returns the file that a symbolic link leads to, or else the path.
 std::string followed(const std::string& path) {
   std::error_code error;
   const fs::path target = fs::canonical(path, error);
   return !error && fs::is_regular_file(target, error) ? target.string() : path;
 }
 
-// Devices, pipes and sockets: they take what is written into them, and no file may come in their place.
+// Returns whether the path is a device, a pipe or a socket. Such a file takes the text itself, and no other file may come in its
+// place.
 bool is_special(const std::string& path) {
   struct stat about {};
   return ::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
@@ -62,7 +63,7 @@ void write_into(const std::string& path, const std::string& text) {
   if (!written || !closed) fail(path, "write", written ? errno : reason);
 }
 
-// Without it the new name may not survive a power failure. Some file systems cannot; the file is whole nevertheless.
+// Without this the new name may not survive a power failure. Some file systems cannot do it; the file is whole nevertheless.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;

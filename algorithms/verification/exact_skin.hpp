@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ExactSkin: the vertices of one pose as exact arithmetic skins them, to check balls against.
+// ExactSkin has the vertices of one pose as exact arithmetic skins them, to check balls against.
 //
 // The numbers of a palette (quaternions, rotation centers, images of the centers, dual parts) are taken as they stand. Equation
 // (1) and the dual quaternions' divide by the squared norm, so their rotations are exact although quaternions in double
@@ -20,15 +20,16 @@ namespace refitlab {
 
 class ExactSkin {
  public:
-  // model, sets and palette outlive this.
+  // model, sets and palette must outlive this.
   ExactSkin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette, Skinning skinning,
             const Deformation& deformation = {});
 
-  // The vertex in rationals, computed when first asked for.
+  // Returns the vertex in rationals, which is computed when it is first asked for.
   const Vec<Rational, 3>& exact(int vertex);
 
-  // Whether the ball, its numbers as they stand, has the vertex: decided in double if it is in or out by more than the
-  // vertex, skinned in intervals, is uncertain; else in rationals. A ball that is not finite has it only if the radius is infinite.
+  // Returns whether the ball has the vertex. The ball's numbers are taken as they stand. It is decided in double if the vertex,
+  // skinned in intervals, is in or out by more than its uncertainty, and in rationals otherwise. A ball that is not finite has
+  // the vertex only if the radius is infinite.
   bool is_in(const Ball3<double>& ball, int vertex);
 
  private:
@@ -41,7 +42,7 @@ class ExactSkin {
   const Skinning skinning_;
   const std::vector<double> weights_;  // of morph targets
   const SkinningPalette<double> scales_;
-  // The vertex is within error of about.
+  // The exact vertex is within `error` of `about`.
   struct Enclosure {
     Point3 about;
     double error;

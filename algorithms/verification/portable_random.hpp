@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stream of integers that is the same on every machine: std::mt19937_64 is standardised, its distributions are not.
+// PortableRandom is a stream of integers that is the same on every machine. std::mt19937_64 is standardised, but its
+// distributions are not.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +10,10 @@ namespace refitlab {
 
 class PortableRandom {
  public:
-  // One stream for each number of a seed (the finaliser of splitmix64 spreads them).
+  // There is a stream for each number of a seed (the finaliser of splitmix64 spreads them).
   PortableRandom(std::uint64_t seed, std::uint64_t number) : engine_(mix(mix(seed) + number)) {}
 
-  // low <= result <= high. The bias of the remainder is below 2^-50 for the small ranges asked for.
+  // Returns a number with low <= result <= high. The bias of the remainder is below 2^-50 for the small ranges in use.
   int between(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1)); }
   bool one_in(int n) { return between(1, n) == 1; }
 

@@ -19,8 +19,8 @@ OwnedPaletteEntry<S> lift_palette(const OwnedPaletteEntry<Rational>& palette) {
   return out;
 }
 
-// The parts of W' below and above the middle of its widest weight, those of them that are not empty; again `times` - 1
-// times.
+// Appends the parts of W' below and above the middle of its widest weight, except empty ones. Each part is halved again, `times`
+// - 1 times.
 void halve(const WeightBounds<Rational>& bounds, int times, std::vector<WeightBounds<Rational>>& out) {
   std::size_t widest = 0;
   for (std::size_t i = 1; i < bounds.low.size(); ++i)
@@ -49,7 +49,7 @@ Containment is_held(const Ball3<double>& ball, const Ball3<S>& image) {
   if (v != Verdict::fails) return {v};
   const S squared = squared_distance(outer.center, image.center), slack = outer.radius - image.radius;
   const double distance = std::sqrt(as_double(squared)), reach = as_double(slack);
-  // As a quotient: the difference of distance and reach would have no digits left.
+  // This is computed as a quotient, because the difference of distance and reach would have no digits left.
   if (reach <= 0) return {v, distance - reach};
   return {v, as_double(S(squared - sq(slack))) / (distance + reach)};
 }

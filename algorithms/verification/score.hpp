@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scoring refits on synthetic cases: does a ball in double hold what is exactly skinned, and how much larger is it than
-// needed.
+// Refits are scored on synthetic cases: does a ball in double hold the exactly skinned vertices, and how much larger is it than
+// needed?
 #pragma once
 
 #include <optional>
@@ -11,12 +11,13 @@
 
 namespace refitlab {
 
-// A synthetic case in double as the input of a refit, in each of the descriptions that variants ask for.
+// CaseNodes is a synthetic case in double as the input of a refit, in each of the descriptions that variants ask for.
 class CaseNodes {
  public:
   explicit CaseNodes(const SyntheticCase& synthetic);
 
-  // joint_sets: a ball for each joint-set. clusters: with its weight box halved at the widest weight, twice.
+  // Returns the case as a node. Pieces::joint_sets has a ball for each joint-set. Pieces::many has its weight box halved twice at
+  // the widest weight.
   RefitNode<double> node(Pieces pieces) const {
     const Description& d = descriptions_[static_cast<int>(pieces)];
     return {reference_, d.pieces, d.weight_vertices.data(), palette_, d.references};
@@ -33,7 +34,7 @@ class CaseNodes {
   Description descriptions_[4];
 };
 
-// Of a miss that rounding explains, relative to the size of the coordinates.
+// Rounding explains a miss up to this, relative to the size of the coordinates.
 inline constexpr double synthetic_tolerance = 1e-12;
 
 struct CaseScore {
@@ -44,21 +45,21 @@ struct CaseScore {
   bool misses_beyond_tolerance() const { return worst_miss > synthetic_tolerance; }
 };
 
-// What one kind of skinning makes of a synthetic case at its sampled weights.
+// A SkinnedCase is a synthetic case under one kind of skinning, at its sampled weights.
 //
-// Spherical and by dual quaternions: the image of S_z is a ball, [image of its center, its radius], so holding it is
-// holding all vertices of S_z with these weights. Linear: the images of the center of S_z and of the six ends of its
+// In spherical and dual quaternion skinning the image of S_z is a ball, [image of its center, its radius]. A ball that holds it
+// holds all vertices of S_z with these weights. In linear skinning the images of the center of S_z and of the six ends of its
 // axes stand for it.
 class SkinnedCase {
  public:
-  // skinning: not Hejl's, which needs a skeleton. The case must outlive this.
+  // skinning is not Hejl's, which needs a skeleton. The case must outlive this.
   SkinnedCase(const SyntheticCase& synthetic, Skinning skinning);
 
-  // The ball's numbers are taken as they are. Each comparison is made in intervals of doubles, then of 60 digits, then
+  // Scores a ball, whose numbers are taken as they are. Each comparison is made in intervals of doubles, then of 60 digits, then
   // in rationals, until it is decided.
   CaseScore score(const Ball3<double>& ball);
 
-  // The radius of the smallest ball of all sampled images, up to rounding.
+  // Returns the radius of the smallest ball of all sampled images, up to rounding.
   double smallest_radius() const;
 
  private:

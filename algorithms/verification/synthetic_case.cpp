@@ -24,7 +24,7 @@ constexpr int weight_unit = 1 << weight_bits;
 
 // --- Pieces of a synthetic case ---
 
-// q^2 / ||q||^2 is of unit length: the rotation by twice the angle.
+// q^2 / ||q||^2 has unit length, and is the rotation by twice the angle.
 RationalQuaternion unit_of(const RationalQuaternion& q) { return multiply(q, q) / squared_norm(q); }
 
 RationalQuaternion any_rotation(PortableRandom& random) {
@@ -33,12 +33,12 @@ RationalQuaternion any_rotation(PortableRandom& random) {
   return unit_of(q);
 }
 
-// Up to about 70 degrees.
+// Returns a rotation by up to about 70 degrees.
 RationalQuaternion small_turn(PortableRandom& random) {
   return unit_of({random.between(12, 40), random.between(-4, 4), random.between(-4, 4), random.between(-4, 4)});
 }
 
-// About the given axis by any angle.
+// Returns a rotation about the given axis by any angle.
 RationalQuaternion twist(PortableRandom& random, const RationalPoint& axis) {
   const Rational x(random.between(-8, 8), 4);
   return unit_of({Rational(1), x * axis[0], x * axis[1], x * axis[2]});
@@ -63,7 +63,7 @@ Transforms any_transforms(PortableRandom& random) {
   return out;
 }
 
-// Multiples of 2^-24 with the sum 1; some are 0.
+// Returns multiples of 2^-24 with the sum 1. Some are 0.
 RationalWeights vertex_weights(PortableRandom& random, std::size_t n) {
   std::vector<long> parts(n);
   for (long& part : parts) part = random.one_in(4) ? 0 : random.between(1, 4095);
@@ -77,7 +77,7 @@ RationalWeights vertex_weights(PortableRandom& random, std::size_t n) {
   return w;
 }
 
-// Of one to four vertices, or of all weights.
+// Returns the bounds of the weights of one to four vertices, or of all weights.
 WeightBounds<Rational> any_bounds(PortableRandom& random, std::size_t n) {
   if (random.one_in(5)) return {RationalWeights(n, Rational(0)), RationalWeights(n, Rational(1))};
   WeightBounds<Rational> bounds;
@@ -94,7 +94,7 @@ WeightBounds<Rational> any_bounds(PortableRandom& random, std::size_t n) {
 
 // --- Degenerate synthetic cases ---
 
-// What chance would not bring about, done to one joint-set. Some need a second joint; without one the pose is at
+// Does something to one joint-set that chance would not bring about. Some of it needs a second joint; without one the pose is at
 // rest.
 std::string make_degenerate(PortableRandom& random, SyntheticSet& set) {
   Transforms& c = set.palette.transforms;

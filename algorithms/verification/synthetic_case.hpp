@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SyntheticCase: a refit case in exact rationals, and a generator that makes the same cases of a seed on every machine.
+// A SyntheticCase is a refit case in exact rationals. Its generator makes the same cases from a seed on every machine.
 //
-// A synthetic case is what a node of a sphere tree stands for, without its mesh: for each joint-set all vertices of a
-// reference ball with all admissible weights. So a ball is right if it holds a continuum, and "true" positions can be had
-// as densely as wanted.
+// A synthetic case is what a node of a sphere tree stands for, without its mesh. For each joint-set it has all vertices of a
+// reference ball with all admissible weights. So a ball is right if it holds a continuum, and "true" positions can be as dense as
+// wanted.
 #pragma once
 
 #include <cstdint>
@@ -32,16 +32,17 @@ struct SyntheticCase {
   std::string degeneracy;  // one word or two; empty for a general case
 };
 
-// The synthetic case of a number of a seed: 1 to 3 joint-sets of 1 to 5 joints; one case in four is degenerate. The cases
-// are independent of each other, so that they can be made in any order.
+// Returns the synthetic case of a number of a seed. It has 1 to 3 joint-sets of 1 to 5 joints, and one case in four is
+// degenerate. The cases are independent of each other, so that they can be made in any order.
 SyntheticCase make_synthetic_case(std::uint64_t seed, std::uint64_t number);
 
-// Weights of a joint-set at which a case is looked at: weight vertices, points between two and mixtures of all of them.
-// Without those whose quaternions blend to 0, which have no rotation. The same for the same weight vertices and rotations.
+// Returns the weights of a joint-set at which a case is looked at: weight vertices, points between two and mixtures of all of
+// them. Weights whose quaternions blend to 0 have no rotation and are left out. The result depends only on the weight vertices
+// and rotations.
 std::vector<RationalWeights> sampled_weights(const SyntheticSet& set);
 
-// Synthetic cases 0 to count - 1 of a seed as a file of cases (format: proptests/cases/README.md): each with a vertex of
-// its first joint-set that the repaired Algorithm 1 is expected to enclose.
+// Returns the synthetic cases 0 to count - 1 of a seed as a file of cases (format: proptests/cases/README.md). Each has a vertex
+// of its first joint-set that the repaired Algorithm 1 is expected to enclose.
 std::string synthetic_cases_as_case_file(std::uint64_t seed, int count);
 
 }  // namespace refitlab

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]: binary, one triangle a
-// leaf.
+// Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]. The tree is binary, with one triangle
+// in each leaf.
 #include "algorithms/runtime/balls/box.hpp"
 #include "experiments/baselines/baselines.hpp"
 #include "experiments/baselines/median_split.hpp"
@@ -9,7 +9,7 @@
 namespace refitlab {
 namespace {
 
-// Nodes in depth-first order: a node's left child comes next, and its right one where it says.
+// Nodes are in depth-first order. A node's left child comes next, and its right child is where `right` says.
 struct Node {
   int right;     // 0 at a leaf
   int triangle;  // of a leaf

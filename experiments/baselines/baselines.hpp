@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one would pick instead of refits on demand. Each skins everything, refits its volumes bottom-up or rebuilds
+// Baselines are what one would pick instead of refits on demand. Each skins everything, refits its volumes bottom-up or rebuilds
 // them, and has its candidates decided by triangles_meet.
 #pragma once
 
@@ -8,11 +8,11 @@
 namespace refitlab {
 
 std::vector<DetectorKind> baseline_kinds();
-// Those that were found when this was configured.
+// Returns the engines that were found when this was configured.
 std::vector<DetectorKind> engine_kinds();
-// Another kind behind a first test of boxes (bounded_detector.cpp). The kind's name gets "_bounded".
+// Returns another kind behind a first test of boxes (bounded_detector.cpp). The kind's name gets "_bounded".
 DetectorKind bounded_kind(const DetectorKind& kind);
-// The engines that were not.
+// Returns the engines that were not found.
 std::vector<std::string> absent_engines();
 
 using Maker = std::unique_ptr<Detector>(const Character& character);

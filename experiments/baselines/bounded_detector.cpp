@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A detector behind the first test that engines have: a box around each whole character, here the motion bound, which is made
-// from its joints alone. Where the boxes are apart, the detector is not asked at all. So it shows what the detector costs as a
-// narrow phase, and no broad phase is compared with one by mistake.
+// This is a detector behind the first test that engines have. It compares a box around each whole character, here the motion
+// bound, which is made from its joints alone. Where the boxes are apart, the detector is not asked at all. So it shows what the
+// detector costs as a narrow phase, and no broad phase is compared with one by mistake.
 #include <utility>
 
 #include "algorithms/runtime/collide/motion_bound.hpp"

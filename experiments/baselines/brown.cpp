@@ -6,7 +6,7 @@
 namespace refitlab {
 namespace {
 
-// The smallest ball around two.
+// Returns the smallest ball around two balls.
 Ball3<double> join(const Ball3<double>& a, const Ball3<double>& b) {
   const Point3 between = b.center - a.center;
   const double distance = norm(between);

@@ -7,7 +7,7 @@
 namespace refitlab {
 namespace {
 
-// The triangles of a body in the world, and their boxes.
+// BoxedTriangles are the triangles of a body in the world, and their boxes.
 struct BoxedTriangles {
   std::vector<TrianglePoints> triangles;
   std::vector<Box<double>> boxes;

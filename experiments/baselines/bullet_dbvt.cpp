@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bullet's btDbvt: a leaf a triangle, its volumes refitted from the leaves up as btSoftBody does with its faces.
+// This is Bullet's btDbvt with a leaf for each triangle. Its volumes are refitted from the leaves up, as btSoftBody does with its
+// faces.
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
 #include "experiments/baselines/baselines.hpp"

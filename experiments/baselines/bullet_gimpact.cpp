@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bullet's GImpact: its quantised box sets in model space, updated, and its traversal, which moves boxes by the
-// placements.
+// This is Bullet's GImpact. Its quantised box sets are updated in model space, and its traversal moves boxes by the placements.
 #include <BulletCollision/Gimpact/btGImpactQuantizedBvh.h>
 
 #include "experiments/baselines/baselines.hpp"
@@ -10,7 +9,7 @@
 namespace refitlab {
 namespace {
 
-// What GImpact asks for the triangles' boxes.
+// GImpact asks this class for the triangles' boxes.
 class Boxes : public btPrimitiveManagerBase {
  public:
   explicit Boxes(const SkinnedMesh& model) : model_(model) {}

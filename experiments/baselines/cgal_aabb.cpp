@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's AABB_tree: built anew over the first body's triangles each frame, and asked with the box of each of the second
-// one's. It has no query of tree against tree.
+// This is CGAL's AABB_tree. It is built anew over the first body's triangles each frame, and asked with the box of each triangle
+// of the second body. It has no query of tree against tree.
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Detector: whatever finds the touching triangles of two walkers, from poses and placements to pairs.
+// A Detector finds the touching triangles of two walkers, from poses and placements to pairs.
 #pragma once
 
 #include <functional>
@@ -9,20 +9,20 @@
 
 namespace refitlab {
 
-// Two copies of a character, each in a pose and at a place.
+// A ScenarioFrame has two copies of a character, each in a pose and at a place.
 struct ScenarioFrame {
   Pose first, second;
   RigidTransform<double> first_at, second_at;
 };
 
-// What was done in all frames since the detector was made; 0 and empty where it does not know.
+// DetectorCounts say what was done in all frames since the detector was made. They are 0 and empty where it does not know.
 struct DetectorCounts {
   long volume_tests = 0, triangle_tests = 0, vertices_skinned = 0, nodes_refitted = 0;
   std::vector<long> refitted_by_level;  // by level - 1, of detectors that refit the character's sphere tree on demand
 };
 
-// A frame is its stages in this order; they are apart only so that each can be timed. The pairs that a detector finds
-// are those of triangles_meet for the vertices in the world, apply(placement, vertex skinned spherically), in any order.
+// A frame consists of its stages in this order. They are separate only so that each can be timed. A detector finds the pairs of
+// triangles_meet for the vertices in the world, apply(placement, vertex skinned spherically), in any order.
 class Detector {
  public:
   virtual ~Detector() = default;
@@ -40,8 +40,8 @@ class Detector {
   }
 };
 
-// What our own detectors have in common: two bodies that count what they did in the frame at hand, and forget it when the
-// next one begins.
+// Our own detectors have this in common. Their two bodies count what they did in the current frame, and forget it when the next
+// one begins.
 class CountingDetector : public Detector {
  public:
   DetectorCounts counts() const override {
@@ -53,16 +53,16 @@ class CountingDetector : public Detector {
   }
 
  protected:
-  // Adds what the bodies know of the frame at hand.
+  // Adds what the bodies counted in the current frame.
   virtual void add_frame(DetectorCounts& counts) const = 0;
-  // Before a frame begins.
+  // Must be called before a frame begins.
   void keep_frame() { add_frame(counts_); }
 
   QueryCounts tests_;
   DetectorCounts counts_;  // of the frames before this one
 };
 
-// Where a detector comes from.
+// Origin says where a detector comes from.
 enum class Origin {
   own,       // ours, on demand
   baseline,  // skins everything; written here
@@ -78,8 +78,8 @@ struct DetectorKind {
   Origin origin;
   std::function<std::unique_ptr<Detector>(const Character&)> make;  // the character outlives the detector
   bool is_minor = false;                                            // left out of short runs
-  // Of the pairs of an scenario, how many may differ from the right ones: of engines whose volumes leave rounding out
-  // of account. What differs is counted.
+  // This share of a scenario's pairs may differ from the right ones, because the volumes of some engines do not account for
+  // rounding. Differing pairs are counted.
   double tolerated_share = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Embree: user geometry with the boxes of the placed triangles, refitted, and rtcCollide.
+// This is Embree's rtcCollide on user geometry with the boxes of the placed triangles, which are refitted.
 #include <embree3/rtcore.h>
 
 #include <stdexcept>
@@ -66,7 +66,7 @@ class Embree : public SkinningDetector {
     *arguments->bounds_o = {box.low[0], box.low[1], box.low[2], 0, box.high[0], box.high[1], box.high[2], 0};
   }
 
-  // Embree cannot be stopped; after the first pair the others are let through undecided.
+  // Embree cannot be stopped. After the first pair the others are let through undecided.
   static void decide(void* user, RTCCollision* collisions, unsigned count) {
     Embree& self = *static_cast<Embree*>(user);
     for (unsigned i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FCL: BVHModels refitted bottom-up, its traversal, and leaf tests of our own in place of its inexact one.
+// This is FCL with BVHModels refitted bottom-up and its traversal. Our own leaf test is in place of its inexact one.
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/utility.h>
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
@@ -14,7 +14,7 @@
 namespace refitlab {
 namespace {
 
-// Only oriented volumes are moved by FCL; of the others it wants vertices in the world.
+// FCL moves only oriented volumes. For the others it takes vertices in the world.
 template <class Volume>
 constexpr bool is_oriented = std::is_same_v<Volume, fcl::OBBRSS<double>>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes of triangles in float, for engines that have no double and for SIMD lanes.
+// These are boxes of triangles in float, for engines that have no double and for SIMD lanes.
 #pragma once
 
 #include "algorithms/model/model.hpp"
@@ -7,8 +7,8 @@
 
 namespace refitlab {
 
-// Vertices rounded to the nearest float. Rounding is monotone: where the boxes of two triangles overlap in double, so
-// do those of their rounded vertices, and nothing has to be rounded outwards.
+// RoundedVertices are rounded to the nearest float. Rounding is monotone: if the boxes of two triangles overlap in double, so do
+// those of their rounded vertices. So nothing has to be rounded outwards.
 class RoundedVertices {
  public:
   void set(const std::vector<Point3>& vertices) {

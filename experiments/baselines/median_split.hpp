@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Median splits of a model's triangles, as the baselines' trees are built.
+// The baselines' trees are built by median splits of a model's triangles.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@ class MedianSplit {
     std::iota(order_.begin(), order_.end(), 0);
   }
 
-  // All triangles; splits sort it.
+  // Returns all triangles. Splits sort them.
   std::span<int> triangles() { return order_; }
 
-  // Moves so many triangles to the front: those of the least centroids along the longest extent of all, in the
-  // reference pose. triangles is a part of triangles(), not empty.
+  // Moves so many triangles to the front. They have the least centroids along the longest extent of all, in the reference pose.
+  // triangles is a part of triangles(), not empty.
   void split(std::span<int> triangles, std::size_t count) {
     Point3 low = centroids_[triangles[0]], high = low;
     for (const int t : triangles) low = low.cwiseMin(centroids_[t]), high = high.cwiseMax(centroids_[t]);

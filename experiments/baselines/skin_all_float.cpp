@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Skins everything in float, cluster by cluster, with the boxes of the clusters in the same registers, and merges these
 // bottom-up. Triangles of clusters whose boxes meet are culled, compared and filtered in float, with the skinning's slack in
-// the error bound; only what that leaves unknown is decided on vertices in double.
+// the error bound; only pairs that stay unknown are decided on vertices in double.
 #include "algorithms/runtime/collide/cluster_traversal.hpp"
 #include "experiments/baselines/baselines.hpp"
 
 namespace refitlab {
 namespace {
 
-// All of one body in a frame.
+// A SkinnedBody is all of one body in a frame.
 class SkinnedBody {
  public:
   explicit SkinnedBody(const ClusterTree& tree) : clusters_(tree, Skinning::spherical), own_(tree.wide_nodes().size()) {

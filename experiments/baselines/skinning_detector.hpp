@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all baselines have in common: both bodies are posed and skinned whole, in SIMD packs, before any volume is refitted.
+// All baselines pose and skin both bodies whole, in SIMD packs, before any volume is refitted.
 #pragma once
 
 #include "algorithms/runtime/batch/packed_vertices.hpp"
@@ -12,7 +12,7 @@ namespace refitlab {
 // Triangle pairs are decided on vertices in the world. These are placed when first asked for, or all at once.
 enum class Placing { when_asked, all };
 
-// What rounding may do to volumes and vertices in double, relative to the size of the coordinates.
+// This bounds the rounding errors of volumes and vertices in double, relative to the size of the coordinates.
 inline constexpr double double_rounding_slack = 1e-11;
 
 class SkinningDetector : public Detector {
@@ -24,16 +24,16 @@ class SkinningDetector : public Detector {
  protected:
   SkinningDetector(const Character& character, Placing placing);
 
-  // One of the two bodies, 0 or 1.
+  // side is 0 or 1 for one of the two bodies.
   const std::vector<Point3>& skinned(int side) const { return sides_[side].skinned; }  // model space, by vertex
   const std::vector<Point3>& placed(int side) const { return sides_[side].placed; }    // world; Placing::all
   const SkinnedMesh& model() const { return character_.mesh; }
   const Character& character() const { return character_; }
   const RigidTransform<double>& placement(int side) const { return sides_[side].placement; }
-  // From the second body's model space to the first's.
+  // Returns the transform from the second body's model space to the first's.
   RigidTransform<double> to_first() const { return compose(inverse(placement(0)), placement(1)); }
 
-  // Whether two triangles, one of each body, have a point in common.
+  // Returns whether two triangles, one of each body, have a point in common.
   bool touch(int first, int second);
 
   DetectorCounts counts_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Skins everything and hashes the cells of a uniform grid that the boxes of the first body's triangles meet [Teschner et al.
-// 2003]. The second body's triangles are compared with those in their own cells. As the source has it, a cell is as wide as an
-// edge of the mesh is long on average, and the hash is that of three large primes.
+// 2003]. The second body's triangles are compared with those in their own cells. As in the source, a cell is as wide as the edges
+// of the mesh are long on average, and the hash is made with three large primes.
 #include <cmath>
 
 #include "algorithms/runtime/balls/box.hpp"

@@ -23,7 +23,7 @@ struct Comparison {
   std::string description;
 };
 
-// What is measured and is no method.
+// Returns what is measured but is no method.
 const std::vector<Comparison>& comparisons() {
   static const std::vector<Comparison> all{
       {"reference", "reference", Skinning::spherical, ""},

@@ -12,7 +12,7 @@ namespace {
 
 const char* const procedural[] = {"man", "creature"};
 
-// What the explorer will have is what the run has, but for rounding to float.
+// Checks that the explorer will have the model of the run, up to rounding to float.
 void check(const Model& model, const Model& unpacked) {
   double size = 0;
   for (const Point3& v : model.vertices) size = std::max(size, v.norm());

@@ -25,7 +25,7 @@ const Clip* find_clip(const Model& model, const std::string& name) {
   throw std::invalid_argument(model.name + ": no clip named '" + name + "'" + known);
 }
 
-// A moment of a model, and its name in a sentence.
+// A Moment is a pose of a model, and its name in a sentence.
 struct Moment {
   DeformedPose pose;
   std::string name;
@@ -45,7 +45,7 @@ Moment moment_of(const Model& model, const CertificateRequest& request) {
   return {{clip ? clip->sample(time) : reference_pose(model), {}, {}, std::move(weights)}, name};
 }
 
-// The certificate's name with another ending.
+// Returns the certificate's name with another ending.
 std::string beside(const std::string& file, const char* ending) {
   const std::string other = std::filesystem::path(file).replace_extension(ending).string();
   if (other == file) throw std::invalid_argument(file + ": this ending is for what is written beside a certificate");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certificate of one ball, for whoever wants to check it: a node of a model in a clip at a time, by a refit variant.
+// Writes the certificate of one ball, for whoever wants to check it. The ball is that of a node of a model, in a clip at a time,
+// by a refit variant.
 #pragma once
 
 #include <string>
@@ -17,13 +18,14 @@ struct CertificateRequest {
   std::string variant = "control_mixed";  // a sound one
 };
 
-// What a model is loaded with for write_certificate.
+// A model for write_certificate is loaded with these options.
 inline constexpr LoadOptions certified_models{.joints = Joints::affine, .morphs = Morphs::moving};
 
 // Writes the file, and beside it the documents of the model and of the pose (algorithms/certificate/documents.hpp), with the
-// endings .model and .pose; each whole or not at all; and says what is in it. Morph targets, and joints that scale in skinning in two phases, move
-// the vertices first: the document of the model then has them as they are moved, in double. Throws std::invalid_argument for a node, clip, time or
-// variant that there is not, NoProof (algorithms/certificate) for a ball that is not proved to hold its vertices.
+// endings .model and .pose, each whole or not at all. Says on stdout what is in it. Morph targets, and joints that scale in
+// skinning in two phases, move the vertices first. The document of the model then has the moved vertices, in double. Throws
+// std::invalid_argument for a node, clip, time or variant that does not exist, and NoProof (algorithms/certificate) for a ball
+// that is not proved to hold its vertices.
 void write_certificate(const CertificateRequest& request, Model model);
 
 }  // namespace refitlab

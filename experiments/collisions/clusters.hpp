@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fast query as a detector: boxes from the joints alone above, skinned clusters below.
+// This is the fast query as a detector. It has boxes from the joints alone above, and skinned clusters below.
 #pragma once
 
 #include "experiments/baselines/detector.hpp"

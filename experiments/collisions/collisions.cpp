@@ -18,7 +18,7 @@
 namespace refitlab {
 namespace {
 
-// Of processor time.
+// Returns the processor time of a call.
 double microseconds(const std::function<void()>& call) {
   const auto now = [] {
     timespec time;
@@ -30,7 +30,7 @@ double microseconds(const std::function<void()>& call) {
   return now() - start;
 }
 
-// How many pairs are found and not expected, or expected and not found. Asked for one, a frame has one pair or none.
+// Returns how many pairs are found and not expected, or expected and not found. A query for one pair finds one or none.
 long differing(std::vector<TrianglePair> found, const std::vector<TrianglePair>& expected, Query query) {
   std::sort(found.begin(), found.end());
   std::vector<TrianglePair> difference;
@@ -41,7 +41,7 @@ long differing(std::vector<TrianglePair> found, const std::vector<TrianglePair>&
   return static_cast<long>(difference.size());
 }
 
-// The least of two passes counts, so that what else runs on the machine hardly does.
+// The least of two passes counts, so that other programs on the machine hardly matter.
 StageTimes time_stages(Detector& detector, const Scenario& e, Query query) {
   StageTimes means{};
   for (const ScenarioFrame& frame : e.frames) {
@@ -56,7 +56,7 @@ StageTimes time_stages(Detector& detector, const Scenario& e, Query query) {
   return means;
 }
 
-// Once through, with everything counted and checked.
+// Goes through all frames once, and counts and checks everything.
 CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query, const DetectorKind& kind,
                       const PairLists& expected) {
   CollisionResult out{c.mesh.name, e.name, kind.name, kind.origin, query};
@@ -91,7 +91,7 @@ CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query
   return out;
 }
 
-// The oracle's own row, for its pairs and its time.
+// Makes the oracle's own row, with its pairs and its time.
 CollisionResult ask_oracle(const AnimatedCharacter& c, const Scenario& e, Skinning skinning, PairLists& pairs) {
   CollisionResult out{c.mesh.name, e.name, "brute_force", Origin::oracle, Query::full};
   const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.mesh.triangles.size());
@@ -104,7 +104,7 @@ CollisionResult ask_oracle(const AnimatedCharacter& c, const Scenario& e, Skinni
   return out;
 }
 
-// The scenes like those in which the paper compares with linear blending.
+// Returns whether the scene is like one in which the paper compares with linear blending.
 bool is_in_table_2(const Scenario& e) { return e.name == "light" || e.name == "worst"; }
 
 void print(const std::vector<CollisionResult>& results) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The collision experiment: what finding the touching triangles of two walkers costs, by scene and detector.
+// The collision experiment measures what finding the touching triangles of two walkers costs, by scene and detector.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ struct CollisionSettings {
   bool first_model_only = false;
 };
 
-// Of a detector, in their order.
+// These are the stages of a detector, in their order.
 inline constexpr const char* stage_names[] = {"pose", "skinning", "refit", "query"};
 using StageTimes = std::array<double, std::size(stage_names)>;
 
-// Means over the frames of an scenario.
+// A CollisionResult has means over the frames of a scenario.
 struct CollisionResult {
   std::string model, scene, detector;
   Origin origin;
@@ -30,20 +30,20 @@ struct CollisionResult {
   std::vector<double> share_refitted;  // by level - 1, of both trees' balls; where the detector refits on demand
   double us_per_frame = 0;             // from poses to pairs
   StageTimes stages_us{};              // the same in stages, of passes by themselves
-  // Of the time, to: the fastest engine here, skin_all_float, spherical_repaired.
+  // These are the ratios of the time to those of the fastest engine here, of skin_all_float and of spherical_repaired.
   double ratio_to_engine = 0, ratio_to_skin_all = 0, ratio_to_repaired = 0;
 };
 
-// By frame, sorted.
+// PairLists are by frame. Each list is sorted.
 using PairLists = std::vector<std::vector<TrianglePair>>;
 
-// The given detectors in an scenario. Throws std::logic_error that names the detector and the frame if it finds other
-// pairs than expected or, asked for one, none of these, beyond what its kind is let.
+// Measures the given detectors in a scenario. Throws std::logic_error that names the detector and the frame if it finds other
+// pairs than expected, or in a query for one pair none of these, beyond the tolerated share of its kind.
 std::vector<CollisionResult> measure(const AnimatedCharacter& character, const Scenario& scenario, Query query,
                                      const std::vector<const DetectorKind*>& kinds, const PairLists& expected,
                                      const SpeedSettings& speed);
 
-// The detectors in all scenarios of the character, full and yes/no, against brute force.
+// Measures the detectors in all scenarios of the character, with full and yes/no queries, against brute force.
 std::vector<CollisionResult> run_collisions(const AnimatedCharacter& character, const CollisionSettings& settings);
 
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path);

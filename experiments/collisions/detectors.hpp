@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The detectors that the collision experiment compares.
+// The collision experiment compares these detectors.
 #pragma once
 
 #include "experiments/baselines/detector.hpp"
 
 namespace refitlab {
 
-// All there are: each method that is sound for spherical blending, our clusters, the baselines, the engines that were found when
-// this was configured, and these two once more behind a first test of boxes.
+// Returns all kinds: each method that is sound for spherical blending, our clusters, the baselines, the engines that were found
+// when this was configured, and the latter two once more behind a first test of boxes.
 const std::vector<DetectorKind>& detector_kinds();
 
-// Throws std::invalid_argument for a name that is none of theirs.
+// Returns the kind of this name. Throws std::invalid_argument for an unknown name.
 const DetectorKind& detector_kind(const std::string& name);
 
 }  // namespace refitlab

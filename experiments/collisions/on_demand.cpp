@@ -40,7 +40,7 @@ class OnDemand : public CountingDetector {
   RigidTransform<double> first_at_, second_at_;
 };
 
-// The paper's refit, the default refit by itself and through BVH cuts, and the tightest refit.
+// The major methods are the paper's refit, the default refit by itself and through BVH cuts, and the tightest refit.
 bool is_major(const Method& c) {
   return c.variant->name == default_variant(Skinning::spherical).name || c.name == "spherical_repaired" ||
          c.name == "control_many_pieces";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's query as detectors: spheres refitted on demand, by each method.
+// These detectors are the paper's query, with spheres refitted on demand by each method.
 #pragma once
 
 #include "experiments/baselines/detector.hpp"
@@ -7,7 +7,7 @@
 namespace refitlab {
 
 std::vector<DetectorKind> on_demand_kinds();
-// The same for linear blending, whose pairs are others.
+// Returns the same for linear blending, which has other pairs.
 DetectorKind linear_on_demand();
 
 }  // namespace refitlab

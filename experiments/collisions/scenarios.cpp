@@ -17,7 +17,7 @@ Pose pose_at(const AnimatedCharacter& c, double share) {
   return twist_pose(c.mesh, twist_joint(c.mesh), share * 170 * std::numbers::pi / 180);
 }
 
-// Puts a center at this place, turned about y.
+// Returns the placement that puts a center at this place, turned about y.
 RigidTransform<double> stand(const Point3& center, double turn, const Point3& at) {
   RigidTransform<double> out{{std::cos(turn / 2), 0, std::sin(turn / 2), 0}, Point3::Zero()};
   out.translation = at - rotate(out.rotation, center);
@@ -33,7 +33,7 @@ class PairCounter {
  public:
   explicit PairCounter(const AnimatedCharacter& c) : detector_(detector_kind("skin_all_float").make(c)) {}
 
-  // By frame, in increasing order.
+  // Returns the frames' numbers of touching pairs, in increasing order.
   std::vector<long> pairs(const std::vector<ScenarioFrame>& frames) {
     std::vector<long> counts;
     for (const auto& f : frames) counts.push_back(static_cast<long>(detector_->pairs(f, Query::full).size()));
@@ -47,7 +47,8 @@ class PairCounter {
 
 constexpr int searched_frames = 12, bisections = 12;
 
-// The largest lateral distance up to high, within a share of 2^-bisections of it, at which holds(pairs); 0 if none is.
+// Returns the largest lateral distance up to high, within a share of 2^-bisections of it, at which holds(pairs) is true, or 0 if
+// there is none.
 template <class Predicate>
 double largest_lateral(PairCounter& counter, const WalkPast& walk, double high, const Predicate& holds) {
   double low = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenarios: scenes of two copies of a model that walk past each other, for collision queries (paper 5, Table 2).
+// Scenarios are scenes of two copies of a model that walk past each other, for collision queries (paper 5, Table 2).
 #pragma once
 
 #include "experiments/baselines/detector.hpp"
@@ -14,15 +14,15 @@ struct Scenario {
   std::vector<ScenarioFrame> frames;
 };
 
-// How two walkers pass: both move along z, the second one turned about y to face the first, lateral apart along x. Over
-// the frames the centers of their deformed vertices' smallest balls go from a fifth of a root radius before each other
-// to as much behind. The first clip plays once for the first walker, and half a clip later for the second; without
-// clips both twist (figure_twist) up to the full angle.
+// WalkPast is how two walkers pass. Both move along z, `lateral` apart along x, and the second one is turned about y to face the
+// first. Over the frames the centers of their deformed vertices' smallest balls go from a fifth of a root radius before each
+// other to as much behind. The first clip plays once for the first walker, and half a clip later for the second; without clips
+// both twist (figure_twist) up to the full angle.
 class WalkPast {
  public:
   WalkPast(const AnimatedCharacter& character, int frames);
   std::vector<ScenarioFrame> at(double lateral) const;
-  // Both with their centers at the origin all the time.
+  // Returns frames in which both have their centers at the origin all the time.
   std::vector<ScenarioFrame> in_place() const;
 
  private:
@@ -34,9 +34,9 @@ class WalkPast {
   std::vector<Step> steps_;
 };
 
-// far: the roots are disjoint. near: they overlap in the middle, but no triangles touch. light: a median of about 50
-// touching pairs. heavy: about 850, or at lateral 0 if that has fewer. worst: in one place all the time (the paper's
-// worst- case scenario). The distances are found by bisection on 12 of the frames.
+// Returns five scenarios. far: the roots are disjoint. near: they overlap in the middle, but no triangles touch. light: the
+// median is about 50 touching pairs. heavy: it is about 850, or lateral is 0 if that has fewer. worst: both are in one place all
+// the time (the paper's worst-case scenario). The distances are found by bisection on 12 of the frames.
 std::vector<Scenario> scenarios(const AnimatedCharacter& character, int frames);
 
 }  // namespace refitlab

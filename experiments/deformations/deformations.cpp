@@ -17,7 +17,8 @@ namespace {
 
 const char* const deforming_files[] = {"bear/scene.gltf", "raccoon/scene.gltf"};
 
-// Those of one skinning side by side: the default one, the tightest where there is a tighter one, and Algorithm 1 repaired.
+// The variants of one skinning are side by side: the default one, the tightest one if there is a tighter one, and Algorithm 1
+// repaired.
 const std::vector<std::vector<std::string>> measured_variants = {
     {"linear_mixed"}, {"control_mixed", "control_many_pieces", "spherical_repaired"}, {"dual_quaternion_mixed"}};
 

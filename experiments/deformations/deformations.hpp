@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiment on deformations: how tight refits are of characters whose joints scale, that have morph targets or a reduced
-// deformation, what they miss, and what they cost beside refits of rigid ones.
+// The experiment on deformations measures refits of characters whose joints scale, or that have morph targets or a reduced
+// deformation. It measures how tight they are, what they miss, and what they cost beside refits of rigid characters.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct DeformationSettings {
   SpeedSettings speed;
 };
 
-// One variant in all poses of a character that is deformed in one way.
+// A DeformationMeasure is that of one variant in all poses of a character that is deformed in one way.
 struct DeformationMeasure {
   std::string kind, variant;
   Skinning skinning;
@@ -35,18 +35,20 @@ struct DeformationResult {
   std::vector<ReducedCost> reduced_costs;
 };
 
-// A model of a file with its morph targets and joints that scale, as its clips have them. Throws as load_model.
+// Returns the model of a file with its morph targets and joints that scale, as its clips have them. Throws what load_model
+// throws.
 Model load_deforming(const std::string& path);
 
-// The generated model that deforms itself, and the real ones found in folder; absent: those that are not there.
+// DeformingModels are the generated model that deforms itself, and the real ones found in a folder. absent names those that are
+// not there.
 struct DeformingModels {
   std::vector<Model> models;
   std::vector<std::string> absent;
 };
 DeformingModels deforming_models(const std::string& folder);
 
-// A model that deforms itself is measured as its clips have it. Another one with clips is deformed in every made-up way. One
-// that is rigid and has no clips has no rows. Progress on stdout.
+// A model that deforms itself is measured as its clips have it. A rigid model with clips is deformed in every made-up way, and
+// one without clips has no rows. Progress goes to stdout.
 DeformationResult run_deformations(const Model& model, const DeformationSettings& settings);
 
 void write_deformations(const std::vector<DeformationResult>& results, const std::string& path);

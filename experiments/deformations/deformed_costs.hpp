@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What refitting a deformed character costs beside a rigid one.
+// This measures what refitting a deformed character costs beside a rigid one.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace refitlab {
 
-// Of all nodes of a character, by one variant.
+// A DeformedCost is the cost of all nodes of a character, by one variant.
 struct DeformedCost {
   std::string kind, variant;
   double ns_per_sphere;  // where the deformation is another one in every frame; medians over the repetitions
@@ -23,7 +23,8 @@ struct DeformedCost {
 // Times the default variants.
 std::vector<DeformedCost> deformed_costs(const DeformingCharacters& characters, const SpeedSettings& settings);
 
-// Of all nodes of a character with a reduced deformation in its reference pose, new coordinates in every frame.
+// A ReducedCost is the cost of all nodes of a character with a reduced deformation in its reference pose, with new coordinates in
+// every frame.
 struct ReducedCost {
   std::string variant;  // as in ReducedMeasure
   DisplacementBalls balls;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How tight refits of deformed characters are: level by level, the radii of their balls beside those of the smallest balls of the
-// deformed and skinned vertices, and what they miss.
+// This measures how tight refits of deformed characters are. Level by level, it compares the radii of their balls with those of
+// the smallest balls of the deformed and skinned vertices, and counts what they miss.
 #pragma once
 
 #include <span>
@@ -12,13 +12,13 @@
 
 namespace refitlab {
 
-// Returns what these variants, which bound one skinning, have in all poses, by variant and by level - 1; on all processors. character
-// has the pieces of the variants.
+// Returns the tightness of these variants, which bound one skinning, in all poses, by variant and by level - 1. It uses all
+// processors. character must have the pieces of the variants.
 std::vector<std::vector<LevelTightness>> deformed_levels(const Character& character,
                                                          std::span<const RefitVariant* const> variants,
                                                          std::span<const DeformedPose> poses);
 
-// The level whose balls are largest beside the smallest ones, from 1.
+// The WorstLevel, from 1, has the largest balls beside the smallest possible ones.
 struct WorstLevel {
   double ratio = 0;
   int level = 0;

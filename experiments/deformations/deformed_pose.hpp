@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A pose of joints that may scale, with weights of morph targets, and what refits take of it.
+// A DeformedPose is a pose of joints that may scale, with weights of morph targets. A DeformedFrame is what refits take from it.
 #pragma once
 
 #include "algorithms/runtime/skinning/deformation.hpp"
@@ -17,7 +17,7 @@ struct DeformedPose {
 // Returns the pose of these joints in both phases.
 DeformedPose deformed_pose(const SkinnedMesh& mesh, AffinePose joints, std::vector<double> weights);
 
-// What a refit takes of a pose.
+// A DeformedFrame is what a refit takes from a pose.
 struct DeformedFrame {
   Deformation deformation;
   SkinningPalette<double> palette;

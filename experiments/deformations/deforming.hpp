@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What deforms the characters that are measured: joints that scale and morph targets, made up or those of a file.
+// The measured characters are deformed by joints that scale and by morph targets, which are made up or those of a file.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace refitlab {
 
-// What a joint is scaled by: by nothing, by a factor of its own, or by factors of its own along two axes.
+// Scales says how a joint is scaled: not at all, by a factor of its own, or by factors of its own along two axes.
 enum class Scales { none, uniform, axes };
 
-// A made-up deformation, by the name that tables of results have.
+// A DeformationKind is a made-up deformation, by its name in tables of results.
 struct DeformationKind {
   const char* name;
   Scales scales;
@@ -24,13 +24,14 @@ inline constexpr DeformationKind rigid_kind{"rigid", Scales::none, false}, scale
     both_kind{"both", Scales::axes, true};
 inline constexpr DeformationKind made_up_kinds[] = {rigid_kind, scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind};
 
-// Joints of this pose that scale about their own origins, by 0.55 to 1.25, before they turn.
+// Returns the joints of this pose, which scale about their own origins by 0.55 to 1.25 before they turn.
 AffinePose scaled(const SkinnedMesh& mesh, const Pose& pose, Scales scales);
 
 // Gives a mesh three morph targets in place of its own: a belly that swells, a lean, and bumps all over.
 void add_targets(SkinnedMesh& mesh);
 
-// A rigid character's model as it is baked for each kind of deformation: for joints that scale or not, with the targets of add_targets or none.
+// DeformingCharacters are a rigid character's model as it is baked for each kind of deformation: for joints that scale or not,
+// with the targets of add_targets or none.
 class DeformingCharacters {
  public:
   explicit DeformingCharacters(const Model& model);

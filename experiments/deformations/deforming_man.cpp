@@ -22,7 +22,7 @@ MorphedMesh morphed_mesh(const MorphTargets& targets) {
   return out;
 }
 
-// Of a joint, relative to its parent: factors near 1, since they multiply along a chain.
+// Returns the scale of a joint relative to its parent. The factors are near 1, since they multiply along a chain.
 Eigen::Vector3d scale_at(std::size_t joint, double time) {
   const auto j = static_cast<double>(joint);
   return {1 + 0.10 * std::sin(j + 3 * time), 1 + 0.06 * std::cos(1.7 * j - 2 * time), 1 + 0.08 * std::sin(2.3 * j + time)};

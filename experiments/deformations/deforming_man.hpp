@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A generated model that has what files have at once: keyed joints that scale along axes, so that those below them shear, and morph
+// This generated model has at once what files have: keyed joints that scale along axes, so that those below them shear, and morph
 // targets whose weights are keyed.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// The man of experiments/procedural with the three targets of add_targets. No pose of his clips is rigid.
+// Returns the man of experiments/procedural with the three targets of add_targets. No pose of his clips is rigid.
 Model make_deforming_man();
 
 }  // namespace refitlab

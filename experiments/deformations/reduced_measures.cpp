@@ -15,7 +15,7 @@ namespace {
 
 using Frames = std::vector<std::vector<Point3>>;  // displacements by frame and vertex
 
-// The displacements of the first clip's skinned vertices from the reference pose.
+// Returns the displacements of the first clip's skinned vertices from the reference pose.
 Frames clip_frames(const Model& model, int count) {
   const JointSets sets(model);
   const Clip& clip = model.clips.at(0);
@@ -60,7 +60,7 @@ class ReducedExperiment {
   std::vector<ReducedResult> results() { return std::move(results_); }
 
  private:
-  // Frames of the basis, in the reference pose, or each at a time of the first clip.
+  // Returns frames of the basis, in the reference pose, or each at a time of the first clip.
   std::vector<DeformedPose> poses_of(const ReducedBasis& basis, bool moves) const {
     std::vector<DeformedPose> out;
     for (const double share : even_shares(settings_.poses)) {

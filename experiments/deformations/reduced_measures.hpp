@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reduced deformations: how tight the balls of BD-tree and ours are, alone and followed by skinning.
+// This measures how tight the balls of BD-tree and ours are under reduced deformations, alone and followed by skinning.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace refitlab {
 
-// What is refitted before any skinning, by its name in tables: "reference_balls". Where no joint moves it bounds the vertices.
+// Returns the refit before any skinning, which tables call "reference_balls". If no joint moves, its balls bound the vertices.
 const RefitVariant& reference_balls();
 
-// The balls of displacements that a refit is given.
+// DisplacementBalls says which balls of displacements a refit gets.
 enum class DisplacementBalls { smallest, bd_tree };
 
 struct ReducedMeasure {
@@ -24,7 +24,7 @@ struct ReducedMeasure {
   std::vector<LevelTightness> levels;
 };
 
-// A reduced deformation of a model in the poses of its frames.
+// A ReducedResult is that of a reduced deformation of a model in the poses of its frames.
 struct ReducedResult {
   std::string kind;  // vibration, vibration_skinned, or clip: where the basis is of a clip's own skinned vertices
   int frames, size;  // of the basis
@@ -39,15 +39,17 @@ struct ReducedSettings {
   int poses = 4;    // of these frames, evenly spread
 };
 
-// A model with a reduced basis in place of its morph targets: as we bake it, and as a BD-tree, which has no pieces.
+// A ReducedCharacter is a model with a reduced basis in place of its morph targets. It is there as we bake it, and as a BD-tree,
+// which has no pieces.
 struct ReducedCharacter {
   ReducedBasis basis;
   Character ours, bd_tree;
 };
-// With the basis of its vibration.
+// Returns a model with the basis of its vibration.
 ReducedCharacter vibrating_character(const Model& model, const ReducedSettings& settings);
 
-// model: with a clip; its own morph targets are left out. Progress on stdout. Throws ModelError for a first clip that is not rigid.
+// model must have a clip. Its own morph targets are left out. Progress goes to stdout. Throws ModelError if the first clip is not
+// rigid.
 std::vector<ReducedResult> measure_reduced(const Model& model, const ReducedSettings& settings);
 
 }  // namespace refitlab

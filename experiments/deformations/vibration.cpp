@@ -11,7 +11,8 @@
 namespace refitlab {
 namespace {
 
-// For springs of stiffness 1: of the springs that pull back, and the share of its speed that a vertex loses in a unit of time.
+// Springs along edges have stiffness 1. These are the stiffness of the springs that pull back, and the share of its speed that a
+// vertex loses in a unit of time.
 constexpr double stiffness_to_place = 0.02, damping = 0.003;
 constexpr double time_of_frame = 4, largest_share = 0.05;
 
@@ -34,7 +35,8 @@ std::vector<Spring> springs_of(const SkinnedMesh& mesh) {
   return out;
 }
 
-// x: a place in the model, its longest side being 1. Downwards at the heels' touch, and to the side.
+// Returns the speed at a place x of the model, whose longest side is 1. It goes downwards, as when the heels touch, and to the
+// side.
 Point3 jolt(const Point3& x) { return {0.5 * std::sin(3 * x[1]), -1 - 0.5 * std::sin(5 * x[1]), 0.4 * std::cos(4 * x[0])}; }
 
 class Simulation {
@@ -46,7 +48,7 @@ class Simulation {
     for (const Point3& v : mesh.vertices) speeds_.push_back(jolt((v - box.center()) / size_));
     std::vector<double> springs_at(places_.size(), 0);
     for (const Spring& s : springs_) ++springs_at[s.a], ++springs_at[s.b];
-    // A vertex with n springs is pulled back by at most 2 n times its displacement: steps of this length are stable.
+    // A vertex with n springs is pulled back by at most 2 n times its displacement, so steps of this length are stable.
     const double stiffest = 2 * *std::max_element(springs_at.begin(), springs_at.end()) + stiffness_to_place;
     steps_of_frame_ = static_cast<int>(std::ceil(time_of_frame * std::sqrt(stiffest)));
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the drawings share: rotations about z, the unit circle and the pictures
-// that several lemmas begin with.
+// The drawings share rotations about z, the unit circle and the pictures with which several lemmas begin.
 //
-// Lemmas of R^d are drawn for d = 2. Those of rotations have all joints turn
-// about z: points stay in the plane, and a quaternion is its (w, z).
+// Lemmas of R^d are drawn for d = 2. In those of rotations all joints turn about z, so that points stay in the plane, and a
+// quaternion is its (w, z).
 #pragma once
 
 #include <numbers>
@@ -24,7 +23,7 @@ inline Point flat(const Point3D &p) { return {p[0], p[1]}; }
 inline SquaredBall<double, 2> flat(const SquaredBall<double, 3> &b) { return {flat(b.center), b.squared_radius}; }
 inline SquaredBall<double, 2> flat(const Ball3<double> &b) { return {flat(b.center), sq(b.radius)}; }
 inline Point on_circle(double degrees) { return Plane::turned({1, 0}, degrees * std::numbers::pi / 180); }
-// The rotation by this angle about z.
+// Returns the rotation by this angle about z.
 inline Quat turn(double degrees) {
   const Point half = on_circle(degrees / 2);
   return {half[0], 0, 0, half[1]};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawings of what goes beyond the paper.
+// These are the drawings of the lemmas beyond the paper.
 #include "experiments/drawings/common.hpp"
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b5_rotation_axis.hpp"
@@ -8,7 +8,7 @@
 namespace refitlab::drawings {
 namespace {
 
-// Two weight vertices that turn apart and are carried apart.
+// Returns a blend of two weight vertices that turn apart and are carried apart.
 SphericalBlend<double> bend() { return {{turn(0), turn(140)}, {{0, 0, 0}, {0.4, 0.3, 0}}, {1.2, 0.3, 0}}; }
 template <class Blend>
 std::vector<Point> curve_of(const Blend &blend) {
@@ -56,7 +56,7 @@ void b4(Plane &p) {
   p.path("curve", curve_of(bend()));
 }
 
-// Seen from the side: the axis stands upright, and what turns keeps its height.
+// This is seen from the side. The axis stands upright, and a turning point keeps its height.
 void b5(Plane &p) {
   const CapFallback<double> cap{{turn(0), turn(80)},
                                 {{0, 0, 0}, {0, 0, 0}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings: a picture in the plane for each lemma, of what the lemma's own code computes in double, as a table of shapes.
+// Each lemma has a drawing. It is a picture in the plane of what the lemma's own code computes in double, as a table of shapes.
 #pragma once
 
 #include "experiments/drawings/plane.hpp"
@@ -18,11 +18,11 @@ const std::vector<Drawing> &drawings_of_one_cap();
 const std::vector<Drawing> &drawings_of_control_hulls();
 const std::vector<Drawing> &drawings_of_motion();
 
-// All of them.
+// Returns all drawings.
 std::vector<Drawing> all_drawings();
 
-// drawings.csv: a row a shape, in the order in which they are drawn, and a row with the caption of each drawing. Points
-// are "x y x y ...".
+// Writes drawings.csv. It has a row for each shape, in the order in which they are drawn, and a row with the caption of each
+// drawing. Points are "x y x y ...".
 void write_drawings(const std::string &path);
 
 }  // namespace refitlab::drawings

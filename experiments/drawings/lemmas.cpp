@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawings of the paper's lemmas.
+// These are the drawings of the paper's lemmas.
 #include "experiments/drawings/common.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 

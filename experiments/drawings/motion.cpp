@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawings of bounds over time, and of what stands before skinning: affine joints and displaced vertices.
+// These are the drawings of bounds over time, of affine joints and of displaced vertices.
 #include "experiments/drawings/common.hpp"
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/a2_two_phase_skinning.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int steps = 60;
 
-// A curve over [0, 1], its chord, and how far from the chord the bound lets the curve deviate.
+// Draws a curve over [0, 1], its chord, and how far from the chord the bound lets the curve deviate.
 template <class Curve>
 void draw_near_chord(Plane &p, const Curve &at, double slack) {
   std::vector<Point> curve;
@@ -57,7 +57,7 @@ void c3(Plane &p) {
   }
 }
 
-// Two hinges with bones of the length 1, over a second.
+// The arm has two hinges with bones of the length 1, and moves over a second.
 const double outer_turn = 50, inner_turn = 35;
 std::vector<RigidTransform<double>> arm_at(double time) {
   const RigidTransform<double> shoulder{turn(outer_turn * time - 20), {0, 0, 0}}, elbow{turn(inner_turn * time), {1, 0, 0}};
@@ -81,7 +81,7 @@ void c4(Plane &p) {
 void c5(Plane &p) {
   const Point3D vertex(1.2, 0.1, 0);
   const auto outer = chain_of(hinge(outer_turn, 0));
-  // In the frame of the outer joint; the vertex hangs between both, 0.2 from the elbow.
+  // The images are in the frame of the outer joint. The vertex hangs between both joints, 0.2 from the elbow.
   const std::vector<Motion<double>> images{at_rest(0.3), carried_motion(chain_of(hinge(inner_turn, 0)), at_rest(0.3))},
       rotations{at_rest(1.), circle_motion(inner_turn / 2 * std::numbers::pi / 180)};
   const double least = std::sqrt(least_squared_blend(std::cos(inner_turn / 2 * std::numbers::pi / 180), 2.));
@@ -164,7 +164,7 @@ void a3(Plane &p) {
   p.path("line", {{0, 0}, flat(displacements[0].center)});
 }
 
-// A vertex that is in the volume of a joint at rest, and is pulled along by another one, which turns.
+// Draws a vertex that is in the volume of a joint at rest, and is pulled along by another joint, which turns.
 void a4(Plane &p) {
   const Point3D vertex(0, 0, 0);
   const RigidTransform<double> at_rest;

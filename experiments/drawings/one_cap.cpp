@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawings of caps without normalisation and without a ball.
+// These are the drawings of caps without normalisation and without a ball.
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "experiments/drawings/common.hpp"
 #include "lemmas/rotation_bound.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plane: a picture in the plane as a list of shapes, for the report to draw (experiments/report/drawings.py). y is up.
+// A Plane is a picture in the plane as a list of shapes, for the report to draw (experiments/report/drawings.py). y is up.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace refitlab::drawings {
 
 using Point = Vec<double, 2>;
 
-// kind: the class that the report's style sheet (drawings.css) gives a line, a filling or a mark.
+// kind is the class that the report's style sheet (drawings.css) gives a line, a filling or a mark.
 struct Shape {
   std::string shape;  // "circle", "path", "dot" or "text"
   std::string kind;
@@ -38,7 +38,7 @@ class Plane {
     shapes_.push_back({"dot", kind, {at}, 0, false, label});
   }
   void text(const Point& at, const std::string& words) { shapes_.push_back({"text", "", {at}, 0, false, words}); }
-  // The points of the cap's circle that the cap holds.
+  // Draws the points of the cap's circle that the cap holds.
   void cap(const Cap<double, 2>& c) {
     std::vector<Point> arc;
     const Point axis = c.apex - c.center;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawings of what the paper's section 4 says without a number.
+// These are the drawings of the statements of the paper's section 4 that have no number.
 #include "algorithms/bake/weight_vertices.hpp"
 #include "experiments/drawings/common.hpp"
 #include "lemmas/s42_linear_part_hull.hpp"
@@ -9,7 +9,7 @@
 namespace refitlab::drawings {
 namespace {
 
-// The weights of three joints as a triangle.
+// Returns the point of a triangle that stands for the weights of three joints.
 Point in_triangle(const std::vector<double> &w) { return on_circle(90) * w[2] + on_circle(210) * w[0] + on_circle(330) * w[1]; }
 const WeightBounds<double> box{{0.1, 0.15, 0.05}, {0.6, 0.5, 0.55}};
 std::vector<Point> around_their_middle(std::vector<Point> points) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All vertices skinned: the true box of a pose, which nothing smaller can replace.
+// AllSkinned skins all vertices. It finds the true box of a pose, and no smaller box will do.
 //
 // three.js computes it for a SkinnedMesh, whose computeBoundingBox skins every vertex on the processor, when a program asks
 // it to. Here packs skin the vertices, in double, as exactly as skin() does.
@@ -12,7 +12,7 @@ namespace refitlab {
 
 class AllSkinned {
  public:
-  // mesh and sets outlive this.
+  // mesh and sets must outlive this.
   AllSkinned(const SkinnedMesh& mesh, const JointSets& sets)
       : mesh_(mesh),
         sets_(sets),
@@ -27,7 +27,7 @@ class AllSkinned {
     for (const Point3& v : vertices_) box.merge(v);
     return box;
   }
-  // Of the last pose.
+  // Returns the vertices of the last pose.
   const std::vector<Point3>& vertices() const { return vertices_; }
 
  private:

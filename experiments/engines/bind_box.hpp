@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The box of the bind pose, and that box scaled by a guess.
+// These are the box of the bind pose, and that box scaled by a guess.
 //
-// Filament culls a renderable by the box that it was built with, and Unity a skinned renderer by its local bounds: both stay
-// unless a program changes them, so they are those of the bind pose, or that made larger by hand until nothing seems to
-// vanish.
+// Filament culls a renderable by the box that it was built with, and Unity a skinned renderer by its local bounds. Both stay
+// unless a program changes them. So they are those of the bind pose, or these made larger by hand until nothing seems to vanish.
 #pragma once
 
 #include "algorithms/runtime/balls/box.hpp"
@@ -17,7 +16,7 @@ inline Box<double> bind_box(const SkinnedMesh& mesh) {
   return box;
 }
 
-// About its center.
+// Scales a box about its center.
 template <class S>
 Box<S> scaled(const Box<S>& box, const S& factor) {
   const Vec<S, 3> center = box.center(), half = box.edges() * S(factor / S(2));

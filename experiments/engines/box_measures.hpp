@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How tight the boxes of some methods are in some poses, and in how many poses a vertex is outside.
+// BoxMeasures measures how tight the boxes of some methods are in some poses, and in how many poses a vertex is outside.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,8 @@
 
 namespace refitlab {
 
-// Of one method in some poses. Ratios are to the true box of each pose, which is the smallest around its vertices.
+// A BoxMeasure is that of one method in some poses. Ratios are to the true box of each pose, which is the smallest around its
+// vertices.
 struct BoxMeasure {
   std::string method;
   long poses = 0, misses = 0, undecided = 0;  // misses: poses in which a vertex is outside
@@ -19,27 +20,28 @@ struct BoxMeasure {
   double volume = 0, area = 0, radius = 0;    // mean ratios; radius: of the ball around the box
   double greatest_volume = 0;                 // ratio
   double to_reference = 0;                    // mean ratio to the reference method's volume
-  // The farthest that a vertex is outside as a share of the true box's longest side, and the time or the number of the pose.
+  // These say how far a vertex is outside at most, as a share of the true box's longest side, and the time or the number of the
+  // pose.
   double missed_by = 0, missed_at = 0;
 };
 
 inline double volume_of_box(const Box<double>& box) { return box.edges().prod(); }
 double area_of_box(const Box<double>& box);
 
-// The length by which the true box extends beyond another one; less than 0 where it does not.
+// Returns the length by which the true box extends beyond another one. It is less than 0 if it does not.
 double beyond_box(const Box<double>& truth, const Box<double>& box);
 
 class BoxMeasures {
  public:
-  // reference: the position of a method.
+  // reference is the position of a method.
   BoxMeasures(const std::vector<std::string>& methods, std::size_t reference);
 
-  // A pose: by method its box, infinite where there is no bound (not of the reference), and what the true box's places may be off. decide says whether a box, by
-  // position, holds all vertices, where these errors do not.
+  // Adds a pose. boxes are by method, and infinite where there is no bound, which the reference must have. error bounds that of
+  // the true box's places. Where such an error leaves it open, decide says whether the box at a position holds all vertices.
   void add(double pose, const Box<double>& truth, const std::vector<Box<double>>& boxes, double error,
            const std::function<Verdict(std::size_t)>& decide);
 
-  // By method. Ratios are 0 where no pose has a bound.
+  // Returns the measures by method. Ratios are 0 if no pose has a bound.
   std::vector<BoxMeasure> measures() const;
 
  private:

@@ -19,7 +19,7 @@ std::vector<Point3> origins_of(const SkinnedMesh& mesh) {
   return origins;
 }
 
-// Of all clips, evenly spread.
+// Returns poses of all clips, evenly spread.
 std::vector<Pose> expected_poses(const Model& model) {
   std::vector<Pose> poses;
   for (const Clip& clip : model.clips) try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods by which engines bound animated characters, and ours, behind one interface: from a pose to a box, or from a clip
-// to one box for all of its poses. Methods are named after what they do.
+// The methods by which engines bound animated characters, and ours, have one interface. It goes from a pose to a box, or from a
+// clip to one box for all of its poses. Methods are named after what they do.
 #pragma once
 
 #include <functional>
@@ -22,12 +22,12 @@ struct EngineMethod {
   bool is_ours;
 };
 
-// The joint boxes are the reference that the others are compared with.
+// The joint boxes are the reference with which the others are compared.
 inline constexpr std::size_t reference_method = 0;
 
-// The volumes that joints carry, fitted once for all ways of skinning.
+// JointVolumes are the volumes that joints carry. They are fitted once for all ways of skinning.
 struct JointVolumes {
-  // Poses of the model's clips are expected.
+  // The volumes are fitted for poses of the model's clips.
   explicit JointVolumes(const Model& model);
 
   JointBoxes boxes;
@@ -37,16 +37,16 @@ struct JointVolumes {
 
 class PoseMethods {
  public:
-  // All arguments outlive this.
+  // All arguments must outlive this.
   PoseMethods(const Model& model, const JointSets& sets, const JointVolumes& volumes, Skinning skinning);
 
   static const std::vector<EngineMethod>& methods();
-  // Of all methods in one pose, with the room for a renderer's rounding that bounds over time have, too. Infinite where the
-  // method has no bound for the pose.
+  // Returns the boxes of all methods in one pose. They are larger by a renderer's rounding, as bounds over time are. A box is
+  // infinite if the method has no bound for the pose.
   std::vector<Box<double>> boxes(const Pose& pose);
-  // By position in methods(), as it is without the room: what is timed.
+  // Returns the box of a method, by position in methods(), without a renderer's rounding. This is what is timed.
   Box<double> box(std::size_t method, const Pose& pose);
-  // The true box.
+  // Returns the true box.
   Box<double> truth(const Pose& pose) { return all_.box(pose, skinning_); }
 
  private:
@@ -60,13 +60,13 @@ class PoseMethods {
   std::vector<Point3> pivots_;
 };
 
-// With room for a renderer's rounding (ModelBoundsOptions::renderer_rounding), outward to floats.
+// Returns a box that is larger by a renderer's rounding (ModelBoundsOptions::renderer_rounding), rounded outward to floats.
 Box<double> with_room(Box<double> box);
 
-// The joints' origins in a pose.
+// Computes the joints' origins in a pose.
 void place_pivots(const SkinnedMesh& mesh, const Pose& pose, std::vector<Point3>& pivots);
 
-// A clip as it is played.
+// A PlayedClip is a clip as it is played.
 struct PlayedClip {
   std::vector<double> key_times;  // 0 and the duration among them
   std::function<Pose(double)> sample;
@@ -77,11 +77,11 @@ struct ClipBox {
   Box<double> box;  // with room for a renderer's rounding
 };
 
-// The boxes of a clip: of the bind pose, scaled by 2, around sampled times (experiments/over_time/sampled_boxes.hpp:
-// flutter_scene takes the keys), and of joint boxes at fixed steps, which Babylon.js's computeMaxExtents merges: every vertex
-// counts for each of its bones, whatever its weight.
+// Returns the boxes of a clip. They are that of the bind pose, that scaled by 2, those around sampled times
+// (experiments/over_time/sampled_boxes.hpp: flutter_scene takes the keys), and that of joint boxes at fixed steps, which
+// Babylon.js's computeMaxExtents merges. There, every vertex counts for each of its bones, whatever its weight.
 std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, PoseMethods& methods);
-// Their methods, in this order.
+// Returns the methods of these boxes, in this order.
 const std::vector<EngineMethod>& clip_methods();
 
 }  // namespace refitlab

@@ -18,7 +18,7 @@ namespace refitlab {
 namespace {
 
 constexpr Skinning compared_skinnings[] = {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical};
-// Of what a place is made of: what places in double may be off, and more.
+// This share of a place's size is more than places in double may be off.
 constexpr double error_of_places = 1e-11;
 constexpr std::size_t most_keys = 100000;
 
@@ -65,7 +65,7 @@ class EngineExperiment {
       std::vector<Box<double>> boxes = methods.boxes(pose);
       for (const ClipBox& c : of_clip) boxes.push_back(c.box);
       const Box<double> truth = methods.truth(pose);
-      // Of places closer to a wall than doubles can tell, 60 digits decide.
+      // If places are closer to a wall than doubles can tell, 60 digits decide.
       measures.add(time, truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
         Verdict verdict = Verdict::holds;
         for (int v = 0; v < result_.vertices; ++v) verdict &= exact.is_in({v, time, Side::after}, box_of<float>(boxes[m]));
@@ -77,7 +77,7 @@ class EngineExperiment {
     if (skinning == compared_skinnings[0]) result_.refused.push_back("clip '" + clip.name + "': " + e.what());
   }
 
-  // Each joint turned about its bone by up to nearly half a turn.
+  // Measures poses with each joint turned about its bone by up to nearly half a turn.
   void twist(Skinning skinning, PoseMethods& methods) {
     BoxMeasures measures(names_of_methods(false), reference_method);
     int number = 0;

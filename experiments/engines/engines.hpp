@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiment on what engines ship: how tight the boxes are with which engines bound a whole animated character, how often
-// a vertex is outside, and what a box costs, all beside ours.
+// The experiment on what engines ship measures the boxes with which engines bound a whole animated character, beside ours: how
+// tight they are, how often a vertex is outside, and what a box costs.
 #pragma once
 
 #include <string>
@@ -18,14 +18,14 @@ struct EngineSettings {
   SpeedSettings speed;
 };
 
-// A clip, or the turns of all joints, with one way of skinning.
+// EnginePoses are a clip, or the turns of all joints, with one way of skinning.
 struct EnginePoses {
   std::string name, kind;  // kind: clip or twists
   Skinning skinning;
   std::vector<BoxMeasure> measures;  // by method
 };
 
-// From a pose to a box.
+// An EngineCost is the cost of going from a pose to a box.
 struct EngineCost {
   std::string method;
   Skinning skinning;
@@ -42,7 +42,7 @@ struct EngineResult {
   std::vector<EngineCost> costs;
 };
 
-// Progress on stdout.
+// Runs the experiment on a model. Progress goes to stdout.
 EngineResult run_engines(const Model& model, const EngineSettings& settings);
 
 void write_engines(const std::vector<EngineResult>& results, const std::string& path);

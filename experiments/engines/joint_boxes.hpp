@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joint boxes: of each joint a box around all vertices that it moves, however little, in the bind pose. In a pose every box is
-// carried by its joint's matrix, and the axis-aligned boxes around what comes out are merged.
+// Each joint has a box around all vertices that it moves, however little, in the bind pose. In a pose every box is carried by its
+// joint's matrix, and the axis-aligned boxes around the carried boxes are merged.
 //
 // It is what Bevy does for meshes that have DynamicSkinnedMeshBounds, Godot with its bone AABBs, and PlayCanvas with
 // Mesh._initBoneAabbs and MeshInstance.aabb; [Heim et al. 2004] have such a layer of boxes a bone. With linear skinning a
@@ -17,9 +17,9 @@ class JointBoxes {
  public:
   explicit JointBoxes(const SkinnedMesh& mesh);
 
-  // By joint, in the bind pose; empty of one that moves no vertex.
+  // Returns the boxes by joint, in the bind pose. That of a joint that moves no vertex is empty.
   const std::vector<Box<double>>& bind() const { return bind_; }
-  // Around all of them, carried. In float, and without room for its rounding, as engines have it.
+  // Returns a box around all carried boxes. As in engines, it is in float, and its rounding is not allowed for.
   Box<float> box(const JointMatrices& matrices, Target target = best_target()) const;
 
  private:

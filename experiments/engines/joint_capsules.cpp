@@ -14,11 +14,11 @@ namespace {
 constexpr float lost_of_capsules = 0x1p-16f, stretch_of_joints = 1e-5f;
 constexpr int tried_radii = 24;
 
-// Half the mean width of a capsule over all directions: a capsule is as small as that.
+// Returns half the mean width of a capsule over all directions, which is its size here.
 double half_width(const JointCapsule& capsule) { return capsule.radius + norm<double, 3>(capsule.ends[1] - capsule.ends[0]) / 4; }
 
-// The capsule about a line through the middle of the points, whose radius is given: its axis is no longer than need be.
-// Radius is less than 0 if points are farther from the line.
+// Returns the capsule of the given radius about a line through the middle of the points. Its axis is no longer than need be. Its
+// radius is less than 0 if points are farther from the line.
 JointCapsule capsule_along(const std::vector<Point3>& points, const Point3& middle, const Point3& axis, double radius) {
   double first = infinite, last = -infinite;
   for (const Point3& p : points) {
@@ -32,7 +32,7 @@ JointCapsule capsule_along(const std::vector<Point3>& points, const Point3& midd
   return {{Point3(middle + first * axis), Point3(middle + last * axis)}, radius};
 }
 
-// The smallest of some capsules around the points.
+// Returns the smallest of some capsules around the points.
 JointCapsule capsule_around(const std::vector<Point3>& points) {
   Point3 mean = Point3::Zero();
   for (const Point3& p : points) mean += p / static_cast<double>(points.size());

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel of boxes around whole characters: the matrices of all joints in float, and what joints carry, a joint a lane.
+// The kernel of boxes around whole characters makes the matrices of all joints in float, and the boxes around what joints carry,
+// a joint a lane.
 //
-// A pose comes as quaternions; matrices are what engines have of it. All arrays are by number, then by joint: number i of all
-// joints is at i * room, where room is a multiple of Lanes<float>::count and not less than the number of joints.
+// A pose comes as quaternions, while engines have matrices. All arrays are by number, then by joint: number i of all joints is at
+// i * stride, where stride is a multiple of Lanes<float>::count and not less than the number of joints.
 #pragma once
 
 #include "algorithms/runtime/packs/targets.hpp"
 
 namespace refitlab {
 
-// Numbers by joint: of a matrix (R | t), row by row; of a box its center and its half extents; of a rounded box a radius
-// too; of a capsule the ends of its axis and its radius; and those of a pose, a quaternion and a translation.
+// A joint has this many numbers. A matrix (R | t) is row by row. A box has its center and its half extents, and a rounded box a
+// radius too. A capsule has the ends of its axis and its radius. A pose has a quaternion, a translation and an unused number.
 inline constexpr int matrix_numbers = 12, box_numbers = 6, rounded_box_numbers = 7, capsule_numbers = 7, pose_numbers = 8;
 
-// What is nowhere has this extent, and no merged box grows by it.
+// An empty volume has this extent, and no merged box grows by it.
 inline constexpr float extent_of_nothing = -1e30f;
 
 struct JointKernels {
-  // pose: a quaternion, a translation and an unused number by joint. scratch has pose_numbers by joint.
-  void (*matrices)(const double* pose, int joint_count, float* scratch, int room, float* matrices);
-  // out: the least x, y, z, then the greatest.
-  void (*boxes)(const float* matrices, const float* boxes, int room, float* out);
-  // Likewise, grown along each axis by lost times the greatest absolute value of what comes out.
-  void (*rounded_boxes)(const float* matrices, const float* boxes, int room, float lost, float* out);
-  void (*capsules)(const float* matrices, const float* capsules, int room, float lost, float* out);
+  // Makes the matrices of a pose, which has a quaternion, a translation and an unused number by joint. scratch has pose_numbers
+  // by joint.
+  void (*matrices)(const double* pose, int joint_count, float* scratch, int stride, float* matrices);
+  // Makes the box around the carried boxes. out gets the least x, y, z, then the greatest.
+  void (*boxes)(const float* matrices, const float* boxes, int stride, float* out);
+  // These do likewise, and grow the box along each axis by lost times its greatest absolute coordinate.
+  void (*rounded_boxes)(const float* matrices, const float* boxes, int stride, float lost, float* out);
+  void (*capsules)(const float* matrices, const float* capsules, int stride, float lost, float* out);
 };
 
 namespace baseline {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JointMatrices: the matrices of a pose's joints in float, as engines hand them to shaders, laid out for packs.
+// JointMatrices are the matrices of a pose's joints in float, as engines hand them to shaders, laid out for packs.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace refitlab {
 
-// Numbers by joint, of which the lanes behind the last joint have `padding`.
+// JointNumbers are by joint. The lanes behind the last joint have `padding`.
 class JointNumbers {
  public:
   JointNumbers(int numbers, std::size_t joints, float padding = 0)
@@ -22,7 +22,7 @@ class JointNumbers {
         lanes_(static_cast<std::size_t>(numbers) * blocks_) {
     for (Lanes<float>& block : lanes_) block.lane.fill(padding);
   }
-  // Of one number: so many.
+  // Returns how far the next number of the same joint is behind a number.
   int stride() const { return blocks_ * Lanes<float>::count; }
   float* data() { return lanes_.data()->lane.data(); }
   const float* data() const { return lanes_.data()->lane.data(); }
@@ -36,7 +36,7 @@ class JointNumbers {
 
 class JointMatrices {
  public:
-  // Of poses of so many joints, at least one.
+  // The poses have so many joints, at least one.
   explicit JointMatrices(std::size_t joints)
       : joints_(static_cast<int>(joints)),
         scratch_(pose_numbers, joints),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Padded pivots: a box around the joints' pivots in a pose, padded by one length, which is the most by which the mesh's box at
+// Padded pivots are a box around the joints' pivots in a pose, padded by one length. It is the most by which the mesh's box at
 // rest extends beyond that of the pivots at rest.
 //
-// It is what OpenUSD computes for skinned prims: UsdSkelSkinningQuery::ComputeExtentsPadding the length, which its
-// comment calls approximate, and UsdSkelComputeJointsExtent the box. It is not conservative. The suite whole_character_boxes has the
-// smallest rig on which it fails, one joint and one vertex: the length is the vertex's greatest coordinate from the pivot,
-// and a turn brings its whole distance along one axis. With two joints the length may even be 0: the other pivot is beyond
+// OpenUSD computes this for skinned prims. UsdSkelSkinningQuery::ComputeExtentsPadding computes the length, which its comment
+// calls approximate, and UsdSkelComputeJointsExtent the box. It is not conservative. The suite whole_character_boxes has the
+// smallest rig on which it fails, which has one joint and one vertex: the length is the vertex's greatest coordinate from the
+// pivot, and a turn brings its whole distance along one axis. With two joints the length may even be 0: the other pivot is beyond
 // the vertex at rest, and not when it has turned.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace refitlab {
 
-// At least one point.
+// Returns the box around at least one point.
 template <class S>
 Box<S> box_around(std::span<const Vec<S, 3>> points) {
   Box<S> box{points[0], points[0]};
@@ -23,7 +23,7 @@ Box<S> box_around(std::span<const Vec<S, 3>> points) {
   return box;
 }
 
-// Of the pivots at rest, and of the mesh at rest.
+// Returns the length. pivots is the box of the pivots at rest, and mesh is that of the mesh at rest.
 template <class S>
 S pivot_padding(const Box<S>& pivots, const Box<S>& mesh) {
   S most(0);
@@ -34,7 +34,7 @@ S pivot_padding(const Box<S>& pivots, const Box<S>& mesh) {
   return most;
 }
 
-// pivots: in the pose.
+// Returns the padded box. pivots are those in the pose.
 template <class S>
 Box<S> padded_pivots(std::span<const Vec<S, 3>> pivots, const S& padding) {
   Box<S> box = box_around(pivots);

@@ -20,8 +20,8 @@ constexpr int rounds = 3;                              // of trying all joints
 constexpr double first_step = 0.32, last_step = 0.03;  // shares of a box
 constexpr double least_cost = 1e-3;                    // of a joint that reaches no wall, where one that reaches a wall has 1
 
-// The absolute values of a joint's rotation matrices in the expected poses, summed over these and over the rows: by column how
-// much a half extent counts. A radius counts three times a pose.
+// Returns the absolute values of a joint's rotation matrices in the expected poses, summed over these and over the rows. By
+// column, they are how much a half extent counts. A radius counts three times for each pose.
 Point3 counts_of(std::span<const Pose> expected, std::size_t joint) {
   Point3 counts = Point3::Zero();
   for (const Pose& pose : expected)
@@ -30,7 +30,8 @@ Point3 counts_of(std::span<const Pose> expected, std::size_t joint) {
   return counts;
 }
 
-// A box around the points, of which some axes may be shorter for a radius: the one whose images are the smallest.
+// Returns a box around the points, whose axes may be shorter in exchange for a radius. It is the one whose images are the
+// smallest.
 RoundedBox box_around_points(const std::vector<Point3>& points, const Point3& counts, double poses) {
   auto around = Box<double>::empty();
   for (const Point3& p : points) around.merge(p);
@@ -49,8 +50,8 @@ RoundedBox box_around_points(const std::vector<Point3>& points, const Point3& co
   return best;
 }
 
-// Finds boxes of a mesh for poses that are expected: begins with the boxes around all vertices of each joint, which are
-// sound with radii of 0, and takes others of one joint at a time if the box of the character is then smaller on average.
+// A Fit finds boxes of a mesh for poses that are expected. It begins with the boxes around all vertices of each joint, which are
+// sound with radii of 0. It takes others, of one joint at a time, if the box of the character is then smaller on average.
 class Fit {
  public:
   Fit(const SkinnedMesh& mesh, std::span<const Pose> expected)
@@ -87,7 +88,7 @@ class Fit {
     return boxes;
   }
 
-  // Those that reach a wall, the most frequent first.
+  // Returns the joints that reach a wall, the most frequent first.
   std::vector<std::size_t> reaching_joints() {
     find_costs();
     std::vector<std::size_t> joints;
@@ -121,7 +122,7 @@ class Fit {
           }
   }
 
-  // In place of a joint's box.
+  // Tries a box in place of a joint's box.
   void try_box(std::size_t joint, const RoundedBox& box) {
     std::vector<RoundedBox> boxes = boxes_;
     boxes[joint] = box;
@@ -147,7 +148,7 @@ class Fit {
       least_ = found, boxes_ = std::move(boxes), distances_ = std::move(distances);
   }
 
-  // The sum over the poses of the volume.
+  // Returns the sum of the volumes over the poses.
   double size(const std::vector<RoundedBox>& boxes) const {
     const RoundedBoxes rounded(mesh_, boxes);
     double sum = 0;
@@ -155,7 +156,7 @@ class Fit {
     return sum;
   }
 
-  // In how many poses and walls a joint reaches the farthest.
+  // Finds in how many poses and walls each joint reaches the farthest.
   void find_costs() {
     std::fill(costs_.begin(), costs_.end(), least_cost);
     for (const Pose& pose : expected_) {

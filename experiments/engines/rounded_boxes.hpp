@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rounded joint boxes: our box around a linearly skinned character at the cost of joint boxes. Each joint carries a box grown
-// by a radius in all directions, and the box of the character is around all of them. The boxes are around the vertices that
-// their joints move alone, or nearly so, and the radii are those that the others ask for (weighted_radii.hpp), which is
-// sound for rigid joints in every pose. Poses that are expected, such as those of clips, only say which of the boxes that
-// would be sound is likely to be the smallest.
+// Rounded joint boxes make our box around a linearly skinned character at the cost of joint boxes. Each joint carries a box grown
+// by a radius in all directions, and the box of the character is around all of them. The boxes are around the vertices that their
+// joints move alone, or nearly so, and the radii are those that the others ask for (weighted_radii.hpp), which is sound for rigid
+// joints in every pose. Poses that are expected, such as those of clips, only say which of the boxes that would be sound is
+// likely to be the smallest.
 //
 // Rounding. Let u = 2^-24. Entries of matrices from quaternions in float have an error below 10 u, an image of p has four
 // roundings of each of its products, and a quaternion whose squared length is off by 1e-6 turns p by 34 u of its length:
 // together, of the coordinate along an axis, below 256 u (||p|| + |t|), where t is the joint's translation along it, which is
-// at most that of C p and ||p||. All C p are in the box. So along each axis it is grown by its own farthest coordinate's
-// share, and what p is off is in the radius. Radii and half extents have a share of 1e-5 for the joints' stretch and for
+// at most that of C p and ||p||. All C p are in the box. So the box is grown along each axis by a share of its own farthest
+// coordinate, and the error of p is in the radius. Radii and half extents have a share of 1e-5 for the joints' stretch and for
 // roundings of their own.
 #pragma once
 
@@ -24,19 +24,19 @@ struct RoundedBox {
   double radius = -1;  // of a joint that moves no vertex; else at least 0
 };
 
-// Of a point, from the box without its radius.
+// Returns the distance of a point from the box without its radius.
 double distance_from_box(const RoundedBox& box, const Point3& point);
 
-// By joint.
+// Returns sound boxes by joint, which are fitted for the expected poses.
 std::vector<RoundedBox> fit_rounded_boxes(const SkinnedMesh& mesh, std::span<const Pose> expected);
 
 class RoundedBoxes {
  public:
-  // The boxes are sound for the mesh.
+  // The boxes must be sound for the mesh.
   RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox>& boxes);
   RoundedBoxes(const SkinnedMesh& mesh, std::span<const Pose> expected) : RoundedBoxes(mesh, fit_rounded_boxes(mesh, expected)) {}
 
-  // Around the vertices, linearly skinned with exactly this pose.
+  // Returns a box around the vertices, linearly skinned with exactly this pose.
   Box<float> box(const JointMatrices& matrices, Target target = best_target()) const;
 
  private:

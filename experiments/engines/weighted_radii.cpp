@@ -45,7 +45,7 @@ std::vector<double> weighted_radii(const std::vector<Inequality>& inequalities, 
   std::vector<std::size_t> order(joints);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
-  // Half-way at first, so that all joints give way, and not those before others.
+  // Radii go half-way at first, so that all joints give way, and not only the first ones.
   for (int pass = 0; pass < radius_passes; ++pass)
     for (const std::size_t j : order) {
       double least = 0;

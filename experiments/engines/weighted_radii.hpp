@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Weighted radii: how far volumes that joints carry must be grown so that linearly skinned vertices stay inside a box around
-// all of them, which is less than it takes to hold every vertex in every volume
-// (a4_joint_volumes). A vertex that a far joint moves a little no longer makes that joint's volume large. The radii solve one
-// inequality a vertex.
+// Weighted radii say how far volumes that joints carry must be grown so that linearly skinned vertices stay inside a box around
+// all of them. This is less than it takes to hold every vertex in every volume (a4_joint_volumes). A vertex that a far joint
+// moves a little no longer makes that joint's volume large. The radii solve one inequality a vertex.
 #pragma once
 
 #include <vector>
@@ -11,19 +10,19 @@
 
 namespace refitlab {
 
-// A joint's share of a vertex's inequality.
+// A WeightedDistance is a joint's share of a vertex's inequality.
 struct WeightedDistance {
   int joint;
   double weight, distance;  // of v from the joint's volume
 };
 
-// Radii by joint, none of which can be less by itself: of the inequalities by vertex. 0 for a joint in none of them. Where
-// several joints could give way, those of small costs do, which are positive, by joint.
+// Returns radii by joint that satisfy the inequalities, which are by vertex. None of them can be less by itself. A joint in no
+// inequality has 0. Where several joints could give way, those of small costs do. costs are positive, and by joint.
 std::vector<double> weighted_radii(const std::vector<std::vector<WeightedDistance>>& inequalities,
                                    const std::vector<double>& costs);
 
-// By joint the vertices that it moves with this weight or more, or most of its vertex's joints where no vertex has that;
-// of a joint that moves none so, the one that it moves most; none of a joint that moves no vertex.
+// Returns, by joint, the vertices that it moves with this weight or more. If there are none, they are those that it moves more
+// than other joints do, or else the one that it moves most. A joint that moves no vertex has none.
 std::vector<std::vector<Point3>> own_vertices(const SkinnedMesh& mesh, double least_weight);
 
 }  // namespace refitlab

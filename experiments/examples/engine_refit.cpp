@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The refit in an engine: which bounding spheres of a posed character does a ray hit? No vertex is skinned for it.
+// This shows the refit in an engine: which bounding spheres of a posed character does a ray hit? No vertex is skinned for it.
 #include <cstdio>
 
 #include "algorithms/bake/bake.hpp"
@@ -12,7 +12,7 @@ using namespace refitlab;
 
 const RefitVariant& variant = default_variant(Skinning::spherical);
 
-// Each frame, on demand: a node is refitted only when the ray reaches it.
+// This happens each frame, on demand: a node is refitted only when the ray reaches it.
 int leaves_hit(const Character& character, int node, const SkinningPalette<double>& palette, const Point3& from,
                const Point3& direction) {
   const Ball3<double> ball = variant.refit(character.refit_node(node, palette, variant.pieces));
@@ -27,7 +27,7 @@ int leaves_hit(const Character& character, int node, const SkinningPalette<doubl
 }
 
 int main(int argc, char** argv) try {
-  // Once, when the character is loaded: the sphere tree and what the refit looks at.
+  // This happens once, when the character is loaded. It makes the sphere tree and the data of the refit.
   const auto character = bake(argc > 1 ? load_model(argv[1]) : make_man());
   const Clip& walk = character.clips[0];
   // Your engine's joint transforms go here: a rotation and a translation for each joint, from the reference pose.

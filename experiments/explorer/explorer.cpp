@@ -28,7 +28,7 @@ Pose pose_of(const AnimatedCharacter& c, const ExplorerSettings& s) {
   return twisted(c.mesh, std::move(pose), s.joint, s.twist);
 }
 
-// A skinning of the pose, and the smallest balls of the level's nodes under it.
+// A Frame is a skinning of the pose, and the smallest balls of the level's nodes under it.
 struct Frame {
   SkinningPalette<double> palette;
   std::vector<Point3> vertices;
@@ -65,7 +65,7 @@ class LevelView {
     return out;
   }
 
-  // Marks what is outside in view, if there is one.
+  // Sums up a variant's balls, and marks what is outside in view, if there is one.
   VariantSummary summarise(const RefitVariant& variant, const std::vector<Ball3<double>>& balls, ExplorerView* view) {
     const Frame& f = frame(variant.skinning);
     Misses misses = find_misses(c_, nodes_, balls, f.vertices);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Explorer: what the report's interactive page shows of a character: one pose, one level of its tree, every variant.
+// The Explorer computes what the report's interactive page shows of a character: one pose, one level of its tree, and every
+// variant.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct ExplorerSettings {
   int ball = 0;      // the one of the level that is looked at closely; beyond the last it is the last
 };
 
-// What a variant's balls on the level do with the vertices that they are to bound.
+// A VariantSummary says how a variant's balls on the level bound their vertices.
 struct VariantSummary {
   std::string variant;
   int balls = 0, undefined = 0;  // of them not a number or of negative radius
@@ -47,24 +48,24 @@ struct ExplorerView {
   std::vector<VariantSummary> summaries;  // of shown_variants, and the chosen one
 };
 
-// The variants whose numbers stand beside each other in every view: those that need no large tables.
+// Returns the variants whose numbers stand beside each other in every view. They need no large tables.
 const std::vector<std::string>& shown_variants();
 
 class Explorer {
  public:
   Explorer();
 
-  // A model of pack(), under its name, beside the procedural ones. Throws what unpack() does.
+  // Adds a model of pack(), under its name, beside the procedural ones. Throws what unpack() throws.
   void add(const std::vector<std::uint8_t>& packed);
 
-  // The models by name, in order.
+  // Returns the names of the models, in order.
   std::vector<std::string> models() const;
 
-  // Made when it is first asked for, which may take seconds. Throws std::invalid_argument for a name that is not a
-  // model's.
+  // Returns the character of a model. It is made when it is first asked for, which may take seconds. Throws std::invalid_argument
+  // for a name that is not a model's.
   const AnimatedCharacter& character(const std::string& model);
 
-  // Throws std::invalid_argument for an unknown name or joint.
+  // Returns the view of these settings. Throws std::invalid_argument for an unknown name or joint.
   ExplorerView view(const ExplorerSettings& settings);
 
  private:

@@ -25,7 +25,7 @@ namespace {
 constexpr int frames = 4;
 constexpr unsigned seed = 7;
 
-// Men who walk straight ahead, each in a direction and from a time of the clip of his own.
+// In the Square men walk straight ahead, each in a direction and from a time of the clip of his own.
 class Square {
  public:
   Square(const Clip& walk, int count) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growth with the number of characters in one scene: a square full of walking men, of whom each pair may touch.
+// This measures growth with the number of characters in one scene, a square full of walking men, of whom each pair may touch.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace refitlab {
 
-// Means over the frames. Times are of one frame, in us, of everything from poses and placements to pairs of
-// triangles.
+// A CharacterGrowth has means over the frames. Times are those of one frame, in us, for everything from poses and placements to
+// pairs of triangles.
 struct CharacterGrowth {
   int characters = 0;
   double pairs_of_boxes = 0;    // of characters, that meet
@@ -22,7 +22,7 @@ struct CharacterGrowth {
   double skin_all = 0;             // only to palette and skin all of them, in packs: less than any detector that does so
 };
 
-// 10 to 1000 characters, each with two square metres.
+// Measures 10 to 1000 characters, each with two square metres.
 std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings);
 
 void write_character_growth(const std::vector<CharacterGrowth>& rows, const std::string& path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growth with the number of joints: the cost of the balls of nodes with many joint-sets, each by itself and through a BVH cut.
+// This measures growth with the number of joints: the cost of the balls of nodes with many joint-sets, each by itself and through
+// a BVH cut.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace refitlab {
 
-// On the snake of this many joints, by the default variant for spherical blending. Times are of one frame, in ns.
+// A JointGrowth is that of the snake of this many joints, by the default variant for spherical blending. Times are those of one
+// frame, in ns.
 struct JointGrowth {
   int joints = 0;
   int joint_sets = 0;
@@ -21,7 +23,7 @@ struct JointGrowth {
   double root_ratio = 0, root_ratio_through_descendants = 0;  // the root's radius / the optimal one, at half of the clip
 };
 
-// For 10 to 1000 joints.
+// Measures 10 to 1000 joints.
 std::vector<JointGrowth> run_joint_growth(const SpeedSettings& settings);
 
 void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string& path);

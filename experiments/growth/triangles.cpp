@@ -19,7 +19,7 @@ constexpr const char* reference = "skin_all_float";
 constexpr const char* detectors[] = {
     "clusters", "spherical_repaired", "control_mixed", "control_mixed_through_descendants", reference, "embree"};
 
-// Made with so many triangles, and then subdivided so many times.
+// The man is made with so many triangles, and then subdivided so many times.
 struct Size {
   int triangles, subdivisions;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growth with the number of triangles: the man's mesh coarser and finer, two of them passing at the same distances.
+// This measures growth with the number of triangles. The man's mesh is made coarser and finer, and two men pass at the same
+// distances.
 #pragma once
 
 #include <string>
@@ -20,8 +21,8 @@ struct TriangleGrowth {
   CollisionResult result;  // of a full query in the scene far, near, light or heavy
 };
 
-// By scene, number and detector: clusters, on demand by three variants, skin_all_float, which the others must agree with,
-// and Embree.
+// Returns the growth by scene, number and detector. The detectors are clusters, three variants on demand, Embree, and
+// skin_all_float, with which the others must agree.
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings);
 
 void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path);

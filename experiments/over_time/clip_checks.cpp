@@ -78,7 +78,7 @@ class ClipChecks {
     result_.cluster_ratio = count > 0 ? sum / static_cast<double>(count) : 1;
   }
 
-  // How far beyond a wall of a bound a part gets; less than 0 where it does not.
+  // Returns how far a part gets beyond a wall of a bound. It is less than 0 if it does not.
   double beyond(std::size_t part, int wall, const Box<float>& box) const {
     if (wall == ball_wall) return seen_[part].values[wall] - bounds_.balls[part].radius;
     return seen_[part].values[wall] - walls_of(box)[wall];
@@ -89,7 +89,7 @@ class ClipChecks {
     return wall == ball_wall ? exact_.is_in(place, bounds_.balls[part]) : exact_.is_in(place, box);
   }
 
-  // By how much of the part's size a place is closest counts: else small parts would be all that is checked.
+  // Checks the places that are closest to bounds, relative to their part's size. Otherwise only small parts would be checked.
   void check_closest() {
     std::vector<std::tuple<double, std::size_t, int>> close;
     for (std::size_t p = 0; p < parts_.size(); ++p)

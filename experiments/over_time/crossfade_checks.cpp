@@ -21,7 +21,7 @@ std::vector<int> indices_below(std::size_t count) {
   return all;
 }
 
-// How far beyond the farthest wall a part gets; less than 0 where it stays inside.
+// Returns how far a part gets beyond the farthest wall. It is less than 0 if it stays inside.
 double beyond(const Extremes& seen, const Box<float>& box) {
   double most = -infinite;
   for (int wall = 0; wall < ball_wall; ++wall) most = std::max(most, seen.values[wall] - walls_of(box)[wall]);

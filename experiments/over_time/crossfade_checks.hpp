@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks of one crossfade: whether a vertex gets out of the bounds while one clip fades to another, and how tight they are.
+// These check one crossfade: whether a vertex gets out of the bounds while one clip fades to another, and how tight they are.
 #pragma once
 
 #include "algorithms/bake/over_time/model_bounds.hpp"
@@ -17,17 +17,18 @@ struct CrossfadeSettings {
 struct CrossfadeResult {
   std::string first, second;  // the clips' names
   long places = 0;            // of vertices
-  // Of the whole character and its clusters: those out of whose bound a vertex gets, and those of which rounding leaves it open.
+  // These count the whole character and the clusters out of whose bound a vertex gets, and those for which rounding leaves it
+  // open.
   long outside = 0, undecided = 0;
-  // The volume of our box over that of a box around all places that were looked at; of clusters the mean over those that are
-  // not flat.
+  // This is the volume of our box over that of a box around all places that were looked at. For clusters it is the mean over
+  // those that are not flat.
   double whole_ratio = 0, cluster_ratio = 0;
   long clusters = 0, flat_clusters = 0;
-  // Of the whole character and its clusters: those that leave the box around the bounds of both clips.
+  // This counts the whole character and the clusters that leave the box around the bounds of both clips.
   long out_of_both_clips = 0;
 };
 
-// The crossfade of the model that the bounds have at this position. sets: of the model.
+// Checks the crossfade of the model that the bounds have at this position. sets are those of the model.
 CrossfadeResult check_crossfade(const Model& model, const JointSets& sets, const ModelBounds& bounds, std::size_t crossfade,
                                 const CrossfadeSettings& settings);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiment on crossfades: whether a vertex gets out of the bounds of what is between two clips, how much larger than needed
+// The experiment on crossfades measures whether a vertex gets out of the bounds between two clips, how much larger than needed
 // the bounds are, and how long baking them takes.
 #pragma once
 
@@ -15,7 +15,7 @@ struct CrossfadesResult {
   std::vector<CrossfadeResult> crossfades;  // of each two clips that were looked at
 };
 
-// By skinning; none of a model with fewer than two clips. Progress on stdout.
+// Returns the results by skinning. A model with fewer than two clips has none. Progress goes to stdout.
 std::vector<CrossfadesResult> run_crossfades(const Model& model, const CrossfadeSettings& settings);
 
 void write_crossfades(const std::vector<CrossfadesResult>& results, const std::string& path);

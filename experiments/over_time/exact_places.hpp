@@ -15,16 +15,16 @@ namespace refitlab {
 
 class ExactPlaces {
  public:
-  // model and animation outlive this.
+  // model and animation must outlive this.
   ExactPlaces(const Model& model, const Animation& animation, Skinning skinning) : skin_(model, animation, skinning) {}
 
-  // Undecided where the definition does not say where the vertex is.
+  // Returns whether the place is in the bound. This is undecided if the definition does not say where the vertex is.
   Verdict is_in(const Place& place, const Box<float>& box);
   Verdict is_in(const Place& place, const Ball3<float>& ball);
 
  private:
   using Point = Vec<MultiprecisionInterval, 3>;
-  // Nothing where the definition does not say it.
+  // Returns the point, or nothing if the definition does not say where it is.
   const std::optional<Point>& at(const Place& place);
 
   proptests::oracle::AnimatedSkin<MultiprecisionInterval> skin_;

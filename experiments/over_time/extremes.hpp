@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extremes: how far out the places of some vertices are in seven ways, and which place is the farthest in each of them.
+// Extremes say how far out the places of some vertices are in seven ways, and which place is the farthest in each.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace refitlab {
 
-// A vertex of the model at a time of a clip.
+// A Place is a vertex of the model at a time of a clip.
 struct Place {
   int vertex = -1;
   double time = 0;  // seconds
   Side side = Side::after;
 };
 
-// Along -x, -y, -z, x, y and z, and away from a center. Boxes and balls are compared with them wall by wall.
+// The seven ways are along -x, -y, -z, x, y and z, and away from a center. Boxes and balls are compared with them wall by wall.
 inline constexpr int wall_count = 7, ball_wall = 6;
 
 struct Extremes {
@@ -43,14 +43,14 @@ struct Extremes {
   }
 };
 
-// Where the walls of a box stand.
+// Returns where the walls of a box stand.
 inline std::array<double, 6> walls_of(const Box<float>& box) {
   return {-double(box.low[0]), -double(box.low[1]), -double(box.low[2]), box.high[0], box.high[1], box.high[2]};
 }
 
 inline double longest_side(const Box<float>& box) { return box_of<double>(box).edges().maxCoeff(); }
 
-// A cluster whose shortest side is a smaller share of its longest one has hardly a volume to compare.
+// A cluster whose shortest side is a smaller share of its longest one has hardly any volume to compare.
 inline constexpr double flattest_side = 0.02;
 inline bool is_flat(const Box<double>& box) { return box.edges().minCoeff() < flattest_side * box.edges().maxCoeff(); }
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int man_triangles = 8270, finest_man_triangles = 16540, finest_subdivisions = 3;
 
-// The model with the first of its clips alone: the walk.
+// Returns the model with only the first of its clips, the walk.
 Model walking(const Model& man) {
   Model model = with_keys(man);
   model.clips.resize(1);
@@ -47,7 +47,7 @@ OverTimeGrowth longer(const Model& walk, int length, int repetitions) {
   return out;
 }
 
-// A folder of its own for files that are not kept.
+// A ScratchFolder is a folder of its own for files that are not kept.
 class ScratchFolder {
  public:
   ScratchFolder() {

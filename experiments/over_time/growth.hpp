@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growth of the cost of bounds over time: the man's walk several times over, and the man of ever more triangles, which the program
-// `refitlab bake` bakes in a process of its own.
+// This measures how the cost of bounds over time grows. It takes the man's walk several times over, and the man of ever more
+// triangles, which the program `refitlab bake` bakes in a process of its own.
 #pragma once
 
 #include <string>
@@ -18,12 +18,12 @@ struct OverTimeGrowth {
   std::string by;                    // what grows: length or triangles
   long length, triangles, clusters;  // length: of the clip, in walks
   double seconds;                    // of bounding the model, linear skinning
-  // The most that the process that bakes had until the bounds were there, and until the file was, which has the baked character
-  // for refits, too. 0 where there was no such process.
+  // These are the peaks of memory of the baking process, in megabytes, until the bounds were made, and until the file was
+  // written, which also has the baked character for refits. They are 0 if there was no such process.
   double peak_of_bounding, peak_of_all;
 };
 
-// Progress on stdout. Throws std::runtime_error if the program fails.
+// Measures the growth. Progress goes to stdout. Throws std::runtime_error if the program fails.
 std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& settings);
 
 void write_over_time_growth(const std::vector<OverTimeGrowth>& rows, const std::string& path);

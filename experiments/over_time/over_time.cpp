@@ -15,7 +15,7 @@ namespace {
 
 constexpr double keys_a_second = 10;
 
-// The model with those of its clips that have bounds.
+// Bounded is the model with those of its clips that have bounds.
 struct Bounded {
   Model model;
   ModelBounds bounds;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiment on bounds over time: whether a vertex is ever outside of the bounds of a clip, or of boxes around sampled times,
-// how much larger than needed the bounds are, and how long baking them takes.
+// The experiment on bounds over time measures whether a vertex is ever outside of the bounds of a clip, or of boxes around
+// sampled times, how much larger than needed the bounds are, and how long baking them takes.
 #pragma once
 
 #include <string>
@@ -19,10 +19,11 @@ struct OverTimeResult {
   std::vector<ClipResult> clips;     // the others
 };
 
-// With a skeleton of keys: as it is, or with ten keys a second of each clip, as an animator sets them.
+// Returns the model with a skeleton of keys. It is the model as it is, or it gets ten keys a second for each clip, as an animator
+// sets them.
 Model with_keys(const Model& model);
 
-// By skinning. Progress on stdout.
+// Returns the results by skinning. Progress goes to stdout.
 std::vector<OverTimeResult> run_over_time(const Model& model, const OverTimeSettings& settings);
 
 void write_over_time(const std::vector<OverTimeResult>& results, const OverTimeSettings& settings, const std::string& path);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An animation several times over, as one that is so many times as long.
+// An animation is repeated to make one that is so many times as long.
 #pragma once
 
 #include "algorithms/model/skeleton_motion.hpp"
 
 namespace refitlab {
 
-// Each repetition goes on from the last key of the one before, which takes the place of its own first key, but for the tangent
+// Each repetition goes on from the last key of the one before. This takes the place of its own first key, except for the tangent
 // of a spline behind it. Channels of more than one key have keys at 0 and at the end.
 template <class Value>
 Channel<Value> repeated(const Channel<Value>& channel, double duration, int times) {

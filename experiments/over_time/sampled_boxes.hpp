@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boxes that are used in place of bounds over time: around the vertices at some times of a clip.
+// Some programs use these boxes in place of bounds over time. They are around the vertices at some times of a clip.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ struct SamplingWay {
 
 const std::vector<SamplingWay>& sampling_ways();
 
-// The times of a clip, whose end is one of them.
+// Returns the sampled times of a clip. Its end is one of them.
 std::vector<double> sampled_times(const SamplingWay& way, const std::vector<double>& key_times);
 
-// By part. They have the room for a renderer's rounding that bounds over time have, too.
+// Returns the boxes by part. They are larger by a renderer's rounding, as bounds over time are.
 std::vector<Box<float>> sampled_boxes(const WatchedClip& clip, const SamplingWay& way);
 
 }  // namespace refitlab

@@ -12,7 +12,7 @@
 namespace refitlab {
 namespace {
 
-// AnimatedJoints keeps the pose of every time that it is asked for: so none is asked for more than these.
+// AnimatedJoints keeps the pose of every time that it is asked for. So each of them is asked for at most this many times.
 constexpr std::size_t times_at_once = 128;
 
 }  // namespace

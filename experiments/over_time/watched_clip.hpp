@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// WatchedClip: where parts of a model get to in a clip, looked at from time to time.
+// A WatchedClip finds where parts of a model get to in a clip, by looking at some of its times.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace refitlab {
 
-// A part's vertices, and what their distances are measured from.
+// A WatchedPart has a part's vertices, and the point from which their distances are measured.
 struct WatchedPart {
   std::vector<int> vertices;
   Point3 center;
@@ -18,21 +18,22 @@ struct WatchedPart {
 
 class WatchedClip {
  public:
-  // All arguments outlive this.
+  // All arguments must outlive this.
   WatchedClip(const Model& model, const JointSets& sets, const Animation& animation, Skinning skinning,
               const std::vector<WatchedPart>& parts);
 
-  // Where the clip is smooth in between.
+  // Returns the times between which the clip is smooth.
   const std::vector<double>& key_times() const { return key_times_; }
 
-  // By part, at these times; on both sides of those at which the clip jumps. On all processors.
+  // Returns the extremes by part at these times, on both sides of those at which the clip jumps. It uses all processors.
   std::vector<Extremes> at(std::span<const double> times) const;
 
-  // Looks ever closer at where each part was found to be farthest out, wall by wall: a step before and after it, each time with
-  // half the step. Returns at how many times it looked, of all parts together; adds how many places of vertices it saw.
+  // Looks ever closer at where each part was found to be farthest out, wall by wall. It looks a step before and after that time,
+  // each time with half the step. Returns at how many times it looked, for all parts together, and adds to places how many places
+  // of vertices it saw.
   long look_closer(std::vector<Extremes>& found, double step, int halvings, long& places) const;
 
-  // By part: what a computed place may be off, at any time.
+  // Returns, by part, the greatest error of a computed place at any time.
   const std::vector<double>& errors() const { return errors_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes drawn by their edges.
+// Boxes are drawn by their edges.
 #pragma once
 
 #include "algorithms/runtime/balls/box.hpp"
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// Half the thickness of an edge, as a share of the picture.
+// This is half the thickness of an edge, as a share of the picture.
 inline constexpr double line_share = 0.0025;
 
 inline std::vector<Point3> corners_of(const Box<float>& box) {

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int around = 96, across = 32;
 
-// A surface of revolution about an axis: at(share, u, v) for shares 0 to 1 from the axis outwards, u and v a frame
-// across it.
+// Returns a surface of revolution about an axis. at(share, u, v) is its point for shares 0 to 1 from the axis outwards, where u
+// and v are a frame across the axis.
 template <class At>
 render::MeshShape revolution(const Point3& axis, render::Color color, const At& at) {
   const Point3 u = axis.unitOrthogonal(), v = axis.normalized().cross(u);

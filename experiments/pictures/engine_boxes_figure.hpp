@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A character in the middle of a clip, with the boxes by which engines and we bound it.
+// The figure shows a character in the middle of a clip, with the boxes by which engines and we bound it.
 #pragma once
 
 #include "algorithms/model/model.hpp"
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// In the first clip that is rigid, skinned linearly; nothing of a model without one.
+// Draws the first clip that is rigid, skinned linearly. Draws nothing for a model without one.
 void draw_engine_boxes(const Model& model, PictureTable& pictures);
 
 }  // namespace refitlab

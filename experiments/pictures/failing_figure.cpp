@@ -31,7 +31,7 @@ class FailingPose {
   }
 
  private:
-  // Not from outside: from among the skin, where no light gets to.
+  // If from_outside is false, the eye is among the skin, where no light gets to.
   void draw(const render::Scene& scene, const std::vector<Point3>& framed, const Point3& from, bool from_outside,
             const std::string& what, const std::string& variant, int level, const std::vector<PictureNumber>& numbers) const {
     pictures_.draw(scene, render::Camera::frame(framed, from, double(failing_width) / failing_height, 0.15),
@@ -52,7 +52,8 @@ class FailingPose {
          counts_of(balls_.size(), misses_));
   }
 
-  // Of the coarsest level on which a ball that is one misses a vertex, the node whose ball misses by most; -1: none.
+  // Takes the coarsest level on which a defined ball misses a vertex, and returns the node whose ball misses by most, or -1 if
+  // there is none.
   int coarsest_failure() const {
     for (int level = 1; level <= c_.tree.level_count(); ++level) {
       const auto nodes = nodes_of_level(c_.tree, level);
@@ -64,7 +65,7 @@ class FailingPose {
     return -1;
   }
 
-  // This node's ball, as a variant makes it, with the skin that it is to hold.
+  // Draws this node's ball, as a variant makes it, with the skin that it is to hold.
   void near(const RefitVariant& variant) const {
     const Ball3<double> ball = ball_by(variant);
     const Misses misses = find_misses(c_, std::vector{node_}, std::vector{ball}, vertices_);
@@ -95,7 +96,7 @@ class FailingPose {
     return variant.refit(c_.refit_node(node_, palette_, variant.pieces));
   }
 
-  // All near pictures show the same place: that of the repaired ball, which is the widest.
+  // Returns the place that all near pictures show. It is that of the repaired ball, which is the widest.
   std::vector<Point3> around_node() const {
     const Ball3<double> ball = ball_by(compared_variant("spherical_repaired"));
     std::vector<Point3> points;
@@ -103,7 +104,7 @@ class FailingPose {
       for (int axis = 0; axis < 3; ++axis) points.push_back(ball.center + 0.9 * side * ball.radius * Point3::Unit(axis));
     return points;
   }
-  // From where the node's triangles are seen from outside.
+  // Returns the direction from which the node's triangles are seen from outside.
   Point3 view() const {
     Point3 normal = Point3::Zero();
     const TreeNode& n = c_.tree.nodes[node_];

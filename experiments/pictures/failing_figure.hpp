@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the printed algorithm fails: a pose in which its balls miss vertices, and one such ball from near.
+// The figure shows where the printed algorithm fails: a pose in which its balls miss vertices, and one such ball from near.
 #pragma once
 
 #include "experiments/pictures/picture_table.hpp"
@@ -7,8 +7,8 @@
 
 namespace refitlab {
 
-// The pose of worst_twist with every vertex marked that a ball of the tree misses; then a ball that misses one, of
-// the coarsest level with such a ball, as printed, repaired and tightest. Only the first picture if there is none.
+// Draws the pose of worst_twist with a mark at every vertex that a ball of the tree misses. Then it draws a ball that misses one,
+// of the coarsest level with such a ball, as printed, repaired and tightest. If there is none, it draws only the first picture.
 void draw_failing(const AnimatedCharacter& character, const NamedPose& worst, PictureTable& pictures);
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PictureTable: the pictures of a run, drawn as PNG files, and the tables that say what each of them shows.
+// A PictureTable has the pictures of a run, drawn as PNG files, and the tables that say what each of them shows.
 //
 // Which pictures are a figure, their captions and legends are the report's matter (experiments/report/pictures.py).
 #pragma once
@@ -13,20 +13,20 @@
 
 namespace refitlab {
 
-// What a picture is of. level: of the tree; 0 for a picture that is of none.
+// A PictureSubject says what a picture shows. level is one of the tree, or 0 if the picture shows none.
 struct PictureSubject {
   std::string figure, model, pose, variant;
   int level = 0;
 };
 
-// What was counted or measured when the picture was made.
+// A PictureNumber was counted or measured when the picture was made.
 struct PictureNumber {
   std::string quantity;
   double value;
   std::string unit = "1";
 };
 
-// A word beside a point of the scene.
+// A PictureLabel is a word beside a point of the scene.
 struct PictureLabel {
   Point3 at;
   std::string text;
@@ -34,15 +34,15 @@ struct PictureLabel {
 
 class PictureTable {
  public:
-  // folder: of the PNG files.
+  // folder is for the PNG files.
   explicit PictureTable(std::string folder) : folder_(std::move(folder)) {}
   // Draws on white, which the page's style turns into its own ground, to a file of the folder, and adds the picture's rows.
   void draw(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
             const PictureSubject& subject, const std::string& file, const std::vector<PictureNumber>& numbers = {},
             const std::vector<PictureLabel>& labels = {});
   bool empty() const { return empty_; }
-  // pictures.csv, picture_labels.csv (where words stand, in pixels from the upper left) and picture_colors.csv.
-  // result: the path of a table of this run, by name.
+  // Writes pictures.csv, picture_labels.csv (where words stand, in pixels from the upper left) and picture_colors.csv. result
+  // returns the path of a table of this run, by name.
   void write(const std::function<std::string(const std::string&)>& result) const;
 
  private:

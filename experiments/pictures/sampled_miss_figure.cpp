@@ -44,7 +44,7 @@ Point3 mean_of(const std::vector<Point3>& vertices, const std::vector<bool>& cou
   return sum / std::max<double>(1, std::count(counted.begin(), counted.end(), true));
 }
 
-// Of some views the one that has the vertices outside nearest to the eye.
+// Returns, of some views, the one that has the vertices outside nearest to the eye.
 Point3 view_of(const Point3& outside, const Point3& center) {
   std::vector<Point3> views;
   for (const double x : {-1, 1})

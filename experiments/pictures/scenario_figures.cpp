@@ -14,7 +14,7 @@ namespace {
 constexpr int encounter_width = 560, encounter_height = 600;
 constexpr render::Color first_skin = render::palette::clay, second_skin{0.66, 0.74, 0.80};
 
-// One of the two, in the world, after the query.
+// A Walker is one of the two, in the world, after the query.
 struct Walker {
   std::vector<Point3> vertices;
   std::vector<bool> touches;         // by vertex: of a triangle that touches the other walker
@@ -27,7 +27,7 @@ struct Met {
   std::size_t pairs;
 };
 
-// What FrameRefits says of each node must add up to what it says of each level.
+// Checks that what FrameRefits says of each node adds up to what it says of each level.
 void check(const SphereTree& tree, const std::vector<bool>& refitted, const std::vector<long>& by_level) {
   std::vector<long> counts(tree.level_count());
   for (std::size_t n = 0; n < refitted.size(); ++n) counts[tree.nodes[n].level - 1] += refitted[n];
@@ -61,7 +61,7 @@ Met meet(const AnimatedCharacter& c, const RefitVariant& variant, const Scenario
   return out;
 }
 
-// The share of the level's nodes, of both walkers, that the query refitted.
+// Returns the share of the level's nodes, of both walkers, that the query refitted.
 double share_refitted(const SphereTree& tree, const Met& met, int level) {
   long refitted = 0, all = 0;
   for (const Walker& w : met.walkers)

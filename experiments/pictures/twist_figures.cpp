@@ -10,7 +10,7 @@ namespace {
 
 constexpr int twist_width = 480, twist_height = 600;
 
-// A skin and the balls of the whole tree around it.
+// Dressed is a skin and the balls of the whole tree around it.
 struct Dressed {
   std::string name;  // of the variant, or "reference"
   std::vector<Point3> vertices;

@@ -7,7 +7,8 @@
 namespace refitlab {
 namespace {
 
-// The hull of two balls: in the plane through the axis it is a distance to two arcs and the segment tangent to them.
+// A cone is the hull of two balls. In the plane through the axis, its distance is that to two arcs and the segment tangent to
+// them.
 Distance cone(const Point3& a, double radius_a, const Point3& b, double radius_b) {
   const Point3 axis = b - a;
   const double length = norm(axis);
@@ -30,7 +31,7 @@ Distance cone(const Point3& a, double radius_a, const Point3& b, double radius_b
   };
 }
 
-// First order: exact on the surface, of the right sign everywhere.
+// This distance is of first order: it is exact on the surface and has the right sign everywhere.
 Distance ellipsoid(const Point3& center, const Point3& radii) {
   return [=](const Point3& p) {
     const Point3 scaled = (p - center).cwiseQuotient(radii);
@@ -60,7 +61,7 @@ Distance membrane(const Point3& a, const Point3& b, const Point3& c, double half
   };
 }
 
-// min(a, b), lowered by up to blend / 4 where the two differ by less than blend.
+// Returns min(a, b), lowered by up to blend / 4 where the two differ by less than blend.
 double smooth_min(double a, double b, double blend) {
   const double overlap = std::max(blend - std::abs(a - b), 0.) / blend;
   return std::min(a, b) - overlap * overlap * blend / 4;
@@ -99,7 +100,7 @@ double ImplicitBody::distance(const Point3& p) const {
   double d = 1e9;
   for (const Part& part : parts_) {
     const double other = part.carved ? -d : d;
-    // Too far away to matter; the 2 makes up for parts whose distance is approximate.
+    // Such a part is too far away to matter. The 2 makes up for parts whose distance is approximate.
     if (squared_distance<double, 3>(p, part.center) > sq(part.radius + 2 * (part.blend + std::max(other, 0.)))) continue;
     const double joined = smooth_min(other, part.distance(p), part.blend);
     d = part.carved ? -joined : joined;
@@ -110,7 +111,7 @@ double ImplicitBody::distance(const Point3& p) const {
 Point3 ImplicitBody::normal(const Point3& p) const {
   constexpr double step = 1e-4;
   Point3 gradient = Point3::Zero();
-  // Differences along the four directions of a regular tetrahedron, which sum to zero.
+  // The gradient comes from differences along the four directions of a regular tetrahedron, which sum to zero.
   for (const Point3& direction : {Point3(1, -1, -1), Point3(-1, -1, 1), Point3(-1, 1, -1), Point3(1, 1, 1)})
     gradient += direction * distance(p + step * direction);
   return gradient.normalized();

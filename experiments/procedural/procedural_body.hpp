@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A body as an implicit surface: smooth unions and differences of simple parts given by signed distance.
+// A body is an implicit surface, made of smooth unions and differences of simple parts, which are given by signed distance.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// Distance to the surface of a part: negative inside, Euclidean or close to it; metres.
+// A Distance is that to the surface of a part, in metres. It is negative inside, and Euclidean or close to it.
 using Distance = std::function<double(const Point3&)>;
 
 class ImplicitBody {
@@ -40,7 +40,7 @@ class ImplicitBody {
   Point3 low_ = Point3::Constant(1e9), high_ = Point3::Constant(-1e9);
 };
 
-// The mirror image on the other side of the plane x = 0.
+// Returns the mirror image on the other side of the plane x = 0.
 Point3 mirrored(const Point3& p);
 
 // Joins a part of the left side, and its mirror image of the right side.

@@ -11,7 +11,7 @@
 namespace refitlab {
 namespace {
 
-// Anatomy, metres: landmarks on the plane of symmetry and on the left side.
+// These are anatomical landmarks, in metres, on the plane of symmetry and on the left side.
 const std::array<Point3, 5> spine = {Point3(0, 0.98, -0.40), Point3(0, 1.01, -0.20), Point3(0, 1.03, 0), Point3(0, 1.06, 0.20),
                                      Point3(0, 1.10, 0.44)};
 const std::array<Point3, 7> neck = {Point3(0, 1.14, 0.48), Point3(0, 1.24, 0.60), Point3(0, 1.36, 0.69), Point3(0, 1.49, 0.75),
@@ -71,7 +71,7 @@ std::vector<Bone> bones_of_creature() {
   return bones;
 }
 
-// The wings come first: what is carved out of their trailing edge must not cut into anything else.
+// The wings come first, because the carving of their trailing edge must not cut into anything else.
 void add_wings(ImplicitBody& body) {
   Sides sides{body};
   constexpr double half_thickness = 0.013, blend = 0.015;
@@ -118,7 +118,7 @@ void add_trunk(ImplicitBody& body) {
   for (std::size_t i = 0; i + 1 < tail.size(); ++i)
     body.add_cone(tail[i], 0.132 - 0.0145 * i, tail[i + 1], 0.1175 - 0.0145 * i, 0.008);
   body.add_ellipsoid(tail.back() + Point3(0, 0.02, -0.06), {0.085, 0.020, 0.120}, 0.03);  // blade at its end
-  // Spikes along the back, in the plane of symmetry.
+  // These are spikes along the back, in the plane of symmetry.
   const auto spike = [&](const Point3& from, const Point3& to, double skin, double height) {
     const Point3 along = (to - from).normalized(), up(0, along[2], -along[1]);
     const Point3 base = (from + to) / 2 + 0.8 * skin * up;
@@ -144,7 +144,7 @@ void add_head(ImplicitBody& body) {
   sides.add_cone({0.070, 1.740, 1.02}, 0.026, {0.130, 1.730, 0.900}, 0.011, 0.03);  // spike of the cheek
 }
 
-// Three toes that start at the ball and end about the tip, with claws.
+// Adds three toes with claws, which start at the ball and end about the tip.
 void add_toes(Sides sides, const Point3& ball, const Point3& tip) {
   const Point3 forward = tip - ball, across(norm(forward), 0, 0);
   for (const double splay : {-0.42, 0., 0.42}) {
@@ -194,7 +194,7 @@ Clip walk_of_creature(const std::vector<Joint>& joints) {
           sole[0] = joints[j].origin[0], sole[1] = 0;
           soles.push_back({int(j), sole});
         }
-  // Degrees at tenths of the period, from the moment the foot comes down; it is off the ground in the last third.
+  // These are degrees at tenths of the period, from the moment the foot comes down. It is off the ground in the last third.
   const std::vector<double> hip_forward = {18, 13, 8, 2, -4, -10, -16, -8, 10, 20};
   const std::vector<double> knee_flexion = {0, 3, 4, 4, 3, 3, 10, 30, 30, 10};
   const std::vector<double> shoulder_forward = {15, 11, 6, 1, -5, -10, -15, -10, 6, 16};
@@ -234,7 +234,7 @@ Clip walk_of_creature(const std::vector<Joint>& joints) {
       turns[name + "forearm"] = turn(x, fore);
       turns[name + "hand"] = turn(x, hand);
       turns[name + "fingers"] = turn(x, periodic(toe_droop, front) - upper - fore - hand);
-      // Half folded, and beating a little.
+      // The wings are half folded, and beat a little.
       turns[name + "wing_arm"] = multiply(turn(z, side * (14 + 7 * wave(0.1))), turn(y, side * 6));
       turns[name + "wing_forearm"] = turn(z, side * 6 * wave(0.2));
       turns[name + "wing_hand"] = turn(z, side * (-8 + 7 * wave(0.3)));

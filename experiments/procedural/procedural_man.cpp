@@ -10,7 +10,7 @@
 namespace refitlab {
 namespace {
 
-// Anatomy, metres: landmarks of the left side. The arm is straight and half lowered, the palm faces the thigh.
+// These are anatomical landmarks of the left side, in metres. The arm is straight and half lowered, and the palm faces the thigh.
 const Point3 shoulder(0.185, 1.440, -0.025), arm_direction = Point3(0.76, -0.65, 0.02).normalized();
 const Point3 elbow = shoulder + 0.285 * arm_direction, wrist = elbow + 0.255 * arm_direction;
 const Point3 knuckles = wrist + 0.095 * arm_direction;
@@ -144,7 +144,7 @@ Clip walk_of_man(const std::vector<Joint>& joints) {
         soles.push_back({int(j), {side * p[0], p[1], p[2]}});
     if (joints[j].name.ends_with("toe")) soles.push_back({int(j), {side * 0.120, 0, 0.165}});
   }
-  // Degrees of flexion at tenths of the period, from the heel strike of the same leg (after Winter's normal gait).
+  // These are degrees of flexion at tenths of the period, from the heel strike of the same leg (after Winter's normal gait).
   const std::vector<double> hip_flexion = {24, 21, 13, 4, -5, -11, -6, 10, 22, 26};
   const std::vector<double> knee_flexion = {4, 16, 17, 10, 6, 12, 38, 60, 50, 18};
   const std::vector<double> ankle_flexion = {0, -4, 3, 6, 9, 5, -16, -8, 0, 2};

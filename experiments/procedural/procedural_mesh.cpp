@@ -40,7 +40,7 @@ SkinMesh from_cgal(const Mesh& mesh) {  // of a mesh without removed elements
 
 Point3 twice_area_normal(const Point3& a, const Point3& b, const Point3& c) { return cross(Point3(b - a), Point3(c - a)); }
 
-// Whether the triangles around v, but for those that also contain `except`, keep facing their way when v moves to p.
+// Returns whether the triangles around v, except those that also contain `except`, keep facing their way when v moves to p.
 bool folds_nothing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, Mesh::Vertex_index except = {}) {
   const Point3 old = place(mesh, v);
   for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
@@ -53,14 +53,14 @@ bool folds_nothing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, Mesh
   return true;
 }
 
-// 1 for an equilateral triangle, 0 for a degenerate one.
+// Returns the shape of a triangle, which is 1 if it is equilateral and 0 if it is degenerate.
 double shape(const Point3& a, const Point3& b, const Point3& c) {
   const double squares =
       squared_distance<double, 3>(a, b) + squared_distance<double, 3>(b, c) + squared_distance<double, 3>(c, a);
   return 2 * std::sqrt(3.) * norm(twice_area_normal(a, b, c)) / squares;
 }
 
-// The worst shape among the triangles around v, with v at p.
+// Returns the worst shape among the triangles around v, with v at p.
 double worst_shape(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p) {
   double worst = 1;
   for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
@@ -68,7 +68,7 @@ double worst_shape(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p) {
   return worst;
 }
 
-// The smallest cosine between a direction and the normal of a triangle around v, with v at p.
+// Returns the smallest cosine between a direction and the normal of a triangle around v, with v at p.
 double worst_facing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, const Point3& direction) {
   double worst = 1;
   for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
@@ -78,7 +78,7 @@ double worst_facing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, con
   return worst;
 }
 
-// How far p is from the planes of the triangles around v: the sum of squared distances, weighted by area.
+// Returns the sum of the squared distances of p from the planes of the triangles around v, weighted by area.
 double distance_to_planes(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p) {
   double sum = 0;
   for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
@@ -89,7 +89,8 @@ double distance_to_planes(const Mesh& mesh, Mesh::Vertex_index v, const Point3& 
   return sum;
 }
 
-// Where to collapse an edge to: its middle, unless keeping one end is much truer to the shape. So ridges and tips stay.
+// Returns the point to which an edge collapses. It is the middle, unless keeping one end is much truer to the shape, so that
+// ridges and tips stay.
 Point3 place_to_collapse_to(const Mesh& mesh, Mesh::Vertex_index a, Mesh::Vertex_index b) {
   const Point3 pa = place(mesh, a), pb = place(mesh, b), middle = (pa + pb) / 2;
   Point3 best = middle;
@@ -101,7 +102,7 @@ Point3 place_to_collapse_to(const Mesh& mesh, Mesh::Vertex_index a, Mesh::Vertex
   return best;
 }
 
-// The size wanted at each vertex.
+// Sizes are the sizes wanted at each vertex.
 using Sizes = Mesh::Property_map<Mesh::Vertex_index, double>;
 
 // Collapses an edge if it is shorter than `length` in terms of the size wanted there. That takes two
@@ -119,7 +120,7 @@ void collapse_if_short(Mesh& mesh, Mesh::Edge_index edge, double length, Sizes& 
   sizes[kept] = size;
 }
 
-// Collapses short edges, then longer ones, until the count is reached; `length` is where to begin and where it ended.
+// Collapses short edges, then longer ones, until the count is reached. `length` is where it begins, and then where it ended.
 void thin_out(Mesh& mesh, int triangle_count, double& length, Sizes& sizes) {
   for (int round = 0; round < 200; ++round, length *= 1.04)
     for (const auto e : mesh.edges()) {  // those that are removed are skipped
@@ -151,8 +152,8 @@ void flip_if_better(Mesh& mesh, Mesh::Edge_index edge) {
 }
 
 // Moves a vertex along the surface towards the middle of its triangles, each weighted by its area in terms of the
-// wanted size. A vertex at a ridge that is thinner than its triangles is moved outwards first, so that it ends on the
-// ridge: what is nearest to a point beyond a ridge.
+// wanted size. A vertex at a ridge that is thinner than its triangles is moved outwards first, so that it ends on the ridge,
+// which is nearest to a point beyond it.
 void relax(Mesh& mesh, Mesh::Vertex_index v, const ImplicitBody& body, const Sizes& sizes) {
   const Point3 p = place(mesh, v);
   Point3 sum = Point3::Zero(), normal = Point3::Zero();
@@ -175,8 +176,8 @@ void relax(Mesh& mesh, Mesh::Vertex_index v, const ImplicitBody& body, const Siz
   if (std::any_of(normals.begin(), normals.end(), [&](const Point3& n) { return dot(n, normal) < steep; }))
     target += 0.3 * std::sqrt(area) * normal;
   const Point3 moved = body.project(target);
-  // Judged by the mean normal and not, as folds_nothing() does, by each triangle's own: what is folded must be free to
-  // unfold.
+  // The move is judged by the mean normal and not, as folds_nothing() does, by each triangle's own, because a fold must be free
+  // to unfold.
   if (worst_facing(mesh, v, moved, normal) >= std::min(0.2, worst_facing(mesh, v, p, normal)) &&
       worst_shape(mesh, v, moved) >= std::min(0.6, worst_shape(mesh, v, p)))
     move(mesh, v, moved);
@@ -189,7 +190,7 @@ SkinMesh mesh_of(const ImplicitBody& body, double cell, int triangle_count, cons
   Sizes sizes = mesh.add_property_map<Mesh::Vertex_index, double>("size").first;
   for (const auto v : mesh.vertices()) sizes[v] = size(place(mesh, v));
 
-  // In two steps, back to the surface after each: collapsing shrinks what is thin.
+  // This takes two steps, and goes back to the surface after each, because collapsing shrinks thin parts.
   double length = cell / 4;
   for (const int count : {3 * triangle_count, triangle_count}) {
     thin_out(mesh, count, length, sizes);

@@ -35,7 +35,8 @@ class MarchingTetrahedra {
     }
   }
 
-  // The six tetrahedra of a cell: one for each way from its lowest corner to its highest along three edges.
+  // Marches through the six tetrahedra of a cell. There is one for each way from its lowest corner to its highest along three
+  // edges.
   void march(const Index3& corner) {
     static constexpr std::array<Index3, 6> ways = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
     for (std::size_t w = 0; w < ways.size(); ++w) {
@@ -68,7 +69,7 @@ class MarchingTetrahedra {
     }
   }
 
-  // The vertex where the surface crosses a grid edge, kept off the edge's ends, so that no triangle degenerates.
+  // Returns the vertex where the surface crosses a grid edge. It is kept off the edge's ends, so that no triangle degenerates.
   int vertex_on(Index3 a, Index3 b) {
     if (b < a) std::swap(a, b);  // then b - a is 0 or 1 along each axis
     const std::uint64_t direction = (b[0] - a[0]) * 4 + (b[1] - a[1]) * 2 + (b[2] - a[2]);

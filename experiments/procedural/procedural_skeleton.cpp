@@ -19,8 +19,8 @@ double distance_to_bone(const Point3& p, const Bone& bone) {
   return norm(Point3(p - bone.origin - t * along));
 }
 
-// The largest weights, each lowered by the largest one that is left out: that way a weight fades to zero before it is
-// dropped, and the result is continuous.
+// Keeps the largest weights, each lowered by the largest one that is left out. So a weight fades to zero before it is dropped,
+// and the result is continuous.
 std::vector<Influence> keep_largest(const Eigen::RowVectorXd& weights) {
   std::vector<double> sorted(weights.begin(), weights.end());
   std::sort(sorted.rbegin(), sorted.rend());
@@ -59,7 +59,7 @@ void add_pair(std::vector<Bone>& bones, const std::vector<Bone>& left_side) {
 
 std::vector<std::vector<Influence>> heat_weights(const SkinMesh& skin, const std::vector<Bone>& bones) {
   const int n = int(skin.vertices.size());
-  // The Laplacian of the skin with cotangent coefficients, and the area that belongs to each vertex.
+  // These are the Laplacian of the skin with cotangent coefficients, and the area that belongs to each vertex.
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd area = Eigen::VectorXd::Zero(n);
   for (const Triangle& triangle : skin.triangles)

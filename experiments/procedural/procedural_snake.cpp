@@ -18,7 +18,7 @@ std::vector<Joint> spine(int joints) {
   return out;
 }
 
-// Linear between the two joints whose bones' middles are next to this place along the body.
+// Returns influences that are linear between the two joints whose bones' middles are next to this place along the body.
 std::vector<Influence> influences_at(double along, int joints) {
   const double place = along / length * joints - 0.5;
   const double share = place - std::floor(place);
@@ -31,8 +31,8 @@ std::vector<Influence> influences_at(double along, int joints) {
   return out;
 }
 
-// Each joint turns against its parent, left and right in a wave that runs down the body: twice its length is a period.
-// All turns together are no more than a radian each way.
+// Each joint turns against its parent, left and right in a wave that runs down the body. A period is twice its length. All turns
+// together are no more than a radian each way.
 Pose wave(const std::vector<Joint>& joints, double phase) {
   const double n = static_cast<double>(joints.size());
   Pose c;

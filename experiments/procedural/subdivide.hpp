@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A finer mesh of the same model: the same surface in the reference pose, the same skeleton and clips.
+// A subdivided model is a finer mesh with the same surface in the reference pose, the same skeleton and clips.
 #pragma once
 
 #include "algorithms/model/model.hpp"

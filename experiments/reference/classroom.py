@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The texts that are not in the sources: the plan of a class of two hours, and the pages for the programmer and the researcher."""
+"""These texts are not in the sources: the plan of a class of two hours, and the pages for the programmer and the researcher."""
 
 # Each entry has the time, the title, the explanation, and the lemmas' stems.
 CLASS = [

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// reference_pictures: what is drawn of each lemma, as a table of shapes.   usage: reference_pictures FILE.csv
+// The program reference_pictures writes what is drawn of each lemma, as a table of shapes.   usage: reference_pictures FILE.csv
 #include <iostream>
 #include <stdexcept>
 

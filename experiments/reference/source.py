@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the reference reads: lemma files in their fixed order, tests, and code and comments as HTML."""
+"""The reference reads lemma files in their fixed order, tests, and code and comments as HTML."""
 import dataclasses
 import html
 import re
@@ -8,7 +8,7 @@ GREEK = {"alpha": "α", "delta": "δ", "kappa": "κ", "pi": "π", "lambda": "λ"
 
 
 def inline(text):
-    """A line of a comment: its ASCII formulas in Unicode, with sub- and superscripts."""
+    """Returns a line of a comment with its ASCII formulas in Unicode, with sub- and superscripts."""
     text = html.escape(text, quote=False)
     text = text.replace("||", "‖").replace("&gt;=", "≥").replace("&lt;=", "≤").replace("!=", "≠").replace("-&gt;", "→")
     text = re.sub(r"\bsum(?=_| [a-z]_| \(| ‖)", "Σ", text)
@@ -19,7 +19,7 @@ def inline(text):
 
 
 def paragraphs(lines, stems):
-    """Comment lines as paragraphs; indented lines stay formulas; a stem becomes a link to its page."""
+    """Turns comment lines into paragraphs. Indented lines stay formulas, and a stem becomes a link to its page."""
     out, block = [], []
 
     def flush():
@@ -104,7 +104,7 @@ class Property:
 
 
 def read_properties(path):
-    """The t.holds, t.refuted and t.example of a suite, in order."""
+    """Returns the t.holds, t.refuted and t.example of a suite, in order."""
     text = path.read_text()
     # Options may be given by name; here each name is mapped to its options.
     named = dict(re.findall(r"const Options (\w+)(\{[^}]*\});", text))
@@ -137,7 +137,7 @@ def read_properties(path):
 
 
 def literals(text):
-    """The string literals, separated by commas, at the start of a text."""
+    """Returns the string literals, separated by commas, at the start of a text."""
     out = []
     while m := re.match(r'\s*,?((?:\s*"(?:\\.|[^"\\])*")+)', text):
         out.append("".join(re.findall(r'"((?:\\.|[^"\\])*)"', m[1])).replace('\\"', '"'))
@@ -146,13 +146,13 @@ def literals(text):
 
 
 def dedented(text, start, end):
-    """The text from start to end, each line without the indentation of the first."""
+    """Returns the text from start to end, each line without the indentation of the first."""
     column = start - text.rfind("\n", 0, start) - 1
     return "\n".join(l[column:] if not l[:column].strip() else l for l in text[start:end].split("\n"))
 
 
 def closing(text, at):
-    """The position of the bracket that closes the one at this position. Brackets in strings and comments do not count."""
+    """Returns the position of the bracket that closes the one at this position. Brackets in strings and comments do not count."""
     depth = 0
     for m in re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|[()]').finditer(text, at):
         depth += {"(": 1, ")": -1}.get(m[0], 0)

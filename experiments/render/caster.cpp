@@ -10,7 +10,7 @@ double to_linear(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.0
 
 Eigen::Array3d to_linear(const Color& c) { return {to_linear(c.red), to_linear(c.green), to_linear(c.blue)}; }
 
-// Face normals summed at the vertices, weighted by the triangle's angle there, so that tessellation hardly shows.
+// Returns the face normals summed at the vertices, weighted by the triangle's angle there, so that tessellation hardly shows.
 std::vector<Point3> vertex_normals(const MeshShape& mesh) {
   std::vector<Point3> normals(mesh.vertices.size(), Point3::Zero());
   for (const auto& t : mesh.triangles)
@@ -24,7 +24,7 @@ std::vector<Point3> vertex_normals(const MeshShape& mesh) {
   return normals;
 }
 
-// Collects every hit of a ray: a filter that writes the hit down and refuses it, so that the ray goes on.
+// A Collector collects every hit of a ray. It is a filter that writes the hit down and refuses it, so that the ray goes on.
 struct Collector {
   RTCIntersectContext context;  // first: Embree hands back its address
   std::vector<RTCRayHit> hits;
@@ -47,7 +47,7 @@ Caster::Caster(const Scene& scene) {
   const Box<double> bounds = scene.bounds();
   center_ = bounds.is_empty() ? Point3(Point3::Zero()) : Point3(bounds.center());
   diagonal_ = bounds.is_empty() ? 1 : std::max(bounds.edges().norm(), 1e-6);
-  // One thread and one instruction set, so that the picture depends neither on cores nor on the processor.
+  // There is one thread and one instruction set, so that the picture depends neither on cores nor on the processor.
   device_ = {rtcNewDevice("threads=1,max_isa=sse4.2"), [](RTCDevice d) {
                if (d) rtcReleaseDevice(d);
              }};
@@ -151,8 +151,8 @@ Surface Caster::mesh_surface(const Part& part, const Ray& ray, const RTCRayHit& 
     s.normal.setZero();
     for (int i = 0; i < 3; ++i) s.normal += sign * weights[i] * part.normals[t[i]];
     s.normal = s.normal.norm() > 1e-6 ? Point3(s.normal.normalized()) : s.face_normal;
-    // The point pulled up to the vertices' tangent planes (Hanika, "Hacking the Shadow Terminator", Ray Tracing
-    // Gems II): otherwise the triangles of a coarse mesh show as facets where the light grazes them.
+    // The point is pulled up to the vertices' tangent planes (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II):
+    // otherwise the triangles of a coarse mesh show as facets where the light grazes them.
     for (int i = 0; i < 3; ++i) {
       const Point3 n = sign * part.normals[t[i]];
       s.lifted -= weights[i] * std::min(0.0, (s.point - mesh.vertices[t[i]]).dot(n)) * n;
@@ -194,8 +194,8 @@ std::vector<Surface> Caster::translucent(const Ray& ray, double far) const {
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(translucent_.scene.get(), &collector.context, &hit);
 
-  // Embree may report a primitive more than once; of a ball it is asked only whether the ray meets it, and the two
-  // surfaces are computed here.
+  // Embree may report a primitive more than once. For a ball it is only asked whether the ray meets it, and the two surfaces are
+  // computed here.
   const auto id = [](const RTCRayHit& h) { return std::pair(h.hit.geomID, h.hit.primID); };
   auto& hits = collector.hits;
   std::sort(hits.begin(), hits.end(), [&](const auto& a, const auto& b) { return id(a) < id(b); });

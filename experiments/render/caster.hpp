@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Caster: where rays meet the shapes of a scene (Embree 3 behind it).
+// A Caster finds where rays meet the shapes of a scene, by Embree 3.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -12,7 +12,7 @@
 
 namespace refitlab::render {
 
-// Where a ray meets a shape. Normals are of unit length and point towards where the ray came from.
+// A Surface is where a ray meets a shape. Normals have unit length and point towards where the ray came from.
 struct Surface {
   double distance;  // along the ray
   Point3 point;
@@ -29,21 +29,21 @@ class Caster {
  public:
   explicit Caster(const Scene& scene);  // keeps a reference
   std::optional<Surface> nearest_opaque(const Ray& ray) const;
-  // The translucent surfaces nearer than far, nearest first.
+  // Returns the translucent surfaces nearer than far, nearest first.
   std::vector<Surface> translucent(const Ray& ray, double far) const;
-  // Something opaque within reach of the point.
+  // Returns whether something opaque is within reach of the point.
   bool occluded(const Point3& point, const Point3& direction, double reach) const;
   double diagonal() const { return diagonal_; }  // of the scene's bounds
 
  private:
-  // One geometry of Embree's: a mesh, or all balls, or all line segments.
+  // A Part is one geometry of Embree's: a mesh, or all balls, or all line segments.
   struct Part {
     const MeshShape* mesh = nullptr;
     std::vector<Point3> normals;          // of a smooth mesh, by vertex
     std::vector<const BallShape*> balls;  // by primitive
     std::vector<Eigen::Array3d> colors;   // linear; of the mesh (one) or its vertices, or by primitive
   };
-  // An Embree scene and what its geometries are, by Embree's geometry number.
+  // A Layer is an Embree scene and what its geometries are, by Embree's geometry number.
   struct Layer {
     std::shared_ptr<RTCSceneTy> scene;
     std::vector<Part> parts;

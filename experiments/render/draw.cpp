@@ -13,14 +13,15 @@ namespace {
 
 constexpr double golden_angle = std::numbers::pi * 0.7639320225002103;  // (3 - sqrt 5) pi
 
-// The sRGB encoding, by square roots to within 0.001 above its straight part: this is asked three times a surface.
+// Returns the sRGB encoding. Above its straight part it comes from square roots, to within 0.001, because it is asked for three
+// times a surface.
 double to_srgb(double x) {
   if (x <= 0.0031308) return 12.92 * std::max(x, 0.0);
   const double y = std::min(x, 1.0), root2 = std::sqrt(y), root4 = std::sqrt(root2), root8 = std::sqrt(root4);
   return 0.662002687 * root2 + 0.684122060 * root4 - 0.323583601 * root8 - 0.0225411470 * y;
 }
 
-// Two unit vectors that complete the unit vector n to a frame.
+// Returns two unit vectors that complete the unit vector n to a frame.
 Eigen::Matrix<double, 3, 2> tangents(const Point3& n) {
   const Point3 axis = std::abs(n.x()) < 0.6 ? Point3::UnitX() : Point3::UnitY();
   const Point3 t = n.cross(axis).normalized();
@@ -29,10 +30,10 @@ Eigen::Matrix<double, 3, 2> tangents(const Point3& n) {
   return plane;
 }
 
-// A fixed set of points spread evenly over the unit disc (a sunflower), dealt out to the rays of a pixel.
+// A Pattern is a fixed set of points spread evenly over the unit disc (a sunflower), dealt out to the rays of a pixel.
 class Pattern {
  public:
-  // per_pixel: how many points at least; each ray gets as many as any other, and one or more.
+  // There are at least per_pixel points. Each ray gets as many as any other, and one or more.
   Pattern(int per_pixel, const Options& options)
       : rays_(options.supersampling * options.supersampling),
         per_ray_((per_pixel + rays_ - 1) / rays_),
@@ -42,7 +43,7 @@ class Pattern {
       points_[k] = {side * std::cos(golden_angle * k), side * std::sin(golden_angle * k)};
     }
   }
-  // The share of ray number `ray`'s points p for which open(p), p turned by the rotation (cos, sin), is true.
+  // Returns the share of ray number `ray`'s points p for which open(p), with p turned by the rotation (cos, sin), is true.
   template <class Open>
   double share(int ray, const Vec<double, 2>& turn, const Open& open) const {
     int count = 0;
@@ -74,9 +75,9 @@ class Shader {
     up_ = camera.up();
   }
 
-  // What a pixel's ray brings, as sRGB premultiplied by alpha, then alpha: layers are composited in sRGB, because that
-  // is how whoever lays a transparent picture over a page does it. number: of the ray in its pixel; turn: of the
-  // sampling patterns in this pixel.
+  // Returns what a pixel's ray brings, as sRGB premultiplied by alpha, then alpha. Layers are composited in sRGB, as browsers lay
+  // a transparent picture over a page. number is that of the ray in its pixel, and turn that of the sampling patterns in this
+  // pixel.
   Eigen::Array4d trace(const Ray& ray, int number, const Vec<double, 2>& turn) const {
     const auto solid = caster_.nearest_opaque(ray);
     Eigen::Array4d sum = Eigen::Array4d::Zero();
@@ -86,7 +87,7 @@ class Shader {
     };
     const double far = solid ? solid->distance : std::numeric_limits<double>::infinity();
     for (const Surface& s : caster_.translucent(ray, far)) {
-      // A thin shell: the flatter it is seen, the more of it is in the way. Its far side is fainter.
+      // A ball is a thin shell. The flatter it is seen, the more of it is in the way. Its far side is fainter.
       const double facing = std::max(0.3, std::abs(s.normal.dot(ray.direction)));
       const double face_on = s.opacity * (s.from_inside ? 0.3 : 1);
       const double opacity = face_on / (face_on + (1 - face_on) * facing);
@@ -100,7 +101,7 @@ class Shader {
   }
 
  private:
-  // Reflected light, linear. open: the share of the sky seen; lit: the share of the key light.
+  // Returns the reflected light, linear. open is the share of the sky seen, and lit the share of the key light.
   Eigen::Array3d light(const Surface& s, const Ray& ray, double open, double lit) const {
     const double key = std::max(0.0, s.normal.dot(key_)) * lit;
     const double fill = 0.5 + 0.5 * s.normal.dot(fill_);
@@ -112,7 +113,7 @@ class Shader {
 
   Point3 start(const Surface& s) const { return s.lifted + 2e-4 * caster_.diagonal() * s.face_normal; }
 
-  // Ambient occlusion: the share of a cosine-weighted hemisphere with nothing near.
+  // Returns the ambient occlusion, which is the share of a cosine-weighted hemisphere with nothing near.
   double sky_share(const Surface& s, int number, const Vec<double, 2>& turn) const {
     if (!options_.occlusion) return 1;
     const auto plane = tangents(s.normal);
@@ -122,7 +123,7 @@ class Shader {
     });
   }
 
-  // The share of the key light, a disc 10 degrees in radius, that reaches the surface.
+  // Returns the share of the key light, a disc 10 degrees in radius, that reaches the surface.
   double key_share(const Surface& s, int number, const Vec<double, 2>& turn) const {
     if (!options_.occlusion) return 1;
     if (s.normal.dot(key_) <= 0) return 0;
@@ -152,12 +153,12 @@ Image draw(const Scene& scene, const Camera& camera, const Options& options) {
   const int n = options.supersampling;
   for (int y = 0; y < options.height; ++y)
     for (int x = 0; x < options.width; ++x) {
-      // Interleaved gradient noise (Jimenez 2014): neighbouring pixels turn the pattern by well spread angles.
+      // By interleaved gradient noise (Jimenez 2014), neighbouring pixels turn the pattern by well spread angles.
       const double angle = 2 * std::numbers::pi * std::fmod(52.9829189 * std::fmod(0.06711056 * x + 0.00583715 * y, 1.0), 1.0);
       const Vec<double, 2> turn(std::cos(angle), std::sin(angle));
       Eigen::Array4d sum = Eigen::Array4d::Zero();
       for (int i = 0; i < n * n; ++i) {
-        // A sheared grid: near-horizontal and near-vertical edges meet n * n different offsets, not n.
+        // The grid is sheared, so that near-horizontal and near-vertical edges meet n * n different offsets, not n.
         const double across = (i % n + 0.5) / n, down = (i / n + 0.5) / n;
         const double px = x + across + (down - 0.5) / n, py = y + down - (across - 0.5) / n;
         const Ray ray = camera.ray((px - options.width / 2.0) / options.height, 0.5 - py / options.height);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawing: a scene, seen by a camera, as an image.
+// Drawing makes an image of a scene as a camera sees it.
 #pragma once
 
 #include "experiments/render/camera.hpp"
@@ -16,10 +16,10 @@ struct Options {
   bool occlusion = true;          // ambient occlusion and the shadow of the key light
 };
 
-// Ray casting by Embree 3: a soft key light from the upper left of the camera, a fill light from its right, ambient
-// light dimmed by occlusion, translucent surfaces composited in order of depth. Deterministic: all sampling patterns
-// are fixed. Throws std::invalid_argument for what Scene::validate or the options refuse, std::runtime_error if Embree
-// fails.
+// Casts rays by Embree 3. There is a soft key light from the upper left of the camera, a fill light from its right, and ambient
+// light dimmed by occlusion. Translucent surfaces are composited in order of depth. The image is deterministic, because all
+// sampling patterns are fixed. Throws std::invalid_argument for a scene that Scene::validate refuses and for invalid options, and
+// std::runtime_error if Embree fails.
 Image draw(const Scene& scene, const Camera& camera, const Options& options = {});
 
 }  // namespace refitlab::render

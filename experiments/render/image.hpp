@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Image: what a picture is made of, and the PNG file it becomes.
+// An Image has the pixels of a picture, and becomes a PNG file.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace refitlab::render {
 
-// Red, green, blue in [0, 1], sRGB-encoded, as a style sheet has them.
+// A Color is red, green and blue in [0, 1], sRGB-encoded, as a style sheet has them.
 struct Color {
   double red, green, blue;
 };
 
-// Okabe and Ito's eight colours, told apart under every common colour blindness (jfly.uni-koeln.de/color, 2008), and
-// the neutrals that go with them.
+// These are Okabe and Ito's eight colours, which are told apart under every common colour blindness (jfly.uni-koeln.de/color,
+// 2008), and the neutrals that go with them.
 namespace palette {
 inline constexpr Color black{0, 0, 0}, orange{0.902, 0.624, 0}, sky_blue{0.337, 0.706, 0.914}, green{0, 0.620, 0.451},
     yellow{0.941, 0.894, 0.259}, blue{0, 0.447, 0.698}, vermillion{0.835, 0.369, 0}, purple{0.800, 0.475, 0.655},
     clay{0.82, 0.80, 0.77}, gray{0.45, 0.45, 0.45}, white{1, 1, 1};
-// In the order in which series of data should take them.
+// Series of data should take the colours in this order.
 inline constexpr std::array<Color, 7> series{blue, vermillion, green, orange, purple, sky_blue, yellow};
 }  // namespace palette
 
-// RGBA, 8 bits each, sRGB, alpha not premultiplied; rows from the top.
+// Pixels are RGBA of 8 bits each, in sRGB, with alpha not premultiplied. Rows go from the top.
 class Image {
  public:
   Image(int width, int height);  // transparent black; throws std::invalid_argument for a size outside [1, 16384]
@@ -34,8 +34,8 @@ class Image {
   const std::uint8_t* pixel(int x, int y) const { return &bytes_[4 * (std::size_t(y) * width_ + x)]; }
   bool opaque() const;
 
-  // Without an alpha channel if opaque; whole or not at all, like every result file (write_whole). The same image gives
-  // the same bytes. Throws std::runtime_error that names the path and the reason.
+  // Writes the image whole or not at all, like every result file (write_whole). It has no alpha channel if it is opaque. The same
+  // image gives the same bytes. Throws std::runtime_error that names the path and the reason.
   void write_png(const std::string& path) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scene: what a picture shows. Model space, model units; y is up unless the camera says otherwise.
+// A Scene is what a picture shows, in model space and model units. y is up unless the camera says otherwise.
 #pragma once
 
 #include <vector>
@@ -19,14 +19,14 @@ struct MeshShape {
   std::vector<Color> vertex_colors = {};  // one per vertex, in place of color; or empty
 };
 
-// A bounding sphere if translucent (with a thin darker outline), a marker if opaque.
+// A BallShape is a bounding sphere if it is translucent (with a thin darker outline), or a marker if it is opaque.
 struct BallShape {
   Ball3<double> ball;
   Color color = palette::blue;
   double opacity = 0.15;
 };
 
-// A polyline with round ends: at least two points.
+// A LineShape is a polyline with round ends. It has at least two points.
 struct LineShape {
   std::vector<Point3> points;
   double radius;  // half the thickness, model units
@@ -39,7 +39,7 @@ struct Scene {
   std::vector<LineShape> lines;
 
   Box<double> bounds() const;
-  // Throws std::invalid_argument that names the shape and what is wrong with it: a number that is not finite, an index
+  // Throws std::invalid_argument that names the shape and what is wrong with it, which is a number that is not finite, an index
   // out of range, an opacity outside [0, 1], a radius that is negative (balls) or not positive (lines).
   void validate() const;
 };

@@ -13,7 +13,7 @@ TABLE_2 = {"lbs": "linear", "sbs": "spherical_repaired", "bottom_up": "brown"}
 
 
 class Model:
-    """The rows of one model."""
+    """A Model has the rows of one model."""
 
     def __init__(self, results, model):
         self.results, self.model = results, model
@@ -29,12 +29,13 @@ class Model:
         return row.value if row else None
 
     def heads(self):
-        """"light, 50 pairs", by scene."""
+        """"Returns heads such as "light, 50 pairs", by scene."""
         pairs = [self.value(scene, "full", "brute_force", quantity="pairs") for scene in self.scenes]
         return [scene if n is None else f"{scene}, {n:.0f} pairs" for scene, n in zip(self.scenes, pairs)]
 
     def origin(self, query, detector):
-        """None if the detector was not asked; "" if it is not to be compared: linear blending, which is there for Table 2."""
+        """Returns None if the detector was not asked, and "" if it is not to be compared, as linear blending, which is there
+        for Table 2."""
         rows = [self.row(scene, query, detector) for scene in self.scenes]
         last = next((row for row in reversed(rows) if row), None)
         if last is None:
@@ -48,20 +49,20 @@ class Model:
         return BarPanels(f"{self.model}, {query}: us a frame", self.heads(), rows).svg()
 
     def times(self, query):
-        """A row a detector: name, origin, and by scene us, times the fastest engine's, times skin_all_float's."""
+        """Returns a row for each detector: name, origin, and by scene us, times the fastest engine's, times skin_all_float's."""
         return [(d, ORIGINS[self.origin(query, d)],
                  [{q: self.value(scene, query, d, quantity=q) for q in ("us_per_frame", "ratio_to_engine", "ratio_to_skin_all")}
                   for scene in self.scenes]) for d in self.detectors if self.origin(query, d)]
 
     def work(self):
-        """A row a scene, query and detector, but for the oracle, in the order of the file."""
+        """Returns a row for each scene, query and detector except the oracle, in the order of the file."""
         asked = [key[:3] for key, row in self._found.items() if key[3:] == (ALL, "us_per_frame") and row.origin != "oracle"]
         return [{"scene": scene, "query": query, "detector": detector,
                  "stages": [self.value(scene, query, detector, quantity=f"{stage}_us") for stage in STAGES],
                  "counts": [self.value(scene, query, detector, quantity=count) for count in COUNTS]} for scene, query, detector in asked]
 
     def shares(self, scene, detector="spherical_repaired"):
-        """Of each level's spheres the share that a full query refitted."""
+        """Returns the share of each level's spheres that a full query refitted."""
         found = {key[3]: row.value for key, row in self._found.items() if key[:3] == (scene, "full", detector) and key[4] == "share_refitted"}
         return [found[level] for level in sorted(found)]
 
@@ -72,7 +73,7 @@ class Model:
 
 
 def headline_section(results, page):
-    """Of the first model: ours, the paper's query and what one would take instead, scene by scene."""
+    """Shows the first model's times scene by scene: ours, the paper's query and what one would take instead."""
     model = Model(results, results.rows("collision")[0].model)
 
     def times(detector):
@@ -87,7 +88,8 @@ def headline_section(results, page):
 
 
 def differences(results):
-    """Of each detector that may leave out a pair: its row of detectors.csv, how many pairs differ, of how many a frame."""
+    """Returns, for each detector that may leave out a pair, its row of detectors.csv, how many pairs differ, and of how many a
+    frame."""
     out = []
     for detector in results.rows("detectors"):
         if detector.tolerated_share > 0 and detector.found == "yes":
@@ -98,7 +100,7 @@ def differences(results):
 
 
 def table_2(results):
-    """(scenario, [(our ms or None, the original's ms)]) of each scenario that was measured."""
+    """Returns (scenario, [(our ms or None, the original's ms)]) for each scenario that was measured."""
     rows = []
     for row in original.table2():
         def us(detector):
@@ -110,7 +112,7 @@ def table_2(results):
 
 
 def sphere_costs(results):
-    """By model: ns of a sphere by linear and by spherical blending, and the ratio in the same repetitions."""
+    """Returns, by model, the ns of a sphere by linear and by spherical blending, and the ratio in the same repetitions."""
     if not results.was_run("speed"):
         return []
     rows = []

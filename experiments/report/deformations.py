@@ -5,14 +5,14 @@ from .over_time import SKINNINGS
 from .plots import Line, Plot
 from .statistics import mean
 
-# By kind, in the order of tables. own: as the model's own clips have it.
+# The kinds are in the order of tables. own is as the model's own clips have it.
 KINDS = {"rigid": "rigid", "scaled": "scaled", "scaled_along_axes": "scaled along axes", "morphed": "morphed", "both": "both", "own": "its own"}
 MADE_UP = ("scaled", "scaled_along_axes", "morphed", "both")
 VARIANTS = {"linear_mixed": "linear, default", "control_mixed": "spherical, default", "dual_quaternion_mixed": "dual quat., default",
             "control_many_pieces": "spherical, many pieces", "spherical_repaired": "Algorithm 1 repaired"}
 DEFAULTS = ("linear_mixed", "control_mixed", "dual_quaternion_mixed")
 GOALS = {"default": 1.12, "tightest": 1.05}
-# Of reduced deformations: (variant, balls of displacements) and what it is.
+# These say what (variant, balls of displacements) of a reduced deformation is.
 REDUCED = {("reference_balls", "bd_tree"): "BD-tree", ("reference_balls", "smallest"): "smallest balls of displacements", ("control_mixed", "smallest"): "pieces, default",
            ("control_many_pieces", "smallest"): "pieces, many"}
 SKINNED = {("spherical_repaired", "bd_tree"): "BD-tree, then Algorithm 1 repaired", ("spherical_repaired", "smallest"): "smallest balls, then Algorithm 1 repaired",
@@ -23,12 +23,12 @@ REDUCED_KINDS = {"vibration": ("A vibration, no skinning", REDUCED), "clip": ("A
 
 
 def levels(results, **where):
-    """(level, ratio to the smallest balls), of one model and variant."""
+    """Returns (level, ratio to the smallest balls) of one model and variant."""
     return [(row.level, row.value) for row in results.find("deformations", quantity="ratio_to_optimal", **where)]
 
 
 def worst(results, **where):
-    """The greatest ratio of any level of any model that matches, or None."""
+    """Returns the greatest ratio of any level of any model that matches, or None."""
     return max((ratio for _, ratio in levels(results, **where)), default=None)
 
 
@@ -45,7 +45,7 @@ def models_of(results, kind):
 
 
 def tightness_rows(results):
-    """A row a model and kind."""
+    """Returns a row for each model and kind."""
     rows = []
     for kind in KINDS:
         for model in models_of(results, kind):
@@ -60,7 +60,7 @@ def order(results, model):
 
 
 def goals(results):
-    """By variant: the worst ratio of a deformed character, the goal, and in how many of the cases it is reached."""
+    """Returns, by variant, the worst ratio of a deformed character, the goal, and in how many of the cases it is reached."""
     out = []
     for variant in (*DEFAULTS, "control_many_pieces"):
         goal = GOALS["default" if variant in DEFAULTS else "tightest"]
@@ -71,7 +71,7 @@ def goals(results):
 
 
 def costs(results):
-    """A row a variant and kind: over the rigid refit of the same run, the mean over the models."""
+    """Returns a row for each variant and kind: the cost over the rigid refit of the same run, as the mean over the models."""
     rows = []
     for variant in DEFAULTS:
         for kind in MADE_UP:
@@ -83,7 +83,7 @@ def costs(results):
 
 
 def reduced_table(results, kind):
-    """None where there is none."""
+    """Returns the table, or None if there is none."""
     title, methods = REDUCED_KINDS[kind]
     models = results.distinct("deformations", "model", kind=kind, variant="basis")
     if not models:
@@ -98,7 +98,7 @@ def reduced_table(results, kind):
 
 
 def cost_to_bd_tree(results, kind, variant, displacements):
-    """The mean over the models, or None where it was not measured."""
+    """Returns the mean over the models, or None if it was not measured."""
     found = [row.value for row in results.find("deformations", kind=kind, variant=variant, displacements=displacements, quantity="ratio_to_bd_tree")]
     return mean(found) if found else None
 

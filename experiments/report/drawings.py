@@ -12,7 +12,7 @@ ROOM = {"dot": 0.12, "text": 0.1}  # units around a point, so that its mark stay
 
 
 class Drawing:
-    """One drawing. rows: of drawings.csv; y points up there."""
+    """A Drawing has rows of drawings.csv, in which y points up."""
 
     def __init__(self, rows):
         self.caption = next(row.label for row in rows if row.shape == "caption")
@@ -51,13 +51,13 @@ def pixels(length):
 
 
 def points(row):
-    """[(x, y)] of "x y x y ..."."""
+    """Returns [(x, y)] of "x y x y ..."."""
     numbers = [float(n) for n in row.points.split()]
     return list(zip(numbers[::2], numbers[1::2], strict=True))
 
 
 def drawings(rows):
-    """{name: Drawing}, in the order of the table."""
+    """Returns {name: Drawing}, in the order of the table."""
     of_each = {}
     for row in rows:
         of_each.setdefault(row.drawing, []).append(row)

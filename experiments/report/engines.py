@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What engines ship: how tight the boxes around whole characters are, who gets out of them, and what they cost, beside ours."""
+"""This section shows what engines ship: how tight the boxes around whole characters are, who gets out of them, and what they
+cost, beside ours."""
 from . import pictures
 from .over_time import SKINNINGS
 from .statistics import mean
 
-# By method: what it does, and who has it.
+# Each method has what it does, and who has it.
 METHODS = {
     "joint_boxes": ("a box a joint, carried and merged", "Bevy, Godot, PlayCanvas"),
     "padded_pivots": ("the joints’ pivots, padded by the rest pose’s difference", "OpenUSD"),
@@ -19,13 +20,13 @@ METHODS = {
     "rounded_boxes": ("a rounded box a joint, weighted radii", "ours"),
     "motion_bound": ("a ball a group of joint-sets, any skinning", "ours"),
 }
-# What is compared with joint boxes by the goals: the mean volume and the cost at most.
+# The goals compare this method with joint boxes. They are the greatest mean volume and cost.
 OURS, GOALS = "rounded_boxes", {"volume": 0.8, "cost": 1.0}
 RATIOS = ("volume_ratio", "area_ratio", "radius_ratio", "volume_to_joint_boxes")
 
 
 def of_clips(results, method, quantity, **where):
-    """By clip of any model."""
+    """Returns the rows of clips, by clip of any model."""
     return results.values("engines", variant=method, quantity=quantity, kind="clip", **where)
 
 
@@ -34,13 +35,13 @@ def total(results, method, quantity, kind, **where):
 
 
 def farthest(results, method, **where):
-    """The row of the farthest miss, or None."""
+    """Returns the row of the farthest miss, or None."""
     row = max(results.find("engines", variant=method, quantity="missed_by", **where), key=lambda r: r.value, default=None)
     return row if row and row.value else None
 
 
 def row_of(results, method, skinning):
-    """None of a method that was not measured."""
+    """Returns the row of a method, or None if it was not measured."""
     if not results.find("engines", variant=method, skinning=skinning, kind="clip", quantity="poses"):
         return None
     has_twists = bool(results.find("engines", variant=method, skinning=skinning, kind="twists", quantity="misses"))
@@ -56,7 +57,8 @@ def row_of(results, method, skinning):
 
 
 def costs(results, method):
-    """Means over the models, linear skinning: nanoseconds, and the ratio to joint boxes; also of methods that begin with matrices."""
+    """Returns means over the models with linear skinning: nanoseconds, and the ratio to joint boxes, also for methods that
+    begin with matrices."""
     def mean_of(quantity):
         found = results.find("engines", variant=method, skinning="linear", kind="cost", quantity=quantity)
         return mean(r.value for r in found) if found else None
@@ -65,7 +67,7 @@ def costs(results, method):
 
 
 def volumes_by_model(results, method):
-    """{model: volumes over joint boxes, by clip}, linear skinning."""
+    """Returns {model: volumes over joint boxes, by clip} with linear skinning."""
     found = {}
     for row in results.select("engines", variant=method, quantity="volume_to_joint_boxes", kind="clip", skinning="linear"):
         found.setdefault(row.model, []).append(row.value)
@@ -82,7 +84,7 @@ def volume_goal(results):
 
 
 def clip_rows(results):
-    """Of each clip ours and the true box over the joint boxes, linear skinning."""
+    """Returns, for each clip, our box and the true box over the joint boxes, with linear skinning."""
     rows = []
     for row in results.select("engines", variant=OURS, quantity="volume_to_joint_boxes", kind="clip", skinning="linear"):
         true = results.number("engines", model=row.model, pose=row.pose, variant="all_skinned", quantity="volume_to_joint_boxes", kind="clip", skinning="linear")

@@ -10,7 +10,7 @@ MOST_BYTES = 3 << 20  # of all models together, as they stand in the page
 
 
 def packed_models(results):
-    """(lines of base64, a model each; the names of those that would make the page too large)."""
+    """Returns (lines of base64, one for each model; the names of those that would make the page too large)."""
     lines, left_out = "", []
     for row in results.rows("models"):
         if not row.packed:  # procedural models are made by the explorer itself

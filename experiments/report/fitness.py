@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether results are fit for the paper: whole, of one run, and not older than what made them.
+"""Says whether results are fit for the paper: whole, of one run, and not older than what made them.
 
 Each row has the commit, dirty flag, compiler, flags and processor that it comes from. A file is stale if what made it has
 changed since: any file of SOURCES, committed or not. All files must be of one commit, compiler and processor, and run.csv,

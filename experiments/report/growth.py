@@ -9,7 +9,7 @@ FITTED_CROWDS = 3      # the largest numbers of characters
 
 
 def triangle_times(results, scene, detector):
-    """(triangles, us a frame), in ascending order."""
+    """Returns (triangles, us a frame), in ascending order."""
     return sorted((r.triangles, r.value) for r in results.select("triangle_growth", pose=scene, variant=detector, quantity="us_per_frame"))
 
 
@@ -36,12 +36,12 @@ JOINT_LINES = [("by itself", "own", "ns_of_root"), ("by a BVH cut", "through_des
 
 
 def joint_times(results, variant, quantity):
-    """(joints, ns), in ascending order; 0 joints of some quantities have no row."""
+    """Returns (joints, ns), in ascending order. Some quantities have no row for 0 joints."""
     return sorted((r.joints, r.value) for r in results.select("joint_growth", variant=variant, quantity=quantity))
 
 
 def joint_exponent(results):
-    """Of the root's cost from a known cut."""
+    """Returns the exponent of the root's cost from a known cut."""
     return fitted_exponent([p for p in joint_times(results, "through_descendants", "ns_of_root_from_known") if p[0] in FITTED_JOINTS])
 
 
@@ -67,7 +67,7 @@ CROWD_LINES = [("all pairs", "clusters"), ("all pairs, two threads", "clusters_o
 
 
 def crowd_times(results, variant):
-    """(characters, us a frame), in ascending order; none where there were no threads."""
+    """Returns (characters, us a frame), in ascending order, or none if there were no threads."""
     return sorted((r.characters, r.value) for r in results.find("character_growth", variant=variant, quantity="us_per_frame"))
 
 

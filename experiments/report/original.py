@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the original paper printed: its Tables 1 and 2. No results of ours."""
+"""The original paper printed these Tables 1 and 2. They have no results of ours."""
 import csv
 import pathlib
 
@@ -12,15 +12,16 @@ def table(name):
 
 
 def table1():
-    """Average radii by level: level, reference, linear, spherical, optimal."""
+    """Returns average radii by level: level, reference, linear, spherical, optimal."""
     return [{column: float(value) for column, value in row.items()} for row in table("original_table1.csv")]
 
 
 def ratios_to_optimal():
-    """Of spherical blending, by level."""
+    """Returns the ratios of spherical blending, by level."""
     return [row["spherical"] / row["optimal"] for row in table1()]
 
 
 def table2():
-    """Milliseconds a query: scenario, the model, scene and query of ours that it is compared with, lbs, sbs, bottom_up."""
+    """Returns milliseconds a query: scenario, the model, scene and query of ours that it is compared with, lbs, sbs,
+    bottom_up."""
     return [{**row, **{column: float(row[column]) for column in ("lbs", "sbs", "bottom_up")}} for row in table("original_table2.csv")]

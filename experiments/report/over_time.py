@@ -16,12 +16,12 @@ def total(results, quantity, way="bounds", **where):
 
 
 def worst(results, quantity, way, **where):
-    """The row with the greatest value."""
+    """Returns the row with the greatest value."""
     return max(results.select("over_time", variant=way, quantity=quantity, **where), key=lambda row: row.value)
 
 
 def clusters_of_clips(results, skinning):
-    """The number of clusters, each counted once in every clip that has bounds."""
+    """Returns the number of clusters, each counted once in every clip that has bounds."""
     return sum(results.number("over_time", model=clip.model, skinning=skinning, pose="all", variant="bounds", quantity="clusters")
                for clip in results.select("over_time", skinning=skinning, variant="bounds", quantity="duration"))
 
@@ -38,12 +38,12 @@ def whole_ratios(results, **where):
 
 
 def within_goal(results, **where):
-    """In how many clips the box of the whole character is as tight as it should be."""
+    """Returns in how many clips the box of the whole character is as tight as it should be."""
     return sum(ratio <= GOALS["whole"] for ratio in results.values("over_time", variant="bounds", quantity="whole_ratio", **where))
 
 
 def cluster_ratio(results, **where):
-    """The mean over all clusters that are not flat, in all clips."""
+    """Returns the mean over all clusters that are not flat, in all clips."""
     ratios = results.select("over_time", variant="bounds", quantity="cluster_ratio", **where)
 
     def counted(row):
@@ -54,7 +54,7 @@ def cluster_ratio(results, **where):
 
 
 def seconds(results, by):
-    """(walks times clusters, seconds of bounding), in ascending order."""
+    """Returns (walks times clusters, seconds of bounding), in ascending order."""
     return sorted((r.length * r.clusters, r.value) for r in results.select("over_time_growth", variant=by, quantity="seconds"))
 
 
@@ -63,7 +63,7 @@ def growth_exponent(results, by):
 
 
 def peaks(results):
-    """(triangles, megabytes until the bounds are there, and until the file is), in ascending order."""
+    """Returns (triangles, megabytes until the bounds are there, and until the file is), in ascending order."""
     return sorted((r.triangles, r.value, results.number("over_time_growth", triangles=r.triangles, variant="triangles", quantity="peak_megabytes"))
                   for r in results.find("over_time_growth", quantity="peak_megabytes_bounding"))
 
@@ -78,7 +78,7 @@ def tightness_row(results, model, skinning):
 
 
 def fades(results, **where):
-    """A row for each crossfade that has a bound."""
+    """Returns a row for each crossfade that has a bound."""
     def of(row, quantity):
         return results.number("crossfades", model=row.model, pose=row.pose, skinning=row.skinning, quantity=quantity)
     return [{"model": row.model, "pose": row.pose, "skinning": SKINNINGS[row.skinning], "whole": row.value, "has_clusters": of(row, "clusters") > 0,

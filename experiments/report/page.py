@@ -12,7 +12,7 @@ from . import collisions, deformations, drawings, engines, explorer, growth, ove
 from .tables import PROVENANCE, ResultError
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-# Heading, template, what makes its context, and the tables without which there is no such section.
+# A section has a heading, a template, what makes its context, and the tables without which there is no such section.
 SECTIONS = [
     ("Pictures", "pictures", pictures.section, ["pictures"]),
     ("Explorer", "explorer", explorer.section, []),
@@ -35,20 +35,20 @@ SECTIONS = [
 ]
 
 EFFORTS = {"quick": "a smoke run", "default": "a first look"}
-# Of experiments/options.cpp's full run beside the default one.
+# This says what experiments/options.cpp's full run adds to the default one.
 FULL = ("experiments/run --full samples clips a dozen times more often, tries all detectors and up to a million triangles, and times twenty to fifty "
         "times as long: two to three hours. The paper's numbers are of such a run.")
 
 
 def said_of_effort(results):
-    """What a longer run would add; nothing of a full run."""
+    """Returns what a longer run would add, which is nothing for a full run."""
     effort = results.rows("run")[0].effort
     return f"This is {EFFORTS[effort]}, with few poses and short timings. {FULL}" if effort in EFFORTS else ""
 
 
 @dataclass
 class Page:
-    """Where the page will be, the explorer's HTML that goes into it (or None), and the run that it is of."""
+    """A Page has the place of the page, the explorer's HTML that goes into it (or None), and its run."""
     folder: pathlib.Path
     explorer: pathlib.Path
     provenance: dict

@@ -152,7 +152,7 @@ ELSEWHERE = {"engine_boxes", "sampled_miss"}  # figures of other sections
 
 
 def pictures_of(results, folder):
-    """[(figure's name, its pictures)], in the order of the table. Raises ResultError for a file that is not there."""
+    """Returns [(figure's name, its pictures)], in the order of the table. Raises ResultError for a file that is not there."""
     labels, found = {}, {}
     for row in results.rows("picture_labels"):
         labels.setdefault(row.file, []).append(row)
@@ -169,7 +169,7 @@ def pictures_of(results, folder):
 
 
 def figures_of(results, page, names):
-    """Those of the figures with these names that there are."""
+    """Returns those of the figures with these names that exist."""
     plane = drawings(results.rows("drawings")) if "caps" in names else {}
     figures = []
     for name, pictures in pictures_of(results, page.folder / "pictures"):

@@ -14,7 +14,7 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
-# Colours that the colour-blind can tell apart [Okabe and Ito 2008]; black and yellow are left out, since they vanish on a dark
+# The colour-blind can tell these colours apart [Okabe and Ito 2008]; black and yellow are left out, since they vanish on a dark
 # or a light page.
 COLORS = ["#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a", "#7f5fbf"]
 MARKERS = ["o", "s", "^", "D"]  # of the first eight lines, the second eight, and so on
@@ -38,7 +38,7 @@ class Line:
 
 @dataclass
 class Plot:
-    """A line chart; a line without points is left out."""
+    """A Plot is a line chart. A line without points is left out."""
     title: str
     x_label: str
     y_label: str
@@ -114,12 +114,12 @@ def rounded(value):
 
 
 def short(value):
-    """10, 1k, 100k, 1M."""
+    """Returns a number such as 10, 1k, 100k or 1M."""
     return f"{value / 1e6:g}M" if value >= 1e6 else f"{value / 1e3:g}k" if value >= 1e3 else f"{value:g}"
 
 
 def symbol(color, marker, dashed):
-    """A line with its marker, for a legend; marker None: the line alone."""
+    """Returns a line with its marker, for a legend, or the line alone if marker is None."""
     dash = ' stroke-dasharray="4 3"' if dashed else ""
     return (f'<svg class="key" viewBox="0 0 28 12" aria-hidden="true" fill="{of_page(color)}"><path stroke="{of_page(color)}" stroke-width="2"{dash} d="M0 6h28"/>'
             + ("" if marker is None else SYMBOLS[marker]) + "</svg>")

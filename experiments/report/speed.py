@@ -12,7 +12,7 @@ TIGHTEST = "control_many_pieces"
 
 @dataclass
 class Price:
-    """One variant on one model."""
+    """A Price is that of one variant on one model."""
     variant: str
     skinning: str
     ns_per_sphere: float      # over the whole tree
@@ -24,7 +24,7 @@ class Price:
 
 
 def prices(results, model):
-    """The variants of a model that were timed and measured, cheapest first."""
+    """Returns the variants of a model that were timed and measured, cheapest first."""
     skinning = {row.variant: row.skinning for row in results.rows("variants")}
     out = []
     for row in results.find("speed", model=model, quantity="ns_per_sphere", level=ALL):
@@ -55,7 +55,7 @@ def level_plot(results, model):
 
 
 def summary(variant, of_models):
-    """What the run says of one variant over all models; of_models: their prices."""
+    """Returns what the run says of one variant over all models. of_models are their prices."""
     mine = [p for of_model in of_models.values() for p in of_model if p.variant == variant]
     return {"variant": variant, "costs": span(p.ratio_to_repaired for p in mine) if mine else None,
             "worst": max((p.worst_ratio for p in mine), default=None)}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What stands behind each statement: its tests, what of it is proved in Coq or why not, and the programs that run it; summed up here for
-README, the reference and the paper.
+"""This sums up what stands behind each statement, for README, the reference and the paper: its tests, what of it is proved in
+Coq or why not, and the programs that run it.
 
 The tests' part is the run's (verdicts.csv), with what is proved for all points of a box of parameters (proptests/exhaustive/proved.csv) and
 with how many mutants by rule of the statement's file the tests kill (proptests/mutants/judged.csv). The proofs' part is
@@ -21,7 +21,8 @@ USED_BY = re.compile(r"// Used by: (.*(?:\n// .*)*)\n\Z")
 
 @dataclass
 class Statement:
-    """Of one statement. Names are those of the statements in Coq; that of the theorem has an ending."""
+    """A Statement is what stands behind one statement. Names are those of the statements in Coq; that of the theorem has an
+    ending."""
     verdict: Verdict
     suite: str      # the file of its tests
     exhaustive: list  # names of the theorems that are proved for all points of a box of parameters
@@ -35,7 +36,8 @@ class Statement:
 
 
 def users(root, stem):
-    """(folders of programs, lemmas that use it). Raises ResultError if there is neither a lemma nor a program of this name."""
+    """Returns (folders of programs, lemmas that use it). Raises ResultError if there is neither a lemma nor a program of this
+    name."""
     lemma = root / "lemmas" / f"{stem}.hpp"
     if not lemma.exists():
         found = sorted(p for name in {stem, stem.removeprefix("refit_")} for p in (root / "algorithms").rglob(f"{name}.hpp"))
@@ -58,7 +60,7 @@ def suite_of(root, stem):
 
 
 def rows_by(path, key):
-    """{what key makes of a row: those rows of a table}"""
+    """Returns {what key makes of a row: those rows of a table}."""
     out = {}
     try:
         with path.open(newline="", encoding="utf-8") as file:
@@ -70,7 +72,8 @@ def rows_by(path, key):
 
 
 def statements(root, verdicts):
-    """Of each verdict. Raises ResultError if a statement is neither proved nor has a sentence that says why not."""
+    """Returns the statement of each verdict. Raises ResultError if a statement is neither proved nor has a sentence that says
+    why not."""
     path = root / "lemmas/proofs/status.csv"
     status, out = rows_by(path, lambda row: row["stem"]), []
     theorems = rows_by(root / "proptests/exhaustive/proved.csv", lambda row: row["theorem"].partition(".")[0])
@@ -120,7 +123,7 @@ HEAD = ["statement", "tested in exact arithmetic", "proved in Coq", "run by"]
 
 
 def markdown(found):
-    """The table as it stands in README."""
+    """Returns the table as it stands in README."""
     rows = [HEAD, ["---"] * 4]
     for s in found:
         tests, proofs, run_by = cells(s, lambda name: f"`{name}`", str)

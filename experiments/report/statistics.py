@@ -5,7 +5,7 @@ from collections import namedtuple
 
 
 def mean(values):
-    """The arithmetic mean of at least one number."""
+    """Returns the arithmetic mean of at least one number."""
     values = list(values)
     if not values:
         raise ValueError("the mean of no numbers")
@@ -16,13 +16,13 @@ Span = namedtuple("Span", "least most")
 
 
 def span(values):
-    """The least and the largest of at least one number."""
+    """Returns the least and the largest of at least one number."""
     values = list(values)
     return Span(min(values), max(values))
 
 
 def weighted_mean(values, weights):
-    """The mean with these weights, of which at least one is positive and none negative."""
+    """Returns the mean with these weights, of which at least one is positive and none negative."""
     values, weights = list(values), list(weights)
     if any(w < 0 for w in weights) or sum(weights) == 0:
         raise ValueError("weights are positive or 0, and not all of them 0")
@@ -30,7 +30,8 @@ def weighted_mean(values, weights):
 
 
 def fitted_exponent(points):
-    """e of the least-squares fit of a x^e to y through the logarithms of points (x, y), all positive, with two x at least."""
+    """Returns e of the least-squares fit of a x^e to y through the logarithms of points (x, y), all positive, with two x at
+    least."""
     points = list(points)
     if len({x for x, _ in points}) < 2 or any(x <= 0 or y <= 0 for x, y in points):
         raise ValueError("an exponent is fitted to positive points with two different x at least")
@@ -42,6 +43,6 @@ def fitted_exponent(points):
 
 
 def is_on_cut(point, points):
-    """Whether no other (cost, ratio) costs as little and has a smaller ratio."""
+    """Returns whether no other (cost, ratio) costs as little and has a smaller ratio."""
     cost, ratio = point
     return not any(c <= cost and r < ratio for c, r in points)

@@ -139,7 +139,7 @@ class Results:
         return self.folder / f"{name}.csv"
 
     def was_run(self, name):
-        """Whether the last finished run wrote this table: run.csv names it."""
+        """Returns whether the last finished run wrote this table, that is, whether run.csv names it."""
         return any(row.file == f"{name}.csv" for row in self.rows("run"))
 
     def rows(self, name):
@@ -157,7 +157,7 @@ class Results:
         return found
 
     def find(self, name, **where):
-        """The same, but there may be none."""
+        """Returns the same, but there may be none."""
         rows = self.rows(name)
         if isinstance(where.get("variant"), str) and isinstance(where.get("quantity"), str):
             rows = self._by_variant[name].get((where["variant"], where["quantity"]), [])
@@ -167,7 +167,7 @@ class Results:
         return [row.value for row in self.select(name, **where)]
 
     def number(self, name, **where):
-        """The value of the one row with these values."""
+        """Returns the value of the one row with these values."""
         found = self.select(name, **where)
         if len(found) > 1:
             raise ResultError(f"{self.path(name)}: has {len(found)} rows, not one, of " + said(where))
@@ -177,14 +177,14 @@ class Results:
         return self.number(name, **where) if self.find(name, **where) else None
 
     def distinct(self, name, column, **where):
-        """The different values of a column, in the order in which they first stand there."""
+        """Returns the different values of a column, in the order in which they first stand there."""
         return list(dict.fromkeys(getattr(row, column) for row in self.find(name, **where)))
 
     def constant(self, name):
         return self.number("constants", constant=name)
 
     def default_variant(self, skinning="spherical"):
-        """The name of the refit that the library takes unless told otherwise."""
+        """Returns the name of the refit that the library takes unless told otherwise."""
         return self.select("variants", skinning=skinning, default="yes")[0].variant
 
     def _index(self, name):

@@ -13,25 +13,25 @@ PLOTTED = ["spherical_printed_signed", "spherical_repaired", "control_miniball",
 
 @dataclass
 class PoseSet:
-    """What was measured of a model in one pose, or in the sampled times of a clip."""
+    """A PoseSet has what was measured of a model in one pose, or in the sampled times of a clip."""
     model: str
     pose: str
     poses: int  # how many were sampled
     levels: dict   # by variant, then level, then quantity
 
     def ratios(self, variant):
-        """(level, average radius / optimal) of the levels that have a ball of the variant."""
+        """Returns (level, average radius / optimal) of the levels that have a ball of the variant."""
         return [(level, cell["ratio_to_optimal"]) for level, cell in sorted(self.levels[variant].items()) if "ratio_to_optimal" in cell]
 
     def merged(self, variant):
-        """Counts of all levels added up, and the worst miss of any."""
+        """Returns the counts of all levels added up, and the worst miss of any."""
         cells = self.levels[variant].values()
         out = {quantity: round(sum(cell.get(quantity, 0) for cell in cells)) for quantity in ("nodes", "undefined", "misses")}
         return {**out, "worst_miss": max(cell.get("worst_miss", 0) for cell in cells)}
 
 
 def pose_sets(results):
-    """In the order of the file."""
+    """Returns the sets in the order of the file."""
     sets = {}
     for row in results.rows("tightness"):
         key = row.model, row.pose
@@ -42,7 +42,7 @@ def pose_sets(results):
 
 
 def conclusion(sets, variant):
-    """What one would take from a model's plots and tables: the variant's least and largest ratio, and its misses."""
+    """Returns what one would take from a model's plots and tables: the variant's least and largest ratio, and its misses."""
     all_levels = [s.merged(variant) for s in sets]
     return {"variant": variant, "ratios": span([ratio for s in sets for _, ratio in s.ratios(variant)]),
             "misses": sum(m["misses"] for m in all_levels), "nodes": sum(m["nodes"] for m in all_levels)}

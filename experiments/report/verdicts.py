@@ -10,7 +10,7 @@ OPENING, CLOSING = "<!-- verdicts -->\n", "<!-- /verdicts -->"  # around the tab
 
 @dataclass
 class Verdict:
-    """Of one statement, over its properties. lemma: the stem of its file."""
+    """A Verdict is that of one statement, over its properties. lemma is the stem of its file."""
     lemma: str
     failed: bool         # a test failed: then nothing is said
     refuted_after: int   # cases until the first counterexample to what is printed; 0: none was found
@@ -22,7 +22,7 @@ class Verdict:
 
 
 def of_lemma(lemma, rows):
-    """The verdict over these rows of verdicts.csv, which are all of this lemma."""
+    """Returns the verdict over these rows of verdicts.csv, which are all of this lemma."""
     statements = [r for r in rows if r.role == "statement"]
     printed = [r for r in statements if r.form == "printed"]
     repaired = [r for r in statements if r.form != "printed" and r.verdict == "holds"]
@@ -34,7 +34,7 @@ def of_lemma(lemma, rows):
 
 
 def summed_up(rows):
-    """Of each lemma that has a statement, in the order of the alphabet."""
+    """Returns the verdict of each lemma that has a statement, in the order of the alphabet."""
     by_lemma = {}
     for row in rows:
         by_lemma.setdefault(row.lemma, []).append(row)
@@ -42,7 +42,7 @@ def summed_up(rows):
 
 
 def said_of_claims(cases):
-    """How many claims held, and in how many cases each; nothing of none."""
+    """Returns how many claims held, and in how many cases each, or nothing if there are none."""
     if not cases:
         return ""
     each = f"{min(cases)} to {max(cases)}" if min(cases) < max(cases) else f"{cases[0]}"
@@ -64,14 +64,14 @@ def said_of_repaired(verdict):
 
 
 def markdown(verdicts):
-    """The table as it stands in README."""
+    """Returns the table as it stands in README."""
     rows = [["statement", "as printed", "repaired, or beyond", "numbers", "hypotheses shown necessary"], ["---"] * 5]
     rows += [[v.lemma, said_of_printed(v), said_of_repaired(v), ", ".join(v.number_types), "; ".join(v.hypotheses).replace("|", "\\|")] for v in verdicts]
     return f"| {' | '.join(rows[0])} |\n|{'|'.join(rows[1])}|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows[2:])
 
 
 def place(text, path, opening=OPENING, closing=CLOSING):
-    """Where the table begins and ends in the text of a file. Raises ResultError if it has none."""
+    """Returns where the table begins and ends in the text of a file. Raises ResultError if it has none."""
     start, end = text.find(opening), text.find(closing)
     if start < 0 or end < start:
         raise ResultError(f"{path}: the lines {opening.strip()} and {closing} are missing")

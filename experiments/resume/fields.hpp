@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of every result and setting, in order, so that finished units can be kept and found again.
+// These are the fields of every result and setting, in order, so that finished units can be kept and found again.
 //
-// A structured binding names all members or does not compile: none can be forgotten here.
+// A structured binding names all members or does not compile, so none can be forgotten here.
 #pragma once
 
 #include <tuple>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Resuming: an experiment on a model that an earlier run finished with the same program, options and model is not run
-// again.
+// An experiment on a model that an earlier run finished with the same program, options and model is not run again.
 #pragma once
 
 #include <chrono>
@@ -31,7 +30,7 @@ void from_json(const nlohmann::json& json, T& value) {
   std::apply([&](auto&... field) { (json.at(i++).get_to(field), ...); }, fields(value));
 }
 
-// The units of a run, of which it says how many are left as each begins.
+// Units are those of a run. As each begins, it says how many are left.
 class Units {
  public:
   Units(const RunFolder& folder, std::size_t total) : folder(folder), total_(total) {}
@@ -47,8 +46,8 @@ class Units {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// The result of make(), or of the run that made it before. options: settings of the experiment; model: what identify()
-// says of it, or nothing.
+// Returns the result of make(), or of the run that made it before. options are the settings of the experiment. model is what
+// identify() returns for it, or empty.
 template <class Make, class Options>
 auto resumed_or(Units& run, const std::string& unit, const Options& options, const std::string& model, const Make& make) {
   using Result = decltype(make());
@@ -65,8 +64,8 @@ auto resumed_or(Units& run, const std::string& unit, const Options& options, con
   return result;
 }
 
-// A fingerprint of a model: everything that it has, clips at 4096 times each (all frames of a minute at 60 a second). Poses that are
-// not rigid count as affine ones.
+// Returns a fingerprint of everything that a model has. Clips are taken at 4096 times each (all frames of a minute at 60 a
+// second). Poses that are not rigid count as affine ones.
 std::string identify(const Model& model);
 
 }  // namespace refitlab

@@ -30,7 +30,7 @@ std::vector<Pose> sampled_poses(const AnimatedCharacter& c, int count) {
   return out;
 }
 
-// One variant's checks in one pose after the other.
+// VariantChecks are one variant's checks in one pose after the other.
 class VariantChecks {
  public:
   VariantChecks(const AnimatedCharacter& c, const RefitVariant& variant, const RoundingSettings& settings)
@@ -86,7 +86,7 @@ class VariantChecks {
   std::vector<int> some_;
 };
 
-// Of all nodes, with the slack over without.
+// Returns the cost of all nodes with the slack over that without.
 double cost_of(const AnimatedCharacter& c, const RefitVariant& variant, const SkinningPalette<double>& palette,
                const SpeedSettings& settings) {
   const auto all_nodes = [&](Refit refit) {

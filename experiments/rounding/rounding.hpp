@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rounding experiment: what certifying a refit in floating point adds to its radius and costs, and whether any vertex,
-// skinned exactly, is outside a ball: with the slack for rounding none may be; without it, how many are.
+// The rounding experiment measures what certifying a refit in floating point adds to its radius and costs. It also counts the
+// exactly skinned vertices outside a ball. With the slack for rounding there may be none.
 #pragma once
 
 #include <string>
@@ -21,15 +21,15 @@ struct RoundingSettings {
 
 struct RoundingResult {
   std::string model, variant;
-  // Of vertices against balls, exactly: all of them; those outside the ball, outside the same rounded to float, and outside
-  // the ball without the slack.
+  // These count exact checks of vertices against balls: all of them, those outside the ball, outside the same ball rounded to
+  // float, and outside the ball without the slack.
   long checks = 0, misses = 0, float_misses = 0, misses_as_computed = 0;
-  // What the slack, and what rounding to float after it, adds to the radius; relative to it, median over nodes and poses.
+  // The slack, and rounding to float after it, add this share to the radius, as a median over nodes and poses.
   double inflation = 0, float_inflation = 0;
   double cost = 0;  // processor time with the slack over that without, in one pose
 };
 
-// Every sound variant. Progress on stdout.
+// Runs the experiment on every sound variant. Progress goes to stdout.
 std::vector<RoundingResult> run_rounding(const AnimatedCharacter& character, const NamedPose& timed,
                                          const RoundingSettings& settings);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Methods: what the experiments compare, one name each in result files and in the report.
+// The experiments compare methods. Each has one name in result files and in the report.
 #pragma once
 
 #include "algorithms/runtime/refit/frame_refits.hpp"
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// A refit variant, with what a frame's balls know of each other or without.
+// A Method is a refit variant, with or without what a frame's balls know of each other.
 struct Method {
   std::string name, description;
   const RefitVariant* variant;
@@ -16,13 +16,14 @@ struct Method {
   bool stands_alone() const { return options.most_joint_sets == 0 && !options.children_first; }
 };
 
-// Every refit variant by itself. Each default one (default_variant) is followed by the same through BVH cuts and children first.
+// Returns every refit variant by itself. Each default one (default_variant) is followed by the same through BVH cuts and children
+// first.
 const std::vector<Method>& methods();
 
-// Throws std::invalid_argument for a name that is not one of them.
+// Returns the method of this name. Throws std::invalid_argument for an unknown name.
 const Method& method(const std::string& name);
 
-// The balls of all nodes in this pose, children before parents.
+// Returns the balls of all nodes in this pose. They are made children before parents.
 std::vector<Ball3<double>> refit_all(const Character& character, const Method& method, const SkinningPalette<double>& palette);
 
 }  // namespace refitlab

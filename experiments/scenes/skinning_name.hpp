@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of the ways of skinning, as tables of results have them.
+// These are the names of the ways of skinning in tables of results.
 #pragma once
 
 #include "algorithms/runtime/skinning/skinning_palette.hpp"

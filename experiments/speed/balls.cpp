@@ -24,7 +24,7 @@ constexpr int cloud_count = 256;
 constexpr char random_points[] = "random points", control_points[] = "control points";
 using Doubles = Pack<double>;
 
-// The fastest road to CGAL's solver in double: spheres that are plain arrays, of radius 0.
+// PlainSpheres are the fastest road to CGAL's solver in double. They are plain arrays, of radius 0.
 template <int dimension>
 struct PlainSpheres {
   struct Sphere {
@@ -151,7 +151,7 @@ void measure(const std::string& kind, int n, const SpeedSettings& settings, std:
 
 std::vector<BallSpeed> run_ball_speed(const SpeedSettings& settings) {
   std::cout << "[speed] smallest balls of few points: " << settings.repetitions << " repetitions" << std::endl;
-  // Runs so short, but five times as many, that some of them are not disturbed by whatever else the machine does.
+  // Runs are so short, but five times as many, that some of them are not disturbed by other programs.
   const SpeedSettings short_runs{settings.seconds_per_run / 25, 5 * settings.repetitions};
   std::vector<BallSpeed> results;
   for (const char* kind : {random_points, control_points})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ball speed experiment: what the smallest ball of few points costs, by kernel, against CGAL's.
+// The ball speed experiment measures what the smallest ball of few points costs, by kernel, against CGAL's.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ struct BallSpeed {
   double ratio_to_cgal;                // of the leasts
 };
 
-// Clouds of points that are independent, and of the refit's: images of one point under blends of three rotations, and
-// the blends themselves. Throws std::runtime_error if two kernels that find smallest balls disagree about a radius.
+// Measures clouds of independent points, and those of the refit: images of one point under blends of three rotations, and the
+// blends themselves. Throws std::runtime_error if two kernels that find smallest balls disagree about a radius.
 std::vector<BallSpeed> run_ball_speed(const SpeedSettings& settings);
 
-// All results as out/results/ball_speed.csv.
+// Writes all results as out/results/ball_speed.csv.
 void write_ball_speed(const std::vector<BallSpeed>& results, const std::string& path);
 
 }  // namespace refitlab

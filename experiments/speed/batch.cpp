@@ -110,7 +110,7 @@ class BatchExperiment {
     }
   }
 
-  // Spherical against linear, the same way of doing it.
+  // Compares spherical with linear refits, done in the same way.
   void compare_refits() {
     for (BatchSpeed& r : results_)
       for (const BatchSpeed& linear : results_)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The batch experiment: skinning, refitting a whole tree and preparing a palette in SIMD packs, against one vertex, node or
-// joint-set after the other in double.
+// The batch experiment compares skinning, refitting a whole tree and preparing a palette in SIMD packs with taking one vertex,
+// node or joint-set after the other in double.
 #pragma once
 
 #include <string>
@@ -21,11 +21,11 @@ struct BatchSpeed {
   double to_linear;  // of refits: to the linear refit done the same way, else 0
 };
 
-// By every target that there is. Throws std::logic_error if a batch's result is wrong: skinned vertices not bit-identical,
-// a ball that misses a vertex.
+// Measures every available target. Throws std::logic_error if a batch's result is wrong, that is, if skinned vertices are not
+// bit-identical or a ball misses a vertex.
 std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& character, const NamedPose& pose, const SpeedSettings& settings);
 
-// All results as out/results/batch_speed.csv.
+// Writes all results as out/results/batch_speed.csv.
 void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path);
 
 }  // namespace refitlab

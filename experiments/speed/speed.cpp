@@ -15,8 +15,8 @@ namespace refitlab {
 
 namespace {
 
-// Refits these nodes of the character by each sound variant that stands alone, and all of them by the others too: they
-// make some nodes from others.
+// Refits these nodes of the character by each sound variant that stands alone. If these are all nodes, it takes the other
+// variants too, which make some nodes from others.
 std::vector<Timed> refits_of(const AnimatedCharacter& c, const Pose& pose, const std::vector<int>& nodes) {
   std::vector<Timed> out;
   for (const Method& method : methods()) {

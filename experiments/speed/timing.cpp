@@ -12,7 +12,7 @@ namespace {
 
 using Times = std::map<std::string, std::vector<double>>;
 
-// Collects nanoseconds per item by name, one entry a repetition.
+// A Collector collects nanoseconds per item by name, with an entry for each repetition.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   explicit Collector(Clock clock) : clock_(clock) {}
@@ -29,7 +29,7 @@ class Collector : public benchmark::BenchmarkReporter {
   const Clock clock_;
 };
 
-// Says every ten seconds how many repetitions of a list of calls are done.
+// Progress says every ten seconds how many repetitions of a list of calls are done.
 class Progress {
  public:
   Progress(std::size_t calls, const SpeedSettings& settings)

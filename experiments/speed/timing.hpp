@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Timing by Google Benchmark: nanoseconds per item, repeated.
+// Google Benchmark measures nanoseconds per item, repeatedly.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ enum class Clock {
   wall        // for what runs on several threads
 };
 
-// By name, one entry a repetition; the calls are made by this thread.
+// Returns nanoseconds per item by name, with an entry for each repetition. The calls are made by this thread.
 std::map<std::string, std::vector<double>> ns_per_item(const std::vector<Timed>& calls, const SpeedSettings& settings,
                                                        Clock clock = Clock::processor);
 

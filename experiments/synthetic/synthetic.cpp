@@ -45,7 +45,7 @@ MeasuredCase measure(const SyntheticSettings& settings, std::size_t number) {
     auto& [images, smallest] = skinned.at(variant.skinning);
     const Ball3<double> ball = variant.refit(nodes.node(variant.pieces));
     Measured m{images.score(ball)};
-    // What hardly moves has a smallest ball of rounding errors: a ratio to it would say nothing.
+    // Vertices that hardly move have a smallest ball of rounding errors, and a ratio to it would say nothing.
     if (!m.score.undefined && !m.score.unbounded && smallest > 1e-9) m.looseness = ball.radius / smallest;
     out.variants.push_back(m);
   }
@@ -74,7 +74,7 @@ SyntheticResult summary(const std::vector<MeasuredCase>& cases, std::size_t vari
   return out;
 }
 
-// Rough: the clock's and the call's own cost is in it. The best of a few passes over all cases.
+// Returns rough times, which include the cost of the clock and of the call. They are the best of a few passes over all cases.
 std::vector<double> nanoseconds(const SyntheticSettings& settings) {
   const int count = std::min(settings.count, timed_cases);
   std::vector<CaseNodes> nodes;

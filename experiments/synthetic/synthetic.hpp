@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The synthetic experiment: every refit variant on many synthetic cases in exact rationals; what it misses, how loose
-// it is, what it costs.
+// The synthetic experiment runs every refit variant on many synthetic cases in exact rationals. It measures what each misses, how
+// loose it is, and what it costs.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +25,10 @@ struct SyntheticSettings {
   std::uint64_t seed = 2006;
 };
 
-// Geometry on all processors, then the cost of some of the cases on one thread. Progress and a table on stdout.
+// Measures the geometry on all processors, then the cost of some of the cases on one thread. Progress and a table go to stdout.
 std::vector<SyntheticResult> run_synthetic(const SyntheticSettings& settings);
 
-// out/results/synthetic.csv at path, and beside it the first cases as a file of cases for other programs to read.
+// Writes out/results/synthetic.csv to path, and beside it the first cases as a file of cases for other programs to read.
 void write_synthetic(const std::vector<SyntheticResult>& results, const SyntheticSettings& settings, const std::string& path);
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The balls of all nodes in one pose, counted in their levels.
+// The balls of all nodes in one pose are counted in their levels.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,8 @@ inline double excess(const Ball3<double>& ball, std::span<const int> vertices, s
   return std::sqrt(far) - ball.radius;
 }
 
-// balls and optimal: by node. deformed: by vertex, what the balls are to enclose; empty if they need not enclose anything.
+// Adds the balls of a pose to the levels. balls and optimal are by node. deformed has, by vertex, what the balls are to enclose.
+// It is empty if they need not enclose anything.
 inline void add_balls(const Character& c, std::span<const Ball3<double>> balls, std::span<const Ball3<double>> optimal,
                       std::span<const Point3> deformed, std::vector<LevelTightness>& levels) {
   const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;

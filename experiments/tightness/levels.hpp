@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is counted of one level of a tree: numbers that are merged over poses and models.
+// These numbers of one level of a tree are merged over poses and models.
 #pragma once
 
 #include <algorithm>
 
 namespace refitlab {
 
-// Of one variant's balls on one level, over the poses of a set.
+// A LevelTightness is that of one variant's balls on one level, over the poses of a set.
 struct LevelTightness {
   long nodes = 0;      // balls seen: nodes of the level times poses
   long undefined = 0;  // of them not a number or of negative radius; left out of the radii
@@ -28,7 +28,7 @@ struct LevelTightness {
   }
 };
 
-// Of one variant's volumes on one level, over the poses of a set.
+// LevelVolumes are one variant's volumes on one level, over the poses of a set.
 struct LevelVolumes {
   long nodes = 0;   // volumes seen
   long misses = 0;  // of them with a deformed vertex outside, by more than rounding

@@ -11,11 +11,11 @@
 namespace refitlab {
 namespace {
 
-// "optimal" is of spherical blending.
+// The column "optimal" is for spherical blending.
 constexpr std::pair<Skinning, const char*> other_optimal_columns[] = {{Skinning::linear, "optimal_linear"},
                                                                       {Skinning::dual_quaternion, "optimal_dual_quaternion"}};
 
-// One pose: the balls of every column are measured against the vertices that they claim to bound.
+// A PoseMeasurement measures, in one pose, the balls of every column against the vertices that they claim to bound.
 class PoseMeasurement {
  public:
   PoseMeasurement(const AnimatedCharacter& c, const Pose& pose) : c_(c), pose_(pose) {}
@@ -44,7 +44,7 @@ class PoseMeasurement {
     std::vector<Ball3<double>> optimal;
   };
 
-  // Made when first asked for.
+  // Returns a frame, which is made when it is first asked for.
   const Frame& frame(Skinning s) {
     if (const auto known = frames_.find(s); known != frames_.end()) return known->second;
     Frame& f = frames_[s];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measuring tightness: per level, how large each variant's balls are beside the optimal ones, and what they miss.
+// Tightness is, per level, how large each variant's balls are beside the optimal ones, and what they miss.
 #pragma once
 
 #include <map>
@@ -14,12 +14,11 @@ namespace refitlab {
 
 using Tightness = std::map<std::string, std::vector<LevelTightness>>;  // by variant, by level - 1
 
-// The columns of the experiment in the order of the report: "reference", every method, "linear_under_spherical"
-// (the linear refit against spherically skinned vertices), "bottom_up", "optimal", "optimal_linear" and
-// "optimal_dual_quaternion".
+// Returns the columns of the experiment in the order of the report: "reference", every method, "linear_under_spherical" (the
+// linear refit against spherically skinned vertices), "bottom_up", "optimal", "optimal_linear" and "optimal_dual_quaternion".
 std::vector<std::string> tightness_columns();
 
-// All variants in all poses of the set, on all processors.
+// Measures all variants in all poses of the set, on all processors.
 Tightness measure_tightness(const AnimatedCharacter& character, const PoseSet& poses);
 
 }  // namespace refitlab

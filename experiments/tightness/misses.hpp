@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which balls miss a vertex that they are to hold, and which vertices these are.
+// Misses are the balls that miss a vertex that they are to hold, and these vertices.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace refitlab {
 
-// A vertex counts as missed if it is outside its ball by more than this share of the root's reference radius: skinning
-// and refit both round, by some 1e-15 of that each.
+// A vertex counts as missed if it is outside its ball by more than this share of the root's reference radius. Skinning and refit
+// both round, each by some 1e-15 of that radius.
 inline constexpr double miss_tolerance = 1e-12;
 
-// A ball that is not a number or of negative radius holds nothing.
+// Returns whether a ball is defined. One that is not a number or has a negative radius holds nothing.
 inline bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
 
 struct Misses {
@@ -26,7 +26,7 @@ struct Misses {
   long outside_count() const { return std::count(outside.begin(), outside.end(), true); }
 };
 
-// balls: one for each of the nodes. vertices: of the model, deformed.
+// Finds the misses. balls has one for each of the nodes. vertices are the deformed ones of the model.
 inline Misses find_misses(const AnimatedCharacter& c, std::span<const int> nodes, std::span<const Ball3<double>> balls,
                           std::span<const Point3> vertices) {
   const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
@@ -48,7 +48,7 @@ inline Misses find_misses(const AnimatedCharacter& c, std::span<const int> nodes
   return out;
 }
 
-// The nodes of a level of the tree, from 1; of all levels for level 0.
+// Returns the nodes of a level of the tree, from 1, or of all levels for level 0.
 inline std::vector<int> nodes_of_level(const SphereTree& tree, int level) {
   std::vector<int> nodes;
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tightness experiment: Table 1 for every model and pose, with what each variant misses.
+// The tightness experiment makes Table 1 for every model and pose, with what each variant misses.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ struct TightnessSettings {
 std::vector<TightnessResult> run_tightness(const AnimatedCharacter& character, const std::vector<NamedPose>& poses,
                                            const TightnessSettings& settings);
 
-// All results as out/results/tightness.csv.
+// Writes all results as out/results/tightness.csv.
 void write_tightness(const std::vector<TightnessResult>& results, const std::string& path);
 
 }  // namespace refitlab

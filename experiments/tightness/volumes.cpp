@@ -26,7 +26,7 @@ double size_of(const Volume& volume) {
 
 double volume_of(const Ball3<double>& ball) { return 4 * std::numbers::pi / 3 * std::pow(ball.radius, 3); }
 
-// All points are inside, up to the tolerance.
+// Returns whether all points are inside, up to the tolerance.
 bool holds_all(const Volume& volume, std::span<const Ball3<double>> points, double tolerance) {
   return std::visit(
       [&](auto v) {
@@ -38,7 +38,8 @@ bool holds_all(const Volume& volume, std::span<const Ball3<double>> points, doub
       volume);
 }
 
-// The nodes that are measured: of each level at most this many, evenly spread. Nodes are in the order of their levels.
+// Returns the nodes that are measured. There are at most this many of each level, evenly spread. Nodes are in the order of their
+// levels.
 std::vector<int> some_nodes(const SphereTree& tree, int per_level) {
   std::vector<int> out;
   for (std::size_t first = 0, next; first < tree.nodes.size(); first = next) {
@@ -161,7 +162,7 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
                     r.pose_kind, std::to_string(r.poses)});
         };
         add("size_avg", level.size_avg(), "model unit");
-        // What is a single point has no ratio.
+        // A single point has no ratio.
         if (level.optimal_sum > 0) add("ratio_to_optimal", level.ratio_to_optimal(), "1");
         if (level.ball_sum > 0) add("size_to_ball", level.size_to_ball(), "1");
         if (level.solid_nodes > 0) add("volume_to_ball", level.volume_to_ball(), "1");

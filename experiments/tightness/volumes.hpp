@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The volumes experiment: how tight refitted boxes, k-DOPs and oriented boxes are, how large beside the refitted balls,
-// and what they cost.
+// The volumes experiment measures how tight refitted boxes, k-DOPs and oriented boxes are, how large they are beside the refitted
+// balls, and what they cost.
 //
-// The size of a volume is the radius of the ball of the same surface area, sqrt(area / 4 pi): by Cauchy's theorem that
-// of the ball whose shadows are as large on average. It is a length, for a ball its radius, and not 0 for what is flat.
+// The size of a volume is the radius of the ball of the same surface area, sqrt(area / 4 pi). By Cauchy's theorem the shadows of
+// that ball are as large on average. The size is a length, is the radius for a ball, and is not 0 for a flat volume.
 #pragma once
 
 #include <map>
@@ -22,7 +22,7 @@ struct VolumeResult {
   std::map<std::string, std::vector<LevelVolumes>> volumes;  // by variant, by level - 1
 };
 
-// What refitting a node to a variant's volume costs, on average over all nodes of the tree.
+// A VolumeCost is the cost of refitting a node to a variant's volume, on average over all nodes of the tree.
 struct VolumeCost {
   std::string model, pose, pose_kind, variant;
   double ns_per_node;    // median over the repetitions
@@ -40,11 +40,11 @@ struct VolumeResults {
   std::vector<VolumeCost> costs;
 };
 
-// All clips and the pose of one model, with progress and tables on stdout, appended to results.
+// Measures all clips and the pose of one model, and appends to results. Progress and tables go to stdout.
 void run_volumes(const AnimatedCharacter& character, const NamedPose& pose, const VolumeSettings& settings,
                  VolumeResults& results);
 
-// All results as out/results/volumes.csv.
+// Writes all results as out/results/volumes.csv.
 void write_volumes(const VolumeResults& results, const std::string& path);
 
 }  // namespace refitlab

@@ -12,7 +12,7 @@
 namespace refitlab {
 namespace {
 
-// How many balls of all nodes are defined and yet have a vertex outside.
+// Returns how many balls of all nodes are defined and yet have a vertex outside.
 long count_misses(const AnimatedCharacter& c, std::span<const int> nodes, const Pose& pose, const RefitVariant& variant) {
   const auto palette = make_skinning_palette(c.mesh, c.sets, pose, variant.skinning);
   const auto misses = find_misses(c, nodes, refit_all(c, variant, palette), skin(c.mesh, c.sets, palette, variant.skinning));

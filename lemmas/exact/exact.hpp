@@ -30,7 +30,7 @@ struct NumberTraits<ExactRoot> {
   static bool prefer_less(const ExactRoot& a, const ExactRoot& b) { return a < b; }
 };
 
-// "3/5", "-2".
+// Returns a fraction as text, such as "3/5" or "-2".
 inline std::string as_text(const Rational& x) {
   std::ostringstream out;
   out << x.numerator();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interval: a number type whose values are certain enclosures, so that a comparison holds, fails or stays undecided.
+// Interval is a number type whose values are certain enclosures, so that a comparison holds, fails or stays undecided.
 //
 // CGAL's Interval_nt<true> sets and restores the rounding mode itself. Compile with -frounding-math and
 // -ffp-contract=off (the CMake targets do).

@@ -20,7 +20,7 @@ struct Decision {
   Rung rung;  // the lowest that decided
 };
 
-// statement(inputs...) -> Verdict must accept the inputs over any number type.
+// statement(inputs...) returns a Verdict and must accept the inputs over any number type.
 // Exact is Rational, or ExactRoot for a statement that takes roots.
 template <class Exact = Rational, class Statement, class... Inputs>
 Decision decide(const Statement& statement, const Inputs&... inputs) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MultiprecisionInterval: an interval with ends of 60 decimal digits, the middle rung of the precision ladder.
+// A MultiprecisionInterval has ends of 60 decimal digits. It is the middle rung of the precision ladder.
 #pragma once
 
 #include <CGAL/Gmpq.h>
@@ -24,7 +24,7 @@ struct NumberTraits<MultiprecisionInterval> {
     mpfi_sqr(y.backend().data(), x.backend().data());
     return y;
   }
-  // The root of the non-negative part of x; no number if there is none.
+  // Returns the root of the non-negative part of x, which is no number if there is no such part.
   static S sqrt(const S& x) {
     S y = x;
     if (mpfr_sgn(low(y)) < 0 && mpfr_sgn(high(y)) >= 0) mpfr_set_zero(low(y), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Affine transforms x -> A x + b: joints that scale, shear and mirror.
+// Affine transforms x -> A x + b stand for joints that scale, shear and mirror.
 #pragma once
 
 #include <array>
@@ -29,13 +29,13 @@ Vec<S, 3> apply(const AffineMap<S>& map, const Vec<S, 3>& x) {
   return turned_by(map, x) + map.offset;
 }
 
-// x -> a(b(x)).
+// Returns x -> a(b(x)).
 template <class S>
 AffineMap<S> compose(const AffineMap<S>& a, const AffineMap<S>& b) {
   return {{turned_by(a, b.columns[0]), turned_by(a, b.columns[1]), turned_by(a, b.columns[2])}, apply(a, b.offset)};
 }
 
-// sum w_i C_i, whose image of a point is the blend of the points' images.
+// Returns sum w_i C_i, whose image of a point is the blend of the point's images.
 template <class S>
 AffineMap<S> blended_map(std::span<const AffineMap<S>> maps, std::span<const S> w) {
   AffineMap<S> sum{{maps[0].columns[0] * w[0], maps[0].columns[1] * w[0], maps[0].columns[2] * w[0]}, maps[0].offset * w[0]};
@@ -46,7 +46,7 @@ AffineMap<S> blended_map(std::span<const AffineMap<S>> maps, std::span<const S> 
   return sum;
 }
 
-// sum w_i C_i v, by the images.
+// Returns sum w_i C_i v, as the blend of the images.
 template <class S>
 Vec<S, 3> linear_blend(std::span<const AffineMap<S>> maps, std::span<const S> w, const Vec<S, 3>& v) {
   Vec<S, 3> sum = apply(maps[0], v) * w[0];

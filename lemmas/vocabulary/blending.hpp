@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two blendings of rotations: Equation (1) of the paper, and dual quaternion linear blending. What is linear in the
-// weights is blended first; where the blend carries a vertex is a quotient of polynomials in that.
+// There are two blendings of rotations: Equation (1) of the paper, and dual quaternion linear blending. The parts that are linear
+// in the weights are blended first. The image of a vertex is a quotient of polynomials in them.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-// sum w_i q_i, not normalised.
+// Returns sum w_i q_i, which is not normalised.
 template <class S>
 Quaternion<S> blended_rotation(std::span<const RigidTransform<S>> transforms, std::span<const S> w) {
   Quaternion<S> sum = transforms[0].rotation * w[0];
@@ -17,14 +17,14 @@ Quaternion<S> blended_rotation(std::span<const RigidTransform<S>> transforms, st
   return sum;
 }
 
-// What is linear in the weights in Equation (1).
+// These are the parts of Equation (1) that are linear in the weights.
 template <class S>
 struct BlendedJoints {
   Quaternion<S> rotation;  // sum w_i q_i, not normalised
   Vec<S, 3> center_image;  // sum w_i C_{j_i} r_c
 };
 
-// Equation (1) for a rotation of this squared length, which is not zero, and x = v - r_c. Division by the squared length
+// Computes Equation (1) for a rotation of this squared length, which is not zero, and x = v - r_c. Division by the squared length
 // in place of a normalisation keeps it free of square roots, so that exact rationals can evaluate it.
 template <class S>
 Vec<S, 3> turn_and_place(const BlendedJoints<S>& blend, const S& squared_length, const Vec<S, 3>& x) {
@@ -33,14 +33,14 @@ Vec<S, 3> turn_and_place(const BlendedJoints<S>& blend, const S& squared_length,
   return turned * scale + blend.center_image;
 }
 
-// What is linear in the weights in blending dual quaternions.
+// A blend of dual quaternions q + eps d is linear in the weights.
 template <class S>
 struct BlendedDuals {
   Quaternion<S> rotation;  // sum w_i q_i, not normalised
   Quaternion<S> dual;      // sum w_i d_i
 };
 
-// Im(q v q*) + 2 Im(d q*): ||q||^2 times where q + eps d carries v.
+// Returns Im(q v q*) + 2 Im(d q*), which is ||q||^2 times the image of v by q + eps d.
 template <class S>
 Vec<S, 3> scaled_motion(const BlendedDuals<S>& blend, const Vec<S, 3>& v) {
   const Vec<S, 3> turned = rotate_scaled<S>(blend.rotation, v);
@@ -48,10 +48,10 @@ Vec<S, 3> scaled_motion(const BlendedDuals<S>& blend, const Vec<S, 3>& v) {
   return turned + moved;
 }
 
-// Dual quaternion linear blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"]: the rigid
-// transform of b = sum w_i (q_i + eps d_i) = q + eps d after its normalisation. Dividing b by its norm, the dual number
-// ||q|| + eps (q, d) / ||q||, takes from d its part along q; 2 d q* loses its real part by that and nothing else. So
-// v' = (Im(q v q*) + 2 Im(d q*)) / ||q||^2, free of square roots. This is for a q of this squared length, not zero.
+// Computes dual quaternion linear blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"]: the image
+// of v by the rigid transform of b = sum w_i (q_i + eps d_i) = q + eps d after its normalisation. Dividing b by its norm, the
+// dual number ||q|| + eps (q, d) / ||q||, takes from d its part along q; 2 d q* loses its real part by that and nothing else. So
+// v' = (Im(q v q*) + 2 Im(d q*)) / ||q||^2, free of square roots. q has this squared length, which is not zero.
 template <class S>
 Vec<S, 3> move_rigidly(const BlendedDuals<S>& blend, const S& squared_length, const Vec<S, 3>& v) {
   return scaled_motion(blend, v) / squared_length;

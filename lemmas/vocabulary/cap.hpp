@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cap: the part of a sphere surface in a half-space (paper 4.3), in the paper's second form: center, apex and angle.
+// A Cap is the part of a sphere surface in a half-space (paper 4.3), in the paper's second form: center, apex and angle.
 //
 // The angle is kept as its cosine, so that a cap is an algebraic object: {x : ||x - c|| = r, (x - c, a - c) >= r^2 cos},
 // with r = ||a - c||. HalfSpace is {x : (x, d) >= D}.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Displacements of vertices before they are skinned, by morph targets or reduced coordinates: v = v_0 + sum m_k d_k.
+// Morph targets or reduced coordinates displace vertices before they are skinned: v = v_0 + sum m_k d_k.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// By one target: of a vertex, d_k. A vertex has those of the targets that move it.
+// A Displacement is d_k of a vertex by one target. A vertex has one for each target that moves it.
 template <class S>
 struct Displacement {
   int target;
@@ -20,7 +20,7 @@ Vec<S, 3> displaced_by(const Vec<S, 3>& v, const Vec<S, 3>& by, const S& weight)
   return v + by * weight;
 }
 
-// weights: by target.
+// Returns v. weights holds m_k by target.
 template <class S>
 Vec<S, 3> displaced(const Vec<S, 3>& reference, std::span<const Displacement<S>> displacements, std::span<const S> weights) {
   Vec<S, 3> v = reference;

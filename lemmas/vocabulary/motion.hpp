@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Motion: how long a curve's points are at most, how fast it is and how much it bends, over an interval of its parameter.
+// A Motion bounds a curve over an interval of its parameter: how long its points are, how fast it is, and how much it bends.
 //
 // Bounds of curves multiply by the rule of Leibniz, so that what a chain of joints makes of a point is bounded link by link
-// without a look at where it is. The parameter is a time in seconds, or a weight; what is said per second is then per unit.
+// without a look at where it is. The parameter is a time in seconds, or a weight; then units are per unit of weight in place of
+// per second.
 #pragma once
 
 #include "lemmas/vocabulary/vector.hpp"
@@ -15,7 +16,7 @@ struct Motion {
   S size, speed, acceleration;
 };
 
-// Of a constant.
+// Returns the motion of a constant of this size.
 template <class S>
 Motion<S> at_rest(const S& size) {
   return {size, S(0), S(0)};
@@ -26,20 +27,21 @@ Motion<S> operator+(const Motion<S>& a, const Motion<S>& b) {
   return {a.size + b.size, a.speed + b.speed, a.acceleration + b.acceleration};
 }
 
-// Of any product that is linear in both factors and has ||x y|| <= ||x|| ||y||: of quaternions, of a matrix and a vector.
+// Returns the motion of a product that is linear in both factors and has ||x y|| <= ||x|| ||y||, such as that of quaternions or
+// of a matrix and a vector.
 template <class S>
 Motion<S> product(const Motion<S>& a, const Motion<S>& b) {
   return {a.size * b.size, a.speed * b.size + a.size * b.speed,
           a.acceleration * b.size + S(2) * a.speed * b.speed + a.size * b.acceleration};
 }
 
-// Of both curves, and so of every convex combination of them with constant coefficients.
+// Returns bounds of both curves, and so of every convex combination of them with constant coefficients.
 template <class S>
 Motion<S> widest(const Motion<S>& a, const Motion<S>& b) {
   return {max_of(a.size, b.size), max_of(a.speed, b.speed), max_of(a.acceleration, b.acceleration)};
 }
 
-// A curve at one moment: its point and its first two derivatives.
+// A curve has a point and its first two derivatives at one moment.
 template <class S, int D>
 struct Moment {
   Vec<S, D> value, velocity, acceleration;
@@ -50,7 +52,7 @@ Moment<S, D> operator+(const Moment<S, D>& a, const Moment<S, D>& b) {
   return {a.value + b.value, a.velocity + b.velocity, a.acceleration + b.acceleration};
 }
 
-// The rule of Leibniz, for a product that is linear in both factors.
+// Applies the rule of Leibniz to a product that is linear in both factors.
 template <class S, int D, int E, class Product>
 auto product(const Moment<S, D>& a, const Moment<S, E>& b, const Product& times) {
   using Result = decltype(times(a.value, b.value));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a blended quaternion is a rotation: certainly not 0, also where it was computed with rounding.
+// These decide whether a blended quaternion is a rotation, that is, certainly not 0, also where it was computed with rounding.
 #pragma once
 
 #include <type_traits>
@@ -17,7 +17,7 @@ constexpr double least_squared_length() {
   else return 0;
 }
 
-// Whether a quaternion of this squared length is a rotation beyond doubt.
+// Returns whether a quaternion of this squared length is a rotation beyond doubt.
 template <class S>
 bool is_certainly_nonzero(const S& squared_length) {
   return certainly_less(S(least_squared_length<S>()), squared_length);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Number types: what every lemma and every refit may ask of its number type S.
+// Every lemma and every refit may ask this of its number type S.
 //
 // Each statement is one template over S. The same source then runs in float and double (an answer, no claim),
 // in interval arithmetic (holds / fails / undecided) and in exact arithmetic (decides). Only + - * / and sqrt are
@@ -13,8 +13,8 @@
 
 namespace refitlab {
 
-// What refitlab needs of S beyond the field operations. Specialised where the generic form is wrong or loose:
-// an interval times itself does not know that both factors are the same number, for example.
+// refitlab needs these operations of S beyond the field operations. They are specialised where the generic form is wrong or
+// loose. For example, an interval times itself does not know that both factors are the same number.
 template <class S>
 struct NumberTraits {
   static S square(const S& x) { return x * x; }
@@ -27,7 +27,7 @@ struct NumberTraits {
   static Verdict less_equal(const S& a, const S& b) { return verdict_of(a <= b); }
   static Verdict less(const S& a, const S& b) { return verdict_of(a < b); }
   static Verdict equal(const S& a, const S& b) { return verdict_of(a == b); }
-  // An ordering for pivoting and for picking the farthest point: any answer is correct, the best one is fast.
+  // Orders numbers for pivoting and for picking the farthest point. Any answer is correct; the best one is fast.
   static bool prefer_less(const S& a, const S& b) { return a < b; }
 };
 
@@ -47,13 +47,14 @@ template <class S>
 S min_of(const S& a, const S& b) {
   return NumberTraits<S>::min(a, b);
 }
-// The first or the second number, by a comparison's answer: a bool, or a mask of lanes (algorithms/runtime/packs/pack.hpp).
+// Returns the first or the second number by a comparison's answer, which is a bool or a mask of lanes
+// (algorithms/runtime/packs/pack.hpp).
 template <class Mask, class S>
 S choose(const Mask& first, const S& a, const S& b) {
   if constexpr (std::is_convertible_v<Mask, bool>) return first ? a : b;
   else return NumberTraits<S>::choose(first, a, b);
 }
-// Whether a comparison holds, in some lane if there are several.
+// Returns whether a comparison holds, in some lane if there are several.
 template <class Mask>
 bool any_lane(const Mask& mask) {
   if constexpr (std::is_same_v<Mask, bool>) return mask;
@@ -67,14 +68,14 @@ template <class S>
 Verdict less(const S& a, const S& b) {
   return NumberTraits<S>::less(a, b);
 }
-// An object, not a function: CGAL has an equal() of its own that would be as good a match for its numbers.
+// This is an object and not a function, because CGAL has an equal() of its own that would be as good a match for its numbers.
 inline constexpr auto equal = []<class S>(const S& a, const S& b) { return NumberTraits<S>::equal(a, b); };
 template <class S>
 bool prefer_less(const S& a, const S& b) {
   return NumberTraits<S>::prefer_less(a, b);
 }
 
-// True only if a < b is beyond doubt in S (for an interval: for all of its members). False for a NaN.
+// Returns true only if a < b is beyond doubt in S, which for intervals means for all of their members. It is false for a NaN.
 template <class S>
 bool certainly_less(const S& a, const S& b) {
   return less(a, b) == Verdict::holds;

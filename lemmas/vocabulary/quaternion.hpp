@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quaternions as vectors of R^4, in the order (w, x, y, z): the real part first, as in the paper's q = (1, 0, 0, 0).
+// Quaternions are vectors of R^4 in the order (w, x, y, z). The real part is first, as in the paper's q = (1, 0, 0, 0).
 //
 // A non-zero quaternion q stands for the rotation x -> q x q* / ||q||^2 of R^3, angle in radians, right-handed. q and any
 // k q with k != 0 are the same rotation, but q and -q blend differently.
@@ -33,7 +33,7 @@ Quaternion<S> multiply(const Quaternion<S>& a, const Quaternion<S>& b) {
           a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
 }
 
-// Im(q x q*), that is ||q||^2 times the rotated x: division-free, for a quaternion of any length.
+// Returns Im(q x q*), which is ||q||^2 times the rotated x, without a division. q has any length.
 template <class S>
 Vec<S, 3> rotate_scaled(const Quaternion<S>& q, const Vec<S, 3>& x) {
   const Vec<S, 3> v = imaginary(q);
@@ -45,7 +45,7 @@ Vec<S, 3> rotate_scaled(const Quaternion<S>& q, const Vec<S, 3>& x) {
           keep * x[2] + along * v[2] + twice_w * turn[2]};
 }
 
-// The rotated x for a unit q (QUAT2MATRIX of Algorithm 1, applied to x).
+// Returns the rotated x for a unit q (QUAT2MATRIX of Algorithm 1, applied to x).
 template <class S>
 Vec<S, 3> rotate(const Quaternion<S>& unit, const Vec<S, 3>& x) {
   const Vec<S, 3> v = imaginary(unit);

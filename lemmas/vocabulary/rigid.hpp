@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigid transforms C_j: x -> R(rotation) x + translation, from the reference pose to the animated one (paper 3).
+// The rigid transform C_j maps x -> R(rotation) x + translation, from the reference pose to the animated one (paper 3).
 #pragma once
 
 #include "lemmas/vocabulary/quaternion.hpp"
@@ -18,7 +18,7 @@ Vec<S, 3> apply(const RigidTransform<S>& c, const Vec<S, 3>& x) {
   return turned + c.translation;
 }
 
-// x -> a(b(x)).
+// Returns x -> a(b(x)).
 template <class S>
 RigidTransform<S> compose(const RigidTransform<S>& a, const RigidTransform<S>& b) {
   return {multiply(a.rotation, b.rotation), apply(a, b.translation)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slab: the points between two parallel planes, {x : low <= (n, x) <= high}, for a direction n that is known.
+// A Slab holds the points between two parallel planes, {x : low <= (n, x) <= high}. The direction n is known from elsewhere.
 #pragma once
 
 namespace refitlab {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SquaredBall: a ball of R^d known by its squared radius, {x : ||x - c||^2 <= r^2}.
+// A SquaredBall is a ball of R^d known by its squared radius, {x : ||x - c||^2 <= r^2}.
 //
 // Most radii of the paper are roots of rational numbers. Their squares are rational, so statements about such a ball
 // are decided without a root. A negative squared radius encloses nothing. Where a lemma speaks of a sphere's surface,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of R^d over any number type, and the two products that need care.
+// Vectors of R^d have any number type. The two products that need care are here.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@ namespace refitlab {
 template <class S, int D>
 using Vec = Eigen::Matrix<S, D, 1>;
 
-// (a, b), the dot product. Eigen's own reduction is fine for it; written out so that the order of the sum is fixed.
+// Returns the dot product (a, b). It is written out so that the order of the sum is fixed.
 template <class S, int D>
 S dot(const Vec<S, D>& a, const Vec<S, D>& b) {
   S sum = a[0] * b[0];
@@ -19,7 +19,7 @@ S dot(const Vec<S, D>& a, const Vec<S, D>& b) {
   return sum;
 }
 
-// ||a||^2. Not Eigen's squaredNorm: on an interval [-1, 1] that yields [-1, 1], and a square is never negative.
+// Returns ||a||^2. Eigen's squaredNorm would yield [-1, 1] on an interval [-1, 1], but a square is never negative.
 template <class S, int D>
 S squared_norm(const Vec<S, D>& a) {
   S sum = sq(a[0]);
@@ -32,8 +32,8 @@ S norm(const Vec<S, D>& a) {
   return root(squared_norm(a));
 }
 
-// At least ||x||, and at most 16 % more, without a root: 2 - sqrt 2 times the greatest coordinate and sqrt 2 - 1 times all of
-// them, both rounded up. In float and double, where it is rounded.
+// Returns at least ||x|| and at most 16 % more, without a root. It is 2 - sqrt 2 times the greatest coordinate plus sqrt 2 - 1
+// times all of them, with both factors rounded up. It is for float and double, in which it is rounded.
 template <class S>
 S upper_norm(const Vec<S, 3>& x) {
   const S a = std::abs(x[0]), b = std::abs(x[1]), c = std::abs(x[2]);
@@ -50,7 +50,7 @@ Vec<S, 3> cross(const Vec<S, 3>& a, const Vec<S, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// As of numbers.
+// Chooses the first or the second vector, as choose() of numbers does.
 template <class Mask, class S, int D>
 Vec<S, D> choose(const Mask& first, const Vec<S, D>& a, const Vec<S, D>& b) {
   Vec<S, D> out(a.size());
@@ -58,7 +58,7 @@ Vec<S, D> choose(const Mask& first, const Vec<S, D>& a, const Vec<S, D>& b) {
   return out;
 }
 
-// A vector of one number type as a vector of another (double data taken as exact rationals, for example).
+// Converts a vector to another number type, for example double data to exact rationals.
 template <class T, class S, int D>
 Vec<T, D> convert(const Vec<S, D>& v) {
   Vec<T, D> out(v.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Convex weights W_n = {w in R^n : w_i >= 0, sum w_i = 1}, weight boxes, and convex combinations.
+// Convex weights are W_n = {w in R^n : w_i >= 0, sum w_i = 1}. Weight boxes and convex combinations are here too.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ Verdict is_convex(std::span<const S> w) {
   return v & equal(sum, S(1));
 }
 
-// sum_k w_k p_k.
+// Returns sum_k w_k p_k.
 template <class S, int D>
 Vec<S, D> combine(std::span<const S> w, std::span<const Vec<S, D>> points) {
   Vec<S, D> sum = points[0] * w[0];
@@ -29,7 +29,7 @@ Vec<S, D> combine(std::span<const S> w, std::span<const Vec<S, D>> points) {
   return sum;
 }
 
-// The bounds <l_i, h_i> of the weights of one joint-set: W' = {w : l_i <= w_i <= h_i, sum w_i = 1} (paper 4.1).
+// The bounds <l_i, h_i> of the weights of one joint-set give W' = {w : l_i <= w_i <= h_i, sum w_i = 1} (paper 4.1).
 template <class S>
 struct WeightBounds {
   std::vector<S> low, high;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The joints of a model in an animation: where they are at a time, and how they move between two times.
+// AnimatedJoints are the joints of a model in an animation. They tell where the joints are at a time, and how they move between
+// two times.
 #pragma once
 
 #include <map>
@@ -12,27 +13,27 @@ namespace refitlab {
 
 class AnimatedJoints : public MovingJoints {
  public:
-  // model and animation outlive this. needs_pose: spherical and dual quaternion skinning do. Throws ModelError for a model without
-  // a skeleton of keys, and for splines that smooth_times refuses.
+  // model and animation must outlive this. needs_pose is true for spherical and dual quaternion skinning. Throws ModelError for a
+  // model without a skeleton of keys, and for splines that smooth_times refuses.
   AnimatedJoints(const Model& model, const Animation& animation, bool needs_pose);
 
   const Model& model() const override { return model_; }
-  // Seconds; every part from one to the next is smooth. The last part is a moment where the animation has no duration, or jumps
-  // at its end: then it ends with what comes after the jump.
+  // Returns the times, in seconds, between which every part is smooth. If the animation has no duration, or jumps at its end, the
+  // last part is a moment. It then has what comes after the jump.
   const std::vector<double>& times() const { return times_; }
   int part_count() const { return static_cast<int>(motions_.size()); }
   const JointMotions& motions(int part) const { return *motions_[part]; }
 
-  // The parts.
+  // Returns a box for each part.
   std::vector<ParameterBox> boxes() const override;
-  // From start to end, which are times in this part.
+  // Returns the cell from start to end, which are times in this part.
   JointCell cell(int part, double start, double end) const;
   JointCell cell(const ParameterBox& box) const override;
   std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter, bool is_known) const override;
 
-  // Side::after where both sides of a time are the same.
+  // Returns the side, or Side::after if both sides of the time are the same.
   Side side_of(double time, Side side) const;
-  // What is returned is shared by all who ask for the same.
+  // Returns the posed joints at a time. All who ask for the same share them.
   std::shared_ptr<const PosedJoints> at(double time, Side side) const;
   std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const override;
 

@@ -12,7 +12,7 @@
 namespace refitlab {
 namespace {
 
-// Of roundings in a chain of nodes, which are far fewer than 2^20.
+// This factor allows for the roundings in a chain of nodes, which are far fewer than 2^20.
 constexpr double room_for_rounding = 1 + 0x1p-30;
 
 std::vector<int> path_to(const std::vector<SceneNode>& nodes, int node) {
@@ -37,7 +37,7 @@ class Ranges {
     return out;
   }
 
-  // Of a vertex from the origin of a joint, in its frame.
+  // Returns the greatest distance of a vertex from the origin of a joint, in the joint's frame.
   double distance(int vertex, const BoundJoint& joint) const {
     const Eigen::Matrix3d linear = joint.offset.topLeftCorner<3, 3>();
     double distance = norm<double, 3>(linear * model_.vertices[vertex] + joint.offset.topRightCorner<3, 1>());
@@ -75,7 +75,7 @@ AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span
   const Ranges ranges(model);
   const BoundSkeleton& skeleton = model.skeleton;
 
-  // By joint-set: of its vertices from its joints, at most.
+  // These are, by joint-set, the greatest distances of its vertices from its joints.
   std::map<int, std::vector<double>> distances;
   for (const int v : vertices) {
     const auto joints = sets.joints(sets.of_vertex(v));
@@ -95,7 +95,7 @@ AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span
   if (above.empty())
     throw ModelError(model.name, "joints", "no node is above all of them, about which there could be a ball of any pose");
 
-  // What is below the node is carried by its own scale and those above it, and not by its translation.
+  // The vertices below the node are carried by its scale and those above it, and not by its translation.
   const std::vector<LinkRange<double>> scales = ranges.links(above);
   double greatest = 0;
   for (const auto& of_set : distances) {

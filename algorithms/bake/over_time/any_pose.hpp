@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where vertices can be in any pose whatever: a ball about a joint, from bone lengths and scales alone (c8_any_pose).
+// Vertices in any pose whatever are in a ball about a joint, which follows from bone lengths and scales alone (c8_any_pose).
 #pragma once
 
 #include <span>
@@ -16,10 +16,11 @@ struct AnyPoseBound {
   double radius;  // in the scene's units
 };
 
-// Of some vertices, at least one, whatever the rotations of all nodes. Nodes are translated and scaled as in the rest pose or in
-// one of the model's clips, and morph targets have weights as there; but these may come from different clips.
-// skinning: linear; or dual_quaternion or spherical, where any two joints of a vertex must be so posed that their quaternions'
-// dot product is not negative, as it always is for two. Throws ModelError for a model without a skeleton of keys.
+// Returns the bound of some vertices, at least one, whatever the rotations of all nodes. Nodes are translated and scaled as in
+// the rest pose or in one of the model's clips, and morph targets have weights as there; but these may come from different clips.
+// skinning is linear, dual_quaternion or spherical. For the latter two, the quaternions of any two joints of a vertex must have a
+// dot product that is not negative. It is never negative for a vertex of two joints. Throws ModelError for a model without a
+// skeleton of keys.
 AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices, Skinning skinning);
 
 }  // namespace refitlab

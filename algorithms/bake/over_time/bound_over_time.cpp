@@ -17,21 +17,21 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The shortest side counts as no shorter than this share of the longest one: what is flat has no volume to be kept.
+// The shortest side counts as no shorter than this share of the longest one, since a flat box has no volume to be kept.
 constexpr double flattest_side = 0.02;
 
-// Cells are halved in each parameter this many times at most; those of which nothing is known, fewer times.
+// Cells are halved in each parameter at most this many times. Cells of which nothing is known are halved fewer times.
 constexpr int most_halvings = 24, most_blind_halvings = 10;
 
-// The greatest values of convex functions that change by no more than their scale times the distance: (n, x) and (-n, x) for each
-// direction n, or the distance from a point. By function.
+// Values are the greatest values of convex functions, by function. A function changes by no more than its scale times the
+// distance. The functions are (n, x) and (-n, x) for each direction n, or the distance from a point.
 using Values = std::vector<double>;
 
-// What is bounded: the functions, their scales, and how far above the greatest value seen a bound may be.
+// Functions has the functions that are bounded, their scales, and how far above the greatest value seen a bound may be.
 class Functions {
  public:
   virtual ~Functions() = default;
-  // Over balls: beyond has their radii, or is empty where they are points.
+  // Returns the greatest values over balls. beyond has their radii, or is empty if they are points.
   virtual Values greatest(std::span<const Point3> points, std::span<const double> beyond) = 0;
   virtual const Values& scales() const = 0;
   virtual Values tolerances(const Values& seen) const = 0;
@@ -101,7 +101,7 @@ void raise(Values& values, const Values& to) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], to[i]);
 }
 
-// Of Values, over all cells.
+// A Search bounds the Values over all cells.
 class Search {
  public:
   Search(std::span<const MovingJoints* const> joints, const MovingVertices& vertices, Functions& functions,
@@ -157,7 +157,7 @@ class Search {
     return out;
   }
 
-  // What is seen is what vertices reach; what is returned, what the points that are followed allow them to.
+  // Records the values that vertices reach at a moment. Returns the values that the followed points allow them to reach.
   Values values_at(const MovingJoints& joints, const ParameterMoment& moment, const CellSlack& slack) {
     const bool is_shared = slack.followed == Followed::skinned;
     if (is_shared)
@@ -182,13 +182,13 @@ class Search {
     std::push_heap(open_.begin(), open_.end());
   }
 
-  // By what reaches farthest, so that what has to be seen is seen early.
+  // Takes the cells that reach farthest first, so that the greatest values are seen early.
   void look_into(const MovingJoints& joints) {
     while (!open_.empty()) {
       std::pop_heap(open_.begin(), open_.end());
       Cell now = std::move(open_.back());
       open_.pop_back();
-      // Since it was opened, more was seen.
+      // More has been seen since the cell was opened.
       if (const double excess = excess_of(now); !open_.empty() && excess < now.excess && excess < open_.front().excess) {
         open(std::move(now));
         continue;
@@ -207,7 +207,7 @@ class Search {
       intervals_.push_back({ranges[0].start, ranges[0].end, cell.chord});
   }
 
-  // In the parameter that adds most to the slack, of those that can be halved.
+  // Halves a cell in the parameter that adds most to the slack, of those that can be halved.
   std::vector<ParameterBox> halves_of(const MovingJoints& joints, Cell& cell) const {
     std::vector<std::size_t> order(cell.chords.size());
     std::iota(order.begin(), order.end(), 0);
@@ -238,7 +238,7 @@ class Search {
     return most >= 0 ? most : most < 0 ? 0 : infinity;
   }
 
-  // Whether some value is beyond what may be, and halving would lower it by more than rounding matters.
+  // Returns whether some value is beyond its tolerance, and halving would lower it by more than rounding.
   bool is_worth_halving(const Cell& cell) const {
     const Values reached = above(cell), tolerances = functions_.tolerances(seen_);
     for (std::size_t i = 0; i < reached.size(); ++i)
@@ -261,8 +261,9 @@ class Search {
   int moments_ = 0;
 };
 
-// Of a ball around all points that is hardly larger than the smallest one: the center of the smallest ball around a few of them, to
-// which the one that is farthest out is added until none is far out [Badoiu and Clarkson 2003, "Smaller core-sets for balls"].
+// Returns the center of a ball around all points that is hardly larger than the smallest one. It is the center of the smallest
+// ball around a few of them. The point that is farthest out is added to these until none is far out [Badoiu and Clarkson 2003,
+// "Smaller core-sets for balls"].
 Point3 near_center(std::span<const Point3> points) {
   constexpr double enough = 1.001;
   constexpr int most_steps = 64;

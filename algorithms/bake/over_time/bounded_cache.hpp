@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several threads have computed and share, up to a number of entries: what comes later is computed again.
+// A BoundedCache keeps what several threads compute and share, up to a number of entries. Later values are computed again each
+// time.
 #pragma once
 
 #include <map>
@@ -13,7 +14,7 @@ class BoundedCache {
  public:
   explicit BoundedCache(std::size_t most) : most_(most) {}
 
-  // What is known of the key, or what `make()` returns.
+  // Returns the known value of the key, or what `make()` returns.
   template <class Make>
   std::shared_ptr<const Value> get(const Key& key, const Make& make) {
     {

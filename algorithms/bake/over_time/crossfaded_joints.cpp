@@ -15,18 +15,19 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-// Of dot products of unit quaternions.
+// This bounds the rounding of dot products of unit quaternions.
 constexpr double rounding_of_cosine = 1e-12;
 
-// A cell is looked at once for each of both signs if quaternions go no farther than this within it, and may be at a right angle.
+// A cell is split by the two signs of a quaternion if quaternions go no farther than this within it and may be at a right angle.
 constexpr double most_travel_across = 0.125;
 
-// Of rotations, relative to those of one clip: both clips', blended at two thirds of a half turn at most.
+// The rounding of blended rotations is this many times that of one clip. Both clips' rotations count, blended across at most two
+// thirds of a half turn.
 constexpr double growth_by_blend = 8;
 
 constexpr std::size_t bytes_of_cache = std::size_t(16) << 20;
 
-// A mirror could be of any of the three factors, if the file does not say which.
+// If the file does not say which of the three factors mirrors, it could be any of them.
 NodeTransform rest_of(const SceneNode& node, const std::string& file, const std::string& clip) {
   const std::optional<NodeTransform> parts = parts_of(node);
   if (!parts || (!node.rest && parts->scale[0] < 0))
@@ -39,7 +40,7 @@ NodeTrack still_track(int node, const NodeTransform& rest) {
   return {node, {{{0, rest.translation}}}, {{{0, rest.rotation}}}, {{{0, rest.scale}}}};
 }
 
-// By node: whether one of the joints is below it, or is the node.
+// Returns, by node, whether one of the joints is below the node or is the node.
 std::vector<bool> nodes_above(const BoundSkeleton& skeleton, std::span<const int> joints) {
   std::vector<bool> out(skeleton.nodes.size(), false);
   for (const int j : joints)
@@ -60,7 +61,7 @@ Animation completed(const Model& model, const Animation& animation, const Animat
 
 Stretch widest_of(const Stretch& a, const Stretch& b) { return {std::min(a.least, b.least), std::max(a.most, b.most)}; }
 
-// Over two ranges, one after the other.
+// Returns the motion over two ranges, one after the other.
 Motion<double> joined(const Motion<double>& a, const Motion<double>& b, bool with_jump) {
   const Motion<double> wide = widest(a, b);
   if (with_jump) return {wide.size, unbounded, unbounded};
@@ -69,7 +70,7 @@ Motion<double> joined(const Motion<double>& a, const Motion<double>& b, bool wit
 
 double coefficient_dot(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.coeffs().dot(b.coeffs()); }
 
-// On the arc from p to q, whichever way that is; not a half turn.
+// Returns the quaternion at a share of the arc from p to q, even if that is the longer way. The arc is no half turn.
 Eigen::Quaterniond on_arc(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q, double share) {
   const double angle = 2 * std::atan2((q.coeffs() - p.coeffs()).norm(), (q.coeffs() + p.coeffs()).norm()),
                whole = std::sin(angle);
@@ -78,14 +79,15 @@ Eigen::Quaterniond on_arc(const Eigen::Quaterniond& p, const Eigen::Quaterniond&
       ((std::sin((1 - share) * angle) * p.coeffs() + std::sin(share * angle) * q.coeffs()) / whole).normalized());
 }
 
-// How far a curve goes at most in half of a range.
+// Returns how far a curve goes at most in half of a range.
 double travel(const Motion<double>& motion, const ParameterRange& range) {
   return range.start < range.end ? motion.speed * (range.end - range.start) / 2 : 0;
 }
 
 double middle_of(const ParameterRange& range) { return range.start + (range.end - range.start) / 2; }
 
-// How a vector moves in each of the three parameters, by where it is in the middle of both clips' ranges.
+// Returns the motion of a faded vector in each of the three parameters. apart_in_the_middle is the distance of both clips'
+// vectors in the middle of their ranges.
 std::array<Motion<double>, 3> faded(const Motion<double>& x, const Motion<double>& y, double apart_in_the_middle,
                                     const std::vector<ParameterRange>& ranges) {
   const double apart = apart_in_the_middle + travel(x, ranges[0]) + travel(y, ranges[1]);
@@ -93,7 +95,7 @@ std::array<Motion<double>, 3> faded(const Motion<double>& x, const Motion<double
           faded_by_weight(x.size, y.size, std::min(apart, x.size + y.size))};
 }
 
-// The same of rotations whose dot products are no less than the cosine, which is in [-1/2, 1].
+// Returns the same for rotations whose dot products are no less than the cosine, which is in [-1/2, 1].
 std::array<Motion<double>, 3> faded_rotation(const Motion<double>& p, const Motion<double>& q, double cosine,
                                              const std::vector<ParameterRange>& ranges, RotationBlend how) {
   if (how == RotationBlend::nlerp)
@@ -275,7 +277,7 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     if (!is_known && !is_forced && change <= most_travel_across && has_one_part && !out.across) out.across = node;
     if (!is_known) cosine = 0;
     auto rotations = faded_rotation(x.rotation, y.rotation, cosine, ranges, rotations_);
-    // Of the parameter that turns most; if neither time does, and there may be none, of the weight.
+    // The speed is unbounded in the parameter that turns most, or in the weight if neither time turns anything.
     if (!is_known) rotations[turned[0] + turned[1] == 0 ? 2 : turned[0] >= turned[1] ? 0 : 1].speed = unbounded;
     const auto translations = faded(x.translation, y.translation, norm<double, 3>(q.translation - p.translation), ranges),
                scales = faded(x.scale, y.scale, (q.scale - p.scale).cwiseAbs().maxCoeff(), ranges);
@@ -299,7 +301,7 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     out.cell.sides.push_back(ranges[k].end - ranges[k].start);
   }
   out.cell.corners = corners_of(box);
-  // A sign is of quaternions as they come along the part: behind a key, the same rotation may have the opposite one.
+  // A sign belongs to the quaternions of its part. Behind a key, the same rotation may have the opposite sign.
   for (ParameterMoment& corner : out.cell.corners) {
     for (const auto& [clip, k] : {std::pair(&first_, 0), std::pair(&second_, 1)}) {
       auto& [value, side] = corner.coordinates[k];

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The joints of a model while one animation fades to another: at any time of either and with any weight in [0, 1].
+// CrossfadedJoints are the joints of a model while one animation fades to another, at any time of either and with any weight in
+// [0, 1].
 //
-// Nodes are blended against their parents, as engines do: translations, scales and morph weights linearly, rotations by slerp or by
-// nlerp on the shorter way (c7_crossfade). A node that one of both does not move is where it rests.
+// Nodes are blended against their parents, as engines do: translations, scales and morph weights linearly, rotations by slerp or
+// by nlerp on the shorter way (c7_crossfade). A node that one of the animations does not move rests in it.
 #pragma once
 
 #include <map>
@@ -17,29 +18,30 @@ namespace refitlab {
 
 enum class RotationBlend { slerp, nlerp };
 
-// One of both animations, with a track for each node that either moves and that some joint is below.
+// A FadingClip is one of both animations. It has a track for each node that either animation moves and that is above some joint.
 class FadingClip {
  public:
-  // Throws ModelError for a node that only the other one moves and whose matrix has no parts, and what part_times throws.
+  // Throws ModelError for a node that only the other animation moves and whose matrix has no parts, and what part_times throws.
   FadingClip(const Model& model, const Animation& animation, const Animation& other, std::span<const int> joints,
              bool needs_stretches);
 
-  // Of what the parts from the first to the last of a range have in common.
+  // These motions bound all parts from the first to the last of a range.
   struct Motions {
     std::vector<LinkMotion<double>> tracks;            // by track
     std::vector<std::vector<Motion<double>>> weights;  // by target, for each of the model's morphed meshes
     std::vector<Stretch> stretches;                    // by node; none unless needed
     double rounding;                                   // growth_of_rounding
   };
-  // Of several parts, accelerations are infinite; speeds too where there is a jump between them.
+  // Returns the motions of these parts. For several parts accelerations are infinite, and so are speeds if there is a jump
+  // between them.
   std::shared_ptr<const Motions> motions(int first_part, int last_part) const;
 
   const std::string& name() const { return animation_.name; }
   const std::vector<NodeTrack>& tracks() const { return animation_.tracks; }  // by increasing node
-  // Of a mesh's morph targets.
+  // Returns the weights of a mesh's morph targets.
   Eigen::VectorXd weights(std::size_t mesh, double time, Side side) const;
 
-  // From the first time to the last.
+  // Returns the range from the first time to the last.
   ParameterRange whole() const;
   std::vector<ParameterRange> halves(const ParameterRange& range) const;
   Side side_of(double time, Side side) const;
@@ -59,8 +61,8 @@ class FadingClip {
 
 class CrossfadedJoints : public MovingJoints {
  public:
-  // model outlives this. joints: those of the model that are looked at; others are where nodes rest. needs_pose: spherical and dual quaternion skinning do. Throws ModelError for a model without a skeleton of
-  // keys, and what FadingClip throws.
+  // model must outlive this. joints are those of the model that count; the nodes of others rest. needs_pose is true for spherical
+  // and dual quaternion skinning. Throws ModelError for a model without a skeleton of keys, and what FadingClip throws.
   CrossfadedJoints(const Model& model, const Animation& first, const Animation& second, std::span<const int> joints,
                    RotationBlend rotations, bool needs_pose);
 
@@ -72,8 +74,8 @@ class CrossfadedJoints : public MovingJoints {
   std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const override;
 
  private:
-  // A cell, and the first node of which it is not known which of both quaternions is nearer, but that it is a right angle away,
-  // or nearly so.
+  // A KnownCell is a cell, and the first node of which it is not known which of both quaternions is nearer, because both are
+  // about a right angle away.
   struct KnownCell {
     JointCell cell;
     std::optional<int> across;

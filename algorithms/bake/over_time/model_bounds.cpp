@@ -23,7 +23,8 @@ namespace {
 
 constexpr int most_meshlet_vertices = 255, most_meshlet_triangles = 512;
 
-// Of one part. Most need fewer; where both clips' rotations come half a turn apart, no number makes the bound tight.
+// This is for one part. Most parts need fewer halvings; where both clips' rotations come half a turn apart, no number makes the
+// bound tight.
 constexpr std::size_t most_halvings_of_crossfade = 4096;
 
 std::vector<int> in_order(std::vector<int> vertices) {
@@ -38,7 +39,7 @@ std::vector<int> vertices_of(const Model& model, std::span<const int> triangles)
   return in_order(std::move(vertices));
 }
 
-// The triangles as meshlets, each a list of them.
+// Returns the triangles as meshlets, each of which is a list of triangles.
 std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int>& triangles, int most_triangles) {
   std::vector<unsigned> indices;
   std::map<Triangle, std::vector<int>> triangle_of;  // meshlets name vertices, whose triangles may be there twice
@@ -75,7 +76,7 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
   return out;
 }
 
-// Parts and nodes of the same vertices have the same bounds: the first of them.
+// Parts and nodes with the same vertices have the same bounds. Returns the first of them for each.
 std::vector<std::size_t> firsts_of(const std::vector<const std::vector<int>*>& vertices) {
   const auto less = [](const std::vector<int>* a, const std::vector<int>* b) { return *a < *b; };
   std::map<const std::vector<int>*, std::size_t, decltype(less)> known(less);
@@ -106,7 +107,7 @@ BoundedPart outward(const BoundOverTime& bound, double renderer_rounding) {
   return out;
 }
 
-// Whether the part has all triangles of the cluster.
+// Returns whether the part has all triangles of the cluster.
 bool has(const Model& model, const ModelPart& part, const ModelPart& cluster) {
   switch (part.kind) {
     case PartKind::whole: return true;
@@ -215,7 +216,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
       tasks.push_back({c, i, vertices_of_thing[i]->size() * clips[c].times().size()});
       cost += tasks.back().cost;
     }
-  // The largest first, so that no processor is left with one at the end.
+  // The largest tasks come first, so that no processor is left with one at the end.
   std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
 
   std::vector<std::size_t> looked_at;  // in crossfades: clusters, or what has the same vertices
@@ -223,7 +224,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     if (options.cluster_triangles == 0 || out.parts[p].kind == PartKind::cluster) looked_at.push_back(first[p]);
   std::sort(looked_at.begin(), looked_at.end());
   looked_at.erase(std::unique(looked_at.begin(), looked_at.end()), looked_at.end());
-  // Of a crossfade, a part costs some hundred times as much as of a clip.
+  // A part costs some hundred times as much in a crossfade as in a clip.
   const std::size_t fades = options.crossfades ? model.clips.size() * (model.clips.size() - 1) / 2 : 0,
                     cost_of_fade = 100 * cost / std::max<std::size_t>(1, tasks.size());
   ProgressCount progress(cost + fades * looked_at.size() * cost_of_fade, options.progress);
@@ -269,7 +270,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
         progress.add(cost_of_fade);
       });
       share_among_same(bounds.parts);
-      // What consists of clusters is as large as they are together, and they are looked at more closely than it would be.
+      // A part that consists of clusters gets the bound around theirs, because they are looked at more closely than it would be.
       for (std::size_t p = 0; options.cluster_triangles != 0 && p < out.parts.size(); ++p) {
         if (out.parts[p].kind == PartKind::cluster) continue;
         std::vector<BoundedPart> within;

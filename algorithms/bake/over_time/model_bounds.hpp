@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds over time of everything in a model: its clusters of triangles, the file's primitives, meshes and skins, and the whole,
-// in every clip and in the rest pose; and, if asked for, while any clip fades to any other.
+// ModelBounds are bounds over time of everything in a model: its clusters of triangles, the file's primitives, meshes and skins,
+// and the whole. They hold in every clip and in the rest pose, and, on request, while any clip fades to any other.
 #pragma once
 
 #include <functional>
@@ -13,20 +13,20 @@
 
 namespace refitlab {
 
-// What a bound is of.
+// PartKind says which kind of part a bound is for.
 enum class PartKind { whole, skin, mesh, primitive, cluster };
 const char* name_of(PartKind kind);
 
 struct ModelPart {
   PartKind kind;
-  // The file's skin or mesh; of a primitive and a cluster, the position in Model::sources; of the whole, and of models that
-  // are not from glTF, -1.
+  // This is the file's skin or mesh. For a primitive and a cluster it is the position in Model::sources. For the whole, and for
+  // models that are not from glTF, it is -1.
   int index;
   std::vector<int> vertices;   // the model's, in increasing order
   std::vector<int> triangles;  // of a cluster; the model's
 };
 
-// The intervals of time that a box and a ball are made of (ProvenInterval).
+// A box and a ball are made from these intervals of time (ProvenInterval).
 struct PartIntervals {
   std::vector<ProvenInterval> box, ball;
 };
@@ -39,7 +39,7 @@ struct BoundedClip {
   std::vector<BoundedPart> nodes;        // by node of ModelBoundsOptions::nodes
 };
 
-// While a clip fades to another, or back: at any time of either, and before and after.
+// These bounds hold while a clip fades to another, or back, at any time of either clip, and before and after.
 struct BoundedCrossfade {
   int first, second;               // positions in the model's clips
   std::vector<BoundedPart> parts;  // by part
@@ -63,35 +63,37 @@ struct ModelBoundsOptions {
   double tolerance = 0.01;      // as in OverTimeOptions
   int cluster_triangles = 128;  // of a cluster at most, a multiple of 4 from 4 to 512; 0 for no clusters
   int dop = 6;                  // k of the k-DOPs, of which boxes are a part: one of dop_sizes
-  // The vertices of each node of a tree (NodeVertices), in increasing order: bounded in clips and in the rest pose, too.
+  // These are the vertices of each node of a tree (NodeVertices), in increasing order. They are bounded in clips and in the rest
+  // pose, too.
   std::vector<std::vector<int>> nodes = {};
   bool crossfades = false;  // bound what is between two clips, too
   double crossfade_tolerance = 0.2;
   RotationBlend rotations = RotationBlend::slerp;  // of crossfades
   bool any_pose = false;                           // bound what poses of code could do, too
   bool with_intervals = false;                     // keep the intervals of the clips' bounds
-  // Beyond what is computed: a renderer skins in float and is off by as much, as a share of the farthest vertex's distance
-  // from the scene's origin.
+  // Bounds are wider by this share of the farthest vertex's distance from the scene's origin, because a renderer skins in float
+  // and is off by as much.
   double renderer_rounding = 0x1p-20;
-  // Told how much is done, as a share, by any thread but one at a time.
+  // It is told the share that is done, by any thread, but one at a time.
   std::function<void(double)> progress = {};
 };
 
-// Parts of a model: of each source primitive the meshlets of its triangles. Throws std::invalid_argument for cluster_triangles
-// out of range.
+// Returns the parts of a model. Its clusters are the meshlets of each source primitive's triangles. Throws std::invalid_argument
+// for cluster_triangles out of range.
 std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles);
 
-// On all processors. Throws ModelError where there is no bound, and for a model without keys; std::invalid_argument for a k that is
-// none of dop_sizes, and what parts_of throws.
+// Bounds the parts of a model, on all processors. Throws ModelError where there is no bound and for a model without keys,
+// std::invalid_argument for a k that is none of dop_sizes, and what parts_of throws.
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options = {});
 
-// What encloses all of them, at least one, of one k: the smallest k-DOP, and the smallest ball rounded outward.
+// Returns the smallest k-DOP around all parts, of which there is at least one, and the smallest ball, rounded outward. All have
+// the same k.
 BoundedPart around(std::span<const BoundedPart> parts);
 
-// What holds in all clips, in the rest pose and in all crossfades that were asked for; by part.
+// Returns, by part, the bounds that hold in all clips, in the rest pose and in all crossfades that were asked for.
 std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds);
 
-// The clusters, for a file. Triangles are those of the file's primitives.
+// Returns the clusters for a file. Triangles are those of the file's primitives.
 ClusterBounds clusters_of(const Model& model, const ModelBounds& bounds);
 
 }  // namespace refitlab

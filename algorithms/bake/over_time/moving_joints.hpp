@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints that move with parameters: with the time of a clip, or with two times and a weight; and cells, boxes of parameters over
+// MovingJoints move with parameters, which are the time of a clip, or two times and a weight. A cell is a box of parameters over
 // which it is known how they move.
 #pragma once
 
@@ -12,24 +12,27 @@
 
 namespace refitlab {
 
-// What skins the vertices at a moment, by joint.
+// PosedJoints skin the vertices at a moment.
 struct PosedJoints {
   std::vector<Eigen::Matrix4d> matrices;  // the skin matrices; on columns, from the reference pose
   Pose pose;                              // the rigid transforms nearest to them; empty where they are not asked for
   std::vector<Eigen::VectorXd> weights;   // by target, for each of the morphed meshes of the model
 };
 
-// The side of an interval's end that belongs to it: of a moment, the later one, which the animation shows then.
+// Returns the side of an interval's end that belongs to the interval. If the interval is a moment, it is the later side, which
+// the animation shows then.
 inline Side side_of_end(double start, double end) { return start < end ? Side::before : Side::after; }
 
-// Which of both quaternions of a node's second rotation a crossfade goes to: the one that the file has, or the opposite one.
+// A NodeSign says to which quaternion of a node's second rotation a crossfade goes: to the one that the file has, or to the
+// opposite one.
 struct NodeSign {
   int node;
   bool is_opposite;
   auto operator<=>(const NodeSign&) const = default;
 };
 
-// What joints are posed by: a value of each parameter, and its side, where something jumps there.
+// A ParameterMoment poses joints. It has a value of each parameter, and the side of that value, which matters where something
+// jumps.
 struct ParameterMoment {
   struct Coordinate {
     double value;
@@ -41,8 +44,8 @@ struct ParameterMoment {
   auto operator<=>(const ParameterMoment&) const = default;
 };
 
-// From one value of a parameter to another: of a clip's time, in seconds, within the parts from the first to the last; of a
-// weight, a share.
+// A ParameterRange goes from one value of a parameter to another. The parameter is a clip's time in seconds, within the parts
+// from the first to the last, or a weight in [0, 1].
 struct ParameterRange {
   int first_part, last_part;
   double start, end;
@@ -55,8 +58,8 @@ struct ParameterBox {
   auto operator<=>(const ParameterBox&) const = default;
 };
 
-// How joints move with one parameter, the others being held, per unit of it. Infinite where nothing is known. Lengths in units of
-// the file.
+// JointMotions say how joints move with one parameter, per unit of it, while the others are held. They are infinite where nothing
+// is known. Lengths are in units of the file.
 struct JointMotions {
   std::vector<ChainMotion<double>> links, chains;    // by node, against the parent and against the scene
   std::vector<std::vector<Motion<double>>> weights;  // by target, for each of the model's morphed meshes
@@ -68,12 +71,12 @@ struct JointCell {
   const MovingJoints* joints;
   std::vector<double> sides;                                 // by parameter: how long its range is
   std::vector<std::shared_ptr<const JointMotions>> motions;  // by parameter
-  // The first parameter's ends next to each other.
+  // The first parameter's ends are next to each other.
   std::vector<ParameterMoment> corners;
-  // How far the linear part of a joint's skin matrix is from the rotation that its chain's quaternions make, at most: by the noise
-  // of scales that should be one. Infinite where a scale may vanish; 0 where no poses are asked for.
+  // The linear part of a joint's skin matrix is at most this far from the rotation that its chain's quaternions make, because of
+  // the noise of scales that should be one. It is infinite where a scale may vanish, and 0 where no poses are asked for.
   double defect;
-  // How many times more than the quaternions of a slerp those of the nodes are off by rounding.
+  // The rounding errors of the nodes' quaternions are this many times those of a slerp.
   double rounding;
 };
 
@@ -82,17 +85,17 @@ class MovingJoints {
  public:
   virtual ~MovingJoints() = default;
   virtual const Model& model() const = 0;
-  // That cover all that parameters can be.
+  // Returns boxes that cover all values of the parameters.
   virtual std::vector<ParameterBox> boxes() const = 0;
   virtual JointCell cell(const ParameterBox& box) const = 0;
-  // The box in two: at a value of this parameter, or, of a box of whose motion something is not known, by a sign. None where there
-  // is no value between.
+  // Splits the box in two at a value of this parameter, or by a sign if part of its motion is not known. Returns nothing if there
+  // is no value in between.
   virtual std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter, bool is_known) const = 0;
-  // Throws ModelError for a pose that is asked for and is not rigid.
+  // Returns the joints at a moment. Throws ModelError for a pose that is asked for and is not rigid.
   virtual std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const = 0;
 };
 
-// By the ranges' ends.
+// Returns the corners of a box, which are made of its ranges' ends.
 std::vector<ParameterMoment> corners_of(const ParameterBox& box);
 
 }  // namespace refitlab

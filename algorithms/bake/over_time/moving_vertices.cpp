@@ -23,33 +23,35 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-// Of each link, in units of the last place of double and of the size of what the chain makes: a slerp or a spline (16), a rotation
-// matrix (12), and a product of two matrices (3 times 4, for the absolute values of one of them). Twice that.
+// This is the error of each link, in units of the last place of double and of the size of what the chain makes. It counts a slerp
+// or a spline (16), a rotation matrix (12), and a product of two matrices (3 times 4, for the absolute values of one of them),
+// and takes twice that.
 constexpr double error_per_link = 80;
 
-// Of a point that a matrix carries, relative to what its summands add up to.
+// This is the error of a point that a matrix carries, relative to the sum of the summands' sizes.
 constexpr double rounding_of_image = 32 * std::numeric_limits<double>::epsilon() / 2;
 
-// Blends of dual quaternions that may be shorter are not followed: rounding would grow by as much.
+// Blends of dual quaternions that may be shorter are not followed, because rounding would grow by as much.
 constexpr double squared_shortest_blend = 1e-2;
 
-// Of the rigid transforms' defect, relative to the size of what joints carry. A blend of dual quaternions, 1/10 long at least, of
-// images that are off by d is off by 10 d; what is bounded has images that are off by the defect of the vertex, and by that of the
-// base twice, at the time and on the chord: 60. The pose's rotations are off by the defect's square.
+// This is the error from the rigid transforms' defect, relative to the size of what joints carry. If images are off by d, a blend
+// of dual quaternions, at least 1/10 long, is off by 10 d. The bounded images are off by the defect of the vertex, and twice by
+// that of the base, at the time and on the chord: 60 in all. The pose's rotations are off by the defect's square.
 constexpr double error_per_defect = 64;
 
-// How many times more a spherically skinned vertex is off than its joints' images, at most: its center may be as far away as the
-// least angle at which rotation_center.hpp looks for one lets it.
+// The error of a spherically skinned vertex is at most this many times that of its joints' images. Its center may be as far away
+// as the least angle at which rotation_center.hpp looks for one allows.
 constexpr double growth_about_center = 1e4;
 
-// c1_chord_bound's, also where squares of sides are too small, or accelerations too great, for double.
+// Returns the slack of c1_chord_bound, also where squares of sides are too small, or accelerations too great, for double.
 double chord_within(const Motion<double>& motion, double side) {
   if (side == 0) return 0;
   const double chord = chord_slack(motion, side), simple = first_order_slack(motion.speed, side);
   return chord >= 0 ? chord : simple >= 0 ? simple : unknown;
 }
 
-// What is not known of a factor is not known of a product, even if the other one is 0: no maximum may pass over it.
+// If a factor is unknown, so is the product, even if the other factor is 0. A NaN becomes unknown here, so that no maximum passes
+// over it.
 double or_unknown(double x) { return x >= 0 ? x : unknown; }
 Motion<double> or_unknown(const Motion<double>& m) {
   return {or_unknown(m.size), or_unknown(m.speed), or_unknown(m.acceleration)};
@@ -76,7 +78,7 @@ Point3 image(const Eigen::Matrix4d& matrix, const Point3& v) {
   return matrix.topLeftCorner<3, 3>() * v + matrix.topRightCorner<3, 1>();
 }
 
-// The joint-set's transforms, with the signs that skinning gives them.
+// Returns the joint-set's transforms, with the signs that skinning gives them.
 std::vector<RigidTransform<double>> transforms_of(std::span<const int> joints, const Pose& pose) {
   std::vector<RigidTransform<double>> transforms;
   for (const int j : joints) transforms.push_back(pose[j]);
@@ -240,7 +242,7 @@ std::vector<double> MovingVertices::linear_chords(const Set& set, const JointCel
 std::vector<double> MovingVertices::dual_chords(const Set& set, const JointCell& cell) const {
   const Rotations known = rotations(set, cell);
   const double squared_least = squared_blend(set, known);
-  // What is not known of blends is for the parameter to tell in which most is not known of linear ones.
+  // If too little is known of blends, the parameter with the greatest chord of linear blends is to be halved.
   if (!known.keep_signs || squared_least < squared_shortest_blend) {
     std::vector<double> chords = linear_chords(set, cell);
     *std::max_element(chords.begin(), chords.end()) = unknown;
@@ -254,7 +256,7 @@ std::vector<double> MovingVertices::dual_chords(const Set& set, const JointCell&
 
 MovingVertices::Rotations MovingVertices::rotations(const Set& set, const JointCell& cell) const {
   const auto joints = joint_sets_.joints(set.index);
-  // By the first corner alone: at the others skinning may have other signs.
+  // Only the first corner is used, because skinning may have other signs at the others.
   const auto there = transforms_of(joints, cell.joints->at(cell.corners[0])->pose);
   const BoundSkeleton& skeleton = model_.skeleton;
   std::vector<double> turned(joints.size(), 0);  // how far a quaternion goes at most, as seen from the base
@@ -296,7 +298,7 @@ bool MovingVertices::deviate(const Set& set, const JointCell& cell, bool must, d
                      "the rotations of its joints come so far apart that their blend may vanish: there is no bound over time");
   }
   const auto joints = joint_sets_.joints(set.index);
-  // Between the corners two images come apart by twice the slack of one.
+  // Between the corners, two images come apart by at most twice the slack of one.
   const double pairs = static_cast<double>(joints.size() * (joints.size() - 1)) / 2, apart = 2 * chord * std::sqrt(pairs);
   // The least-squares center is not moved from the prior in directions in which rotations differ little: by their tolerance.
   const double tolerance = skinning_ != Skinning::spherical ? 0 : joints.size() == 2 ? 1e-4 : 1e-4 + 2e-3 * std::sqrt(pairs);
@@ -331,7 +333,7 @@ double MovingVertices::placing_error(const JointCell& cell) const {
   double error = 0;
   for (const Set& set : sets_) {
     const auto joints = joint_sets_.joints(set.index);
-    // Of all that is summed up, even if most of it cancels. Sizes are the same in all parameters.
+    // This is the size of all summands, even if most of them cancel. Sizes are the same in all parameters.
     double size = 0;
     const JointMotions& motions = *cell.motions[0];
     for (std::size_t k = 0; k < joints.size(); ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices that joints move: where they are at a moment, and how far from what is between the corners of a cell.
+// MovingVertices are vertices that joints move. They tell where the vertices are at a moment, and how far they are from the
+// interpolation of a cell's corners.
 #pragma once
 
 #include <span>
@@ -10,12 +11,12 @@
 
 namespace refitlab {
 
-// Which point of a vertex is followed through a cell.
+// Followed says which point of a vertex is followed through a cell.
 enum class Followed { skinned, linear_blend };
 
-// What is known of a cell: the point that is followed is within `chord` of what lies between its corners, interpolated linearly in
-// each parameter (c1_chord_bound, c6_interval_hull), and the skinned vertex within `beyond` of that point. Infinite where nothing
-// is known.
+// Throughout a cell, the point that is followed is within `chord` of the linear interpolation of its places at the corners, in
+// each parameter (c1_chord_bound, c6_interval_hull). The skinned vertex is within `beyond` of that point. Both are infinite where
+// nothing is known.
 struct CellSlack {
   Followed followed = Followed::skinned;
   double chord = 0;
@@ -25,33 +26,34 @@ struct CellSlack {
 
 class MovingVertices {
  public:
-  // Some vertices of a model, by index; at least one. All arguments outlive this. skinning: linear, dual_quaternion or spherical,
-  // which is about least-squares centers. Throws std::invalid_argument for Hejl's.
+  // vertices are some vertices of the model, at least one, by index. All arguments must outlive this. skinning is linear,
+  // dual_quaternion or spherical, which is about least-squares centers. Throws std::invalid_argument for Hejl's.
   MovingVertices(const Model& model, const JointSets& sets, Skinning skinning, std::vector<int> vertices);
 
   const std::vector<int>& vertices() const { return vertices_; }
 
-  // That move them: the model's, in increasing order.
+  // Returns the joints of the model that move the vertices, in increasing order.
   std::vector<int> joints() const;
 
-  // The points that are followed, by position in vertices(); scene frame, units of the file.
+  // Computes the points that are followed, by position in vertices(), in the scene's frame and units of the file.
   void place(const PosedJoints& posed, Followed followed, std::vector<Point3>& points) const;
 
-  // Of all vertices, throughout the cell. Dual quaternions whose blend may vanish are followed only if they must be: then by their
-  // linear blend (b7_motion_bound), which is loose.
-  // Throws ModelError where it must and there is no bound: a blend of three or more rotations that may vanish.
+  // Returns the slack of all vertices throughout the cell. Dual quaternions whose blend may vanish are followed only if they must
+  // be, and then by their linear blend (b7_motion_bound), which is loose.
+  // Throws ModelError if it must but there is no bound, which happens for a blend of three or more rotations that may vanish.
   CellSlack slack(const JointCell& cell, bool must) const;
 
-  // What place() may be off, because of rounding and of skin matrices that are not quite rigid, at any moment of the cell.
+  // Returns the greatest error of place() at any moment of the cell, because of rounding and of skin matrices that are not quite
+  // rigid.
   double placing_error(const JointCell& cell) const;
 
  private:
-  // A morph target of a mesh that displaces vertices of a set.
+  // A Morph is a morph target of a mesh that displaces vertices of a set.
   struct Morph {
     int mesh, target;
     std::vector<double> lengths;  // by joint: of the displacements in the joint's frame, at most
   };
-  // The vertices that one joint-set moves.
+  // A Set is the vertices that one joint-set moves.
   struct Set {
     int index;
     std::vector<int> vertices;      // positions in vertices_
@@ -61,29 +63,30 @@ class MovingVertices {
     int base;  // the deepest node that is above all joints' nodes, or one of them; -1 is the scene
   };
 
-  // A vertex before it is skinned, with the weights of a moment.
+  // Returns a vertex before it is skinned, displaced by the weights of a moment.
   Point3 displaced(int i, const PosedJoints& posed) const;
-  // Of the set's vertices in the frame of its k-th joint, before that moves, by how far they are without displacements
-  // (a3_morph_displacement).
+  // Returns the motion of the set's vertices in the frame of its k-th joint, before that moves. distances are their distances
+  // from the joints without displacements (a3_morph_displacement).
   Motion<double> below(const Set& set, std::size_t k, const JointMotions& motions, const std::vector<double>& distances) const;
   Motion<double> linear_motion(const Set& set, const JointMotions& motions) const;
-  // Of dual quaternions whose blends have this squared length at least.
+  // Returns the motion under dual quaternions whose blends have at least this squared length.
   Motion<double> dual_motion(const Set& set, const JointMotions& motions, double squared_least) const;
-  // Of the rotations and images of the set's joints that are computed, relative to what they are summed up from.
+  // Returns the rounding error of the computed rotations and images of the set's joints, relative to the sizes of their summands.
   double relative_rounding(const Set& set, const JointCell& cell) const;
-  // The chords of linear blends and of dual quaternions, by parameter; infinite where the latter may vanish.
+  // These return the chords of linear blends and of dual quaternions, by parameter. Chords are infinite where the latter may
+  // vanish.
   std::vector<double> linear_chords(const Set& set, const JointCell& cell) const;
   std::vector<double> dual_chords(const Set& set, const JointCell& cell) const;
-  // How far the set's skinned vertices are from their linear blends, whose chord is known; written to beyond. False, or
-  // ModelError if it must, where the blends may vanish.
+  // Writes to beyond how far the set's skinned vertices are from their linear blends, whose chord is known. If the blends may
+  // vanish, it returns false, or throws ModelError if it must succeed.
   bool deviate(const Set& set, const JointCell& cell, bool must, double chord, std::vector<double>& beyond) const;
-  // What holds of the set's quaternions throughout the cell, with the signs that skinning gives them at each moment.
+  // This holds for the set's quaternions throughout the cell, with the signs that skinning gives them at each moment.
   struct Rotations {
     bool keep_signs;              // the signs are those of the first corner
     std::vector<double> cosines;  // no more than the dot products, for k < l in order
   };
   Rotations rotations(const Set& set, const JointCell& cell) const;
-  // The least squared length of the blends of the set's vertices.
+  // Returns the least squared length of the blends of the set's vertices.
   double squared_blend(const Set& set, const Rotations& rotations) const;
 
   const Model& model_;

@@ -15,14 +15,15 @@
 namespace refitlab {
 namespace {
 
-// A spline of unit quaternions with a shorter one in the middle than this is divided. Normalising it turns it faster by as much.
+// A spline of unit quaternions is divided if one in the middle is shorter than this. Normalising makes it turn faster by as much.
 constexpr double shortest_usual_blend = 0.5;
 constexpr int most_divisions = 30;
 
 Vec<double, 3> coefficients(const Eigen::Vector3d& v) { return v; }
 Quaternion<double> coefficients(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-// The last key that is not after this time, or -1 if the channel stays there: before its first key and from its last one on.
+// Returns the last key that is not after this time. Returns -1 if the channel stays there, which is before its first key and from
+// its last one on.
 template <class Value>
 int key_before(const Channel<Value>& channel, double time) {
   const auto after =
@@ -30,7 +31,7 @@ int key_before(const Channel<Value>& channel, double time) {
   return after == channel.keys.end() ? -1 : static_cast<int>(after - channel.keys.begin()) - 1;
 }
 
-// The part of a cubic from one share of its time to another, by its polar form.
+// Returns the part of a cubic from one share of its time to another, by its polar form.
 template <int D>
 CubicCurve<double, D> part_of(const CubicCurve<double, D>& curve, double from, double to) {
   const auto blossom = [&](double a, double b, double c) {
@@ -54,7 +55,7 @@ auto curve_between(const Channel<Value>& channel, int key, double start, double 
   return part_of<dimension>(whole, (start - a.time) / duration, (end - a.time) / duration);
 }
 
-// How long all quaternions of a spline are at least, or less than that; not positive where it is not known.
+// Returns a lower bound of the length of all quaternions of a spline. It is not positive if none is known.
 double least_length(const CubicCurve<double, 4>& curve) {
   const Quaternion<double> axis = curve.points[0] + curve.points[3];
   const double length = norm<double, 4>(axis);
@@ -89,7 +90,7 @@ Motion<double> rotation_motion(const Channel<Eigen::Quaterniond>& channel, doubl
   return normalized_motion(cubic_motion(curve, by_length), least_length(curve));
 }
 
-// The spline of rotations, if the channel is one and moves from start on; start and end are between two of its keys.
+// Returns the spline of rotations, if the channel is one and moves from start on. start and end are between two of its keys.
 std::optional<CubicCurve<double, 4>> rotation_spline(const NodeTrack& track, double start, double end) {
   if (track.rotations.interpolation != Interpolation::cubic) return std::nullopt;
   const int key = key_before(track.rotations, start);
@@ -97,7 +98,7 @@ std::optional<CubicCurve<double, 4>> rotation_spline(const NodeTrack& track, dou
   return curve_between(track.rotations, key, start, end);
 }
 
-// Whether the spline is certainly longer than shortest_usual_blend, or, where it is short, than half of its ends.
+// Returns whether the spline is certainly longer than shortest_usual_blend, or, if its ends are short, than half of them.
 bool is_long(const CubicCurve<double, 4>& curve) {
   const double ends = std::min(norm<double, 4>(curve.points[0]), norm<double, 4>(curve.points[3]));
   return least_length(curve) >= shortest_usual_blend * std::min(1.0, ends) && ends > 0;
@@ -195,7 +196,7 @@ std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& node
 std::vector<Motion<double>> weight_motions(const WeightTrack& track, double start, double end) {
   std::vector<Motion<double>> out;
   for (Eigen::Index i = 0; i < track.weights.keys.front().value.size(); ++i) {
-    // A weight as the first coordinate of a position.
+    // The weight becomes the first coordinate of a position.
     Channel<Eigen::Vector3d> one{{}, track.weights.interpolation, {}};
     for (const auto& key : track.weights.keys) one.keys.push_back({key.time, key.value[i] * Point3::UnitX()});
     for (const auto& t : track.weights.tangents)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Smallest enclosing balls of as many clouds as a SIMD pack has lanes, a cloud a lane: the pivots of
+// Computes smallest enclosing balls of as many clouds as a SIMD pack has lanes, a cloud a lane. It does the pivots of
 // few_points_ball.hpp under masks.
 //
-// Nothing is gathered: the farthest point's coordinates are selected along with its distance, and a support's place
-// that holds no point is all zeros, which every product passes by. Lanes that are done wait for the others.
+// Nothing is gathered: the farthest point's coordinates are selected along with its distance, and an empty place of the support
+// is all zeros, which add nothing to any product. Lanes that are done wait for the others.
 #pragma once
 
 #include <experimental/simd>
@@ -16,7 +16,7 @@ namespace refitlab {
 template <class Pack, int D>
 using PackPoint = std::array<Pack, D>;
 
-// As SmallestBall, a ball a lane. An empty place of the support has coefficient 0 and index -1, as a number.
+// This is SmallestBall with a ball in each lane. An empty place of the support has coefficient 0 and index -1, as a number.
 template <class Pack, int D>
 struct SmallestBallPack {
   PackPoint<Pack, D> center;
@@ -32,7 +32,7 @@ class FewPointsPacks {
   using Point = PackPoint<Pack, D>;
 
  public:
-  // Points of all lanes, as many in each: not empty, and less than 2^24 in float.
+  // points has the points of all lanes, equally many in each. It is not empty, and has less than 2^24 points in float.
   explicit FewPointsPacks(std::span<const Point> points) : points_(points) {}
 
   // Lanes that did not converge mean nothing.
@@ -134,7 +134,7 @@ class FewPointsPacks {
     return a.sum < std::numeric_limits<S>::infinity();
   }
 
-  // GrowingSupport::enter in the active lanes.
+  // Does GrowingSupport::enter in the active lanes.
   void enter(const Farthest& p, const Point& center, const Pack& far, Pack excess, const Mask& active) {
     Point offset, normal;
     for (int i = 0; i < D; ++i) offset[i] = p.position[i] - center[i];
@@ -184,7 +184,7 @@ class FewPointsPacks {
     }
   }
 
-  // GrowingSupport::move_and_drop, and the normal's correction.
+  // Does GrowingSupport::move_and_drop, and corrects the normal.
   void drop(const Mask& drops, const Pack& left, const Pack& step, std::array<Pack, D + 1>& share, Point& normal) {
     Point gradient;
     Pack gone = 0;
@@ -218,9 +218,9 @@ class FewPointsPacks {
   std::array<Point, D + 1> position_, gradient_;
 };
 
-// points is not empty. Lanes that do not converge are solved again, one by one, as few_points_ball does: so all that is
-// said there is true of each lane. Two lanes of a double are slower than one cloud after the other; eight are twice as
-// fast or better.
+// points is not empty. Lanes that do not converge are solved again, one by one, as few_points_ball does. So each lane has the
+// properties that are stated there. Two lanes of a double are slower than one cloud after the other; eight are twice as fast or
+// better.
 template <class Pack, int D>
 SmallestBallPack<Pack, D> few_points_balls(std::span<const PackPoint<Pack, D>> points) {
   using S = typename Pack::value_type;

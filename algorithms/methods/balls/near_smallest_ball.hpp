@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ball near the smallest enclosing one, by a few cheap steps [Badoiu and Clarkson 2003, "Smaller core-sets for
+// Computes a ball near the smallest enclosing one, by a few cheap steps [Badoiu and Clarkson 2003, "Smaller core-sets for
 // balls"].
 #pragma once
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 1 of the paper (4.5), as printed. Unsound: see algorithms/runtime/refit/algorithm1_repaired.hpp for what is sound.
+// This is Algorithm 1 of the paper (4.5), as printed. It is unsound; algorithms/runtime/refit/algorithm1_repaired.hpp is sound.
 //
-// Kept: the angle of line 13 and the ball of line 15 for any angle (Lemma 5 as printed), the division by norms that may be
-// zero, no case for r_E >= 1, and quaternions whose signs come from the matrices (line 3). Read for sense: i runs over
-// the joints on line 3, q_i on line 8 is that of joint j_i, and weight vertices and rotation center belong to each
-// joint-set.
+// It keeps the angle of line 13 and the ball of line 15 for any angle (Lemma 5 as printed), the division by norms that may be
+// zero, and quaternions whose signs come from the matrices (line 3). It has no case for r_E >= 1. Three slips are read for their
+// sense: i runs over the joints on line 3, q_i on line 8 is that of joint j_i, and weight vertices and rotation center belong to
+// each joint-set.
 #pragma once
 
 #include "algorithms/runtime/refit/ball_policy.hpp"
@@ -17,14 +17,14 @@
 
 namespace refitlab {
 
-// Where the quaternions of line 3 get their signs.
+// Signs says where the quaternions of line 3 get their signs.
 enum class Signs {
   of_matrices,  // as printed: MATRIX2QUAT knows the rotation only
   of_skinning   // the ones that the skinning blends
 };
 
-// The quaternion that the usual conversion from a matrix returns for the rotation of q [Eberly 2001]: positive in the real
-// part if the matrix has a positive trace, else in the largest imaginary part. No q of unit length changes otherwise.
+// Returns the quaternion that the usual conversion from a matrix returns for the rotation of q [Eberly 2001]. It is positive in
+// the real part if the matrix has a positive trace, else in the largest imaginary part. Nothing else of a unit q changes.
 template <class S>
 Quaternion<S> matrix_to_quaternion(const Quaternion<S>& q) {
   int positive = 0;
@@ -36,7 +36,7 @@ Quaternion<S> matrix_to_quaternion(const Quaternion<S>& q) {
   return q[positive] < S(0) ? Quaternion<S>(-q) : q;
 }
 
-// In float and double the result may be not a number or of negative radius: that is part of what is printed.
+// In float and double the result may be not a number or have a negative radius, as the printed algorithm has it.
 template <class Policy, class S>
 Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLists<S>& lists) {
   lists.balls.clear();                        // line 1
@@ -56,12 +56,13 @@ Ball3<S> refit_algorithm1_printed(const RefitNode<S>& node, Signs signs, RefitLi
     const Quaternion<S> center = Policy::template center_of_points<S, 4>(unit);  // line 11
     const S squared_radius = farthest_squared_distance(center, unit);
     const Quaternion<S> apex = direction_by_root(center);  // line 12
-    // Line 13: alpha = 2 arccos d, with the distance d of Lemma 3's half-space. So these are its cosine and sine (s43_rotated_cap).
+    // Line 13 has alpha = 2 arccos d, with the distance d of Lemma 3's half-space. So these are its cosine and sine
+    // (s43_rotated_cap).
     const S d = scaled_distance(center, squared_radius) / (S(2) * norm(center));
     const S cos_alpha = rotated_cap_cosine_printed(d);
     const S sin_alpha = rotated_cap_sine_printed(d);
     const Vec<S, 3> u = node.reference.center - palette.rotation_center;
-    // Line 15: the ball around the cap, by Lemma 5 as printed.
+    // Line 15 makes the ball around the cap, by Lemma 5 as printed.
     const Ball3<S> turned = cap_ball_printed<S, 3>(rotate(apex, u), norm(u), cos_alpha, sin_alpha);
     for (int k = 0; k < set.weight_vertex_count; ++k)  // lines 7 and 14: moved by the linear part
       lists.balls.push_back({blend_center(palette, node.weight_vertex(set, k)) + turned.center, turned.radius});

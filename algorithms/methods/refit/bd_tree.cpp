@@ -8,7 +8,7 @@
 namespace refitlab {
 namespace {
 
-// By target, of all of these vertices: one that a target does not move has the displacement 0.
+// Returns the displacements of all of these vertices, by target. A vertex that a target does not move has the displacement 0.
 std::vector<std::vector<Point3>> displacements_of(const SkinnedMesh& mesh, std::span<const int> vertices) {
   const auto targets = static_cast<std::size_t>(mesh.targets.count);
   std::vector<std::vector<Point3>> out(targets, std::vector<Point3>(vertices.size(), Point3::Zero()));

@@ -9,7 +9,7 @@
 namespace refitlab {
 namespace {
 
-// Flattened, as otherwise GCC at -O2 calls each product of two vectors.
+// This is flattened, because otherwise GCC at -O2 calls each product of two vectors.
 template <class Policy, Signs signs>
 [[gnu::flatten]] Ball3<double> printed(const RefitNode<double>& node) {
   const DefaultFloatEnvironment environment;

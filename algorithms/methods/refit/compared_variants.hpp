@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All refit variants that are compared: those of the runtime, and Algorithm 1 as printed, which misses vertices.
+// These are all refit variants that are compared: those of the runtime, and Algorithm 1 as printed, which misses vertices.
 #pragma once
 
 #include "algorithms/runtime/refit/variants.hpp"
@@ -8,7 +8,7 @@ namespace refitlab {
 
 const std::vector<RefitVariant>& compared_variants();
 
-// Throws std::invalid_argument that lists the names there are.
+// Returns the variant of this name. Throws std::invalid_argument that lists the existing names.
 const RefitVariant& compared_variant(const std::string& name);
 
 }  // namespace refitlab

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Balls of the deformed vertices themselves: what a refit is measured against, and the classic way to refit.
+// These are balls of the deformed vertices themselves. Refits are measured against the smallest ones, and the others are the
+// classic way to refit.
 #pragma once
 
 #include <span>
@@ -9,10 +10,11 @@
 
 namespace refitlab {
 
-// By node: the smallest ball of the node's deformed vertices ("Optimal" in Table 1).
+// Returns, by node, the smallest ball of the node's deformed vertices ("Optimal" in Table 1).
 std::vector<Ball3<double>> optimal_balls(const SphereTree& tree, const NodeVertices& vertices, std::span<const Point3> deformed);
 
-// By node, bottom-up [Brown et al. 2001]: a leaf's smallest ball of its deformed vertices, a parent's of its children.
+// Returns balls by node, made bottom-up [Brown et al. 2001]. A leaf has the smallest ball of its deformed vertices, and a parent
+// that of its children's balls.
 std::vector<Ball3<double>> refit_bottom_up(const SphereTree& tree, std::span<const Point3> deformed);
 
 }  // namespace refitlab

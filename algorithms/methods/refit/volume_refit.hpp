@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refitting a node to any convex volume: the volume around the control balls, whose hull holds the node's vertices.
+// A node is refitted to any convex volume by putting the volume around the control balls, whose hull holds the node's vertices.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-// The control balls, and in float and double with a slack for all rounding: theirs, and that of a coordinate along a
+// Returns the control balls. In float and double they have a slack for all rounding: their own, and that of a coordinate along a
 // direction of a volume, which is off by less than 8 u of the center's length and of the radius.
 template <class S>
 std::span<const Ball3<S>> certified_control_balls(const RefitNode<S>& node, ControlLists<S>& lists) {
@@ -22,8 +22,8 @@ std::span<const Ball3<S>> certified_control_balls(const RefitNode<S>& node, Cont
   return lists.cap.balls;
 }
 
-// Holds the node's vertices under spherical blending, exactly skinned or in S. Volume::around(balls, how...) is a convex
-// volume that encloses the balls.
+// Returns a volume that holds the node's vertices under spherical blending, skinned exactly or in S. Volume::around(balls,
+// how...) is a convex volume that encloses the balls.
 template <class Volume, class S, class... How>
 Volume refit_volume(const RefitNode<S>& node, ControlLists<S>& lists, const How&... how) {
   return Volume::around(certified_control_balls(node, lists), how...);

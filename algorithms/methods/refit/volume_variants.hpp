@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The refits to volumes other than balls, by name: like those of variants.hpp each node by itself in any order, no
-// vertex touched.
+// These are the refits to volumes other than balls, by name. Like those of variants.hpp, they refit each node by itself, in any
+// order, and touch no vertex.
 #pragma once
 
 #include <string>
@@ -19,9 +19,9 @@ struct VolumeVariant {
   std::string name;         // as in result files: snake_case, fixed
   std::string description;  // one line for tables and reports
   Pieces pieces;
-  // Of one node, under spherical blending in the pose of node.palette. Thread-safe, and proved to enclose.
+  // Refits one node under spherical blending in the pose of node.palette. It is thread-safe and proved to enclose.
   Volume (*refit)(const RefitNode<double>& node);
-  // Of the same kind around balls; balls is not empty.
+  // Returns a volume of the same kind around balls. balls is not empty.
   Volume (*around)(std::span<const Ball3<double>> balls);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Aabb: the box with edges along the axes, which is the k-DOP of the axes alone.
+// An Aabb is the box with edges along the axes, which is the k-DOP of the axes alone.
 #pragma once
 
 #include "algorithms/methods/volumes/k_dop.hpp"

@@ -14,7 +14,7 @@ namespace {
 
 using Point = Vec<double, 3>;
 
-// Of a right-handed orthonormal frame, one axis a column.
+// Returns the orientation of a right-handed orthonormal frame, which has an axis in each column.
 Quaternion<double> orientation_of(const Eigen::Matrix3d& frame) {
   const Eigen::Quaterniond q(frame);
   return {q.w(), q.x(), q.y(), q.z()};
@@ -31,7 +31,8 @@ Quaternion<double> principal_axes(std::span<const Ball3<double>> balls) {
   return orientation_of(frame);
 }
 
-// The side from a to b and the normal of a triangle; no rotation if they are too short to point anywhere.
+// Returns the orientation by the side from a to b and the normal of a triangle, or no rotation if these are too short to have a
+// direction.
 Quaternion<double> side_frame(const Point& a, const Point& b, const Point& normal) {
   const Point side = b - a;
   if (!(side.norm() > 0 && normal.norm() > 1e-12 * side.squaredNorm())) return identity_quaternion<double>();
@@ -42,7 +43,7 @@ Quaternion<double> side_frame(const Point& a, const Point& b, const Point& norma
   return orientation_of(frame);
 }
 
-// Of the centers that reach farthest along some directions and their opposites, the two that are farthest apart.
+// Takes the centers that reach farthest along some directions and their opposites, and returns the two that are farthest apart.
 std::pair<Point, Point> long_side(std::span<const Ball3<double>> balls) {
   const Point directions[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
   std::pair<Point, Point> best{balls[0].center, balls[0].center};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orientations of boxes that are likely to be small around given balls, from the balls' centers.
+// These orientations of boxes are likely to be small around given balls. They come from the balls' centers.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace refitlab {
 
-// Unit quaternions, whose rotations take the coordinate axes to the boxes': no rotation; the principal axes of the
-// centers [Gottschalk et al. 1996]; and for each side of a large triangle of centers the side, the triangle's normal
-// and what is perpendicular to both [Larsson and Kallberg 2011, "Fast computation of tight-fitting oriented bounding
-// boxes"]. What does not exist for centers on a line or at one point is replaced by no rotation. balls is not empty.
+// Returns unit quaternions, whose rotations take the coordinate axes to the boxes' axes. They are no rotation; the principal axes
+// of the centers [Gottschalk et al. 1996]; and for each side of a large triangle of centers the side, the triangle's normal and
+// the direction perpendicular to both [Larsson and Kallberg 2011, "Fast computation of tight-fitting oriented bounding boxes"].
+// For centers on a line or at one point, orientations that do not exist are replaced by no rotation. balls is not empty.
 std::array<Quaternion<double>, 5> box_orientations(std::span<const Ball3<double>> balls);
 
 }  // namespace refitlab

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// KDop: a discrete-orientation polytope, the points between k/2 pairs of parallel planes of fixed directions [Klosowski
-// et al. 1998, "Efficient collision detection using bounding volume hierarchies of k-DOPs"].
+// A KDop is a discrete-orientation polytope, the points between k/2 pairs of parallel planes of fixed directions [Klosowski et
+// al. 1998, "Efficient collision detection using bounding volume hierarchies of k-DOPs"].
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ template <class S, int k>
 struct KDop {
   static constexpr std::array<SlabDirection, k / 2> directions = slab_directions<k>();
 
-  // (x, d) of its points is within [low, high], by direction d. Length units of the model, times ||d||.
+  // For each direction d, (x, d) of its points is within [low, high], in length units of the model times ||d||.
   std::array<S, k / 2> low, high;
 
-  // The smallest that encloses all balls, but for the rounding of ||d||. balls is not empty.
+  // Returns the smallest KDop that encloses all balls, up to the rounding of ||d||. balls is not empty.
   static KDop around(std::span<const Ball3<S>> balls) {
     KDop out;
     for_each_slab([&]<std::size_t i>() {
@@ -45,7 +45,7 @@ struct KDop {
     return all;
   }
 
-  // No slab separates the two. Fails only if they are disjoint; for k = 6 it holds only if they are not.
+  // Judges whether no slab separates the two. It fails only if they are disjoint; for k = 6 it holds only if they are not.
   Verdict overlaps(const KDop& other) const {
     Verdict all = Verdict::holds;
     for (std::size_t i = 0; i < directions.size(); ++i)
@@ -72,7 +72,7 @@ struct KDop {
     return along<directions[i]>(b.center) + b.radius * S(length_bound(directions[i]));
   }
 
-  // About the middle of its box, where it loses no digits.
+  // Returns the polytope as seen from the middle of its box, where it loses no digits.
   Polytope<S> polytope() const {
     Vec<S, 3> middle;
     S reach(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Obb: a box of any orientation, kept as three slabs along orthonormal axes [Gottschalk et al. 1996, "OBBTree: a
+// An Obb is a box of any orientation, kept as three slabs along orthonormal axes [Gottschalk et al. 1996, "OBBTree: a
 // hierarchical structure for rapid interference detection"].
 //
 // The axes come from a quaternion of any length, so that they are exactly orthonormal in an exact number type.
@@ -20,8 +20,8 @@ struct Obb {
   std::array<Vec<S, 3>, 3> axes;  // orthonormal, right-handed
   Vec<S, 3> low, high;            // (x, axis) of its points is within [low, high], by axis; length units of the model
 
-  // The smallest box of this orientation that encloses all balls. balls is not empty, orientation is not 0: its
-  // rotation takes the coordinate axes to the box's.
+  // Returns the smallest box of this orientation that encloses all balls. balls is not empty, and orientation is not 0. Its
+  // rotation takes the coordinate axes to the box's axes.
   static Obb around(std::span<const Ball3<S>> balls, const Quaternion<S>& orientation) {
     Obb out;
     const S squared_length = squared_norm(orientation);
@@ -40,7 +40,8 @@ struct Obb {
     return out;
   }
 
-  // The one of least surface area among a few cheap orientations; the least of all takes O(n^3) [O'Rourke 1985].
+  // Returns the box of least surface area among a few cheap orientations. The least of all orientations takes O(n^3) [O'Rourke
+  // 1985].
   static Obb around(std::span<const Ball3<S>> balls) requires std::is_same_v<S, double> {
     const auto orientations = box_orientations(balls);
     Obb best = around(balls, orientations[0]);
@@ -58,8 +59,8 @@ struct Obb {
     return all;
   }
 
-  // No axis separates the two: of the normals of all faces and the products of all pairs of edges, which is enough. A
-  // product of parallel edges is 0, or rounding's vector, and separates nothing that is not separate.
+  // Judges whether no axis separates the two. It tries the normals of all faces and the products of all pairs of edges, which is
+  // enough. The product of parallel edges is 0 or a vector of rounding errors, which separates no boxes that meet.
   Verdict overlaps(const Obb& other) const {
     Verdict all = Verdict::holds;
     const auto check = [&](const Vec<S, 3>& direction) {
@@ -81,7 +82,7 @@ struct Obb {
  private:
   S edge(int i) const { return high[i] - low[i]; }
 
-  // The least and the greatest (x, d) of its points.
+  // Returns the least and the greatest (x, d) of its points.
   std::pair<S, S> extent(const Vec<S, 3>& d) const {
     S least(0), greatest(0);
     for (int i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Volume and surface area of a polytope given as a bounded intersection of half-spaces: each face is what the others
-// leave of its plane.
+// A Polytope is a bounded intersection of half-spaces, with its volume and surface area. Each face is the part of its plane that
+// the other half-spaces leave.
 #pragma once
 
 #include <utility>
@@ -13,21 +13,22 @@ namespace refitlab {
 template <class S>
 class Polytope {
  public:
-  // {x : (x, normal) >= offset for every half-space}, all of it within this distance of the origin, and not empty. The
-  // normals' squared lengths are between 1 and 3, and no two half-spaces have the same. S is ordered: a floating or an
-  // exact type.
+  // Makes {x : (x, normal) >= offset for every half-space}. All of it is within this distance of the origin, and it is not empty.
+  // The normals' squared lengths are between 1 and 3, and no two half-spaces have the same. S is ordered, as a floating-point or
+  // an exact type is.
   Polytope(std::vector<HalfSpace<S, 3>> half_spaces, const S& reach)
       : half_spaces_(std::move(half_spaces)),
         motion_bound_(reach) {}
 
-  // The pyramids from the origin over all faces; 0 for a flat one. Best near the origin: its place costs digits.
+  // Returns the sum of the pyramids from the origin over all faces, which is 0 for a flat polytope. It is most accurate near the
+  // origin, as distance costs digits.
   S volume() const {
     S sum(0);
     for (const auto& h : half_spaces_) sum = sum - h.offset * dot(doubled_area(h), h.normal) / (S(6) * squared_norm(h.normal));
     return sum;
   }
 
-  // Twice the area for a flat one: both of its sides.
+  // Returns the surface area. For a flat polytope it is twice the area, which counts both sides.
   S surface_area() const {
     S sum(0);
     for (const auto& h : half_spaces_) sum = sum + norm(doubled_area(h)) / S(2);
@@ -37,7 +38,7 @@ class Polytope {
  private:
   using Point = Vec<S, 3>;
 
-  // Twice the area of the face of h as a vector along h.normal.
+  // Returns twice the area of the face as a vector along its normal.
   Point doubled_area(const HalfSpace<S, 3>& face) const {
     std::vector<Point> polygon = square(face), kept;
     for (const auto& h : half_spaces_) {
@@ -51,7 +52,7 @@ class Polytope {
     return sum;
   }
 
-  // A square of the face's plane that holds all of the plane within the reach, counterclockwise about the normal. Its
+  // Returns a square of the face's plane that holds all of the plane within the reach, counterclockwise about the normal. Its
   // half-diagonals u and v are at least 2 reach * sqrt(2/3) long, so that a circle of 1.15 reach fits in.
   std::vector<Point> square(const HalfSpace<S, 3>& face) const {
     const Point& n = face.normal;
@@ -65,7 +66,7 @@ class Polytope {
     return {foot + u, foot + v, foot - u, foot - v};
   }
 
-  // What h leaves of a convex polygon [Sutherland and Hodgman 1974].
+  // Computes the part of a convex polygon that h leaves [Sutherland and Hodgman 1974].
   static void clip(const std::vector<Point>& polygon, const HalfSpace<S, 3>& h, std::vector<Point>& kept) {
     kept.clear();
     const S zero(0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Box: a box with edges along the axes, whose corners are least and greatest coordinates.
+// A Box has edges along the axes. Its corners are the least and the greatest coordinates.
 //
-// Of one scalar type, or of packs: then a box a lane. Point may be a row of registers, whose fourth number is then not looked
-// at. What does not fit kernels is laid out by BoxBlock (many boxes against one) and by FlippedBox (merging), of algorithms/runtime/collide.
+// S is a scalar, or a pack, which then has a box in each lane. Point may be a row of registers, whose fourth number is not used.
+// algorithms/runtime/collide has other layouts for kernels: BoxBlock (many boxes against one) and FlippedBox (merging).
 #pragma once
 
 #include <limits>
@@ -19,13 +19,13 @@ template <class S, class Point = Vec<S, 3>>
 struct Box {
   Point low, high;  // it has the points with low <= x <= high in each coordinate
 
-  // Of no points; merged with anything it yields that.
+  // Returns the box of no points. Merging it with a box yields that box.
   static Box empty() { return of(infinite, -infinite); }
   static Box everything() { return of(-infinite, infinite); }
 
   void merge(const Point& p) { merge(p, p); }
   void merge(const Box& b) { merge(b.low, b.high); }
-  // In all directions.
+  // Grows the box by this length in all directions.
   void grow(const S& by) {
     if constexpr (is_row) {
       low = low - by, high = high + by;
@@ -37,7 +37,7 @@ struct Box {
   bool is_empty() const { return low[0] > high[0] || low[1] > high[1] || low[2] > high[2]; }
   Point center() const { return (low + high) / S(2); }
   Point edges() const { return high - low; }
-  // The sum of its edges.
+  // Returns the sum of the three edges.
   S extent() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]); }
 
  private:
@@ -47,7 +47,7 @@ struct Box {
     if constexpr (is_row) return {Point{} + static_cast<S>(least), Point{} + static_cast<S>(greatest)};
     else return {Point::Constant(S(static_cast<float>(least))), Point::Constant(S(static_cast<float>(greatest)))};
   }
-  // Written out: what a loop stores number by number the processor waits for, where more are loaded at once.
+  // This is written out, because a loop stores number by number, and then the processor waits where several are loaded at once.
   void merge(const Point& l, const Point& h) {
     if constexpr (is_row) {
       low = l < low ? l : low, high = high < h ? h : high;
@@ -58,11 +58,11 @@ struct Box {
   }
 };
 
-// Four numbers a corner, which take one operation together.
+// A RowBox has four numbers a corner, which take one operation together.
 template <class S>
 using RowBox = Box<S, Row<S, 4>>;
 
-// Whether a coordinate separates them: a bool, or a mask of lanes. A NaN separates nothing.
+// Returns whether a coordinate separates the boxes, as a bool or a mask of lanes. A NaN separates nothing.
 template <class S>
 auto are_apart(const Box<S>& a, const Box<S>& b) {
   auto apart = a.high[0] < b.low[0] || b.high[0] < a.low[0];
@@ -70,13 +70,13 @@ auto are_apart(const Box<S>& a, const Box<S>& b) {
   return apart;
 }
 
-// Lane by lane.
+// Chooses between two boxes lane by lane.
 template <class Mask, class S>
 Box<S> choose(const Mask& first, const Box<S>& a, const Box<S>& b) {
   return {choose(first, a.low, b.low), choose(first, a.high, b.high)};
 }
 
-// Another number type's box of the same numbers.
+// Returns the box with the same numbers in another number type.
 template <class T, class S, class Point>
 Box<T> box_of(const Box<S, Point>& box) {
   Box<T> out;

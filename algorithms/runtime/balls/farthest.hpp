@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The greatest of numbers that belong to points, looked for two points at a time.
+// Farthest finds the greatest of some numbers that belong to points. It takes two points at a time.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-// Two points, coordinate by coordinate.
+// Two points are stored coordinate by coordinate.
 template <class S, int D>
 struct TwoPoints {
   Row<S, 2> row[D];
@@ -28,7 +28,7 @@ TwoPoints<S, D> same_point_twice(const Quad<S>& p) {
   else return {{both(0), both(1), both(2), both(3)}};
 }
 
-// To the last bit what squared_distance of vector.hpp computes.
+// Returns to the last bit what squared_distance of vector.hpp computes.
 template <class S, int D>
 Row<S, 2> squared_distances(const TwoPoints<S, D>& a, const TwoPoints<S, D>& b) {
   const Row<S, 2> x = a.row[0] - b.row[0], y = a.row[1] - b.row[1], z = a.row[2] - b.row[2];
@@ -40,21 +40,23 @@ Row<S, 2> squared_distances(const TwoPoints<S, D>& a, const TwoPoints<S, D>& b) 
   return sum;
 }
 
-// Of at most so many non-negative numbers, a power of two.
+// The numbers are not negative. There are at most `most`, which is a power of two.
 template <class S, int most>
 class Farthest {
  public:
   void see(const Row<S, 2>& values) {
     const Row<Int, 2> key = ((Row<Int, 2>)values & ~index_bits) | next_;
     greatest_ = greatest_ < values ? values : greatest_;
-    // Chosen as integers: a maximum of two numbers is 0 where the processor takes both for zeros, and keeps no index.
+    // The keys are chosen as integers. A maximum of two floating-point numbers is 0 if the processor takes both for zeros, and
+    // keeps no index.
     const Row<Int, 2> is_greater = (Row<S, 2>)greatest_key_ < (Row<S, 2>)key;
     greatest_key_ = (is_greater & key) | (~is_greater & greatest_key_);
     next_ -= Int(2);
   }
   S value() const { return max_of(S(greatest_[0]), S(greatest_[1])); }
-  // Its index, or that of another that differs only in its last bits; the smallest index of equal ones. Of what was seen,
-  // whatever the numbers were: NaNs, or keys that the processor takes for zeros, leave the first one.
+  // Returns the index of the greatest number, or of another that differs only in its last bits. Among equal numbers it is the
+  // smallest index. The index is one that was seen, whatever the numbers were: NaNs, or keys that the processor takes for zeros,
+  // leave the first one.
   int index() const {
     const Int greatest = greatest_key_[0] < greatest_key_[1] ? greatest_key_[1] : greatest_key_[0];
     return most - 1 - static_cast<int>(greatest & Int(most - 1));

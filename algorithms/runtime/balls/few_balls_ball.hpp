@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The smallest enclosing ball of few balls of R^3, by pivoting as in few_points_ball.hpp.
+// Computes the smallest enclosing ball of few balls of R^3 by pivoting, as in few_points_ball.hpp.
 //
-// Around [c, R] all is enclosed if no power ||c_k - c||^2 + r_k (2 R - r_k) exceeds R^2. For a given R the center with
-// the smallest greatest power is found by the pivots of the smallest ball of points: a constant is added to each
-// squared distance. So a pivot is one of points, and then R grows to where the power of the support, of which R makes a
-// quadratic polynomial, is R^2. All radii are less the smallest of them: equal balls are points.
+// [c, R] encloses all balls if no power ||c_k - c||^2 + r_k (2 R - r_k) exceeds R^2. For a given R the center with the smallest
+// greatest power is found by the pivots of the smallest ball of points: a constant is added to each squared distance. So a pivot
+// is one of points, and then R grows to where the power of the support, of which R makes a quadratic polynomial, is R^2. All
+// radii are less the smallest of them: equal balls are points.
 #pragma once
 
 #include "algorithms/runtime/balls/few_points_ball.hpp"
@@ -12,7 +12,7 @@
 
 namespace refitlab {
 
-// The certificate: the center is a convex combination of the support's centers, and the support touches the ball from
+// The certificate is that the center is a convex combination of the support's centers, and the support touches the ball from
 // within.
 struct SmallestBallOfBalls {
   Ball3<double> ball;                  // the radius is what encloses all balls as computed
@@ -22,7 +22,7 @@ struct SmallestBallOfBalls {
   int pivots = 0;
 };
 
-// The least and the greatest of some balls' radii.
+// A RadiusRange has the least, the greatest and the sum of some balls' radii.
 struct RadiusRange {
   explicit RadiusRange(std::span<const Ball3<double>> balls) : least(balls[0].radius), greatest(balls[0].radius) {
     for (const auto& b : balls) {
@@ -31,12 +31,12 @@ struct RadiusRange {
       sum += b.radius;
     }
   }
-  // Not if one of them is negative, infinite or NaN.
+  // Returns false if a radius is negative, infinite or NaN.
   bool is_defined() const { return least >= 0 && sum < std::numeric_limits<double>::infinity(); }
   double least, greatest, sum = 0;
 };
 
-// At most so many balls, a power of two: all that is needed lives on the stack.
+// There are at most `most` balls, which is a power of two, so that everything lives on the stack.
 template <int most>
 class FewBalls {
  public:
@@ -46,7 +46,7 @@ class FewBalls {
         range_(range),
         origin_(quad<double>(balls[0].center)) {}
 
-  // The pivots end as soon as the radius is proved to be within 1 + slack of the smallest. False if a center is not
+  // The pivots end as soon as the radius is proved to be within 1 + slack of the smallest. Returns false if a center is not
   // finite, or if the result does not hold up.
   bool solve(double slack = 0) {
     const double near = 1 - 1 / sq(1 + slack);  // a guess at where that is: the powers are of the radii less the least
@@ -89,7 +89,7 @@ class FewBalls {
     return squared_norm(p - center) + radius(i) * (2 * radius_ - radius(i));
   }
 
-  // No ball's greatest power at this radius is smaller, wherever its center.
+  // Returns the power of the support. At this radius, the greatest power of the balls is no smaller from any center.
   double power_of_support(const Quad<double>& center) const {
     double sum = 0;
     for (int k = 0; k < support_.size(); ++k)
@@ -102,8 +102,8 @@ class FewBalls {
     return sum;
   }
 
-  // The last ball stands twice if their number is odd. Returns the ball that is farthest from the first one's center,
-  // more or less.
+  // The last ball stands twice if the number of balls is odd. Returns the index of the ball that is farthest from the first one's
+  // center, more or less.
   int fill_table() {
     Farthest<double, most> farthest;
     Row<double, 2> sum{};
@@ -122,7 +122,7 @@ class FewBalls {
     return farthest.index();
   }
 
-  // The index of the ball of greatest power; no radius is greater than the given one.
+  // Returns the index of the ball of greatest power. No radius is greater than the given one.
   int farthest_from(const Quad<double>& center, double radius) const {
     Farthest<double, most> farthest;
     const auto c = same_point_twice<3>(center);
@@ -132,7 +132,7 @@ class FewBalls {
     return farthest.index();
   }
 
-  // The smallest ball of two balls; but that of the greatest one alone if it is no smaller.
+  // Starts with the smallest ball of two balls, or with the greatest ball alone if that is no smaller.
   void start(int a, int b) {
     const Quad<double> pa = position(a), pb = position(b);
     const double length = root(squared_norm(pb - pa)), between = (length + radius(a) + radius(b)) / 2;
@@ -150,7 +150,7 @@ class FewBalls {
 
   // Grows the radius until it is that of the smallest ball of the support. The support's power at radius + x is
   // F + 2 rho x + ||v||^2 x^2, rho the mean of the radii by the coefficients, while the center moves along v.
-  // If that is never (radius + x)^2, a ball leaves before.
+  // If that is never (radius + x)^2, a ball leaves first.
   bool grow() {
     for (;;) {
       if (support_.size() == 1) return false;
@@ -172,7 +172,7 @@ class FewBalls {
     const Vec<double, 3> c = vec<3>(center_);
     double& far = enclosing_radius_ = 0;
     for (const auto& b : balls_) {
-      // The root is needed only of what may be farther.
+      // A root is needed only for balls that may be farther.
       const double squared = squared_distance(b.center, c);
       if (far <= b.radius || sq(far - b.radius) <= squared * (1 + 8 * epsilon)) far = max_of(far, root(squared) + b.radius);
     }
@@ -180,8 +180,8 @@ class FewBalls {
     return far <= proved_radius(center) * (1 + slack) + rounding;
   }
 
-  // No ball that encloses the support is smaller: the mean of the support's reach, by weights for which the unit
-  // vectors from the balls to the center add up to 0 (all other centers are farther, on average, from where the balls
+  // Returns a radius that no ball around the support is below. It is the mean of the support's reach, by weights for which the
+  // unit vectors from the balls to the center add up to 0 (all other centers are farther, on average, from where the balls
   // touch).
   double proved_radius(const Quad<double>& center) const {
     double weights = 0, sum = 0;
@@ -205,7 +205,7 @@ class FewBalls {
   std::array<Row<double, 2>, most / 2> radii_;
 };
 
-// The smallest ball of balls of one radius from that of their centers.
+// Returns the smallest ball of balls of one radius, from the smallest ball of their centers.
 inline SmallestBallOfBalls as_ball_of_balls(const SmallestBall<double, 3>& centers, double radius) {
   SmallestBallOfBalls out{{centers.center, root(centers.squared_radius) + radius}, centers.support, centers.coefficients};
   out.support_size = centers.support_size, out.pivots = centers.steps;
@@ -229,10 +229,10 @@ template <int most>
   return {smallest_ball_of_balls(balls)};
 }
 
-// balls is not empty. Made for up to 32 balls; up to 4096 are pivoted too, and more are left to smallest_ball_of_balls.
-// Smallest up to rounding, or at most 1 + slack times that; the radius is then raised to what encloses all balls as
-// computed. If one of the balls is undefined (not finite, or of negative radius), so is the result: all of it is NaN.
-// With a slack the certificate is one of the ball of the support.
+// balls is not empty. This is made for up to 32 balls; up to 4096 are pivoted too, and more are left to smallest_ball_of_balls.
+// The ball is smallest up to rounding, or at most 1 + slack times as large; the radius is then raised to what encloses all balls
+// as computed. If one of the balls is undefined (not finite, or of negative radius), so is the result: all of it is NaN. With a
+// slack, the certificate is that of the support's ball.
 inline SmallestBallOfBalls few_balls_ball(std::span<const Ball3<double>> balls, double slack = 0) {
   if (balls.size() <= 32) return pivot_balls<32>(balls, slack);
   if (balls.size() <= 512) return pivot_balls<512>(balls, slack);
@@ -240,8 +240,8 @@ inline SmallestBallOfBalls few_balls_ball(std::span<const Ball3<double>> balls, 
   return {smallest_ball_of_balls(balls)};
 }
 
-// The same without the certificate, which costs as much as the ball does for the balls that most nodes of a tree have:
-// one, or three points.
+// Returns the same ball without the certificate. For one ball or three points, which most nodes of a tree have, the certificate
+// costs as much as the ball.
 inline Ball3<double> few_balls_enclosing(std::span<const Ball3<double>> balls, double slack = 0) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (balls.size() == 1) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The smallest enclosing ball of few points of R^3 or R^4 in float or double, by pivoting.
+// Computes the smallest enclosing ball of few points of R^3 or R^4 in float or double, by pivoting.
 //
-// The support starts as a point far from the first one and the point farthest from that; as long as a point is outside
-// the smallest ball of the support, the farthest such point enters it. That ball grows at every pivot and is as large
-// as the smallest ball of all once nothing is outside. The certificate is smallest_ball.hpp's. Where rounding keeps the
-// pivots from ending, the walk of smallest_ball.hpp takes over.
+// The support starts as a point far from the first one, and the point farthest from that. As long as a point is outside the
+// smallest ball of the support, the farthest such point enters it. That ball grows at every pivot and is as large as the smallest
+// ball of all once nothing is outside. The certificate is smallest_ball.hpp's. Where rounding keeps the pivots from ending, the
+// walk of smallest_ball.hpp takes over.
 #pragma once
 
 #include <limits>
@@ -26,7 +26,8 @@ const Vec<S, D>& center_of(const Ball<S, D>& ball) {
   return ball.center;
 }
 
-// At most so many points, a power of two, or the centers of balls: all that is needed lives on the stack.
+// The items are points, or balls of which the centers count. There are at most `most`, which is a power of two, so that
+// everything lives on the stack.
 template <class S, int D, int most, class Item = Vec<S, D>>
 class FewPoints {
   static_assert(std::is_floating_point_v<S> && (D == 3 || D == 4));
@@ -35,10 +36,10 @@ class FewPoints {
   // items is not empty.
   explicit FewPoints(std::span<const Item> items) : items_(items), origin_(quad<S>(center_of<S, D>(items[0]))) {}
 
-  // The pivots end as soon as the radius is within 1 + slack of the support's ball, which no ball of all is smaller than.
-  // False if a point is not finite, or if rounding kept the pivots from ending. The support and its center are relative
-  // to the first point, so that a small cloud far from the origin loses no digits; only which point is the farthest is
-  // asked at the rounded center.
+  // The pivots end as soon as the radius is within 1 + slack of the support's ball, which is no larger than any ball of all
+  // points. Returns false if a point is not finite, or if rounding kept the pivots from ending. The support and its center are
+  // relative to the first point, so that a small cloud far from the origin loses no digits; only the farthest point is sought
+  // from the rounded center.
   bool solve(S slack = S(0)) {
     const S enough = max_of(tolerance, S(1) - S(1) / sq(S(1) + slack));
     const int a = fill_table();
@@ -60,7 +61,7 @@ class FewPoints {
     return false;
   }
 
-  // Whether all coordinates, and the squares of their differences, are finite.
+  // Returns whether all coordinates and the squares of their differences are finite.
   bool is_defined() const { return is_defined_; }
 
   SmallestBall<S, D> ball() const {
@@ -84,14 +85,14 @@ class FewPoints {
 
   Quad<S> position(int i) const { return quad<S>(center_of<S, D>(items_[i])) - origin_; }
 
-  // From below: no ball around the support is smaller.
+  // Returns a squared radius that no ball around the support is below.
   S squared_radius_of_support(const Quad<S>& center) const {
     S sum(0);
     for (int k = 0; k < support_.size(); ++k) sum += support_.coefficient(k) * squared_norm(support_.position(k) - center);
     return sum;
   }
 
-  // The last point stands twice if their number is odd. Returns the point farthest from the first.
+  // The last point stands twice if the number of points is odd. Returns the index of the point farthest from the first one.
   int fill_table() {
     Farthest<S, most> farthest;
     Row<S, 2> sum{};
@@ -125,7 +126,7 @@ class FewPoints {
   std::array<TwoPoints<S, D>, most / 2> table_;
 };
 
-// The ball whose diameter is two points.
+// Returns the ball that has the two points as the ends of a diameter.
 template <class S, int D>
 SmallestBall<S, D> ball_between(const Vec<S, D>& a, const Vec<S, D>& b) {
   SmallestBall<S, D> ball;
@@ -146,8 +147,8 @@ SmallestBall<S, D> pivot_or_walk(std::span<const Vec<S, D>> points) {
   return few.is_defined() ? smallest_ball(points) : undefined_smallest_ball<S, D>();
 }
 
-// points is not empty. Made for up to 32 points; up to 512 are pivoted too, and more are left to the walk. The squared
-// radius is that of the farthest point as computed; smallest up to rounding if converged, as long as squares of
+// points is not empty. This is made for up to 32 points; up to 512 are pivoted too, and more are left to the walk. The squared
+// radius is that of the farthest point as computed. If converged, the ball is smallest up to rounding, as long as squares of
 // distances neither overflow nor underflow. If a point is not finite, the center and the radius are NaN, and there is
 // no support.
 template <class S, int D>

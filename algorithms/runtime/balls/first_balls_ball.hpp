@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A ball near the smallest one of balls whose first ones are likely to be its support: one pass, where that is true.
+// Computes a ball near the smallest one around some balls, if the first balls are likely to be its support. Where they are, one
+// pass is enough.
 #pragma once
 
 #include <limits>
@@ -10,7 +11,7 @@
 
 namespace refitlab {
 
-// The smallest ball of two balls, which are defined.
+// Returns the smallest ball of two balls, which are defined.
 inline Ball3<double> two_balls_ball(const Ball3<double>& a, const Ball3<double>& b) {
   const Vec<double, 3> way = b.center - a.center;
   const double length = norm(way), radius = (length + a.radius + b.radius) / 2;
@@ -19,7 +20,8 @@ inline Ball3<double> two_balls_ball(const Ball3<double>& a, const Ball3<double>&
   return {a.center + way * ((radius - a.radius) / length), radius};
 }
 
-// The ball about a center that encloses all balls, as computed, if its radius is at most this.
+// Returns the ball about a center that encloses all balls, as computed. If its radius is greater than the given one, there is no
+// result.
 inline std::optional<Ball3<double>> ball_up_to(const Vec<double, 3>& center, double radius,
                                                std::span<const Ball3<double>> balls) {
   if (!(radius < std::numeric_limits<double>::infinity())) return std::nullopt;
@@ -37,9 +39,9 @@ inline std::optional<Ball3<double>> ball_up_to(const Vec<double, 3>& center, dou
   return Ball3<double>{center, reach};
 }
 
-// Around the center of the smallest ball of the first two balls, or of the first three if these are of one radius. No
-// ball around all of them is smaller than that one: if all are enclosed from there by a radius at most 1 + slack times
-// its own, the least such radius, as computed, is the result, else there is none. balls are two or more.
+// Takes the smallest ball of the first two balls, or of the first three if these have one radius. No ball around all balls is
+// smaller. If a ball about its center with at most 1 + slack times its radius encloses all, the result is the least such ball, as
+// computed; else there is none. There are at least two balls.
 inline std::optional<Ball3<double>> first_balls_ball(std::span<const Ball3<double>> balls, double slack) {
   const Ball3<double>&a = balls[0], &b = balls[1];
   if (balls.size() == 2 || a.radius != b.radius || a.radius != balls[2].radius) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The support of a ball that grows: at most D + 1 affinely independent points of R^D, the ball's center as their convex
-// combination, and what makes points enter and leave at the cost of a few products [the dual active set method of
+// GrowingSupport is the support of a ball that grows. It has at most D + 1 affinely independent points of R^D, and the ball's
+// center as their convex combination. Points enter and leave at the cost of a few products [the dual active set method of
 // Goldfarb and Idnani 1983, for the smallest ball's quadratic program].
 //
 // A support point's gradient is that of its affine coordinate: coordinate k of x in the support's hull is
-// coefficient_k + (gradient_k, x - center). Gradients add up to 0, and change by a multiple of one vector when a point
-// enters or leaves: no system is ever solved.
+// coefficient_k + (gradient_k, x - center). Gradients add up to 0. They change by a multiple of one vector when a point enters or
+// leaves, so no system is ever solved.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ class GrowingSupport {
     set(0, index, position, Quad<S>{}, S(1));
   }
 
-  // Two different points, the center at the share of the way from a to b.
+  // Starts with two different points. The center is at the share of the way from a to b.
   void start(int index_a, const Quad<S>& a, int index_b, const Quad<S>& b, S share) {
     const Quad<S> edge = b - a, gradient = edge * (S(1) / squared_norm(edge));
     size_ = 2;
@@ -49,9 +49,9 @@ class GrowingSupport {
     set(1, index_b, b, gradient, share);
   }
 
-  // The smallest ball of the support and of a point outside, which becomes support. excess: the point's squared
-  // distance from the center less the support's (or its power, if the squared distances are raised by a weight each).
-  // What is nearer to the support's hull than noise counts as in it. False if rounding leaves no support.
+  // Makes the smallest ball of the support and of a point outside, which becomes support. excess is the point's squared distance
+  // from the center less the support's (or its power, if the squared distances are raised by a weight each). A point that is
+  // nearer to the support's hull than noise counts as in it. Returns false if rounding leaves no support.
   bool enter(int index, const Quad<S>& point, const Quad<S>& center, S excess, S squared_noise) {
     // The center moves along the point's component that is normal to the hull, away from the support by as much as the
     // coordinate of the point grows, until the point is as near as the support is.
@@ -68,7 +68,7 @@ class GrowingSupport {
     } else {
       step = excess / (S(2) * squared_length);
     }
-    // A coefficient that reaches 0 before that is of a point that leaves.
+    // If a coefficient reaches 0 before that, its point leaves.
     for (int left; (left = first_to_leave(step)) >= 0;) {
       if (size_ == 1) return false;
       entered += step;
@@ -89,8 +89,8 @@ class GrowingSupport {
     return true;
   }
 
-  // Moves the center by the vector times the step within the hull; where a coefficient would become negative, only
-  // until its point leaves, and returns the step made.
+  // Moves the center by the vector times the step within the hull, but if a coefficient would become negative, only until its
+  // point leaves. Returns the step made.
   S move(const Quad<S>& vector, S step) {
     for (int k = 0; k < size_; ++k) share_[k] = -dot(gradient_[k], vector);
     if (const int left = first_to_leave(step); left >= 0) {
@@ -106,8 +106,8 @@ class GrowingSupport {
     index_[k] = index, position_[k] = position, gradient_[k] = gradient, coefficient_[k] = coefficient;
   }
 
-  // The position of the first point whose coefficient, falling by share for each unit of the step, reaches 0 before the
-  // step ends: the step is then shortened to there. -1: none.
+  // Returns the position of the first point whose coefficient, which falls by share for each unit of the step, reaches 0 before
+  // the step ends. The step is then shortened to there. Returns -1 if there is none.
   int first_to_leave(S& step) const {
     bool any = false;
     for (int k = 0; k < size_; ++k) any |= coefficient_[k] < step * share_[k];
@@ -118,7 +118,7 @@ class GrowingSupport {
     return first;
   }
 
-  // All coefficients fall by step times share, that of k to 0: it leaves. Returns its gradient.
+  // Lowers all coefficients by step times share. The coefficient of the point that leaves becomes 0. Returns its gradient.
   Quad<S> move_and_drop(int left, S step) {
     const Quad<S> gradient = gradient_[left];
     const S share = share_[left], scale = S(1) / squared_norm(gradient);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mean ball: centered at the mean of the centers, with the smallest radius that encloses all (paper 4.4, the
-// BOUNDINGSPHERE of Algorithm 1 [James and Pai 2004]).
+// The mean ball is centered at the mean of the centers, with the smallest radius that encloses all (paper 4.4, the BOUNDINGSPHERE
+// of Algorithm 1 [James and Pai 2004]).
 #pragma once
 
 #include <span>
@@ -23,16 +23,17 @@ S farthest_squared_distance(const Vec<S, D>& center, std::span<const Vec<S, D>> 
   return far;
 }
 
-// m points, m > 0. The radius is at most max(2 - 2/m, 1) times the smallest ball's [with that ball [0, R], ||p_j - mean|| <=
-// (1 - 1/m) ||p_j|| + sum over the others of ||p_i|| / m <= (2 - 2/m) R], and reaches it: one point at x, all others at -x.
+// Returns the mean ball of m points, m > 0. The radius is at most max(2 - 2/m, 1) times the smallest ball's [with that ball [0,
+// R], ||p_j - mean|| <= (1 - 1/m) ||p_j|| + sum over the others of ||p_i|| / m <= (2 - 2/m) R], and reaches this bound if one
+// point is x and all others are -x.
 template <class S, int D>
 Ball<S, D> mean_ball(std::span<const Vec<S, D>> points) {
   const Vec<S, D> center = mean_center(points);
   return {center, root(farthest_squared_distance(center, points))};
 }
 
-// m balls, m > 0. The radius is at most 2 - 1/m times the smallest ball's, by the same steps with ||p_i|| + r_i <= R, and
-// reaches it: one ball [0, R], all others the same point at distance R.
+// Returns the mean ball of m balls, m > 0. The radius is at most 2 - 1/m times the smallest ball's, by the same steps with
+// ||p_i|| + r_i <= R, and reaches this bound if one ball is [0, R] and all others are the same point at distance R.
 template <class S, int D>
 Ball<S, D> mean_ball(std::span<const Ball<S, D>> balls) {
   Vec<S, D> sum = balls[0].center;

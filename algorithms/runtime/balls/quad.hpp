@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quad: a vector of R^3 or R^4 as two rows of two coordinates, the width that every 64-bit processor multiplies at once.
+// A Quad is a vector of R^3 or R^4 as two rows of two coordinates, the width that every 64-bit processor multiplies at once.
 #pragma once
 
 #include "algorithms/runtime/packs/row.hpp"
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// A vector of R^4; one of R^3 has a last coordinate 0, which all operations keep.
+// A vector of R^3 has the last coordinate 0, which all operations keep.
 template <class S>
 struct Quad {
   Row<S, 2> low, high;

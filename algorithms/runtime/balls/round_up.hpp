@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Raising the radius of a ball that was measured in float or double by more than the rounding of the measurement.
+// The radius of a ball that was measured in float or double is raised by more than the rounding of the measurement.
 #pragma once
 
 #include <limits>
@@ -8,12 +8,12 @@
 
 namespace refitlab {
 
-// What underflow may take from a radius. Sums and differences never underflow, and a product is off by at most the least
-// number, 2^-1074 in double and 2^-149 in float. What is linear in lengths is off by a few of those; a distance, as the
-// root of four squares at most, by 2 times their root: 2^-536 and 2^-73.5. A radius is made of a few distances. Where
-// what underflows becomes 0, as in many programs beside this one, the least numbers are 2^-1022 and 2^-126, and the
-// distances off by 2^-510 and 2^-62. The rest is room for what divides a distance by less than 1: by the cosine of a
-// blend to its axis, in double (algorithms/runtime/refit/dual_quaternion.hpp).
+// Returns the most that underflow may take from a radius. Sums and differences never underflow, and a product is off by at most
+// the least number, 2^-1074 in double and 2^-149 in float. A value that is linear in lengths is off by a few of those. A
+// distance, as the root of at most four squares, is off by 2 times their root, which is 2^-536 and 2^-73.5. A radius is made of a
+// few distances. If numbers that underflow become 0, as in many other programs, the least numbers are 2^-1022 and 2^-126, and the
+// distances are off by 2^-510 and 2^-62. The rest is for divisions of a distance by less than 1, as by the cosine of a blend to
+// its axis, in double (algorithms/runtime/refit/dual_quaternion.hpp).
 template <class S>
 constexpr S underflow_of_distance() {
   static_assert(std::is_same_v<S, double> || std::is_same_v<S, float>);
@@ -23,14 +23,14 @@ constexpr S underflow_of_distance() {
 // radius was computed as the greatest norm(c_k - center) + r_k of some balls, by squared distances and roots. With
 // u = epsilon / 2: differences, squares and sums of at most four squares make a squared distance off by at most 6 u of
 // itself, its root by 4 u with its own rounding, the sum by 5 u, and one more sum by 6 u. Sixteen also cover what is
-// rounded here. Encloses those balls; infinity and NaN stay.
+// rounded here. The result encloses those balls; infinity and NaN stay.
 template <class S, int D>
 Ball<S, D> rounded_up(const Ball<S, D>& measured) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   return {measured.center, measured.radius * (S(1) + 16 * u) + underflow_of_distance<S>()};
 }
 
-// To float, whatever the rounding: encloses the ball. Beyond the range of float, all of space.
+// Rounds to float so that the result encloses the ball, whatever the rounding. Beyond the range of float it is all of space.
 inline Ball3<float> rounded_outward(const Ball3<double>& ball) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const Vec<float, 3> center = ball.center.cast<float>();

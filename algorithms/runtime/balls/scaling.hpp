@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clouds whose lengths are so small or so large that their higher powers leave the range of float or double: a power of
-// two brings them to a size of about 1, without rounding.
+// If the lengths of a cloud are so small or so large that their higher powers leave the range of float or double, a power of two
+// brings it to a size of about 1, without rounding.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace refitlab {
 
-// The power of two that lengths up to this one are divided by to be of about the size 1; 0 where their fourth powers
-// keep all digits as they are, and for 0, infinity and NaN.
+// Returns the exponent of the power of two by which lengths up to this one are divided, so that they are about 1. It is 0 if
+// their fourth powers keep all digits as they are, and for 0, infinity and NaN.
 template <class S>
 int scaling_of(S greatest_length) {
   static_assert(std::is_floating_point_v<S>);
@@ -20,7 +20,7 @@ int scaling_of(S greatest_length) {
   return exponent < -most || exponent > most ? exponent : 0;
 }
 
-// x 2^by, coordinate by coordinate.
+// Returns x 2^by, coordinate by coordinate.
 template <class Vector>
 Vector times_power_of_two(const Vector& x, int by) {
   Vector out = x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The directions of k-DOPs, which are bounded by k/2 pairs of parallel planes of fixed directions [Klosowski et al. 1998, "Efficient
-// collision detection using bounding volume hierarchies of k-DOPs"].
+// These are the directions of k-DOPs, which are bounded by k/2 pairs of parallel planes of fixed directions [Klosowski et al.
+// 1998, "Efficient collision detection using bounding volume hierarchies of k-DOPs"].
 //
 // They are integer vectors that are not normalised, so that all but the length of a direction is rational.
 #pragma once
@@ -18,13 +18,13 @@ using SlabDirection = std::array<int, 3>;  // of -1, 0, 1; the first that is not
 
 constexpr int squared_length(const SlabDirection& d) { return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; }
 
-// A double that is not below ||d||, by 2e-16 at most: radii grow, never shrink, in any number type.
+// Returns a double that is not below ||d||, and at most 2e-16 above it. So radii grow and never shrink, in any number type.
 constexpr double length_bound(const SlabDirection& d) {
   return std::array{1.0, 1.4142135623730951, 1.7320508075688774}[squared_length(d) - 1];
 }
 
-// One of each pair of opposite directions. k = 6: the axes; 14: and the cube's corners; 18: the axes and the cube's
-// edges; 26: all of them. The axes x, y, z come first.
+// Returns one of each pair of opposite directions. For k = 6 they are the axes, for 14 also the cube's corners, for 18 the axes
+// and the cube's edges, and for 26 all of them. The axes x, y, z come first.
 template <int k>
 constexpr std::array<SlabDirection, k / 2> slab_directions() {
   static_assert(k == 6 || k == 14 || k == 18 || k == 26);
@@ -40,7 +40,7 @@ constexpr std::array<SlabDirection, k / 2> slab_directions() {
   return out;
 }
 
-// (x, d), of additions alone.
+// Returns (x, d) by additions alone.
 template <SlabDirection d, class S>
 S along(const Vec<S, 3>& x) {
   constexpr int first = d[0] ? 0 : d[1] ? 1 : 2;
@@ -50,7 +50,7 @@ S along(const Vec<S, 3>& x) {
   return sum;
 }
 
-// The same of k at run time, which is one of dop_sizes.
+// Returns the same for a k known at run time, which is one of dop_sizes.
 inline constexpr std::array<int, 4> dop_sizes = {6, 14, 18, 26};
 constexpr bool is_dop_size(int k) { return std::find(dop_sizes.begin(), dop_sizes.end(), k) != dop_sizes.end(); }
 inline std::span<const SlabDirection> slab_directions(int k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smallest enclosing ball of points of R^d, with its support, by walking [Fischer, Gaertner and Kutz 2003, "Fast
+// Computes the smallest enclosing ball of points of R^d, with its support, by walking [Fischer, Gaertner and Kutz 2003, "Fast
 // smallest-enclosing-ball computation in high dimensions"].
 //
 // The center starts anywhere and the support is the point farthest from it. The center walks towards the affine hull of
@@ -19,7 +19,7 @@
 
 namespace refitlab {
 
-// The certificate of a smallest ball: its center is a convex combination of support points that all lie on its boundary.
+// The certificate of a smallest ball is that its center is a convex combination of support points that all lie on its boundary.
 template <class S, int D>
 struct SmallestBall {
   Vec<S, D> center;
@@ -31,7 +31,7 @@ struct SmallestBall {
   bool converged = false;  // false only where rounding kept the walk from ending (never in exact numbers)
 };
 
-// Of points that are not finite: no center, no radius and no support.
+// Returns the result for points that are not finite. It has no center, no radius and no support.
 template <class S, int D>
 SmallestBall<S, D> undefined_smallest_ball() {
   constexpr S undefined = std::numeric_limits<S>::quiet_NaN();
@@ -41,7 +41,7 @@ SmallestBall<S, D> undefined_smallest_ball() {
   return ball;
 }
 
-// What rounding may do to one sum of products, relative to the radius.
+// Returns the rounding error of one sum of products, relative to the radius.
 template <class S>
 S rounding_noise() {
   if constexpr (std::is_floating_point_v<S>) return 32 * std::numeric_limits<S>::epsilon();
@@ -75,7 +75,8 @@ class SmallestBallWalk {
   }
 
  private:
-  // What counts as zero, relative to the radius, after a few steps: rounding grows in a walk, and must not steer it.
+  // Returns the size that counts as zero after a few steps, relative to the radius. Rounding grows in a walk, and must not steer
+  // it.
   S tolerance() const { return S(128) * noise_; }
 
   Vec<S, D> position(int i) const { return points_[i] - points_[0]; }
@@ -124,11 +125,11 @@ class SmallestBallWalk {
     }
   }
 
-  // Moves the center to its projection, or as far as no other point falls outside: that point then joins the support.
+  // Moves the center to its projection, or only as far as no other point falls outside. That point then joins the support.
   void walk_to_hull() {
     const Vec<S, D>& on_boundary = points_[ball_.support[0]];
     const Vec<S, D> center = center_, walk = walk_;
-    // A point that joins must be off the support's hull by more than rounding, of the walk's direction above all.
+    // A point that joins must be off the support's hull by more than rounding, which is above all that of the walk's direction.
     const S too_flat = squared_radius_ * max_of(S(sq(tolerance()) * squared_norm(walk)), S(sq(noise_) * squared_radius_));
     const S touching = tolerance() * squared_radius_;
     S fraction(1);
@@ -144,7 +145,8 @@ class SmallestBallWalk {
     if (stop >= 0) ball_.support[ball_.support_size++] = stop;
   }
 
-  // The position in the support of the most negative coefficient, or of the negative one of smallest index; -1: none.
+  // Returns the position in the support of the most negative coefficient, or of the negative one of smallest index, or -1 if
+  // there is none.
   int negative_coefficient(bool most_negative) const {
     const auto& x = ball_.coefficients;
     int found = -1;
@@ -165,8 +167,8 @@ class SmallestBallWalk {
   SmallestBall<S, D> ball_;
 };
 
-// points is not empty. In double the result always encloses all points up to the rounding of one squared distance; it is
-// smallest up to rounding if converged, as long as squares of distances do not overflow.
+// points is not empty. In double the result always encloses all points up to the rounding of one squared distance; it is smallest
+// up to rounding if converged, as long as squares of distances do not overflow.
 template <class S, int D>
 SmallestBall<S, D> smallest_ball(std::span<const Vec<S, D>> points) {
   if constexpr (std::is_floating_point_v<S>) {

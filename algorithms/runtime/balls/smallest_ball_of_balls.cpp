@@ -30,15 +30,15 @@ Ball3<double> ball_about(const Vec<double, 3>& center, Balls balls) {
   return {center, reach(center, balls[farthest_from(center, balls)])};
 }
 
-// The greatest radius, or coordinate relative to the first center.
+// Returns the greatest radius or coordinate relative to the first center.
 double size_of(Balls balls) {
   double size = 0;
   for (const auto& b : balls) size = std::max({size, b.radius, (b.center - balls[0].center).cwiseAbs().maxCoeff()});
   return size;
 }
 
-// The centers in the flat through the balls' own that all balls have the same reach from. With d_k = c_k - c_0, a center
-// c_0 + y has the reach R from ball k, for R >= r_k, if |y - d_k| = R - r_k. The difference of the squares of this and of
+// Appends the centers, in the flat through the balls' centers, from which all balls have the same reach. With d_k = c_k - c_0, a
+// center c_0 + y has the reach R from ball k, for R >= r_k, if |y - d_k| = R - r_k. The difference of the squares of this and of
 // |y| = R - r_0 is linear in y and R, so that y = u + R v, and |y| = R - r_0 is a quadratic equation in R.
 void add_equal_reach_centers(const std::vector<Ball3<double>>& balls, std::vector<Vec<double, 3>>& centers) {
   const Ball3<double>& first = balls[0];
@@ -63,8 +63,8 @@ void add_equal_reach_centers(const std::vector<Ball3<double>>& balls, std::vecto
 }
 
 // The smallest ball of at most five balls has the same reach from some of them, at most four, and its center in the flat
-// through theirs. All of these are tried, and whichever center has the smallest reach is taken: so a choice of balls for
-// which the equations have no solution, or a wrong one by rounding, does no harm. support: those of its choice.
+// through theirs. All of these are tried, and whichever center has the smallest reach is taken: so a choice of balls for which
+// the equations have no solution, or a wrong one by rounding, does no harm. support becomes the balls of the best choice.
 Ball3<double> smallest_by_trial(Balls balls, std::vector<Ball3<double>>& support) {
   Ball3<double> best{balls[0].center, std::numeric_limits<double>::infinity()};
   std::vector<Vec<double, 3>> centers;
@@ -97,8 +97,8 @@ Ball3<double> smallest_ball_of_balls(Balls balls) {
     const Vec<double, 3> center = smallest_ball_of_balls(of_size_one).center;
     return ball_about(balls[0].center + times_power_of_two(center, scaling), balls);
   }
-  // The ball of a few grows by the ball that is farthest from it, until there is none outside. Each one's radius is greater
-  // than the last, so no support comes twice; where rounding hides the growth, it is over too.
+  // The ball of a few grows by the ball that is farthest from it, until there is none outside. Each radius is greater than the
+  // last, so no support comes twice. If rounding hides the growth, the search ends too.
   std::vector<Ball3<double>> few{balls[farthest_from(balls[0].center, balls)]};
   Ball3<double> best{few[0].center, std::numeric_limits<double>::infinity()};
   for (double last = -1;;) {

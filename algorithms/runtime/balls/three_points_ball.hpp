@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smallest enclosing ball of three points, in closed form: most nodes of a sphere tree are single triangles.
+// Computes the smallest enclosing ball of three points in closed form, because most nodes of a sphere tree are single triangles.
 //
 // If the angle at a point is not acute, the ball has the opposite side as a diameter. Else it is the ball of the circle
 // through all three, whose center has the barycentric coordinates |bc|^2 (b - a, c - a) at a, and so on: in a triangle
@@ -10,15 +10,15 @@
 
 namespace refitlab {
 
-// The least normal number, with room for all digits: above it products lose none to underflow.
+// Returns the least normal number, with room for all digits. Products above it lose none of them to underflow.
 template <class S>
 constexpr S tiny_ratio() {
   return std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
 }
 
 // The radius is that of the farthest point as computed. If a point is not finite, the center and the radius are NaN.
-// Only + - * / are needed. In float and double an angle is right from 2^-970 on (in float 2^-103), and the coordinates are
-// made of ratios where the fourth powers of the sides would be out of range.
+// Only + - * / are needed. Angles are right from 2^-970 on in double, and from 2^-103 on in float. If the fourth powers of the
+// sides would be out of range, the coordinates are made of ratios.
 template <class S, int D>
 SmallestBall<S, D> three_points_ball(const Vec<S, D>& a, const Vec<S, D>& b, const Vec<S, D>& c) {
   const Vec<S, D> ab = b - a, bc = c - b, ca = a - c;

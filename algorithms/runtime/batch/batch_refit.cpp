@@ -16,8 +16,9 @@ void append(std::vector<float>& to, const Vec<double, D>& v) {
   for (int i = 0; i < D; ++i) to.push_back(static_cast<float>(v[i]));
 }
 
-// As of rigid joints. What float loses of an image is a share of F ||p||, which is more than ||p|| for rotations, for which it is
-// derived. r is stretched to s r by adding (s - 1) r, where its own roundings are shares of r: eight are allowed for.
+// Appends a joint-set of affine joints in the layout of rigid ones. Float loses a share of F ||p|| of an image. The share was
+// derived for rotations and ||p||, which is less. r is stretched to s r by adding (s - 1) r, whose roundings are shares of r:
+// eight are allowed for.
 void append_affine(std::vector<float>& to, const PaletteEntry<double>& set, const PaletteScales<double>& scales,
                    float largest_reference) {
   const double lengths = 1.001 * (scales.translation + max_of(scales.matrix, 1.0) * largest_reference);
@@ -43,7 +44,7 @@ const PackedBalls& BatchRefit::spherical(const SkinningPalette<double>& palette,
     append(numbers_, set.rotation_center);
     numbers_.push_back(static_cast<float>(checked_single(1.001 * (std::sqrt(size) + 2 * norm(set.rotation_center)))));
     for (std::size_t i = 0; i < set.transforms.size(); ++i) {
-      // Of a single joint the kernel takes it to be of unit length, which a pose's is up to 1e-6.
+      // The kernel assumes that the quaternion of a single joint has unit length. That of a pose has it up to 1e-6.
       const Quaternion<double>& q = set.transforms[i].rotation;
       append(numbers_, set.transforms.size() == 1 ? Quaternion<double>(q / norm(q)) : q);
       append(numbers_, set.center_images[i]);

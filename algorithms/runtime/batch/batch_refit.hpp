@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// BatchRefit: the balls of all nodes of a tree in one go, in float, by Algorithm 1 repaired or by the linear refit, with mean
-// balls: what refit_algorithm1_repaired<MeanBalls> and refit_linear<MeanBalls> find node by node.
+// BatchRefit computes the balls of all nodes of a tree in one go, in float and with mean balls. It does what
+// refit_algorithm1_repaired<MeanBalls> and refit_linear<MeanBalls> do node by node.
 #pragma once
 
 #include "algorithms/runtime/batch/packed_nodes.hpp"
 
 namespace refitlab {
 
-// The balls of all nodes, where the kernels left them.
+// PackedBalls holds the balls of all nodes where the kernels left them.
 class PackedBalls {
  public:
   PackedBalls(std::span<const int> places, int lanes) : places_(places), balls_(lanes) {}
@@ -36,11 +36,11 @@ class BatchRefit {
   BatchRefit(const BatchRefit&) = delete;  // the balls refer to the nodes
   BatchRefit& operator=(const BatchRefit&) = delete;
 
-  // By node, until the next call. Each encloses the node's vertices, deformed by spherical blending with exactly this palette:
-  // the slack for all rounding is in the radius (refit_kernel.hpp). Throws std::range_error for lengths that single
-  // precision cannot square (single_precision.hpp).
+  // Returns the balls by node, which are valid until the next call. Each ball encloses the node's vertices, deformed by spherical
+  // blending with exactly this palette. Its radius includes the slack for all rounding (refit_kernel.hpp). Throws
+  // std::range_error for lengths that single precision cannot square (single_precision.hpp).
   const PackedBalls& spherical(const SkinningPalette<double>& palette, Target target = best_target());
-  // The same for linear blending, by rigid or affine joints.
+  // Does the same for linear blending, by rigid or affine joints.
   const PackedBalls& linear(const SkinningPalette<double>& palette, Target target = best_target());
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FloatPaletteEntry: the palette of a joint-set in one pose and placement, for spherical skinning in float, with a bound on
-// what that loses against the doubles of apply(placement, skin()).
+// FloatPaletteEntry is the palette of a joint-set in one pose and placement, for spherical skinning in float. It bounds the error
+// of that against the doubles of apply(placement, skin()).
 //
 // A joint-set has a middle m in the reference frame, near its vertices. Each vertex v is stored as the floats of p = v - m,
 // and its weights are floats already, because they are multiples of 2^-24. Coordinates are those of the world, seen from an
@@ -42,7 +42,7 @@
 namespace refitlab {
 
 inline constexpr double largest_float_length = 1e12, least_float_slack = 1e-37, largest_float_kappa = 1.5;
-// The entry's slack in units of u, times X and times T, and the share of both that is added.
+// The entry's slack in units of u is the first function times X plus the second times T, and a share of both is added.
 constexpr double float_slack_per_length(int joints) { return joints == 1 ? 10 : 32 + 2 * largest_float_kappa * (joints + 3); }
 constexpr double float_slack_per_image(int joints) { return joints == 1 ? 5 : joints + 7; }
 inline constexpr double float_slack_and_more = 1 + 0x1p-10;
@@ -51,12 +51,13 @@ struct alignas(64) FloatPaletteEntry {
   float center[3];  // r
   float slack;      // of each coordinate of an image
   float first[8];   // the placed q_0, c_0, and an unused number
-  // The differences of the other joints' to these. Of a joint-set of one joint: a 3 x 4 matrix, row by row.
+  // These are the differences of the other joints to the first one. For a joint-set of one joint there is a 3 x 4 matrix instead,
+  // row by row.
   float more[3][8];
   float unused[12];
 };
 
-// Where a body is put: a placement whose translation is seen from the origin.
+// A FloatPlacement puts a body in the world. Its translation is seen from the origin.
 struct FloatPlacement {
   double rotation[4], translation[3];
   double defect;  // | ||q||^2 - 1 |

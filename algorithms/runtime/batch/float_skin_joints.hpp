@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FloatJointSet: the formula of float_palette.hpp, in any number type. It is for the kernel, and for what derives its rounding
+// FloatJointSet has the formula of float_palette.hpp in any number type. It is for the kernel, and for what derives its rounding
 // errors (proptests/algorithms/float_budgets.cpp).
 #pragma once
 
@@ -17,7 +17,7 @@ template <class S, int D>
   return out;
 }
 
-// A joint-set in every lane, of so many joints. weight(j) is the weight of joint j + 1.
+// There is one joint-set of N joints in each lane. weight(j) is the weight of joint j + 1.
 template <class S, int N>
 struct FloatJointSet {
   Quaternion<S> rotation, rotation_from[N - 1];
@@ -43,7 +43,7 @@ struct FloatJointSet {
     }
     return turn_and_add(q, p - center, c);
   }
-  // x turned by q, and c.
+  // Returns x turned by q, plus c.
   [[gnu::always_inline]] static Vec<S, 3> turn_and_add(const Quaternion<S>& q, const Vec<S, 3>& x, const Vec<S, 3>& c) {
     const Vec<S, 3> v = imaginary(q), t = cross(v, x), tt = cross(v, t);
     const S scale = S(2.f) / squared_norm(q);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel of spherical skinning in float: a cluster's vertices, a vertex a lane, and the box around all of them.
+// The kernel of spherical skinning in float takes a cluster's vertices, a vertex a lane, and makes the box around all of them.
 #pragma once
 
 #include "algorithms/runtime/balls/box.hpp"
@@ -9,14 +9,14 @@
 
 namespace refitlab {
 
-// Vertices of one joint-set, in whole blocks of Lanes.
+// A FloatRun is the vertices of one joint-set, in whole blocks of Lanes.
 struct FloatRun {
   int joint_set, joint_count, block_count;
   int first_data;  // in data: of each block x, y, z of v - m, and the weights of all joints but the first
 };
 
-// out: x of all the runs' blocks, then y, then z, block_stride apart. box: around all of them. Returns the largest slack of the
-// runs' palettes, which must be finite.
+// out gets the x of all the runs' blocks, then y, then z, block_stride apart. box becomes the box around all of them. Returns the
+// largest slack of the runs' palettes, which must be finite.
 using FloatSkin = float (*)(const FloatRun* runs, int run_count, const Lanes<float>* data, const FloatPaletteEntry* palette,
                             int block_stride, Lanes<float>* out, Box<float>& box);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FloatVertices: the groups of PackedVertices once more, at the same places, laid out for skinning in float.
+// FloatVertices has the groups of PackedVertices once more, at the same places, laid out for skinning in float.
 #pragma once
 
 #include "algorithms/runtime/batch/float_skin_kernel.hpp"
@@ -12,14 +12,14 @@ class FloatVertices {
   // The groups' runs are padded to whole blocks of Lanes<float>.
   FloatVertices(const SkinnedMesh& mesh, const JointSets& sets, const PackedVertices& groups);
 
-  // The joint-sets of a group, each once.
+  // Returns the joint-sets of a group. Each appears once.
   std::span<const FloatRun> runs(int group) const {
     return std::span(runs_).subspan(first_run_[group], first_run_[group + 1] - first_run_[group]);
   }
   int block_count(int group) const { return block_count_[group]; }
 
-  // Skins a group to out: x of all its blocks, then y, then z. palette is by joint-set, made for its runs by
-  // PalettePacks::make_float_part, with finite slacks. box is around what is written. Returns the largest of the slacks.
+  // Skins a group to out, which gets the x of all its blocks, then y, then z. palette is by joint-set, made for its runs by
+  // PalettePacks::make_float_part, with finite slacks. box becomes the box around the result. Returns the largest of the slacks.
   float skin(int group, const FloatPaletteEntry* palette, Lanes<float>* out, Box<float>& box,
              Target target = best_target()) const;
 

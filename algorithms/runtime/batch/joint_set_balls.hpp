@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Balls around the vertices of joint-sets in the reference pose, whose centers are what vertices in float are seen from
+// These balls enclose the vertices of joint-sets in the reference pose. Vertices in float are seen from their centers
 // (float_palette.hpp).
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// By joint-set. The centers are those of the boxes around the vertices.
+// Returns the balls by joint-set. The centers are those of the boxes around the vertices.
 std::vector<Ball3<double>> joint_set_balls(const SkinnedMesh& mesh, const JointSets& sets);
 
 }  // namespace refitlab

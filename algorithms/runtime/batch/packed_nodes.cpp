@@ -39,7 +39,7 @@ std::vector<int> weight_vertex_counts(std::span<const NodePiece> sets) {
   return out;
 }
 
-// So that the lanes of a block have about as many weight vertices.
+// Sorting by this gives the lanes of a block about as many weight vertices.
 constexpr auto has_fewer_weight_vertices = [](const auto& a, const auto& b) {
   return std::pair(weight_vertex_count(a.sets), weight_vertex_counts(a.sets)) <
          std::pair(weight_vertex_count(b.sets), weight_vertex_counts(b.sets));
@@ -83,7 +83,7 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
   for (std::size_t i = 0; i < merged.size(); ++i) merged_[i].place = places_[merged[i]];
 }
 
-// Each in a lane, in new blocks of balls.
+// Places each node in a lane of new blocks of balls.
 void PackedNodes::place(std::span<const int> nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (i % lanes == 0) ball_lanes_ += 4;
@@ -104,7 +104,7 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
     to.data.push_back(row);
   };
   const auto share = [](const Item& it) { return 1 / static_cast<float>(weight_vertex_count(it.sets)); };
-  // Items come sorted by the number of weight vertices.
+  // The items are sorted by the number of weight vertices.
   const bool same_share = weight_vertex_count(items.front().sets) == weight_vertex_count(items.back().sets);
   const std::size_t set_count = items[0].sets.size();
   to.blocks.push_back({static_cast<int>(to.sets.size()), static_cast<int>(set_count), static_cast<int>(to.data.size()),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// PackedNodes: a tree's nodes laid out for the kernels of the batch refit (refit_kernel.hpp).
+// PackedNodes has a tree's nodes laid out for the kernels of the batch refit (refit_kernel.hpp).
 //
-// Most nodes are moved by one to a few joint-sets, which many other nodes are moved by as well: those are refitted whole,
-// a node a lane. The others, near the root, are taken apart: their pieces of one joint-set with those of other nodes, the
-// balls of the weight vertices merged afterwards.
+// Most nodes are moved by one to a few joint-sets, by which many other nodes are moved as well. These are refitted whole, a node
+// a lane. The others, near the root, are taken apart. Their pieces of one joint-set are refitted together with those of other
+// nodes, and the balls of the weight vertices are merged afterwards.
 #pragma once
 
 #include <limits>
@@ -20,10 +20,11 @@ class PackedNodes {
   NodeBlocks nodes() const { return nodes_.view(); }
   NodeBlocks pieces() const { return pieces_.view(); }
   std::span<const MergedNode> merged() const { return merged_; }
-  // All records of the merged nodes, as they are before the first frame.
+  // Returns all records of the merged nodes as they are before the first frame.
   std::vector<Row<float, 4>> empty_records() const { return std::vector<Row<float, 4>>(record_count_, no_ball); }
 
-  // How many Lanes of balls there are, and where among their numbers a node's x is; y, z and radius are in the next Lanes.
+  // ball_lanes() is the number of Lanes of balls. places() says by node where its x is among their numbers; y, z and the radius
+  // are in the next Lanes.
   int ball_lanes() const { return ball_lanes_; }
   std::span<const int> places() const { return places_; }
   float largest_reference() const { return largest_reference_; }  // of the ||p||, rounded upwards
@@ -37,14 +38,14 @@ class PackedNodes {
     std::vector<int> targets;
     int most_weight_vertices = 0;
   };
-  // A node, or a piece of it, in one lane.
+  // An Item is a node, or a piece of it, in one lane.
   struct Item {
     const TreeNode* node;
     std::span<const NodePiece> sets;
     int target;  // the node, or the first of the piece's records
   };
 
-  // Appends blocks of items of the same joint-sets, in this order.
+  // Appends blocks of items in this order. All items have the same joint-sets.
   static void add(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to);
   static void add_block(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to);
   void place(std::span<const int> nodes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PackedVertices: groups of a model's vertices, laid out so that packs skin a group at a time, bit-identical to skin().
+// PackedVertices has groups of a model's vertices, laid out so that packs skin a group at a time, bit-identical to skin().
 //
 // Within a group vertices are sorted by joint-set; each run of one joint-set is padded to whole blocks of Lanes<double>, or to
 // whole blocks of Lanes<float>, so that floats of the same vertices may have the same places (float_vertices.hpp).
@@ -10,7 +10,8 @@
 
 namespace refitlab {
 
-// Skinned vertices: one place after the other, three Lanes a block of places. The padding holds other places' copies.
+// Skinned vertices lie one place after the other, with three Lanes for each block of places. The padding holds copies of other
+// places.
 struct SkinnedVertices {
   Point3 operator[](int place) const {
     const Lanes<double>* block = blocks.data() + 3 * (place / Lanes<double>::count);
@@ -26,23 +27,24 @@ class PackedVertices {
   // padding, which is a multiple of Lanes<double>::count.
   PackedVertices(const SkinnedMesh& mesh, const JointSets& sets, std::span<const std::vector<int>> groups,
                  int padding = Lanes<double>::count);
-  // One group of all vertices.
+  // Makes one group of all vertices.
   PackedVertices(const SkinnedMesh& mesh, const JointSets& sets);
 
   int group_count() const { return static_cast<int>(first_run_.size()) - 1; }
-  // The vertex at each place of a group. A padding place repeats the vertex before it.
+  // Returns the vertex at each place of a group. A padding place repeats the vertex before it.
   std::span<const int> vertices(int group) const;
 
-  // Skins one group; out.blocks grows as needed and is used again. palette is of make_skinning_palette for this model, with the
-  // same skinning, or of affine joints; so it is for skin_all.
+  // Skins one group; out.blocks grows as needed and is used again. palette must come from make_skinning_palette for this model
+  // with the same skinning, or have affine joints. The same holds for skin_all.
   void skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                   Target target = best_target()) const;
 
-  // Skins a single block of a group, to its x, y, z.
+  // Skins a single block of a group. The result is its x, y and z.
   void skin_block(int group, int block, const SkinningPalette<double>& palette, Skinning skinning, Lanes<double>* out,
                   Target target = best_target()) const;
 
-  // All groups; each vertex to out[vertex] (as many as the model's vertices; those of no group stay).
+  // Skins all groups, each vertex to out[vertex]. out is as long as the model's vertices; the entries of vertices in no group
+  // stay.
   void skin_all(const SkinningPalette<double>& palette, Skinning skinning, std::span<Point3> out,
                 Target target = best_target()) const;
 

@@ -16,7 +16,7 @@ using S = Pack<double>;
 constexpr int width = static_cast<int>(S::size());
 static_assert(palette_lanes % width == 0);
 
-// Eight packs' worth of a record of eight numbers a lane: column i holds number i of every lane.
+// There is a record of eight numbers for each lane. Column i holds number i of every lane.
 struct Columns {
   alignas(64) double of[8][palette_lanes];
 
@@ -30,13 +30,13 @@ struct Columns {
   }
 };
 
-// From record index[lane] of an array.
+// Gathers record index[lane] of an array into each lane.
 void gather(const double* records, const std::int32_t* index, Columns& out) {
   const double* rows[8];
   for (int lane = 0; lane < 8; ++lane) rows[lane] = records + 8 * index[lane];
   transpose<double>(rows, out.of[0], palette_lanes);
 }
-// The lanes' records, one after the other.
+// Writes the lanes' records, one after the other.
 void to_rows(const Columns& columns, double* rows) {
   const double* from[8];
   for (int i = 0; i < 8; ++i) from[i] = columns.of[i];
@@ -48,7 +48,7 @@ Vec<S, 3> load_point(const double (&numbers)[3][palette_lanes], int first) {
   return {load(0), load(1), load(2)};
 }
 
-// What skinning prepares of a lane's joints.
+// JointLanes holds what skinning prepares for the joints of each lane.
 template <int N>
 struct JointLanes {
   RigidTransform<S> transforms[N];
@@ -110,7 +110,7 @@ REFITLAB_KERNEL void run(const PalettePack* packs, int count, int joints, bool a
   }
 }
 
-// As floats, a row of eight a lane.
+// Writes the records as floats, with a row of eight for each lane.
 void to_float_rows(const Columns& columns, float (*rows)[8]) {
   Row<float, 8> floats[8];
   for (int i = 0; i < 8; ++i) {
@@ -121,7 +121,7 @@ void to_float_rows(const Columns& columns, float (*rows)[8]) {
   transpose<float>(floats, rows[0], 8);
 }
 
-// The slack of float_palette.hpp. offset is r, squared_image T^2.
+// Returns the slack of float_palette.hpp. offset is r, and squared_image is T^2.
 template <int N>
 S float_slack(const JointLanes<N>& lanes, const Vec<S, 3>& offset, const S& radius, const S& squared_image,
               const FloatPlacement& at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel of PalettePacks: the frame's data of eight joint-sets of the same number of joints at a time.
+// The kernel of PalettePacks makes the frame's data of eight joint-sets at a time, which have the same number of joints.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace refitlab {
 inline constexpr int palette_lanes = 8;
 inline constexpr int most_palette_joints = 4;  // of a joint-set in a pack
 
-// By lane. Lanes beyond the last joint-set repeat it.
+// The arrays are by lane. Lanes beyond the last joint-set repeat it.
 struct PalettePack {
   alignas(64) double prior[3][palette_lanes];  // of the rotation center
   double middle[3][palette_lanes];             // m of the joint-set, and the largest |v - m| of its vertices: float_palette.hpp
@@ -21,7 +21,7 @@ struct PalettePack {
   std::int32_t set[palette_lanes], first_slot[palette_lanes];  // where its own and its joints' data go
 };
 
-// The arrays of a SkinningPalette, as numbers.
+// PaletteNumbers has the arrays of a SkinningPalette as numbers.
 struct PaletteNumbers {
   double* rotation_centers;  // 3 each
   double* transforms;        // 8 each: a quaternion, a translation, an unused one
@@ -29,11 +29,11 @@ struct PaletteNumbers {
   double* duals;             // 4 each
 };
 
-// pose: by joint, as the transforms. If are_centers_fixed, the priors are the rotation centers.
+// pose is by joint, in the layout of the transforms. If are_centers_fixed, the priors are the rotation centers.
 using PaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
                             const PaletteNumbers& out);
 
-// The same for skinning in float: out is by joint-set.
+// Does the same for skinning in float. out is by joint-set.
 using FloatPaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
                                  const FloatPlacement& at, FloatPaletteEntry* out);
 

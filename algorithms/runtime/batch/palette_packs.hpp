@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PalettePacks: make_skinning_palette in packs, eight joint-sets at a time, with the very same numbers.
+// PalettePacks does make_skinning_palette in packs, eight joint-sets at a time, with the very same numbers.
 #pragma once
 
 #include "algorithms/runtime/batch/palette_kernel.hpp"
@@ -10,22 +10,22 @@ namespace refitlab {
 
 class PalettePacks {
  public:
-  // mesh and sets outlive this. order: all joint-sets; those of as many joints that are near each other in it share a part. By
-  // index if it is empty.
+  // mesh and sets must outlive this. order lists all joint-sets. Those of the same number of joints that are near each other in
+  // it share a part. If it is empty, the order is by index.
   PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning, std::span<const int> order = {});
 
-  // As make_skinning_palette, into palette, whose storage is used again. Throws the same. Not measured: if refits of single nodes
-  // follow, palette.measure() must come first.
+  // Does what make_skinning_palette does, and throws the same errors. It overwrites palette and uses its storage again, but does
+  // not measure it: call palette.measure() before refits of single nodes.
   void make(const Pose& pose, SkinningPalette<double>& palette, Target target = best_target()) const;
 
-  // The same part by part, on demand: joint-sets whose palette is made together have one part. room gives palette the size
-  // for all of them; the pose is as check_pose wants it.
+  // These make the palette part by part, on demand. Joint-sets whose palettes are made together have one part. arrays() gives
+  // palette the size for all of them and returns its arrays. The pose must be as check_pose requires.
   int part_count() const { return static_cast<int>(parts_.size()); }
   int part_of(int joint_set) const { return part_of_[joint_set]; }
   SkinningPalette<double>::Arrays arrays(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
   void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target = best_target()) const;
 
-  // A part for skinning in float; out is by joint-set. For spherical and Hejl's skinning.
+  // Makes a part for skinning in float, by spherical or Hejl's skinning. out is by joint-set.
   void make_float_part(int part, const Pose& pose, const FloatPlacement& at, FloatPaletteEntry* out,
                        Target target = best_target()) const;
 

@@ -15,7 +15,7 @@ using S = Pack<float>;
 constexpr int pack_size = static_cast<int>(S::size());
 using PackOfFour = Pack<float, 4>;
 
-// The part of a block that one pack holds, read from the start on.
+// A Reader reads the part of a block that one pack holds, from the start on.
 class Reader {
  public:
   Reader(const Lanes<float>* data, int first_lane) : next_(data->lane.data() + first_lane) {}
@@ -36,8 +36,8 @@ Vec<S, D> broadcast(const float*& numbers) {
   return out;
 }
 
-// The balls of one joint-set's weight vertices: centers, all to be moved by offset, and the radius that they share,
-// without r. sum: of the moved centers, without those that repeat others.
+// The balls of one joint-set's weight vertices have centers, which offset has yet to move, and one radius, without r. sum is that
+// of the moved centers, without those that repeat others.
 struct WeightVertexBalls {
   Vec<S, 3>* center;
   Vec<S, 3> offset, sum;
@@ -50,7 +50,7 @@ struct Scratch {
   std::vector<Quaternion<S>> units;
 };
 
-// The weights of one weight vertex: the last one is what the others leave, which is exact.
+// Weights has the weights of one weight vertex. The last one is 1 less the sum of the others, which is exact.
 template <int joints>
 class Weights {
  public:
@@ -70,7 +70,7 @@ class Weights {
   ByJoint<S, joints> w_;
 };
 
-// Algorithm 1 repaired. joints and weight_vertices are how many the set has, or 0 if that is only known at run time.
+// This is Algorithm 1 repaired. joints and weight_vertices are how many the set has, or 0 if that is only known at run time.
 struct Spherical {
   template <int joints, int weight_vertices>
   static void weight_vertex_balls(const BlockSet& set, const float* numbers, const Vec<S, 3>& p, const S&, Reader& read,

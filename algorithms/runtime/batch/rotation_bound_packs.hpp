@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bound_rotations (lemmas/rotation_bound.hpp) in packs: where that returns early, lanes are selected.
+// This is bound_rotations (lemmas/rotation_bound.hpp) in packs. Where that returns early, lanes are selected.
 #pragma once
 
 #include "algorithms/runtime/packs/pack.hpp"
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// As bound_rotations, lane by lane. Lanes whose unit quaternions are not numbers get all rotations.
+// Does what bound_rotations does, lane by lane. Lanes whose unit quaternions are not numbers get all rotations.
 template <class T, class Abi>
 RotationBound<std::experimental::simd<T, Abi>> bound_rotations_packs(
     std::span<const Quaternion<std::experimental::simd<T, Abi>>> unit,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The range of refits in single precision, which square their lengths.
+// Refits in single precision square their lengths, which limits their range.
 #pragma once
 
 #include <sstream>
@@ -7,10 +7,10 @@
 
 namespace refitlab {
 
-// Up to here no square of a length that a refit comes across is beyond the range of float.
+// Up to this length, no square that a refit computes is beyond the range of float.
 inline constexpr double largest_single_length = 0x1p58;
 
-// length itself. Throws std::range_error where it is too large.
+// Returns length itself. Throws std::range_error if it is too large.
 inline double checked_single(double length) {
   if (length <= largest_single_length) return length;
   std::ostringstream message;

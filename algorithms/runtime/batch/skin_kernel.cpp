@@ -36,7 +36,7 @@ void skin_packs(int n, const Lanes<double>* data, int block_count, Lanes<double>
   }
 }
 
-// The joint-set in every lane. joints is how many it has, or 0 if that is only known at run time.
+// Every lane has the same joint-set. joints is how many joints it has, or 0 if that is only known at run time.
 template <Skinning skinning, int joints>
 void skin_blocks(const JointSetNumbers& numbers, const Lanes<double>* data, int block_count, Lanes<double>* out) {
   const int n = joints ? joints : numbers.joint_count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel of batch skinning: vertices of one joint-set, a vertex a lane.
+// The kernel of batch skinning takes vertices of one joint-set, a vertex a lane.
 #pragma once
 
 #include "algorithms/runtime/packs/lanes.hpp"
@@ -7,7 +7,7 @@
 
 namespace refitlab {
 
-// A joint-set's PaletteEntry, as numbers.
+// JointSetNumbers is a joint-set's PaletteEntry as numbers.
 struct JointSetNumbers {
   int joint_count;
   const double* transforms;  // each a quaternion and a translation, transform_stride apart
@@ -18,8 +18,8 @@ struct JointSetNumbers {
   const double* maps;           // of affine joints: 12 each, the columns and the offset; all other arrays do not matter then
 };
 
-// data: a block of vertices after the other, each their x, y, z and, by joint of the set, weights. The images go to out,
-// their x, y, z a block.
+// data has one block of vertices after the other. Each block has x, y, z and the weights by joint of the set. The images go to
+// out, which has x, y, z for each block.
 using SkinRun = void (*)(const JointSetNumbers& joints, const Lanes<double>* data, int block_count, Lanes<double>* out);
 
 struct SkinKernels {

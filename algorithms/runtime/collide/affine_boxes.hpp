@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Boxes around what affine joints make of pieces, in linear skinning (a1_affine_image). In double, a piece at a time.
+// These are boxes around pieces that affine joints move, in linear skinning (a1_affine_image). They are computed in double, a
+// piece at a time.
 //
 // The image of a piece under a blend of joints is within that of its box and within that of its ball, and so within the common
 // part of the boxes around both.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Body: a character in one frame, as queries see it. It refits balls and skins vertices only where a query reaches them.
+// A Body is a character in one frame, as queries see it. It refits balls and skins vertices only where a query reaches them.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// BoxBlock: eight boxes side by side, in the layout in which packs compare them with one box.
+// A BoxBlock has eight boxes side by side, in the layout in which packs compare them with one box.
 #pragma once
 
 #include <bit>
@@ -54,7 +54,7 @@ template <class S>
   return std::bit_cast<std::uint64_t>(meets);
 }
 
-// The bytes of the first count lanes, of at most 8.
+// Returns the bytes of the first count lanes, of at most 8.
 inline std::uint64_t first_bytes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
 
 // Writes the positions of the boxes that are not apart from box, among the first count boxes in blocks, in increasing order.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels in double of ClusterBody, and those that make boxes around control points.
+// These are the kernels of ClusterBody in double, and those that make boxes around control points.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace refitlab {
 
-// A vertex in the world, and an unused fourth number.
+// A PaddedVertex is a vertex in the world with an unused fourth number.
 struct alignas(32) PaddedVertex {
   double of[4];
 };
 
-// A pair of triangles of two clusters.
+// A candidate is a pair of triangles of two clusters.
 struct TrianglePairCandidate {
   std::array<std::uint16_t, 3> a, b;  // the positions of their vertices in the cluster
   int first, second;                  // the indices of the triangles in the models

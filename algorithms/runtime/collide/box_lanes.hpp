@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// BoxKernel: the boxes around control points, a piece a lane. It is for the kernel, and for what derives its rounding errors
+// BoxKernel makes the boxes around control points, a piece a lane. It is for the kernel, and for what derives its rounding errors
 // (proptests/algorithms/float_budgets.cpp), which runs it in another number type.
 #pragma once
 
@@ -23,7 +23,7 @@ class BoxKernel {
   static_assert(box_lanes % width == 0);
 
  public:
-  // rotation: 3 x 3, row by row.
+  // Does what BoxKernels::bound says. rotation is a 3 x 3 matrix, row by row.
   static void run(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots,
                   const float* centers, const float* rotation, FlippedBox* boxes) {
     switch (joints) {
@@ -51,7 +51,7 @@ class BoxKernel {
 
   static void merge(Box<Pack> box, const BoxPack& pack, int first, FlippedBox* boxes) {
     for (int i = 0; i < 3; ++i) {
-      // What is undefined, by coordinates beyond what float holds, may be anywhere.
+      // If coordinates beyond the range of float make a side undefined, the vertices may be anywhere.
       const Mask is_undefined = !(box.low[i] <= box.high[i]);
       box.low[i] = choose(is_undefined, Pack(-infinity), box.low[i]);
       box.high[i] = choose(is_undefined, Pack(infinity), box.high[i]);
@@ -60,7 +60,7 @@ class BoxKernel {
   }
 
   Pack load(const float* lanes) const { return Pack(lanes + first, std::experimental::element_aligned); }
-  // Numbers of a record of eight floats a lane, from record index[lane] of an array.
+  // Each lane has the eight floats of record index[lane] of an array.
   struct Records {
     alignas(64) float of[8][width];
     Pack operator[](int i) const { return Pack(of[i], std::experimental::vector_aligned); }
@@ -89,7 +89,7 @@ class BoxKernel {
   }
   static Pack size(const Point& p) { return abs(p[0]) + abs(p[1]) + abs(p[2]); }
 
-  // sum low_i x_i + rest x_k for each weight vertex k, in place.
+  // Replaces x_k by sum low_i x_i + rest x_k for each weight vertex k.
   template <int N, class Value>
   void blend_at_weight_vertices(Value (&x)[N]) const {
     Value low = x[0] * load(pack.low[0]);
@@ -173,7 +173,7 @@ class BoxKernel {
     return choose(near, box, Box<Pack>::everything());
   }
 
-  // True in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no weight vertex is short.
+  // Returns true in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no weight vertex is short.
   template <int N>
   static Mask are_near(const MixedPair<Pack> (&mixed)[N][N], float near) {
     Mask all(true);

@@ -46,12 +46,13 @@ class PieceMaker {
   int lanes_[most_box_joints] = {};
 };
 
-// A side of a FlippedBox; what is undefined, by coordinates beyond what float holds, may be anywhere.
+// Merges a number into a side of a FlippedBox. If coordinates beyond the range of float make it undefined, the side becomes
+// infinite.
 void merge(float& side, double outside) { side = std::min(side, std::isnan(outside) ? -infinity : -float_above(outside)); }
 
-// The hull of the joints' whole images: a vertex is a convex combination of them in linear blending, and within its
-// distance to the rotation center of one of the center's images in spherical blending. Quaternions with ||q||^2 = 1 + e
-// stretch by at most 2 |e|: the joint's in linear blending, the placement's always.
+// Bounds pieces by the hull of the joints' whole images. A vertex is a convex combination of them in linear blending, and within
+// its distance to the rotation center of one of the center's images in spherical blending. Quaternions with ||q||^2 = 1 + e
+// stretch by at most 2 |e|. In linear blending the joint's quaternion does so, and the placement's always.
 void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPalette<double>& palette,
                   const Quaternion<double>& rotation, std::span<FlippedBox> boxes) {
   for (const SimplexPiece& piece : pieces.others) {
@@ -66,7 +67,7 @@ void bound_others(const BoxPieces& pieces, Skinning skinning, const SkinningPale
     for (std::size_t i = 0; i < set.transforms.size(); ++i) {
       const Point3 image = skinning == Skinning::linear ? apply(set.transforms[i], ball.center) : set.center_images[i];
       const Point3 at = rotate(rotation, image);
-      // The image may be much shorter than what it is a sum of.
+      // The image may be much shorter than its summands.
       const double parts = size + norm(skinning == Skinning::linear ? set.transforms[i].translation : image);
       const double by = stretch_of_hull * reach + rounding * (parts + reach) + least_box;
       for (int c = 0; c < 3; ++c) merge(of[c], by - at[c]), merge(of[4 + c], by + at[c]);

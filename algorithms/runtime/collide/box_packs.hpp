@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes around many nodes at once, made from the control points of their pieces, with sixteen pieces side by side.
+// Boxes around many nodes at once are made from the control points of their pieces, with sixteen pieces side by side.
 //
 // A piece is the part of a node in one joint-set. It consists of a ball around its vertices in the reference pose, and the
 // simplex {w >= low, sum w = 1} around their weights, which has as many weight vertices as joints. The image of the piece
@@ -23,17 +23,17 @@ inline constexpr int most_box_joints = 4;  // of a piece in a pack
 // less than 1e5 times 2^-150. Lengths greater than largest_box are excluded, because their sums of products might overflow.
 inline constexpr float least_box = 1e-37f, largest_box = 1e35f;
 
-// What float may lose, as a share of the sizes that a box is made from. proptests/algorithms/float_budgets.cpp derives it from
-// the kernel's own operations. Let u = 2^-24. All numbers are rounded to float, but the weights have no error. Quaternions and
-// their blends are at most 1, up to what is accepted. Where weight vertices are near, W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2
-// >= 1/8, so the denominators are at least 3/8. A control point in spherical blending then loses at most 1900 u |x| + 20 u |p|
-// + 1700 u |r|, where r is the largest of its joints' center images. For dual quaternions, where W_kl > sqrt(W_kk W_ll / 2) >
-// 1/6, it loses 990 u |p| + 820 u 2 |d|, and in linear blending 50 u of its sizes. Quaternions whose squared lengths are off by
-// 1e-6 stretch the radius by 34 u each: the placement's, and the joint's in linear blending.
+// This is the most that float may lose, as a share of the sizes that a box is made from. proptests/algorithms/float_budgets.cpp
+// derives it from the kernel's own operations. Let u = 2^-24. All numbers are rounded to float, but the weights have no error.
+// Quaternions and their blends are at most 1, up to what is accepted. Where weight vertices are near, W_kk > 1/4 and W_kl >
+// sqrt(W_kk W_ll) / 2 >= 1/8, so the denominators are at least 3/8. A control point in spherical blending then loses at most 1900
+// u |x| + 20 u |p| + 1700 u |r|, where r is the largest of its joints' center images. For dual quaternions, where W_kl >
+// sqrt(W_kk W_ll / 2) > 1/6, it loses 990 u |p| + 820 u 2 |d|, and in linear blending 50 u of its sizes. Quaternions whose
+// squared lengths are off by 1e-6 stretch the radius by 34 u each: the placement's, and the joint's in linear blending.
 inline constexpr float lost_of_box = 2048 * 0x1p-24f;
 
-// Pieces of more joints than a pack takes are bounded in double. What this loses is a share of the lengths of all that it
-// computes with, for so many joints. Quaternions whose squared lengths are off by 1e-6 stretch a ball by up to 4e-6.
+// Pieces of more joints than a pack takes are bounded in double. The loss, for so many joints, is a share of all lengths in the
+// computation. Quaternions whose squared lengths are off by 1e-6 stretch a ball by up to 4e-6.
 constexpr double lost_of_hull(int joints) { return 1e-12 + 1e-15 * joints; }
 inline constexpr double stretch_of_hull = 1 + 4.1e-6;
 
@@ -58,7 +58,7 @@ inline BoxPieces make_box_pieces(const Character& character, std::span<const int
   return make_box_pieces(character, pieces_of_nodes(character, nodes));
 }
 
-// The frame's palettes of the joint-sets, in float.
+// JointFloats has the frame's palettes of the joint-sets in float.
 struct JointFloats {
   // There is a slot of eight floats for each joint of each joint-set, in that order. It has the signed quaternion, and then
   // C_j r_c (spherical), the translation (linear) or the dual part.

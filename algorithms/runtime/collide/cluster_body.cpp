@@ -14,7 +14,7 @@ namespace {
 
 int blocks_of(int boxes) { return (boxes + 7) / 8; }
 
-// A box around another one whose coordinates may be off by lost, with four roundings to spare and one for the conversion.
+// Returns a box around another one whose coordinates may be off by lost, with four roundings to spare and one for the conversion.
 Box<float> float_box(const Box<double>& box, double lost) {
   Box<float> out;
   double largest = 0;
@@ -22,7 +22,7 @@ Box<float> float_box(const Box<double>& box, double lost) {
   const auto off = static_cast<float>(lost + roundings_of_float_box * largest + least_float_slack);
   for (int i = 0; i < 3; ++i)
     out.low[i] = static_cast<float>(box.low[i]) - off, out.high[i] = static_cast<float>(box.high[i]) + off;
-  // What is undefined, by coordinates beyond what float holds, may be anywhere.
+  // If coordinates beyond the range of float leave the box undefined, it holds everything.
   return off < std::numeric_limits<float>::infinity() ? out : Box<float>::everything();
 }
 
@@ -106,7 +106,7 @@ void ClusterBody::bound_wide_node(int f) {
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
   motion_bound();  // places the joints
-  // Seen from the placement's translation, which is the clusters' origin.
+  // The boxes are as seen from the placement's translation, which is the clusters' origin.
   if (is_affine_) bound_affine_boxes(wide_node.simplex_pieces, clusters_.whole_palette(), placement_.rotation, boxes);
   else if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
            !motion_bound_.boxes(wide_node.motion_bounds, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ClusterBody: a placed character in one frame, as the fast queries see it. At first only its motion bound is known. Then
-// wide nodes are bounded and clusters are skinned where a query reaches them.
+// ClusterBody is a placed character in one frame, as the fast queries see it. At first only its motion bound is known. Then wide
+// nodes are bounded and clusters are skinned where a query reaches them.
 #pragma once
 
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
@@ -17,8 +17,8 @@ class ClusterBody {
   // Starts a frame, of which nothing is computed yet. placement takes model space to the world. Throws ModelError for a
   // pose that make_skinning_palette refuses, and std::invalid_argument for a placement that is not rigid.
   void begin(const Pose& pose, const RigidTransform<double>& placement);
-  // The same for linear skinning by affine joints. (Other skinning takes a tree of deformed_character, of
-  // runtime/refit/deformed_reference.hpp.) Throws std::invalid_argument, too, if the skinning is not linear.
+  // Does the same for linear skinning by affine joints. (Other skinning takes a tree of deformed_character, of
+  // runtime/refit/deformed_reference.hpp.) Also throws std::invalid_argument if the skinning is not linear.
   void begin(const AffinePose& pose, const RigidTransform<double>& placement);
 
   const ClusterTree& tree() const { return tree_; }
@@ -43,40 +43,40 @@ class ClusterBody {
     return wide_node_boxes_[wide_node];
   }
 
-  // Puts the box of a skinned cluster in the place of its bound, after skin_rather(). (Else what a body works out would depend
-  // on the order in which others ask.)
+  // Puts the box of a skinned cluster in the place of its bound, after skin_rather(). (Otherwise the result would depend on the
+  // order in which others ask.)
   void tighten(int cluster) {
     if (!is_rather_skinned_) return;
     const Cluster& c = tree_.clusters()[cluster];
     put_box(&wide_node_blocks_[first_block_of_wide_node_[c.wide_node]], c.child, clusters_.cluster(cluster).box);
   }
 
-  // Whether clusters are skinned in float, but for joint-sets that this is not known to be right for.
+  // Returns whether clusters are skinned in float, except joint-sets for which this is not known to be right.
   bool is_skinned_in_float() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::hejl; }
 
   // From now on, clusters are skinned rather than bounded where all children of a wide node are clusters, but not below the
   // root. In float this takes about as long, and boxes are tighter; but more is skinned where little touches.
   void skin_rather() { is_rather_skinned_ = true; }
 
-  // Skins everything. Boxes that are not made yet are those of skinned vertices then.
+  // Skins everything. Boxes that are not made yet are then made around skinned vertices.
   void skin_all();
   bool is_all_skinned() const { return is_all_skinned_; }
 
-  // The clusters, seen from where the placement puts the model's origin.
+  // Returns the clusters, as seen from where the placement puts the model's origin.
   SkinnedClusters& clusters() { return clusters_; }
 
   // Returns the vertices of a single triangle of the model in the world, without its cluster: the very doubles that
   // apply(placement, skin()) yields.
   TrianglePoints triangle(int triangle) { return clusters_.triangle(triangle); }
 
-  // Working storage for one query at a time, so that the query need not allocate its own.
+  // QueryScratch is working storage for one query at a time, so that the query need not allocate its own.
   struct QueryScratch {
     std::vector<int> hits;
     ClusterPairScratch pairs;
   };
   QueryScratch& query_scratch() { return query_scratch_; }
 
-  // How much more was done since begin than skinning everything takes, in the work of SkinnedClusters.
+  // Returns how much more work was done since begin than skinning everything takes, in the unit of SkinnedClusters.
   long excess_work() const { return work_ + clusters_.work() - clusters_.work_of_all(); }
 
   // These counts are since begin.

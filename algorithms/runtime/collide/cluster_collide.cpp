@@ -10,7 +10,7 @@
 namespace refitlab {
 namespace {
 
-// The first of the remembered pairs that still touches.
+// Returns the first of the remembered pairs that still touches.
 std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& second, const PairMemory& memory,
                                            QueryCounts& counts) {
   for (const TrianglePair& pair : memory.pairs()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fast query for the touching triangles of two skinned characters. It uses wide nodes of boxes, and clusters
+// This is the fast query for the touching triangles of two skinned characters. It uses wide nodes of boxes, and clusters
 // (cluster_tree.hpp).
 #pragma once
 

@@ -18,15 +18,15 @@ static_assert(Lanes<float>::count % width == 0);
 
 S load(const float* numbers) { return S(numbers, std::experimental::vector_aligned); }
 
-// The bits of the lanes in front of count.
+// Returns the bits of the lanes in front of count.
 std::uint32_t first_lanes(int count) { return (1u << (count < width ? count : width)) - 1; }
 
 REFITLAB_KERNEL int overlaps(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out) {
   return find_meeting(blocks, count, box, out);
 }
 
-// By place a bit for each side of the box that it is beyond. Bits are added up as floats, whole as they are: Clang 14 cannot compile
-// masks of sixteen integers.
+// Sets, by place, a bit for each side of the box that the place is beyond. Bits are added up as floats, which is exact, because
+// Clang 14 cannot compile masks of sixteen integers.
 void find_outcodes(const float* xyz, int place_count, const Box<float>& box, std::uint8_t* outcodes) {
   using Floats = Row<float, width>;
   using Whole = Row<std::int32_t, width>;
@@ -82,7 +82,7 @@ REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, 
     all.low[i] = std::experimental::hmin(whole.low[i]), all.high[i] = std::experimental::hmax(whole.high[i]);
 }
 
-// Lanes whose boxes are not apart from the given one.
+// Returns the lanes whose boxes are not apart from the given one.
 std::uint32_t meeting_lanes(const float* const (&sides)[6], int first, const Box<S>& box) {
   const auto side = [&](int i) { return load(sides[i] + first); };
   return lane_bits(!are_apart(Box<S>{{side(0), side(1), side(2)}, {side(3), side(4), side(5)}}, box));
@@ -134,7 +134,8 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
   return found;
 }
 
-// The vertices of a candidate a lane. Those behind the last pair repeat it. They are read eight at a time, however few lanes there are.
+// Returns the vertices of one candidate in each lane. Lanes behind the last pair repeat it. They are read eight at a time,
+// however few lanes there are.
 TriangleOf<S> vertices_of(const CandidateArrays& candidates, const std::int32_t* which, int count) {
   constexpr int read = std::max(width, 8);
   alignas(64) float numbers[9][read];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels that look for pairs of triangles of two clusters that were skinned in float.
+// These kernels look for pairs of triangles of two clusters that were skinned in float.
 //
 // Triangles of each cluster are culled against the box that both have in common. Those left are candidates, whose boxes are
 // compared all with all, and pairs whose boxes meet are filtered (triangles_filter.hpp). Floats are off by a slack; so a box
@@ -15,13 +15,14 @@
 
 namespace refitlab {
 
-// The triangles of a cluster, by place in it.
+// The triangles of a cluster have their vertices by place in it.
 struct ClusterTriangles {
   int count;
   const std::uint16_t* vertex[3];
 };
 
-// Triangles of a cluster that are left. The arrays have room for all triangles of the cluster, and for one block more.
+// Candidates are the triangles of a cluster that are left. The arrays have room for all triangles of the cluster, and for one
+// block more.
 struct Candidates {
   int count = 0;
   std::vector<int> triangle;           // in the cluster
@@ -29,11 +30,11 @@ struct Candidates {
   std::vector<Lanes<float>> box[6];    // low x, y, z, high x, y, z
   std::vector<Lanes<float>> vertices;  // a record a candidate: its vertices' coordinates, 9 numbers, and unused ones
 
-  // For so many triangles and places.
+  // Makes room for so many triangles and places.
   void reserve(int triangles, int places);
 };
 
-// As plain numbers, for kernels.
+// CandidateArrays has the same as plain numbers, for kernels.
 struct CandidateArrays {
   int* triangle;
   std::uint8_t* outcodes;
@@ -42,19 +43,19 @@ struct CandidateArrays {
 };
 
 struct ClusterPairKernels {
-  // find_meeting.
+  // Calls find_meeting.
   int (*overlaps)(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out);
-  // Lists the triangles whose vertices are not all beyond one side of box. xyz: x of all places, then y, then z, place_count
-  // (whole blocks) each. Returns their number.
+  // Lists the triangles whose vertices are not all beyond one side of box. xyz has the x of all places, then y, then z,
+  // place_count (whole blocks) each. Returns their number.
   int (*cull)(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
               const CandidateArrays& out);
-  // Fills the vertices, moved by offset, and the boxes of count candidates. all: the box around them.
+  // Fills the vertices, moved by offset, and the boxes of count candidates. all becomes the box around them.
   void (*place)(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
                 const CandidateArrays& out, Box<float>& all);
   // Keeps the candidates whose boxes are not apart from box. Returns their number.
   int (*keep)(int count, const Box<float>& box, const CandidateArrays& candidates);
-  // Lists the pairs of candidates whose boxes, moved apart by no more than margin, are not apart: of all first ones, and of
-  // the second ones in [begin, end), of which begin is a multiple of 16. Returns their number.
+  // Lists the pairs of candidates whose boxes are apart by no more than margin. The pairs are of all first ones and of the second
+  // ones in [begin, end), where begin is a multiple of 16. Returns their number.
   int (*meeting)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
                  std::int32_t* first, std::int32_t* second);
   // Filters so many pairs whose vertices are off by at most slack. The indices of those that certainly meet are written to

@@ -67,7 +67,7 @@ void ClusterPairs::add(int a, int b) {
   const Box<float> box_b = moved(of_b.box);
   if (are_apart(of_a.box, box_b)) return;
   const float slack = std::max(of_a.slack, of_b.slack + lost_);
-  // A point of both is in both boxes.
+  // A point of both clusters is in both boxes.
   Box<float> common = of_a.box;
   for (int i = 0; i < 3; ++i) {
     common.low[i] = max_of(common.low[i], box_b.low[i]), common.high[i] = min_of(common.high[i], box_b.high[i]);
@@ -82,7 +82,7 @@ void ClusterPairs::add(int a, int b) {
   if (count_a == 0) return;
   int count_b = kernels_.cull(triangles_b, of_b.xyz(), places_b, common_of_b, candidates_b);
   if (count_b == 0) return;
-  // Of each body those whose boxes meet that around the other's.
+  // Each body keeps the candidates whose boxes meet the box around the other's candidates.
   constexpr float none[3] = {};
   Box<float> all_a, all_b;
   kernels_.place(triangles_a, of_a.xyz(), places_a, none, count_a, candidates_a, all_a);
@@ -91,7 +91,8 @@ void ClusterPairs::add(int a, int b) {
   count_b = kernels_.keep(count_b, all_a, candidates_b);
   count_a = kernels_.keep(count_a, all_b, candidates_a);
   if (count_a == 0 || count_b == 0) return;
-  // Those of one body are gone through one by one, and those of the other in whole blocks: the way that has less to compare.
+  // The candidates of one body are taken one by one, and those of the other in whole blocks. Which is which is chosen so that
+  // there is less to compare.
   constexpr int block = Lanes<float>::count;
   const bool is_first_in_blocks = count_b * blocks_for<float>(count_a) < count_a * blocks_for<float>(count_b);
   const int single = is_first_in_blocks ? count_b : count_a, in_blocks = is_first_in_blocks ? count_a : count_b;

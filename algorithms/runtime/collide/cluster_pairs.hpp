@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ClusterPairs: the pairs of triangles that touch, of pairs of clusters. Floats decide what they can
+// ClusterPairs finds the pairs of triangles that touch in pairs of clusters. Floats decide what they can
 // (cluster_pair_kernel.hpp), and the vertices in double decide the rest.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace refitlab {
 
-// Working storage, which may be used again for any bodies.
+// ClusterPairScratch is working storage, which may be used again for any bodies.
 struct ClusterPairScratch {
   struct Open {  // a pair that floats leave unknown: its vertices by position in their clusters, and triangles of the models
     int cluster_a, cluster_b;
@@ -28,7 +28,7 @@ class ClusterPairs {
   // All of these must outlive this.
   ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairScratch& scratch);
 
-  // A box of the second body, seen from the first one's origin, and a box of the first one, seen from the second one's. Both
+  // moved() returns a box of the second body as seen from the first one's origin, and moved_back() the other way round. The boxes
   // have four roundings of their coordinates to spare, of which this takes one.
   Box<float> moved(const Box<float>& of_second) const { return moved(of_second, 1); }
   Box<float> moved_back(const Box<float>& of_first) const { return moved(of_first, -1); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ClusterTraversal: goes down the wide nodes of two bodies, to the pairs of clusters whose boxes meet.
+// ClusterTraversal goes down the wide nodes of two bodies, to the pairs of clusters whose boxes meet.
 #pragma once
 
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
@@ -21,7 +21,7 @@ class ClusterTraversal {
         counts_(counts),
         hits_(hits) {}
 
-  // For yes/no, all pairs of the first clusters that have any, or none.
+  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters that have any.
   std::vector<TrianglePair> run() {
     const Box<float> whole = pairs_.moved(second_.wide_node_box(0));
     const Hits tops(*this, first_, 0, whole);
@@ -32,7 +32,8 @@ class ClusterTraversal {
   }
 
  private:
-  // Which boxes of a wide node are not apart from a box. The list is on top of a common stack as long as this lives.
+  // Hits lists the boxes of a wide node that are not apart from a box. The list is on top of a common stack as long as this
+  // lives.
   class Hits {
    public:
     Hits(ClusterTraversal& traversal, Body& body, int wide_node, const Box<float>& box)
@@ -56,7 +57,7 @@ class ClusterTraversal {
   };
 
   static Box<float> child_box(Body& body, int wide_node, int i) { return get_box(body.wide_node_boxes(wide_node), i); }
-  // The box of a child as it is now, which was that box before.
+  // Returns the box of a child as it is now. Before, it was the given box.
   static Box<float> newest(Body& body, const WideNodeChild& child, const Box<float>& box) {
     if (child.cluster < 0) return box;
     const Cluster& cluster = body.tree().clusters()[child.cluster];
@@ -64,7 +65,7 @@ class ClusterTraversal {
   }
   bool is_done() const { return query_ == Query::yes_no && !pairs_.found().empty(); }
 
-  // One node of the first body against those in a wide node of the second, and the other way round.
+  // Compares one node of the first body with those in a wide node of the second, and the other way round.
   void below_second(const WideNodeChild& a, const Box<float>& box, int wide_node) {
     const Hits hits(*this, second_, wide_node, pairs_.moved_back(box));
     for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
@@ -76,7 +77,8 @@ class ClusterTraversal {
       nodes(first_.tree().child(wide_node, hits[i]), child_box(first_, wide_node, hits[i]), b, newest(second_, b, box));
   }
 
-  // Two nodes whose boxes met when they were listed: the larger one is opened. Each box is seen from its own body's origin.
+  // Compares two nodes whose boxes met when they were listed, and opens the larger one. Each box is seen from its own body's
+  // origin.
   void nodes(const WideNodeChild& a, const Box<float>& box_a, const WideNodeChild& b, const Box<float>& box_b) {
     if (are_apart(box_a, pairs_.moved(box_b))) return;  // by now
     if (a.wide_node < 0 && b.wide_node < 0) {

@@ -46,7 +46,7 @@ std::vector<ClusterTree::Part> ClusterTree::children_of(const Part& part) const 
   return {{-1, part.first_triangle, half}, {-1, part.first_triangle + half, part.triangle_count - half}};
 }
 
-// Distinct, in increasing order.
+// Returns the distinct vertices of a part in increasing order.
 std::vector<int> ClusterTree::vertices_of(const Part& part) const {
   if (part.node >= 0) {
     const auto vertices = character_->vertices[part.node];
@@ -56,8 +56,8 @@ std::vector<int> ClusterTree::vertices_of(const Part& part) const {
                            std::span(character_->tree.triangle_order).subspan(part.first_triangle, part.triangle_count));
 }
 
-// The part of most triangles is opened as long as it is too large for a cluster and there is room for its children. A
-// root that is a cluster is a wide node of itself.
+// The part with the most triangles is opened as long as it is too large for a cluster and there is room for its children. A root
+// that is a cluster is a wide node of itself.
 int ClusterTree::add_wide_node(const Part& part) {
   const auto is_cluster = [&](const Part& p) { return p.triangle_count <= options_.most_triangles; };
   std::vector<Part> open{part};
@@ -70,7 +70,7 @@ int ClusterTree::add_wide_node(const Part& part) {
     *most = below[0];
     open.insert(open.end(), below.begin() + 1, below.end());
   }
-  // In the order of their triangles, so that neighbours in the wide node are neighbours in space.
+  // The parts are sorted in the order of their triangles, so that neighbours in the wide node are neighbours in space.
   std::sort(open.begin(), open.end(), [](const Part& a, const Part& b) { return a.first_triangle < b.first_triangle; });
 
   const int wide_node = static_cast<int>(wide_nodes_.size());

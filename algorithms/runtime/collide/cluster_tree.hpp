@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ClusterTree: a character as the fast queries see it. It has wide nodes of bounded nodes on top, and clusters of triangles
+// ClusterTree is a character as the fast queries see it. It has wide nodes of bounded nodes on top, and clusters of triangles
 // below.
 //
 // Once a node is small, bounding it costs more than skinning the few vertices under it. So bounds end at clusters of some
@@ -29,7 +29,7 @@ struct Cluster {
   int wide_node, child;  // the wide node that it is a child of, and which one
 };
 
-// A node in a wide node. It is a cluster, or it is opened into a wide node of its own.
+// A child of a wide node is a cluster, or it is opened into a wide node of its own.
 struct WideNodeChild {
   int cluster, wide_node;  // one of them is -1
 };
@@ -55,20 +55,20 @@ class ClusterTree {
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
   const FloatVertices& floats() const { return floats_; }       // the same
 
-  // The triangles of a cluster: their vertices by position in it, and their indices in the model.
+  // Returns the triangles of a cluster: their vertices by position in it, and their indices in the model.
   ClusterTriangles cluster_triangles(int cluster) const {
     const Cluster& c = clusters_[cluster];
     const auto of = [&](int i) { return triangle_vertices_[i].data() + c.first_triangle; };
     return {c.triangle_count, {of(0), of(1), of(2)}};
   }
   const int* triangles(int cluster) const { return triangles_.data() + clusters_[cluster].first_triangle; }
-  // The largest cluster's.
+  // These are the numbers of the largest cluster.
   int most_triangles() const { return most_triangles_; }
   int most_vertices() const { return most_vertices_; }
 
  private:
-  // A range of triangles side by side in SphereTree::triangle_order. They are those of a node, or some of a leaf's; a leaf
-  // is halved until its clusters are small enough.
+  // A Part is a range of triangles side by side in SphereTree::triangle_order. They are those of a node, or some of a leaf's. A
+  // leaf is halved until its clusters are small enough.
   struct Part {
     int node;  // -1 for some of a leaf's
     int first_triangle, triangle_count;

@@ -12,8 +12,8 @@ namespace refitlab {
 namespace {
 
 // Balls enclose the vertices of their bodies as these are skinned (rounding.hpp), but triangles are tested as they come out
-// of apply(placement, v). In units of u = epsilon / 2 and of the coordinates' size that is off by 26, to_first of another
-// ball's center by 80: the product of the quaternions by 8, which turns by 16, two rotations by 24 each, and sums. And with
+// of apply(placement, v). In units of u = epsilon / 2 and of the coordinates' size, that is off by 26. to_first of another ball's
+// center is off by 80: the product of the quaternions by 8, which turns by 16, two rotations by 24 each, and sums. And with
 // ||q||^2 = 1 + e a placement is (1 + e) R - e, which stretches by at most 2 |e|, and whose inverse differs from that of the
 // conjugate by 4 |e|. For both bodies that is less than 160 u + 8 (|e_1| + |e_2|).
 double slack_of(const PlacedBody& first, const PlacedBody& second) {
@@ -48,7 +48,7 @@ class Traversal {
  private:
   static const TreeNode& node(const PlacedBody& b, int n) { return b.body.character().tree.nodes[n]; }
 
-  // False also where a ball is undefined: nothing is known about what it bounds.
+  // Returns false also where a ball is undefined, because nothing is known about its vertices.
   bool are_apart(int a, int b) {
     ++counts_.ball_tests;
     const Ball3<double>&p = first_.body.ball(a), &q = second_.body.ball(b);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The query for the touching triangles of two skinned characters by their sphere trees, refitted on demand (paper 5).
+// This query finds the touching triangles of two skinned characters by their sphere trees, refitted on demand (paper 5).
 #pragma once
 
 #include "algorithms/runtime/collide/body.hpp"
 
 namespace refitlab {
 
-// A body and its placement. The placement takes the body's model space to the world, in the same units for all bodies.
+// A PlacedBody is a body and its placement. The placement takes the body's model space to the world, in the same units for all
+// bodies.
 struct PlacedBody {
   Body& body;
   RigidTransform<double> placement = {};

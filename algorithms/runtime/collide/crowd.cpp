@@ -11,7 +11,7 @@
 namespace refitlab {
 namespace {
 
-// The axis along which the boxes' lower sides are spread most.
+// Returns the axis along which the boxes' lower sides are spread most.
 int widest_axis(const std::vector<Box<double>>& boxes) {
   Point3 least = boxes[0].low, greatest = least;
   for (const auto& box : boxes) least = least.cwiseMin(box.low), greatest = greatest.cwiseMax(box.low);
@@ -20,8 +20,8 @@ int widest_axis(const std::vector<Box<double>>& boxes) {
   return axis;
 }
 
-// The pairs of boxes that meet, each with the smaller index first, in increasing order: by a sweep along one axis
-// [Baraff 1992].
+// Returns the pairs of boxes that meet, each with the smaller index first, in increasing order. It sweeps along one axis [Baraff
+// 1992].
 std::vector<std::pair<int, int>> meeting(const std::vector<Box<double>>& boxes) {
   std::vector<std::pair<int, int>> pairs;
   if (boxes.empty()) return pairs;
@@ -36,7 +36,7 @@ std::vector<std::pair<int, int>> meeting(const std::vector<Box<double>>& boxes) 
   return pairs;
 }
 
-// body(i) for each i < count; the first exception that one of them throws is thrown here, after all have ended.
+// Calls body(i) for each i < count. The first exception that one of them throws is thrown here, after all have ended.
 template <class Body>
 void for_each(const Workers& workers, std::size_t count, const Body& body) {
   struct Task {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The query for touching pairs among many bodies. It compares boxes first, and then looks into each pair whose boxes meet.
+// This is the query for touching pairs among many bodies. It compares boxes first, and then looks into each pair whose boxes
+// meet.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 
 namespace refitlab {
 
-// Two bodies that touch, by position in the list. first < second.
+// A Contact is two bodies that touch, by position in the list. first < second.
 struct Contact {
   int first, second;
   std::vector<TrianglePair> pairs;  // never empty; one for Query::yes_no

@@ -31,7 +31,7 @@ Digits sum(const Digits& a, const Digits& b) {
   return out;
 }
 
-// b is not greater than a.
+// Returns a - b. b is not greater than a.
 Digits difference(const Digits& a, const Digits& b) {
   Digits out;
   std::int64_t borrow = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ExactNumber: integers of any length times powers of two. Every finite double is such a number, and so are sums,
+// ExactNumber is an integer of any length times a power of two. Every finite double is such a number, and so are sums,
 // differences and products. So signs of polynomials in doubles are decided without rounding, overflow or underflow.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FlippedBox: a box stored as low and -high, each with an unused fourth number, so that merging two boxes is one minimum.
+// A FlippedBox is a box stored as low and -high, each with an unused fourth number, so that merging two boxes is one minimum.
 #pragma once
 
 #include "algorithms/runtime/balls/box.hpp"
@@ -36,7 +36,7 @@ template <class Pack>
   } else {
     for (int i = 0; i < 8 * width; ++i) rows[i] = sides[i % 8][i / 8];
   }
-  // Neighbours often have one target, whose box stays in a register then.
+  // Neighbours often have the same target, and then its box stays in a register.
   Row<float, 8> own, merged;
   read_row(boxes[target[0]].of, merged);
   for (int lane = 0; lane < width; ++lane) {

@@ -52,7 +52,7 @@ std::vector<MotionBound::Group> MotionBound::make_groups() const {
     if (is_other) others.push_back(s);
     else groups.push_back({{s}, ball_of({s}), Box<double>::empty(), {sets_.joints(s).begin(), sets_.joints(s).end()}, 0, 0});
   }
-  // Each joins the group whose ball grows least.
+  // Each joint-set joins the group whose ball grows least.
   for (const int s : others) {
     Group* best = nullptr;
     Ball3<double> ball{Point3::Zero(), 0};
@@ -83,7 +83,8 @@ std::vector<MotionBound::Group> MotionBound::make_groups() const {
 
 bool MotionBound::deviates() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion; }
 
-// What does not deviate is in the hull of its joints' images, a few joints at a time.
+// Puts the groups into packs. A group that does not deviate is in the hull of its joints' images, so it takes a few joints at a
+// time.
 void MotionBound::pack() {
   int lane = 0;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
@@ -106,7 +107,8 @@ void MotionBound::pack() {
   numbers_.resize(8 * padded_joints_ / Lanes<float>::count);
 }
 
-// A vertex is within its distance to the rotation center of the hull of the center's images, whatever the rotations.
+// Bounds a group by its rotation centers. Whatever the rotations, a vertex is within its distance to the rotation center of the
+// hull of the center's images.
 void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quaternion<double>& rotation,
                                     Box<double>& box) const {
   for (const int s : g.sets) {

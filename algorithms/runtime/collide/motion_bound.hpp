@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MotionBound: a box that holds all of a skinned character, from the transforms of its joints alone.
+// MotionBound makes a box that holds all of a skinned character, from the transforms of its joints alone.
 //
 // A query computes it first. It needs no rotation centers and no blends, and its cost depends on the numbers of joints and
 // joint-sets, not of vertices. By b7_motion_bound a vertex v of a joint-set is within ||v - f|| + s A of the hull of the
@@ -38,12 +38,12 @@ class MotionBound {
 
   // Makes boxes in the world around the targets of packs, in the pose and placement of the last call of box, whose result
   // must have been finite. scratch and out are by target. If no bound is known for some target, it returns false, and out
-  // must not be used. Not for Skinning::hejl, because these packs do not have its rotation centers.
+  // must not be used. It is not for Skinning::hejl, because these packs do not have its rotation centers.
   bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, const RigidTransform<double>& placement,
              std::span<FlippedBox> scratch, std::span<Box<double>> out, Target target = best_target());
 
  private:
-  // A group of joint-sets within one of them.
+  // A Group has joint-sets whose joints are all in one of them.
   struct Group {
     std::vector<int> sets;    // the largest first
     Ball3<double> reference;  // around their vertices; its center is f, which is the rotation center for Skinning::hejl
@@ -68,7 +68,7 @@ class MotionBound {
   std::vector<int> others_;  // groups that have too many joints for a pack
   int most_joints_ = 1;
   bool is_bounded_ = true;
-  // The data of the current frame.
+  // These are the data of the current frame.
   std::vector<Lanes<float>> numbers_;
   std::vector<std::uint32_t> unbounded_;
   double lost_of_joints_ = 0;

@@ -6,7 +6,8 @@
 namespace refitlab::REFITLAB_TARGET {
 namespace {
 
-// What grows with all packs. The fourth rows are the joints': - the largest ||t||^2, and the largest | ||q||^2 - 1 |.
+// Bounds grow with all packs. The fourth rows are those of the joints: minus the largest ||t||^2, and the largest | ||q||^2 - 1
+// |.
 struct Bounds {
   S low[4] = {S(infinity), S(infinity), S(infinity), S(0)};
   S high[4] = {S(-infinity), S(-infinity), S(-infinity), S(0)};
@@ -26,8 +27,8 @@ void place(const Joints<few>& joints, const double* rotation, Bounds& bounds) {
   }
 }
 
-// The lanes from first on: their bounds, and which of them are unbounded, to merge(box, is_unbounded). An
-// unbounded one is empty, from infinity to minus infinity. off: the share of A for what is off, see motion_bound_kernel.hpp.
+// Calls merge(box, is_unbounded) with the bounds of the lanes from first on. The box of an unbounded lane is empty, from infinity
+// to minus infinity. off is the share of A that allows for errors; see error_share of motion_bound_kernel.hpp.
 template <int slots, bool deviates, bool few, class Merge>
 [[gnu::always_inline]] inline void bound_lanes(const MotionBoundPack& pack, int first, const Joints<few>& joints, float off,
                                                const Merge& merge) {
@@ -76,7 +77,7 @@ template <bool least>
 Row<float, 4> further(const Row<float, 4>& a, const Row<float, 4>& b) {
   return least ? min_of(a, b) : max_of(a, b);
 }
-// The least of each row's lanes, or the greatest.
+// Writes the least of each row's lanes, or the greatest.
 template <bool least>
 void fold(const S (&rows)[4], float* out) {
   Row<float, 4> folded[4];

@@ -79,7 +79,7 @@ inline Point load_point(const float (&numbers)[3][motion_bound_lanes], int first
   return {load(numbers[0] + first), load(numbers[1] + first), load(numbers[2] + first)};
 }
 
-// The rotations of a lane's joints, with the skinning's signs.
+// Rotations has the rotations of a lane's joints, with the skinning's signs.
 template <int slots>
 class Rotations {
  public:
@@ -115,7 +115,7 @@ template <class T>
 // Returns the most by which a blend deviates, as a share of A.
 [[gnu::always_inline]] inline S deviation_share(const S& c) { return root(squared_deviation_share(c)); }
 
-// The images of a point under a lane's joints: a box around them, and A.
+// Images has the images of a point under a lane's joints. It makes a box around them, and A.
 class Images {
  public:
   [[gnu::always_inline]] void add(int k, const Point& image, const Box<S>& around) {

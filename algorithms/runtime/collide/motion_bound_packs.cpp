@@ -25,7 +25,7 @@ void put_lane(MotionBoundPack& pack, int lane, std::span<const int> joints, cons
 
 namespace {
 
-// As put_lane: the piece's box. prior: of its joint-set.
+// Does for the piece's box what put_lane does for its ball. prior is that of its joint-set.
 void put_box(MotionBoundPiecePack& pack, int lane, int n, const Box<double>& box, const Point3& prior) {
   const Point3 center = box.center(), half = (box.high - box.low) / 2;
   const double half_diagonal = half.norm(), to_prior = (center - prior).norm();

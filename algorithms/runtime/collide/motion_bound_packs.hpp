@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The packs for the kernel of MotionBound. A lane holds a whole group of joint-sets, or a piece of a node.
+// These are the packs for the kernel of MotionBound. A lane holds a whole group of joint-sets, or a piece of a node.
 #pragma once
 
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
@@ -7,9 +7,10 @@
 
 namespace refitlab {
 
-// The share of all lengths that is lost by rounding, for each joint; see motion_bound_kernel.hpp.
+// For each joint, rounding loses this share of all lengths; see motion_bound_kernel.hpp.
 inline constexpr float lost_of_motion_bound = 0x1p-15;
-// What float leaves of 1e-6 when it finds the squared length of a quaternion.
+// Float rounds the squared length of a quaternion. A defect up to the first number is surely within the limit of 1e-6, and one
+// above the second surely is not.
 inline constexpr float surely_rigid = 5e-7f, surely_not_rigid = 2e-6f;
 // Squares of larger numbers may overflow, and squares of smaller numbers may underflow.
 inline constexpr double largest_length = 1e15, least_length = 1e-18;

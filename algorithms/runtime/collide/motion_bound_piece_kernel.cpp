@@ -6,7 +6,8 @@
 namespace refitlab::REFITLAB_TARGET {
 namespace {
 
-// The lanes from first on: a ball's and a box's bounds cut, to merge(box), and whether all are known.
+// Calls merge(box) with the common part of a ball's and a box's bounds, for the lanes from first on. Returns whether all are
+// known.
 template <int slots, bool deviates, bool few, class Merge>
 [[gnu::always_inline]] inline bool bound_lanes(const MotionBoundPiecePack& pack, int first, const Joints<few>& joints, float off,
                                                const Merge& merge) {
@@ -36,7 +37,7 @@ template <int slots, bool deviates, bool few, class Merge>
     is_known = none_of(rotations.are_far());
     const S c = rotations.cosine(), share = deviation_share(c) + S(off), n = load(pack.ball.joint_count + first);
     radius = radius + share * (of_ball.spread(n) + load(pack.ball.unsolved + first));
-    // A of a vertex is at most that of the middle and what the turns add.
+    // A of a vertex is at most A of the middle plus what the rotations add.
     const S turned = load(pack.spin + first) * root(max_of((S(1) - c) * (S(1) + c), S(0)));
     margin = margin + share * (of_box.spread(n) + load(pack.box_unsolved + first) + turned);
   }
@@ -47,7 +48,7 @@ template <int slots, bool deviates, bool few, class Merge>
   return is_known;
 }
 
-// False if nothing is known of some lane.
+// Returns false if some lane has no known bound.
 template <bool deviates, bool few>
 bool merge_all(const Joints<few>& joints, const MotionBoundPiecePack* packs, int pack_count, float off, FlippedBox* boxes) {
   for (const MotionBoundPiecePack* pack = packs; pack != packs + pack_count; ++pack)

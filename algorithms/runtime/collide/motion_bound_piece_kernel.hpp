@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel that bounds nodes from their joints alone. It works like that of MotionBound, but by target, and with a ball
-// and a box.
+// This kernel bounds nodes from their joints alone. It works like that of MotionBound, but by target, and with a ball and a box.
 //
 // By b7_motion_bound with f = v, a vertex is within s A(v) of the hull of its images. So it is in the hull of the images of
 // a box around all vertices, inflated by s (A(m) + sqrt(2 n (n - 1) (1 - c^2)) ||h||), where m is the center of the box and
@@ -10,7 +9,6 @@
 // and, element by element, of at most 5 u: together below 60 u. An image has an error of less than the 80 u found there.
 // |R| h has errors of 60 u ||h||, of 5 u ||h||, and of 102 u ||h|| for lengths that are not 1: together below lost ||h||. c
 // is lowered by more than its error, so that 1 - c^2 is not too small. The rounding of its root is within that of spin.
-// off, so that 1 - c^2 is not too small, and its root's rounding is within that of spin.
 #pragma once
 
 #include "algorithms/runtime/collide/flipped_box.hpp"
@@ -18,7 +16,7 @@
 
 namespace refitlab {
 
-// A piece in a lane, with its ball and its box in the reference pose.
+// Each lane has a piece, with its ball and its box in the reference pose.
 struct MotionBoundPiecePack {
   MotionBoundPack ball;
   alignas(64) float box_center[3][motion_bound_lanes], half[3][motion_bound_lanes];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PairMemory: the state of two bodies in earlier frames. Bodies move little from one frame to the next. If a few pairs of
-// triangles touched, some of them often touch again, and bodies whose bounds met meet again.
+// PairMemory remembers two bodies from earlier frames. Bodies move little from one frame to the next. If a few pairs of triangles
+// touched, some of them often touch again, and bodies whose bounds met meet again.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class PairMemory {
  public:
   static constexpr std::size_t most = 8;
 
-  // The pairs that touched, the latest first.
+  // Returns the pairs that touched. The latest comes first.
   const std::vector<TrianglePair>& pairs() const { return pairs_; }
 
   // Adds one of the pairs found in a frame. If it is known, it moves to the front.
@@ -29,14 +29,14 @@ class PairMemory {
     for (std::size_t i = 0; i < count; ++i) remember(pairs[i * pairs.size() / count]);
   }
 
-  // Whether the bounds of the two bodies met when they were last compared.
+  // This says whether the bounds of the two bodies met when they were last compared.
   bool are_near = false;
-  // Whether they touched when they were last asked about.
+  // This says whether the bodies touched in the last query.
   bool are_touching = false;
-  // Whether the next query skins both bodies whole.
+  // Returns whether the next query skins both bodies whole.
   bool are_entangled() const { return whole_queries_ > 0; }
-  // Remembers that a query skinned both bodies whole, or else how much more it did than that would have been. If it did more, some
-  // of the next ones skin them whole, and after them one bounds them again. So many more do each time.
+  // These remember that a query skinned both bodies whole, or else how much more work it did than that. If it did more, some of
+  // the next queries skin them whole, and then one bounds them again. Each time, more queries skin them whole.
   void count_whole_query() { --whole_queries_; }
   void count_query(long excess_work) {
     whole_queries_ = excess_work > 0 ? next_whole_queries_ : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check of a body's placement in the world.
+// A body's placement in the world is checked here.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace refitlab {
 
-// What placing two bodies may lose, as a share of the coordinates' size; see collide.cpp.
+// Placing two bodies may lose this share of the coordinates' size; see collide.cpp.
 inline constexpr double lost_of_placements = 160 * 0x1p-53;
 
 // Throws std::invalid_argument for a placement that is not finite or whose rotation differs from unit length by more than

@@ -11,7 +11,7 @@
 namespace refitlab {
 namespace {
 
-// A ball around the points whose numbers are floats.
+// Returns a ball around the points. Its numbers are floats.
 Ball3<double> float_ball(const std::vector<Point3>& points) {
   const Point3 center = smallest_ball<double, 3>(points).center.cast<float>().cast<double>();
   double radius = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces of nodes for the fast queries. A piece is the part of a node in one joint-set, and is bounded by itself.
+// These are the pieces of nodes for the fast queries. A piece is the part of a node in one joint-set, and is bounded by itself.
 #pragma once
 
 #include <span>

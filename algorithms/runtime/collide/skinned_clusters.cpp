@@ -13,12 +13,12 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// Four roundings of what is in a box.
+// Returns four roundings of the greatest coordinate in a box.
 float roundings(const Box<float>& box) {
   return four_roundings * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
 }
 
-// The joint-sets as the clusters come by them: those of neighbours are near each other.
+// Returns the joint-sets in the order of the clusters, so that those of neighbours are near each other.
 std::vector<int> by_clusters(const ClusterTree& tree) {
   const int count = tree.character().sets.count();
   std::vector<int> out;
@@ -106,7 +106,7 @@ void SkinnedClusters::skin_cluster(int n) {
   vertices_skinned_ += tree_.clusters()[n].padded_vertex_count;
 }
 
-// Makes the palettes for it, too.
+// Returns whether cluster n can be skinned in float. Makes its palettes, too.
 bool SkinnedClusters::can_skin_in_float(int n) {
   if (skinning_ != Skinning::spherical && skinning_ != Skinning::hejl) return false;
   bool can = true;
@@ -123,7 +123,7 @@ void SkinnedClusters::skin_in_float(int n, FloatCluster& out) {
   out.box.grow(out.slack);
 }
 
-// Rounded to floats, doubles are off by half of a rounding.
+// Doubles that are rounded to floats are off by half of a rounding.
 void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
   const int count = tree_.clusters()[n].padded_vertex_count;
   float* const xyz = out.blocks.data()->lane.data();

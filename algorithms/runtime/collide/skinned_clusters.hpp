@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SkinnedClusters: the clusters of a placed character in one frame, skinned in float where they are asked for, and vertices in
-// double where floats leave something open.
+// SkinnedClusters has the clusters of a placed character in one frame. They are skinned in float on demand, and vertices in
+// double where floats do not decide.
 #pragma once
 
 #include "algorithms/runtime/batch/palette_packs.hpp"
@@ -10,22 +10,22 @@
 
 namespace refitlab {
 
-// Boxes in float have four roundings of their coordinates to spare, each of 2^-24. What grows them rounds, too, and so does what
-// converts them to float (cluster_body.cpp).
+// Boxes in float have four roundings of their coordinates to spare, each of 2^-24. Growing them rounds, too, and so does the
+// conversion to float (cluster_body.cpp).
 inline constexpr float four_roundings = 0x1p-22f;
 inline constexpr double roundings_of_float_box = 0x1p-21;
-// What the doubles of the world lose, as a share of how far the placement and the origin are from the world's.
+// The doubles of the world lose this share of how far the placement and the origin are from the world's origin.
 inline constexpr double lost_in_world = 0x1p-51;
 
-// The work of a query, in what skinning a block of sixteen vertices in float takes. Measured with AVX-512 it is 12 ns, and these
-// are what a part of the palettes takes, a pack of motion bounds, and a bounded node besides. They only choose between ways that
-// find the same.
+// The unit of work is what skinning a block of sixteen vertices in float takes, which is 12 ns as measured with AVX-512. These
+// are the work of a part of the palettes, of a pack of motion bounds, and of a bounded node besides. They only choose between
+// ways that find the same.
 inline constexpr int work_of_palettes = 20, work_of_motion_bounds = 10, work_of_bounded_node = 3;
 
-// A cluster's vertices in float. Coordinates are those of the world, seen from SkinnedClusters::origin().
+// A FloatCluster has a cluster's vertices in float. Coordinates are those of the world, seen from SkinnedClusters::origin().
 struct FloatCluster {
-  // Of each coordinate: what it is off by against the doubles of apply(placement, skin()), less the origin, and four roundings
-  // more. It is infinite where floats say nothing; then so is the box.
+  // The slack bounds how far each coordinate is from the doubles of apply(placement, skin()) less the origin, plus four
+  // roundings. It is infinite where floats say nothing; then so is the box.
   float slack;
   Box<float> box;                    // around the doubles, less the origin
   std::vector<Lanes<float>> blocks;  // x of all positions, then y, then z
@@ -40,15 +40,15 @@ class SkinnedClusters {
   SkinnedClusters(const SkinnedClusters&) = delete;  // a copy would write into the arrays of this one
 
   // Starts a frame, of which nothing is computed yet. pose and placement must be as check_pose and check_placement require,
-  // and stay until the next frame. Floats are coordinates seen from origin, and the more exact the nearer that is.
+  // and stay until the next frame. Floats are coordinates as seen from origin. They are more exact the nearer that is.
   void begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin);
-  // The same for linear skinning by affine joints. pose need not stay.
+  // Does the same for linear skinning by affine joints. pose need not stay.
   void begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin);
 
   const ClusterTree& tree() const { return tree_; }
   const Point3& origin() const { return origin_; }
 
-  // All joint-sets and all clusters at once, for those who need them all.
+  // These make all joint-sets and all clusters at once, for those who need them all.
   void make_all_palettes();
   void skin_all();
 
@@ -57,21 +57,21 @@ class SkinnedClusters {
     return clusters_[cluster];
   }
 
-  // A cluster's vertex in the world, by position: the very doubles that apply(placement, skin()) yields.
+  // Returns a cluster's vertex in the world, by position. It is the very doubles that apply(placement, skin()) yields.
   const PaddedVertex& padded_vertex(int cluster, int position) {
     const int at = tree_.clusters()[cluster].first_vertex + position;
     if (!blocks_made_.is_made(at / Lanes<double>::count)) skin_block(cluster, position / Lanes<double>::count);
     return padded_vertices_[at];
   }
-  // The vertices of a single triangle of the model in the world: the same doubles.
+  // Returns the vertices of a single triangle of the model in the world. They are the same doubles.
   TrianglePoints triangle(int triangle);
 
-  // Of each coordinate in the world, in double.
+  // Returns the rounding error of each coordinate in the world, in double.
   double lost() const { return float_placement_.lost; }
-  // The palette of all joint-sets in double.
+  // Returns the palette of all joint-sets in double.
   const SkinningPalette<double>& whole_palette();
 
-  // The work of what was made for floats since begin, and what it would be of everything.
+  // work() is the work done for floats since begin, and work_of_all() is that of making everything.
   long work() const { return work_; }
   long work_of_all() const { return work_of_all_; }
 

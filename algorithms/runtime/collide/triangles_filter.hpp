@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A quick test whether two triangles have a point in common, in double or in packs of doubles, or in packs of floats that are
-// only near the vertices. It gives no answer where rounding, or what the vertices are off by, might decide.
+// This is a quick test whether two triangles have a point in common, in double, in packs of doubles, or in packs of floats that
+// are only near the vertices. It gives no answer where rounding or the error of the vertices might decide.
 //
 // It computes on which sides of each triangle's plane the other's vertices are. Where each triangle crosses the other's
 // plane, it computes the order of the crossings on the line that the planes share [Guigue and Devillers 2003]. All of these
@@ -14,13 +14,13 @@
 // above 1e-286, and 2^-1075 is nothing in comparison. For other values no sign is certain: products may underflow, or
 // determinants may overflow where their bounds do not.
 //
-// Vertices that are off. Let u = 2^-24 now, and let each coordinate differ by at most a slack from that of the vertex that
-// counts. Differences of these vertices differ by at most e = 2 slack from those of the floats, before rounding. So each of the
-// six products differs by at most (X + e)(Y + e)(Z + e) - XYZ = e (XY + YZ + ZX) + e^2 (X + Y + Z) + e^3 of what it is of the
-// floats' exact differences, and X, Y, Z of these are within 1 + u of the computed ones. Rounding has 67 u XYZ < 4.1e-6 XYZ as
-// above. The code takes 6.1 times the former and 6e-6 XYZ, which leaves more than a hundredth and a fourth for its own
-// roundings. With X + Y + Z below 1e12 and the bound above 1e-28, six products of two that underflow have at most 1e-44
-// times a third difference each, below 1e-31, and nothing overflows. proptests/algorithms/float_budgets.cpp derives both.
+// Vertices with errors. Let u = 2^-24 now, and let each coordinate differ by at most a slack from that of the vertex that counts.
+// Differences of these vertices differ by at most e = 2 slack from those of the floats, before rounding. So each of the six
+// products differs by at most (X + e)(Y + e)(Z + e) - XYZ = e (XY + YZ + ZX) + e^2 (X + Y + Z) + e^3 of what it is of the floats'
+// exact differences, and X, Y, Z of these are within 1 + u of the computed ones. Rounding has 67 u XYZ < 4.1e-6 XYZ as above. The
+// code takes 6.1 times the former and 6e-6 XYZ, which leaves more than a hundredth and a fourth for its own roundings. With X + Y
+// + Z below 1e12 and the bound above 1e-28, six products of two that underflow have at most 1e-44 times a third difference each,
+// below 1e-31, and nothing overflows. proptests/algorithms/float_budgets.cpp derives both.
 #pragma once
 
 #include <array>
@@ -33,14 +33,14 @@ template <class S>
 using TriangleOf = std::array<Vec<S, 3>, 3>;
 using TrianglePoints = TriangleOf<double>;
 
-// A sign that is certain, or not. Mask is bool, or a mask of lanes.
+// A Sign is certain or not. Mask is bool, or a mask of lanes.
 template <class Mask>
 struct Sign {
   Mask is_positive, is_negative;
 };
 
-// How determinants of differences of vertices are judged by the largest |differences| of coordinates. These vertices are those
-// that count.
+// The sign of a determinant of vertex differences is judged by the largest |differences| of coordinates. ExactVertices are the
+// given numbers themselves.
 template <class S>
 struct ExactVertices {
   S error(const S& x, const S& y, const S& z) const { return x * y * z * S(1e-14); }
@@ -48,7 +48,7 @@ struct ExactVertices {
     return error > S(1e-200) && x + y + z < S(1e100);
   }
 };
-// These are floats within a slack of them.
+// NearVertices are floats within a slack of the vertices that count.
 template <class S>
 struct NearVertices {
   S twice_slack;
@@ -63,7 +63,7 @@ struct NearVertices {
   }
 };
 
-// The largest |differences| by coordinate.
+// DifferenceExtent has the largest |differences| by coordinate.
 template <class S, class Vertices = ExactVertices<S>>
 class DifferenceExtent {
  public:
@@ -94,7 +94,7 @@ auto sign_of_determinant(const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>
   return extent.sign_of(dot<S, 3>(cross<S>(p, q), r));
 }
 
-// The sides of a triangle's plane on which another triangle's vertices are.
+// PlaneSides says on which sides of a triangle's plane another triangle's vertices are.
 template <class S, class Vertices = ExactVertices<S>>
 class PlaneSides {
  public:
@@ -152,7 +152,7 @@ auto sign_of_gap(const PlaneSides<S, Vertices>& of_a, const PlaneSides<S, Vertic
   return decltype(first){first.is_positive || second.is_positive, first.is_negative && second.is_negative};
 }
 
-// What the filter says of packs of pairs: which are certainly apart, and which certainly meet.
+// The filter says which pairs in a pack are certainly apart, and which certainly meet.
 template <class Mask>
 struct FilteredLanes {
   Mask are_apart, meet;

@@ -9,9 +9,9 @@
 namespace refitlab {
 namespace {
 
-// The nine differences of a vertex of one triangle and one of the other. The triangles have a point in common where 0 is in
-// the differences' hull, and so in the hull of at most four of them [Caratheodory 1911]: a tetrahedron, or where all that
-// hold it are flat a triangle, or a segment or a point.
+// There are nine differences of a vertex of one triangle and one of the other. The triangles have a point in common if 0 is in
+// the hull of the differences, and so in the hull of at most four of them [Caratheodory 1911]. That is a tetrahedron, or, if all
+// that hold 0 are flat, a triangle, a segment or a point.
 class Differences {
  public:
   Differences(const TrianglePoints& a, const TrianglePoints& b) : a_(a), b_(b) {
@@ -61,14 +61,14 @@ class Differences {
   bool is_on_segment(int i, int j) const {
     return sign_of_dot(exact_[i], exact_[j]) <= 0 && is_zero(cross_of(exact_[i], exact_[j]));
   }
-  // In one plane with 0, whose triangles with two of the vertices each have normals that point the same way.
+  // The triangle is in one plane with 0, and its three triangles with 0 have normals that point the same way.
   bool is_in_triangle(int i, int j, int k) const {
     if (side_[i][j][k] != 0) return false;
     const Vector ij = cross_of(exact_[i], exact_[j]), jk = cross_of(exact_[j], exact_[k]), ki = cross_of(exact_[k], exact_[i]);
     if (is_zero(ij) && is_zero(jk) && is_zero(ki)) return false;  // on a line with 0: a segment's matter
     return sign_of_dot(ij, jk) >= 0 && sign_of_dot(jk, ki) >= 0 && sign_of_dot(ki, ij) >= 0;
   }
-  // The barycentric coordinates of 0 are as these determinants: none of them has the other sign, and not all are 0.
+  // The barycentric coordinates of 0 are proportional to these determinants: no two have opposite signs, and not all are 0.
   bool is_in_tetrahedron(int i, int j, int k, int l) const {
     const int signs[4] = {side_[j][k][l], -side_[i][k][l], side_[i][j][l], -side_[i][j][k]};
     const auto [low, high] = std::minmax_element(signs, signs + 4);
@@ -80,7 +80,7 @@ class Differences {
   int side_[count][count][count];  // by increasing indices: the sign of the determinant of three differences
 };
 
-// By far the most pairs that are asked about are apart in one coordinate.
+// By far the most pairs are apart in one coordinate.
 bool boxes_meet(const TrianglePoints& a, const TrianglePoints& b) {
   for (int i = 0; i < 3; ++i) {
     const auto [a_low, a_high] = std::minmax({a[0][i], a[1][i], a[2][i]});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint-sets: a joint-set is a distinct set of joints that influence a vertex (paper 3, J(v)). Each vertex has its weights
-// in its joint-set.
+// A joint-set is a distinct set of joints that influence a vertex (paper 3, J(v)). Each vertex has its weights in its joint-set.
 #pragma once
 
 #include <span>
@@ -15,11 +14,11 @@ class JointSets {
   explicit JointSets(const SkinnedMesh& mesh);
 
   int count() const { return static_cast<int>(joints_.size()); }
-  // The joints of one joint-set, in increasing order.
+  // Returns the joints of one joint-set, in increasing order.
   std::span<const int> joints(int joint_set) const { return joints_[joint_set]; }
-  // The index of the joint-set that a vertex belongs to.
+  // Returns the index of the joint-set that a vertex belongs to.
   int of_vertex(int vertex) const { return of_vertex_[vertex]; }
-  // The weights of a vertex, in the order of its joint-set's joints. All are positive, and their sum is exactly 1.
+  // Returns the weights of a vertex, in the order of its joint-set's joints. All are positive, and their sum is exactly 1.
   std::span<const double> weights(int vertex) const {
     return {weights_.data() + first_weight_[vertex], joints_[of_vertex_[vertex]].size()};
   }

@@ -35,7 +35,7 @@ std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair
     parts.push_back({joint, static_cast<std::int64_t>(units), exact - units});
     missing -= parts.back().units;
   }
-  // What the rounding down left over goes to the largest remainders, a unit each. There are enough: a remainder is less
+  // The rest that rounding down left goes to the largest remainders, a unit each. There are enough of them: a remainder is less
   // than a unit, and all of them sum to what is missing, up to rounding that is far below a unit for any count of joints.
   std::vector<std::size_t> order(parts.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights as multiples of 2^-24 that sum to 1 exactly.
+// Weights become multiples of 2^-24 that sum to 1 exactly.
 //
 // Weights in files sum to 1 only up to rounding. This header rounds them to multiples of 2^-24, which is finer than the 8-
 // and 16-bit weights of most files, and is the resolution of float near 1. Then every weight, every partial sum and every

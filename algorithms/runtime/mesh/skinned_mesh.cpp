@@ -6,7 +6,7 @@
 namespace refitlab {
 namespace {
 
-// Why a point can be none of a model; empty if it can.
+// Returns why a point cannot be one of a model, or nothing if it can.
 std::string reason_against(const Point3& p) {
   if (!p.allFinite()) return "is not finite";
   return p.lpNorm<Eigen::Infinity>() <= largest_coordinate ? "" : "is out of range, beyond 1e40";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// SkinnedMesh: a triangle mesh, its joints, and the weight of each joint in each vertex (paper 3).
+// A SkinnedMesh is a triangle mesh, its joints, and the weight of each joint in each vertex (paper 3).
 //
-// Frames: everything is in model space of the reference pose, right-handed, in the units of the source model. A Pose gives,
-// for each joint, the rigid transform C_j that takes the reference pose to the animated pose. An AffinePose gives any affine
-// transforms, by joints that scale, shear or mirror.
+// Everything is in model space of the reference pose, right-handed, in the units of the source model. A Pose gives, for each
+// joint, the rigid transform C_j that takes the reference pose to the animated pose. An AffinePose gives any affine transforms,
+// by joints that scale, shear or mirror.
 #pragma once
 
 #include <array>
@@ -23,10 +23,10 @@ using Triangle = std::array<int, 3>;  // indices of vertices, counter-clockwise 
 using Pose = std::vector<RigidTransform<double>>;
 using AffinePose = std::vector<AffineMap<double>>;
 
-// The largest absolute coordinate of a mesh or a pose. Up to here, the sixth powers in determinants are in the range of
+// This is the largest absolute coordinate of a mesh or a pose. Up to here, the sixth powers in determinants are in the range of
 // double.
 inline constexpr double largest_coordinate = 1e40;
-// The largest absolute number in the matrix of an affine joint.
+// This is the largest absolute number in the matrix of an affine joint.
 inline constexpr double largest_stretch = 1e4;
 
 struct Joint {
@@ -41,8 +41,8 @@ struct Influence {
   double weight;
 };
 
-// Morph targets, or other coordinates that displace vertices: before a vertex is skinned, it is moved by the sum over the targets
-// of weight times displacement.
+// Morph targets, or other coordinates, displace vertices. Before a vertex is skinned, it is moved by the sum over the targets of
+// weight times displacement.
 struct MorphTargets {
   int count = 0;
   std::vector<std::vector<Displacement<double>>> of_vertex = {};  // targets in increasing order; empty if count is 0
@@ -56,13 +56,13 @@ struct SkinnedMesh {
   std::vector<std::vector<Influence>> influences;  // by vertex; distinct joints in increasing order, weights > 0
   MorphTargets targets = {};
 
-  // By how much the targets move a vertex.
+  // Returns the displacements of a vertex by the targets that move it.
   std::span<const Displacement<double>> displacements(int vertex) const {
     return targets.count == 0 ? std::span<const Displacement<double>>() : targets.of_vertex[static_cast<std::size_t>(vertex)];
   }
 };
 
-// The error for a model that cannot be used. The message names the file (or the generated model), the thing, and the
+// This is the error for a model that cannot be used. The message names the file (or the generated model), the thing, and the
 // reason.
 class ModelError : public std::runtime_error {
  public:
@@ -74,7 +74,7 @@ class ModelError : public std::runtime_error {
 // coordinates are in range, and weights and displacements are as stated. Every source of meshes calls it last.
 void validate(const SkinnedMesh& mesh);
 
-// The pose in which every joint stays where the reference pose has it.
+// Returns the pose in which every joint stays where the reference pose has it.
 Pose reference_pose(const SkinnedMesh& mesh);
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ByJoint: an array of as many entries as a joint-set has joints, on the stack if the compiler knows how many these are.
+// ByJoint is an array with an entry for each joint of a joint-set. It is on the stack if the compiler knows their number.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The least float that is not below a double, and the greatest that is not above it.
+// These return the least float that is not below a double, and the greatest that is not above it.
 #pragma once
 
 #include <cmath>

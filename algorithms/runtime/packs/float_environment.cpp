@@ -11,7 +11,7 @@ namespace refitlab {
 namespace {
 
 #if defined(__x86_64__)
-// MXCSR: all exceptions masked, rounding to nearest, neither FTZ nor DAZ. Its lowest six bits only remember exceptions.
+// This MXCSR masks all exceptions, rounds to nearest, and has neither FTZ nor DAZ. Its lowest six bits only remember exceptions.
 constexpr std::uint64_t default_control = 0x1f80, flags = 0x3f;
 std::uint64_t control() { return _mm_getcsr(); }
 void set_control(std::uint64_t value) { _mm_setcsr(static_cast<unsigned>(value)); }
@@ -24,7 +24,7 @@ std::uint64_t control() {
 }
 void set_control(std::uint64_t value) { __asm__ volatile("msr fpcr, %0" : : "r"(value)); }
 #else
-// Elsewhere the rounding mode is all that the standard library knows of.
+// On other processors, the standard library only knows the rounding mode.
 constexpr std::uint64_t default_control = FE_TONEAREST, flags = 0;
 std::uint64_t control() { return static_cast<std::uint64_t>(std::fegetround()); }
 void set_control(std::uint64_t value) { std::fesetround(static_cast<int>(value)); }

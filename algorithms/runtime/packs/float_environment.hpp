@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The floating-point environment that all derivations of rounding count on: rounding to nearest, denormal numbers kept.
+// All derivations of rounding count on this floating-point environment: it rounds to nearest and keeps denormal numbers.
 //
-// Programs change it for themselves: engines and whatever is linked with -ffast-math have denormals flushed to zero, on the
-// way out of an operation (FTZ) or on the way in (DAZ), and interval arithmetic rounds upward. So every public function
-// that computes begins with a DefaultFloatEnvironment. Its results are the same, to the last bit, in every environment that
-// the caller may have, and the caller gets that back.
+// Programs change it for themselves. Engines, and programs linked with -ffast-math, flush denormals to zero, after an operation
+// (FTZ) or before it (DAZ), and interval arithmetic rounds upward. So every public function that computes begins with a
+// DefaultFloatEnvironment. Its results are the same, to the last bit, in every environment that the caller may have, and the
+// caller gets that back.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of the tables that a kernel's translation units define, one in the namespace of each target, is a target's.
+// A kernel's translation units define one table in the namespace of each target. This macro names the table of a target.
 #pragma once
 
 #include "algorithms/runtime/packs/targets.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mask of lanes as bits, to go through the lanes that hold one by one.
+// A mask of lanes becomes bits, so that one can go through its lanes one by one.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 
 namespace refitlab {
 
-// Of a pack of floats: bit i says whether the mask holds in lane i, the first lane lowest. The other bits are 0.
+// Returns the bits for a pack of floats: bit i says whether the mask holds in lane i, the first lane lowest. The other bits are
+// 0.
 [[gnu::always_inline]] inline std::uint32_t lane_bits(const Pack<float>::mask_type& mask) {
 #if defined(__AVX512F__)
   return static_cast<std::uint16_t>(static_cast<__mmask16>(std::experimental::__data(mask)));

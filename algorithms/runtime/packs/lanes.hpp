@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lanes: how numbers for packs lie in memory, the same for every width of a pack: aligned, and padded to the widest.
+// Lanes are how numbers for packs lie in memory: aligned, and padded to the widest pack. They are the same for every width of a
+// pack.
 #pragma once
 
 #include <array>
@@ -12,7 +13,7 @@ struct alignas(64) Lanes {
   std::array<T, count> lane;
 };
 
-// How many Lanes hold so many numbers.
+// Returns how many Lanes hold so many numbers.
 template <class T>
 constexpr int blocks_for(int numbers) {
   return (numbers + Lanes<T>::count - 1) / Lanes<T>::count;

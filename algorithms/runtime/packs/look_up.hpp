@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a table, one a lane, each from the lane's own place.
+// Each lane reads a number of a table from a place of its own.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace refitlab {
 
-// How many places a table for look_up has, at least: full registers, two at a time.
+// Returns how many places a table for look_up has at least. They are full registers, two at a time.
 constexpr int look_up_size(int count) { return (count + 31) / 32 * 32; }
 
-// table has look_up_size(count) floats, aligned as packs are; index: aligned likewise, each in [0, count). few says
-// that count is at most 32.
+// table has look_up_size(count) floats, aligned as packs are. index is aligned likewise, and each number is in [0, count). few
+// says that count is at most 32.
 template <bool few>
 [[gnu::always_inline]] inline Pack<float> look_up(const float* table, [[maybe_unused]] int count, const std::int32_t* index) {
 #ifdef __AVX512F__

@@ -15,7 +15,7 @@ const std::vector<Target>& available_targets() {
   static const std::vector<Target> targets = [] {
     std::vector<Target> out{Target::baseline};
 #ifdef REFITLAB_X86_TARGETS
-    // What x86-64-v3 and -v4 have over each other and v2, as far as a compiler may use it unasked for arithmetic.
+    // These are the features that x86-64-v3 adds to v2, and v4 to v3, as far as a compiler may use them unasked for arithmetic.
     __builtin_cpu_init();
     const bool is_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
                        __builtin_cpu_supports("bmi2");

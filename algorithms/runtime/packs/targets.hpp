@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Targets: the instruction sets that kernels are compiled for, of which one is picked when the program runs.
+// Targets are the instruction sets that kernels are compiled for. One of them is picked when the program runs.
 //
 // A kernel is one source file, *_kernel.cpp, compiled once a target into the namespace REFITLAB_TARGET. Other code calls it
-// through a table of function pointers. What crosses are plain numbers and pointers: an inline function of a type that
-// both sides use, compiled for the wider target, could be linked in place of the common one. So all that a kernel
-// calls is inlined into its entry points (REFITLAB_KERNEL), and the build fails if it leaves another symbol behind
-// (.ci/lone_kernels.cmake).
+// through a table of function pointers. Only plain numbers and pointers cross: an inline function of a type that both sides use,
+// compiled for the wider target, could be linked in place of the common one. So every function that a kernel calls is inlined
+// into its entry points (REFITLAB_KERNEL), and the build fails if it leaves another symbol behind (.ci/lone_kernels.cmake).
 #pragma once
 
 #include <vector>
@@ -25,7 +24,7 @@ enum class Target {
 
 const char* name_of(Target target);
 
-// Those that this program has and this processor runs, narrowest first.
+// Returns the targets that this program has and this processor runs. The narrowest comes first.
 const std::vector<Target>& available_targets();
 inline Target best_target() { return available_targets().back(); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As many rows as a row has numbers, to as many columns: what brings a record a lane into packs, and back, without gathering
-// numbers one by one.
+// Rows become columns: there are as many rows as a row has numbers. This brings a record of each lane into packs and back,
+// without gathering numbers one by one.
 #pragma once
 
 #include "algorithms/runtime/packs/row.hpp"
@@ -20,8 +20,7 @@ inline void transpose(Row<float, 4> (&rows)[4]) {
   rows[3] = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
 }
 
-// Pairs of rows, pairs of pairs, and halves change places.
-// to: eight rows, to_stride numbers apart, none of them one of from.
+// Pairs of rows, pairs of pairs, and halves change places. to has eight rows, to_stride numbers apart. They do not overlap from.
 template <class T>
 [[gnu::always_inline]] inline void transpose(const Row<T, 8> (&from)[8], T* to, int to_stride) {
   Row<T, 8> a[8], b[8];
@@ -42,7 +41,7 @@ template <class T>
   }
 }
 
-// The rows wherever they lie.
+// Does the same for rows that lie anywhere.
 template <class T>
 [[gnu::always_inline]] inline void transpose(const T* const (&from)[8], T* to, int to_stride) {
   Row<T, 8> rows[8];

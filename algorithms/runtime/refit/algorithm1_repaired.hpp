@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 1, repaired. It is sound for every pose and every weight bound: without exception in intervals and exact
+// This is Algorithm 1, repaired. It is sound for every pose and every weight bound: without exception in intervals and exact
 // numbers, and up to rounding in float and double.
 //
 // It differs from the printed algorithm in four ways. It uses the skinning's own quaternion signs. If a blend may vanish,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The policies for BOUNDINGSPHERE, the subroutine of Algorithm 1 in which the variants differ: mean balls as printed, or
-// smallest balls.
+// These are the policies for BOUNDINGSPHERE, the subroutine of Algorithm 1 in which the variants differ. They make mean balls, as
+// printed, or smallest balls.
 #pragma once
 
 #include <vector>
@@ -43,7 +43,7 @@ struct NearSmallestBalls {
   }
 };
 
-// The lists of Algorithm 1. They are kept between calls, so that a refit does not allocate.
+// The lists of Algorithm 1 are kept between calls, so that a refit does not allocate.
 template <class S>
 struct RefitLists {
   std::vector<Ball3<S>> balls;             // L_1

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Control balls: blend skinning is a rational Bezier simplex in the weights, and the hull of its control points holds all
-// of it.
+// Blend skinning is a rational Bezier simplex in the weights, and the hull of its control points holds all of it. This makes
+// control balls.
 //
 // Let q'_k and r'_k be the quaternion and the image of the rotation center at weight vertex k of a piece, and let x = p -
 // r_c. The control points N_jkl / W_jkl are those of b1_rational_bezier_simplex, of degree 3.
@@ -95,7 +95,7 @@ class ControlHull {
   ControlLists<S>& lists_;
 };
 
-// The spherical blend of a piece, of degree 3: Equation (1).
+// SphericalPiece is the spherical blend of a piece by Equation (1). It has degree 3.
 template <class S>
 class SphericalPiece {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ControlLists: the working storage for the control balls of a node, for every kind of skinning. The balls are the result.
+// ControlLists is the working storage for the control balls of a node, for every kind of skinning. The balls are the result.
 #pragma once
 
 #include <vector>

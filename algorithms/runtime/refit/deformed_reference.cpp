@@ -28,7 +28,7 @@ bool same(std::span<const Slab<double>> a, std::span<const Slab<double>> b) {
                     [](const Slab<double>& x, const Slab<double>& y) { return x.low == y.low && x.high == y.high; });
 }
 
-// A ball that encloses these, for lengths alone: it need not be small.
+// Returns a ball that encloses these. It is for lengths alone and need not be small.
 Ball3<double> some_ball_around(std::span<const NodePiece> pieces, const std::vector<Ball3<double>>& references) {
   const Point3 center = references[static_cast<std::size_t>(pieces[0].reference)].center;
   double radius = 0;

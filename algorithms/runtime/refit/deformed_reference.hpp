@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DeformedReference: what refits use of a character in the reference pose, as a deformation leaves it: morph targets, and the
+// DeformedReference is what refits use of a character in the reference pose, after a deformation by morph targets and by the
 // scales of joints in skinning in two phases (runtime/skinning/deformation.hpp).
 //
 // The refit of a deformed character is that of a rigid one with other reference balls. These are made when a node is first asked
@@ -20,10 +20,10 @@ class DeformedReference {
   // character must outlive this. Throws std::invalid_argument for a character without these pieces.
   DeformedReference(const Character& character, Pieces kind);
 
-  // Takes a deformation; one that is the last one again costs nothing. Throws ModelError as check_deformation.
+  // Takes a deformation. Taking the last one again costs nothing. Throws ModelError as check_deformation does.
   void begin(const Deformation& deformation);
-  // Takes all weights in these intervals, by target, at once: what is refitted then holds for each of them. There are no vertices.
-  // Throws ModelError as check_deformation, for either end.
+  // Takes all weights in these intervals, by target, at once. Refits then hold for each of them, and vertex() must not be called.
+  // Throws ModelError as check_deformation does, for either end.
   void begin(std::span<const Slab<double>> weights, const AffinePose& scales);
 
   // Returns what a variant uses to refit a node: its balls enclose the vertices of deformed(), in double or exactly. The result

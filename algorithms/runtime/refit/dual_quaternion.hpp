@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refitting for dual quaternion skinning: its control balls, of degree 2, and one ball around them.
+// Refitting for dual quaternion skinning makes control balls, of degree 2, and one ball around them.
 //
 // Let q'_k + eps d'_k be the dual quaternion at weight vertex k of a piece, and p the center of its reference ball. Let
 // W_kl and P_kl be as in control_hull.hpp, but P_kl of p itself, and
@@ -27,7 +27,7 @@ Ball3<S> all_of_space(const Vec<S, 3>& center) {
   return {center, S(std::numeric_limits<double>::infinity())};
 }
 
-// The dual quaternion blend of a piece.
+// DualQuaternionPiece is the dual quaternion blend of a piece.
 template <class S>
 class DualQuaternionPiece {
  public:
@@ -93,8 +93,8 @@ class DualQuaternionPiece {
 
  private:
   static constexpr int axis_steps = 6;
-  // The least squared cosine of an angle to the axis, and the least squared length of a q'_k. Smaller values may come from
-  // rounding.
+  // These are the least squared cosine of an angle to the axis, and the least squared length of a q'_k. Smaller values may come
+  // from rounding.
   static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
   static constexpr double least_squared_weight_vertex = std::is_floating_point_v<S> ? 1e-4 : 0;
 

@@ -12,7 +12,7 @@
 namespace refitlab {
 namespace {
 
-// The cut of a node that has children.
+// Returns the cut of a node that has children.
 std::vector<int> cut_of(const SphereTree& tree, const FrameOptions& options, int node) {
   const auto fewer_to_gain = [&](int a, int b) {
     const auto gain = [&](int n) { return tree.nodes[n].child_count ? tree.nodes[n].piece_count : 0; };
@@ -45,7 +45,7 @@ std::vector<std::vector<int>> cuts(const SphereTree& tree, const FrameOptions& o
   return cut;
 }
 
-// Encloses the balls, which are all of space if one of them is.
+// Returns a ball around the balls. It is all of space if one of them is.
 Ball3<double> ball_around(std::span<const Ball3<double>> balls) {
   for (const Ball3<double>& ball : balls)
     if (ball.radius == std::numeric_limits<double>::infinity()) return ball;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FrameRefits: the balls of one character in one frame. Each is refitted once, when it is first asked for.
+// FrameRefits has the balls of one character in one frame. Each is refitted once, when it is first asked for.
 //
 // Beyond the paper's on-demand refit (5), a node can use what the frame knows already, in two ways:
 // - Nodes of many joint-sets are refitted through a BVH cut. The cost of their own refit grows with the number of
@@ -21,7 +21,7 @@ namespace refitlab {
 struct FrameOptions {
   // A node that is not a leaf and has more joint-sets than this is bounded through its cut. 0 means that no node is.
   int most_joint_sets = 0;
-  // The largest size of a cut. While the cut stays within this size, its member of most joint-sets is replaced by the
+  // This is the largest size of a cut. While the cut stays within this size, its member of most joint-sets is replaced by the
   // member's children. A node of more children has all of them as its cut.
   int most_in_cut = 64;
   bool children_first = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FrameStamps: a record of which objects were made in the current frame. A new frame forgets all of them at once.
+// FrameStamps records which objects were made in the current frame. A new frame forgets all of them at once.
 #pragma once
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 
 namespace refitlab {
 
-// Returns the radius of the control ball at weights w. That of a vertex stays 0.
+// Returns the radius of the control ball at weights w. The radius of a vertex stays 0.
 template <class S>
 S stretched_radius(const PaletteEntry<S>& palette, std::span<const S> w, const S& radius) {
   if (palette.maps.empty() || radius == S(0)) return radius;
@@ -35,7 +35,7 @@ void add_control_balls_linear(const RefitNode<S>& node, ControlLists<S>& lists) 
 
 // Makes balls in lists.cap.balls, whose convex hull contains the node's vertices under linear blending. The reason: a
 // convex combination of rigid images of S lies in the ball of the same radius about the same combination of the images of
-// its center. So does one of affine images, for a radius that is stretched.
+// its center. So does a combination of affine images, for a stretched radius.
 template <class S>
 std::span<const Ball3<S>> control_balls_linear(const RefitNode<S>& node, ControlLists<S>& lists) {
   lists.cap.balls.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The certified ball of a node: the computed ball of a refit, with a slack for all rounding. The slack is derived in
+// The certified ball of a node is the computed ball of a refit, with a slack for all rounding. The slack is derived in
 // algorithms/runtime/skinning/palette_rounding.hpp.
 #pragma once
 

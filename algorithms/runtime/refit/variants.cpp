@@ -23,7 +23,7 @@ ControlLists<double>& control_lists() {
   return reused;
 }
 
-// Flattened, as otherwise GCC at -O2 calls each product of two vectors.
+// This is flattened, because otherwise GCC at -O2 calls each product of two vectors.
 template <class Policy>
 [[gnu::flatten]] Ball3<double> linear(const RefitNode<double>& node) {
   return refit_linear<Policy>(node, control_lists());

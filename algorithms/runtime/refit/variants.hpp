@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The refits that are proved to enclose, by name. They share one interface: each node is refitted by itself, in any order,
+// These refits are proved to enclose, and have names. They share one interface: each node is refitted by itself, in any order,
 // and no vertex is touched.
 #pragma once
 
@@ -19,10 +19,10 @@ struct RefitVariant {
   Skinning skinning;        // whose vertices it bounds
   bool sound;               // proved to enclose
   Pieces pieces;
-  // The certified refit. If the variant is sound, its ball encloses the node's vertices, whether skinned exactly from the
+  // This is the certified refit. If the variant is sound, its ball encloses the node's vertices, whether skinned exactly from the
   // pose's numbers or by skin(). The radius includes the slack for all rounding (rounding.hpp).
   Refit refit;
-  // The same refit without the slack. It is the baseline for the cost and the size of the slack.
+  // This is the same refit without the slack. It is the baseline for the cost and the size of the slack.
   Refit refit_as_computed;
 };
 

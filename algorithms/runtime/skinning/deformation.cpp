@@ -10,7 +10,7 @@
 namespace refitlab {
 namespace {
 
-// Of a rotation's matrix [Shepperd 1978], by the greatest of its numbers.
+// Returns the quaternion of a rotation's matrix [Shepperd 1978]. It is computed from the greatest of its numbers.
 Quaternion<double> quaternion_of(const Eigen::Matrix3d& m) {
   const double trace = m.trace();
   int greatest = 0;  // of the trace and the diagonal
@@ -58,7 +58,7 @@ SplitJoint split(const AffineMap<double>& joint, const Point3& origin) {
   const Eigen::Matrix3d& v = svd.matrixV();
   if (u.determinant() * v.determinant() < 0) u.col(2) = -u.col(2);  // then the least singular value counts as negative
   const Quaternion<double> q = quaternion_of(u * v.transpose());
-  // R^T A, made symmetric.
+  // s is R^T A, made symmetric.
   SplitJoint out;
   Eigen::Matrix3d s;
   for (int j = 0; j < 3; ++j) s.col(j) = rotate<double>(conjugate(q), joint.columns[static_cast<std::size_t>(j)]);

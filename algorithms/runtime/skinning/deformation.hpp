@@ -3,9 +3,9 @@
 // then the first phase of skinning by joints that scale.
 //
 // Spherical and dual quaternion skinning of affine joints C_j has two phases (a2_two_phase_skinning). With C_j = R_j S_j, the S_j
-// scale and shear about the joint's origin, and are blended linearly; then the R_j are blended as ever. The weights of a vertex are
-// the same in both phases and do not change. So what comes out of the first phase is another reference pose, and everything
-// that is known of rigid joints is true of it. Linear skinning blends the C_j themselves, and has no first phase.
+// scale and shear about the joint's origin, and are blended linearly; then the R_j are blended as usual. The weights of a vertex
+// are the same in both phases and do not change. So the first phase makes another reference pose, and everything that is known of
+// rigid joints holds for it. Linear skinning blends the C_j themselves, and has no first phase.
 #pragma once
 
 #include "algorithms/runtime/skinning/blend.hpp"
@@ -27,8 +27,8 @@ void check_deformation(const SkinnedMesh& mesh, const Deformation& deformation);
 // Returns the palette of the S_j. It has no joint-sets if no joint scales.
 SkinningPalette<double> make_scale_palette(const SkinnedMesh& mesh, const JointSets& sets, const AffinePose& scales);
 
-// Returns the vertex as the second phase has it, v'' = sum w_i S_i (v + sum m_k d_k). scales is that of its joint-set; of no
-// maps where no joint scales. weights: by target; none where none moves.
+// Returns the vertex as the second phase has it, v'' = sum w_i S_i (v + sum m_k d_k). scales is the entry of its joint-set, which
+// has no maps if no joint scales. weights are by target, and empty if no target moves.
 template <class S>
 Vec<S, 3> deformed(const Vec<S, 3>& v, std::span<const Displacement<S>> displacements, std::span<const S> weights,
                    const PaletteEntry<S>& scales, std::span<const S> w) {
@@ -36,23 +36,23 @@ Vec<S, 3> deformed(const Vec<S, 3>& v, std::span<const Displacement<S>> displace
   return scales.maps.empty() ? moved : blend_linear(scales, w, moved);
 }
 
-// C = R S of an affine joint.
+// A SplitJoint is C = R S of an affine joint.
 struct SplitJoint {
   RigidTransform<double> rigid;
   AffineMap<double> scale;
 };
 
-// Splits by the polar decomposition of the joint's matrix: R has the rotation nearest to it, and S is symmetric about origin, which
-// it leaves where it is. Of a joint that mirrors, S has a negative eigenvalue. The product of the two is off from C by rounding.
+// Splits by the polar decomposition of the joint's matrix: R has the rotation nearest to it, and S is symmetric about origin,
+// which it leaves where it is. If a joint mirrors, S has a negative eigenvalue. The product of the two is off from C by rounding.
 SplitJoint split(const AffineMap<double>& joint, const Point3& origin);
 
-// A pose of affine joints as both phases take it.
+// A SplitPose is a pose of affine joints as both phases take it.
 struct SplitPose {
   Pose pose;
   AffinePose scales;
 };
 
-// Splits every joint about its own origin. Throws as check_pose.
+// Splits every joint about its own origin. Throws ModelError as check_pose does.
 SplitPose split(const SkinnedMesh& mesh, const AffinePose& pose);
 
 }  // namespace refitlab

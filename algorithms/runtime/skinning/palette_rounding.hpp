@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PaletteRounding: a bound on the rounding errors of everything that is computed with a joint-set's blends.
+// PaletteRounding bounds the rounding errors of everything that is computed with a joint-set's blends.
 //
 // The true values are those of exact arithmetic on the numbers of the node and of the palette as they are given. So the
 // given quaternions are of unit length only nearly, and the given rotation centers, their images and the dual parts are
@@ -74,7 +74,8 @@ inline constexpr int mix_weight = 6, mix_numerator = 27;  // mix_rotations
 inline constexpr int matrix = 3;                          // times a point, relative to its Frobenius norm
 }  // namespace rounding
 
-// The scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own rounding error.
+// PaletteScales are the scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own
+// rounding error.
 template <class S>
 struct PaletteScales {
   S joints;         // n
@@ -85,7 +86,7 @@ struct PaletteScales {
   S matrix;         // F of affine joints, to which the scales of rotations do not apply
 };
 
-// What affine joints stretch by: s of a1_affine_image, rounded up.
+// Returns the factor by which affine joints stretch. It is s of a1_affine_image, rounded up.
 template <class S>
 S stretch_of(const AffineMap<S>& map) {
   if constexpr (std::is_floating_point_v<S>)
@@ -138,7 +139,7 @@ struct RoundingRates {
   S per_length, per_radius, offset;
 };
 
-// The rates for one kind of skinning.
+// These are the rates for one kind of skinning.
 template <class S>
 struct PaletteRounding {
   RoundingRates<S> vertex;           // for a skinned vertex, and for a vertex that is a piece of its own
@@ -183,7 +184,7 @@ PaletteRounding<S> rounding_dual_quaternion(const PaletteScales<S>& palette) {
            vertex.offset + u * (translations + 2 * (n + 4) * kappa) * t}};
 }
 
-// The rates by kind of skinning: linear, spherical (also for Hejl's), dual quaternion.
+// The rates are by kind of skinning: linear, spherical (also for Hejl's), dual quaternion.
 template <class S>
 using PaletteRoundings = std::array<PaletteRounding<S>, 3>;
 

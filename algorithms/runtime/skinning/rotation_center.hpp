@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rotation center of a joint-set: the point whose images under the joint-set's transforms lie closest together [Kavan
-// and Zara 2005b].
+// The rotation center of a joint-set is the point whose images under the joint-set's transforms lie closest together [Kavan and
+// Zara 2005b].
 //
 // For two joints a and b, let (w, v) be the relative rotation q_a* q_b. Let e = R_a^T (C_a p - C_b p), the difference of
 // the two images of the prior p, seen from joint a. Then R_a^T (C_a (p + x) - C_b (p + x)) = e + (1 - R) x. Further, (1 -
@@ -22,7 +22,7 @@
 namespace refitlab {
 namespace rotation_centers {
 
-// A symmetric matrix, stored as its distinct entries: row by row, from the diagonal on.
+// A Symmetric matrix is stored as its distinct entries, row by row, from the diagonal on.
 template <class S>
 struct Symmetric {
   using Point = Vec<S, 3>;
@@ -96,7 +96,7 @@ class NormalEquations {
     return choose(is_determined, x, zero);
   }
 
-  // The same for one pair, whose V is v v^T and whose g is at right angles to v.
+  // Returns the same for one pair, whose V is v v^T and whose g is at right angles to v.
   Point solve_pair() const {
     const S t = v_.trace();
     const Point x = half_g_ / (t * S(2)), zero(S(0), S(0), S(0));

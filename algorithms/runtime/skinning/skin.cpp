@@ -12,7 +12,7 @@ std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const S
   std::vector<Point3> deformed, out;
   if (!deformation.is_none()) deformed = deformed_vertices(mesh, sets, deformation);
   const std::vector<Point3>& vertices = deformation.is_none() ? mesh.vertices : deformed;
-  // One entry a joint-set is made here, since making one a vertex would cost a quarter of linear skinning.
+  // One entry is made here for each joint-set, since one for each vertex would cost a quarter of linear skinning.
   std::vector<PaletteEntry<double>> entries;
   entries.reserve(palette.size());
   for (std::size_t s = 0; s < palette.size(); ++s) entries.push_back(palette[s]);

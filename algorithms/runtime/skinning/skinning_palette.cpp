@@ -13,9 +13,9 @@ Point3 mean_origin(const SkinnedMesh& mesh, std::span<const int> joints) {
   return sum / static_cast<double>(joints.size());
 }
 
-// The origin of the joint that two neighbouring bones share: the joint of the set whose parent is in it too, the last one
-// if there are several. For a set without neighbours Hejl's variant is not defined; the first joint's origin keeps it
-// total.
+// Returns the origin of the joint that two neighbouring bones share. It is the joint of the set whose parent is in the set too,
+// or the last one if there are several. For a set without neighbours Hejl's variant is not defined; the first joint's origin
+// keeps it total.
 Point3 shared_joint(const SkinnedMesh& mesh, std::span<const int> joints) {
   int shared = joints[0];
   for (const int j : joints)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SkinningPalette: the data that skinning prepares once a frame for each joint-set. They are the transforms with signed
+// A SkinningPalette has the data that skinning prepares once a frame for each joint-set. They are the transforms with signed
 // quaternions, the rotation centers and their images (paper 3). A palette of affine joints is for linear skinning alone. It has
 // their maps and nothing else.
 #pragma once
@@ -21,12 +21,12 @@ enum class Skinning {
   dual_quaternion  // the rigid transform of the normalised blend of dual quaternions [Kavan et al. 2007]
 };
 
-// The palette of one joint-set in one pose, for reading. Arrays are by position in the joint-set.
+// A PaletteEntry is the palette of one joint-set in one pose, for reading. Arrays are by position in the joint-set.
 template <class S>
 struct PaletteEntry {
-  // The transforms C_{j_i}. The signs of the rotations are the skinning's. They are consistent within the joint-set, so
-  // that QLERP takes the short way from the first joint to each other one. Bounds must use these signs, because q and -q
-  // blend differently.
+  // These are the transforms C_{j_i}. The signs of the rotations are the skinning's. They are consistent within the joint-set, so
+  // that QLERP takes the short way from the first joint to each other one. Bounds must use these signs, because q and -q blend
+  // differently.
   std::span<const RigidTransform<S>> transforms;
   Vec<S, 3> rotation_center;                 // r_c, reference frame
   std::span<const Vec<S, 3>> center_images;  // C_{j_i} r_c
@@ -52,7 +52,7 @@ Quaternion<S> dual_part(const RigidTransform<S>& c) {
   return multiply<S>({S(0), t[0], t[1], t[2]}, c.rotation) / S(2);
 }
 
-// The palette of one joint-set, with its own storage.
+// An OwnedPaletteEntry is the palette of one joint-set with its own storage.
 template <class S>
 struct OwnedPaletteEntry {
   std::vector<RigidTransform<S>> transforms;
@@ -80,7 +80,7 @@ void place_duals(OwnedPaletteEntry<S>& palette) {
   for (const auto& t : palette.transforms) palette.duals.push_back(dual_part(t));
 }
 
-// The palettes of all joint-sets in one pose, in flat arrays. A refit reads a few of them for each node.
+// A SkinningPalette has the palettes of all joint-sets in one pose, in flat arrays. A refit reads a few of them for each node.
 template <class S>
 class SkinningPalette {
  public:
@@ -138,7 +138,7 @@ class SkinningPalette {
     measure_last();
   }
 
-  // The arrays themselves, joint-set after joint-set, for code that fills many of them at a time.
+  // These are the arrays themselves, joint-set after joint-set, for code that fills many of them at a time.
   struct Arrays {
     Vec<S, 3>* rotation_centers;  // by joint-set; all other arrays are by joint
     RigidTransform<S>* transforms;

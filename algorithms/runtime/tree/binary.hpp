@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers as little-endian bytes, and the envelope of refitlab's binary files: a magic, a version, a size and a checksum.
+// Numbers become little-endian bytes. The envelope of refitlab's binary files is a magic, a version, a size and a checksum.
 #pragma once
 
 #include <bit>
@@ -28,7 +28,7 @@ struct BinaryWriter {
 // Throws ModelError, which names the file, for bytes that end early.
 class BinaryReader {
  public:
-  // bytes and file outlive this.
+  // bytes and file must outlive this.
   BinaryReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   template <class T>
@@ -39,7 +39,7 @@ class BinaryReader {
       bits = static_cast<binary::Bits<T>>(bits | static_cast<binary::Bits<T>>(static_cast<unsigned char>(taken[i])) << (8 * i));
     x = std::bit_cast<T>(bits);
   }
-  // A member of a list takes a byte at least: what a count makes room for is no more than what the file could have.
+  // A member of a list takes at least a byte, so a count never makes room for more members than the file could have.
   std::size_t checked_count(std::uint64_t count) const {
     if (count > bytes_.size()) throw ModelError(file_, "file", "ends early");
     return static_cast<std::size_t>(count);
@@ -61,10 +61,11 @@ class BinaryReader {
   const std::string& file_;
 };
 
-// The magic, the version, the body's size and checksum (FNV-1a of 64 bits), and the body.
+// Returns the magic, the version, the body's size and checksum (FNV-1a of 64 bits), and the body.
 std::string sealed(std::string_view magic, std::uint32_t version, std::string_view body);
 
-// The body of such bytes. what: what they should be, for errors. Throws ModelError unless all is as stated.
+// Returns a reader of the body of such bytes. what says what they should be, for errors. Throws ModelError unless all is as
+// stated.
 BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_t version, const std::string& what,
                     const std::string& file);
 

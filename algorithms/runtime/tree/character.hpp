@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Character: a skinned mesh with everything that algorithms/bake makes from it before any pose.
+// A Character is a skinned mesh with everything that algorithms/bake makes from it before any pose.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view magic = "refitlab";
 constexpr std::uint32_t version = 2;
 
-// The fields of all that is in a file, once for writing and once for reading: `io` has a function for each kind of number.
+// Transfers the fields of everything in a file, for writing or for reading. `io` has a function for each kind of number.
 void transfer(auto& io, auto& x);
 
 template <class T>

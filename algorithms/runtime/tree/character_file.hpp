@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character as bytes: the result of baking, kept in a file that the runtime reads without any other library.
+// A character becomes bytes: the result of baking is kept in a file that the runtime reads without any other library.
 //
 // Format, version 2. All numbers are little-endian. A list is a count (8 bytes) and its members, one after the other.
 //   "refitlab"                            8 bytes

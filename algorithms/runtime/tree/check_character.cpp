@@ -7,7 +7,7 @@
 namespace refitlab {
 namespace {
 
-// Whether first, ..., first + count - 1 are indices of a list.
+// Returns whether first, ..., first + count - 1 are indices of a list.
 bool is_range(long first, long count, std::size_t size) {
   return first >= 0 && count >= 0 && static_cast<std::size_t>(first + count) <= size;
 }
@@ -16,7 +16,7 @@ bool is_ball(const Ball3<double>& ball) {
   return ball.center.cwiseAbs().maxCoeff() <= largest_coordinate && ball.radius >= 0 && ball.radius <= 4 * largest_coordinate;
 }
 
-// What is wrong with a piece; empty if nothing is.
+// Returns what is wrong with a piece, or nothing.
 std::string fault_of(const NodePiece& piece, const JointSets& sets, const std::vector<double>& weights) {
   if (piece.joint_set < 0 || piece.joint_set >= sets.count()) return "names a joint-set out of range";
   const auto joints = static_cast<long>(sets.joints(piece.joint_set).size());
@@ -34,7 +34,7 @@ std::string fault_of(const NodePiece& piece, const JointSets& sets, const std::v
   return "";
 }
 
-// What is wrong with the displacements of so many balls; empty if nothing is.
+// Returns what is wrong with the displacements of so many balls, or nothing.
 std::string fault_of(const DisplacementTable& table, std::size_t balls, int targets) {
   if (table.first.empty()) return targets > 0 || !table.balls.empty() ? "are missing" : "";
   if (table.first.size() != balls + 1 || table.first.front() != 0 || table.first.back() != table.balls.size() ||

@@ -11,10 +11,10 @@ namespace {
 constexpr std::string_view clusters_magic = "rfltimes";
 constexpr std::uint32_t clusters_version = 3;
 
-// Beyond the box; none for a k that there is not, which is refused later.
+// Returns the number of slabs besides the box. It is 0 for an unknown k, which is refused later.
 std::size_t slab_count(const ClusterBounds& bounds) { return is_dop_size(bounds.dop) ? bounds.dop / 2 - 3 : 0; }
 
-// The fields of all that is in a file, once for writing and once for reading.
+// These transfer the fields of everything in a file, for writing or for reading.
 void transfer_members(auto& io, auto& list, const auto& transfer_member) {
   std::uint64_t count = list.size();
   io.number(count);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clusters of a model's triangles with bounds that hold at every time of a clip, and while one clip fades to another, as bytes
-// that the runtime reads; and such bounds of the nodes of the character's tree.
+// Clusters of a model's triangles have bounds that hold at every time of a clip, and while one clip fades to another. The nodes
+// of the character's tree may have such bounds too. The runtime reads them as bytes.
 //
 // Format, version 3, as in character_file.hpp: numbers are little-endian, a list is a count (8 bytes) and its members.
 //   "rfltimes"                 8 bytes
@@ -27,7 +27,8 @@
 
 namespace refitlab {
 
-// Each encloses. In the scene's frame, units of the file; slabs, times the length of their direction.
+// The box, the ball and the slabs each enclose the part. They are in the scene's frame, in units of the file. Slabs are scaled by
+// the length of their direction.
 struct BoundedPart {
   Box<float> box;
   Ball3<float> ball;
@@ -62,7 +63,7 @@ struct ClusterBounds {
 std::string bytes_of(const ClusterBounds& bounds);
 
 // file is for error messages. Throws ModelError for bytes that are no such list, end early, have another checksum, or have
-// indices out of range, a k that there is not, a box whose sides are reversed or a number that is not finite.
+// indices out of range, an unknown k, a box whose sides are reversed or a number that is not finite.
 ClusterBounds cluster_bounds_of(std::string_view bytes, const std::string& file);
 
 }  // namespace refitlab

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// DisplacementTable: for each ball of reference vertices, balls that hold the displacements of these vertices by each morph target
-// (a3_morph_displacement).
+// A DisplacementTable has, for each ball of reference vertices, balls that hold the displacements of these vertices by each morph
+// target (a3_morph_displacement).
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace refitlab {
 
-// Of a target that moves some of the vertices. Those that it does not move have the displacement 0.
+// A TargetBall belongs to a target that moves some of the vertices. Those that it does not move have the displacement 0.
 struct TargetBall {
   int target;
   Ball3<double> ball;

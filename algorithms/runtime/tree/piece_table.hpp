@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PieceTable: descriptions of a node's vertices that are tighter than the paper's one ball and one weight box for each
-// joint-set.
+// A PieceTable describes a node's vertices more tightly than the paper's one ball and one weight box for each joint-set.
 //
 // A piece consists of some of the node's vertices of one joint-set. It has a reference ball around these vertices alone and
 // a polytope that holds their weight vectors. The table is built once, like the tree (algorithms/bake/build_pieces.hpp).
@@ -12,7 +11,7 @@
 
 namespace refitlab {
 
-// How finely a node is described, that is, which pieces its RefitNode has.
+// Pieces says how finely a node is described, that is, which pieces its RefitNode has.
 enum class Pieces {
   node,        // the node's ball and weight boxes, as in the paper (SphereTree::refit_node)
   joint_sets,  // a ball and a weight hull for each joint-set

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// RefitNode: all data that refitting one node may use. The vertices are not among them.
+// A RefitNode has all data that refitting one node may use. The vertices are not among them.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-// A piece of a node: some vertices of one joint-set, and the weight vertices of a polytope that holds all their weights. In
+// A piece of a node has some vertices of one joint-set, and the weight vertices of a polytope that holds all their weights. In
 // the paper, a node has one piece for each joint-set, and the polytope is the weight box cut by sum w = 1 (paper 4.1).
 struct NodePiece {
   int joint_set;
@@ -24,7 +24,7 @@ struct RefitNode {
   std::span<const NodePiece> pieces;  // J: the pieces that together are the node's vertices
   const S* weight_vertices;           // the pool
   const SkinningPalette<S>& palette;  // of the frame
-  // A shared pool of balls. The ball of a piece (NodePiece::reference) encloses the piece's vertices alone, and has its
+  // This is a shared pool of balls. The ball of a piece (NodePiece::reference) encloses the piece's vertices alone, and has its
   // center in S, up to rounding. If the pool is empty, all pieces use S.
   std::span<const Ball3<S>> piece_references = {};
 
@@ -33,7 +33,7 @@ struct RefitNode {
     const std::size_t n = palette.joint_count(set.joint_set);
     return {weight_vertices + set.first_weight + k * n, n};
   }
-  // Says whether the piece is one vertex: a ball of radius 0 that moves rigidly.
+  // Says whether the piece is one vertex. It has one weight vertex and a ball of radius 0.
   bool is_vertex(const NodePiece& set) const {
     return !piece_references.empty() && set.weight_vertex_count == 1 && piece_references[set.reference].radius == S(0);
   }

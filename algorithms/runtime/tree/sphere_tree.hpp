@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SphereTree: the bounding spheres of a skinned mesh in the reference pose, as algorithms/bake/build_tree makes them (paper
+// A SphereTree has the bounding spheres of a skinned mesh in the reference pose, as algorithms/bake/build_tree makes them (paper
 // 3 and 4.1).
 //
 // The arrays are flat. Nodes are level by level from the root (level 1, as in the paper's Table 1), with the children of a
@@ -44,8 +44,8 @@ struct SphereTree {
 // Returns the distinct vertices of some triangles, in increasing order.
 std::vector<int> distinct_vertices(const SkinnedMesh& mesh, std::span<const int> triangles);
 
-// The distinct vertices of each node's triangles, in increasing order. Refitting never uses them; code that checks or
-// measures a refit does.
+// NodeVertices has the distinct vertices of each node's triangles, in increasing order. Refitting never uses them; code that
+// checks or measures a refit does.
 class NodeVertices {
  public:
   NodeVertices(const SphereTree& tree, const SkinnedMesh& mesh);

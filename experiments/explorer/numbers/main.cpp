@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// explorer_numbers: what the library itself, compiled for this machine, says to what the explorer shows in a browser.
+// explorer_numbers prints what the library itself, compiled for this machine, says to what the explorer shows in a browser.
 //
 // Reads a JSON list from standard input: settings as the page sends them (see ExplorerSettings), or {"page", "values"}
 // of a lemma's page. Models other than the procedural ones are in the files (see pack) that it is given. Writes the
-// list of answers. The character's are by the library's own whole-tree functions and its exact predicates, a lemma's in
-// another exact number type than the browser's.
+// list of answers. A character's answers come from the library's own whole-tree functions and its exact predicates. A lemma's
+// answers are in another exact number type than the browser's.
 #include <iostream>
 #include <set>
 
@@ -24,7 +24,7 @@ namespace {
 using nlohmann::json;
 using namespace refitlab;
 
-// By name: those in the files that the program is given.
+// Returns the models in the files that the program is given, by name.
 std::map<std::string, Model>& packed_models() {
   static std::map<std::string, Model> all;
   return all;

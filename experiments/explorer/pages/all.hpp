@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All pages of lemmas, by their ids.
+// All pages of lemmas are here, by their ids.
 #pragma once
 
 #include "experiments/explorer/pages/lemma1.hpp"
@@ -25,7 +25,7 @@ const std::vector<LivePage<S>>& live_pages() {
   return pages;
 }
 
-// The scene of a page for these values, brought into the sliders' ranges, with a "texts" of the values. Throws
+// Returns the scene of a page for these values, which are brought into the sliders' ranges, with a "texts" of the values. Throws
 // std::invalid_argument for an unknown id or another number of values than there are sliders.
 template <class S>
 nlohmann::json page_scene(const std::string& id, Values values, std::function<double(const S&)> as_double) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lemma 1 to play with: a half-space cuts a cap from the unit sphere.
+// The page of Lemma 1 shows how a half-space cuts a cap from the unit sphere.
 #pragma once
 
 #include "experiments/explorer/pages/page.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lemma 2 to play with: a convex hull, and that of its normalised generators.
+// The page of Lemma 2 shows a convex hull, and that of its normalised generators.
 #pragma once
 
 #include "experiments/explorer/pages/page.hpp"

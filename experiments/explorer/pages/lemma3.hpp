@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lemma 3 to play with: where a ball cuts the unit sphere.
+// The page of Lemma 3 shows where a ball cuts the unit sphere.
 #pragma once
 
 #include "experiments/explorer/pages/page.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lemma 4 to play with: a ball around unit vectors bounds the directions of their blends.
+// The page of Lemma 4 shows how a ball around unit vectors bounds the directions of their blends.
 #pragma once
 
 #include "algorithms/runtime/balls/mean_ball.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lemma 5 to play with: the smallest ball around a cap, printed and repaired.
+// The page of Lemma 5 shows the smallest ball around a cap, printed and repaired.
 #pragma once
 
 #include "experiments/explorer/pages/page.hpp"
@@ -28,7 +28,7 @@ void lemma5_scene(const Values& k, Scene<S>& scene) {
   const Vec<S, 3> unit = vec3<S>(2, 2, 1) / S(3), across = vec3<S>(1, -2, 2) / S(3);
   const Vec<S, 2> angle = on_circle<S>(k[0]);
   const Cap<S, 3> cap{vec3<S>(0, 0, 0), unit, angle[0]};
-  // Half an angle's tangent times a share below 1: a point of the cap.
+  // Half an angle's tangent times a share below 1 gives a point of the cap.
   const S t = k[0] == half_turn ? S(k[1]) : S(S(k[0]) * S(k[1]) / S(120)), n = S(1) + t * t;
   const Vec<S, 3> x = unit * S((S(1) - t * t) / n) + across * S(S(2) * t / n);
   const auto printed = cap_ball_printed(cap), repaired = cap_ball_repaired(cap);

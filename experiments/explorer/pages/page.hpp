@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of a lemma: sliders, and the scene that they make, computed by the lemma's own code in exact rational numbers.
+// A page of a lemma has sliders and the scene that they make. The lemma's own code computes it in exact rational numbers.
 //
-// A slider has whole numbers, so that all coordinates are rational and every verdict is decided. Scenes are of R^3: the
-// lemmas hold in every dimension, by the same templates, and S_2 is the slice of the quaternions (w, x, y, 0).
+// A slider has whole numbers, so that all coordinates are rational and every verdict is decided. Scenes are in R^3. The lemmas
+// hold in every dimension, by the same templates, and S_2 is the slice of the quaternions (w, x, y, 0).
 #pragma once
 
 #include <functional>
@@ -36,7 +36,7 @@ struct Page {
 
 // --- Rational data from whole numbers ---
 
-// A point of the unit circle: the cosine and sine of 2 arctan(k / 12), and of half a turn for k = half_turn.
+// A point of the unit circle has the cosine and sine of 2 arctan(k / 12), or of half a turn for k = half_turn.
 inline constexpr int half_turn = 73;
 template <class S>
 Vec<S, 2> on_circle(int k) {
@@ -48,7 +48,7 @@ inline std::string circle_text(int k) {
   const Vec<double, 2> x = on_circle<double>(k);
   return std::to_string(static_cast<int>(std::lround(std::atan2(x[1], x[0]) * 180 / 3.14159265358979323846))) + "°";
 }
-// In tenths.
+// Returns a number of tenths as text.
 inline std::string tenths_text(int k) {
   const std::string text = std::to_string(std::abs(k) / 10) + "." + std::to_string(std::abs(k) % 10);
   return k < 0 ? "−" + text : text;
@@ -57,7 +57,7 @@ inline std::string plain_text(int k) { return std::to_string(k); }
 
 // --- The scene ---
 
-// Collects what is drawn, the verdicts and the numbers. as_double is of the number type.
+// A Scene collects what is drawn, the verdicts and the numbers. as_double converts the number type.
 template <class S>
 class Scene {
  public:
@@ -79,7 +79,7 @@ class Scene {
     json_["caps"].push_back(
         {{"role", role}, {"center", coordinates(c.center)}, {"apex", coordinates(c.apex)}, {"cos", as_double_(c.cos_angle)}});
   }
-  // The points of the unit sphere in a half-space, whose normal need not have a rational length; nothing, if there are
+  // Draws the points of the unit sphere in a half-space, whose normal need not have a rational length. Draws nothing if there are
   // none.
   void half_space_cap(const char* role, const HalfSpace<S, 3>& h) {
     const double length = std::sqrt(as_double_(squared_norm(h.normal))), cosine = as_double_(h.offset) / length;
@@ -89,7 +89,7 @@ class Scene {
     json_["caps"].push_back(
         {{"role", role}, {"center", coordinates(Vec<S, 3>::Constant(S(0)))}, {"apex", apex}, {"cos", std::max(cosine, -1.)}});
   }
-  // The point of the unit sphere in the direction of v; nothing for 0.
+  // Draws the point of the unit sphere in the direction of v, or nothing for 0.
   void direction(const char* role, const std::string& label, const Vec<S, 3>& v) {
     const double length = std::sqrt(as_double_(squared_norm(v)));
     if (length == 0) return;
@@ -104,7 +104,7 @@ class Scene {
   void line(const char* role, const Vec<S, 3>& a, const Vec<S, 3>& b) {
     json_["lines"].push_back({{"role", role}, {"from", coordinates(a)}, {"to", coordinates(b)}});
   }
-  // form: "printed", "repaired", or empty for a hypothesis.
+  // Adds a verdict. form is "printed", "repaired", or empty for a hypothesis.
   void verdict(const char* form, const std::string& says, Verdict v) {
     json_["verdicts"].push_back({{"form", form}, {"says", says}, {"verdict", name_of(v)}});
   }
@@ -112,7 +112,7 @@ class Scene {
     json_["numbers"].push_back({{"label", label}, {"value", as_double_(value)}});
   }
 
-  // All that follows is drawn this far along x.
+  // Draws everything that follows this far along x.
   void move_right(double by) { shift_ = by; }
 
   const nlohmann::json& json() const { return json_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Section 4.3 to play with: from quaternions in a ball to the ball around a rotated point, and when nothing but the
-// whole sphere will do.
+// The page of section 4.3 goes from quaternions in a ball to the ball around a rotated point. It shows when nothing but the whole
+// sphere will do.
 #pragma once
 
 #include "algorithms/runtime/balls/mean_ball.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page calls: settings in as JSON, numbers out as JSON, long lists as places in memory.
+// The page calls these functions. Settings go in as JSON, and numbers come out as JSON, or long lists as places in memory.
 //
 // Each function returns a text that is valid until the next call of the same function. An error is {"error": "…"}.
 #include <emscripten.h>
@@ -20,7 +20,7 @@ using namespace refitlab;
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 double as_double(const Exact& x) { return x.convert_to<double>(); }
 
-// A list of numbers that the page reads where it lies.
+// A SharedList has numbers that the page reads where they lie.
 template <class T>
 class SharedList {
  public:
@@ -57,13 +57,13 @@ ExplorerSettings settings_of(const char* text) {
 
 extern "C" {
 
-// Room for a packed model of so many bytes, for add_model.
+// Returns the memory for a packed model of so many bytes, for add_model.
 EMSCRIPTEN_KEEPALIVE std::uint8_t* room_for_model(int bytes) {
   packed_model().resize(bytes);
   return packed_model().data();
 }
 
-// The model that was put there, under its name: {"name"}.
+// Adds the model that was put there, and returns its name: {"name"}.
 EMSCRIPTEN_KEEPALIVE const char* add_model() {
   static std::string text;
   return answer(text, [] {
@@ -72,7 +72,7 @@ EMSCRIPTEN_KEEPALIVE const char* add_model() {
   });
 }
 
-// The names of models, variants and pages.
+// Returns the names of models, variants and pages.
 EMSCRIPTEN_KEEPALIVE const char* catalog() {
   static std::string text;
   return answer(text, [] {
@@ -91,7 +91,7 @@ EMSCRIPTEN_KEEPALIVE const char* catalog() {
   });
 }
 
-// A model's joints, clips and triangles. Makes the model, which may take seconds.
+// Returns a model's joints, clips and triangles. Makes the model, which may take seconds.
 EMSCRIPTEN_KEEPALIVE const char* character(const char* model) {
   static std::string text;
   static SharedList<int> triangles;
@@ -106,7 +106,7 @@ EMSCRIPTEN_KEEPALIVE const char* character(const char* model) {
   });
 }
 
-// See ExplorerSettings and ExplorerView, of which these are the fields.
+// Returns a view. The fields are those of ExplorerSettings and ExplorerView.
 EMSCRIPTEN_KEEPALIVE const char* view(const char* settings) {
   static std::string text;
   static SharedList<float> vertices, balls;
@@ -145,7 +145,7 @@ EMSCRIPTEN_KEEPALIVE const char* view(const char* settings) {
   });
 }
 
-// The scene of a page for the values of its sliders, a JSON list.
+// Returns the scene of a page. values is a JSON list of its sliders' values.
 EMSCRIPTEN_KEEPALIVE const char* scene(const char* page, const char* values) {
   static std::string text;
   return answer(text, [&] { return explorer::page_scene<Exact>(page, json::parse(values).get<std::vector<int>>(), as_double); });
