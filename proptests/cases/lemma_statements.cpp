@@ -8,10 +8,11 @@
 #include "proptests/cases/statements.hpp"
 
 namespace proptests::cases {
+namespace {
 
 using namespace refitlab;
 
-std::vector<Statement> lemma_statements() {
+std::vector<Statement> of_cap_definitions() {
   return {
       in_any_dimension(
           "lemma1_cap_definitions", "printed", "half_space_is_cap",
@@ -42,6 +43,11 @@ std::vector<Statement> lemma_statements() {
                          return {is_proper_cap(cap) & equal(squared_distance(x, cap.center), squared_radius(cap)),
                                  made.verdict & is_half_space_of_cap(cap, made) & definitions_agree(made.half_space, cap, x)};
                        }),
+  };
+}
+
+std::vector<Statement> of_normalization() {
+  return {
       in_space(
           "lemma2_normalization", "printed", "normalisation_keeps_rotations",
           [](const auto& in) -> Judgement {
@@ -75,6 +81,11 @@ std::vector<Statement> lemma_statements() {
                  if (can_divide != Verdict::holds) return {met, can_divide};
                  return {met, is_same_ray<S, 4>(q, w, divided<S, 4>(q, factors), weights_on_same_ray(w, factors))};
                }),
+  };
+}
+
+std::vector<Statement> of_surface_intersections() {
+  return {
       in_any_dimension("lemma3_sphere_surface_intersection", "printed", "intersection_is_cap",
                        [](const auto& in) -> Judgement {
                          const auto surface = in.squared_ball("surface"), ball = in.squared_ball("ball");
@@ -107,6 +118,11 @@ std::vector<Statement> lemma_statements() {
                          return {met, is_nearest_point(intersection_cap(surface, ball).half_space, surface.center,
                                                        nearest_point_of_intersection_cap(surface, ball))};
                        }),
+  };
+}
+
+std::vector<Statement> of_quaternion_hulls() {
+  return {
       in_any_dimension("lemma4_quaternion_hull", "printed", "radius_below_one_is_needed",
                        [](const auto& in) -> Judgement {
                          const auto ball = in.squared_ball("ball");
@@ -143,6 +159,11 @@ std::vector<Statement> lemma_statements() {
                          return {are_units_enclosed(ball, units) & is_convex<S>(w) & less(S(0), squared_norm(made.blend)),
                                  rotation_is_enclosed(ball, made.blend)};
                        }),
+  };
+}
+
+std::vector<Statement> of_cap_balls() {
+  return {
       in_any_dimension("lemma5_cap_enclosing_sphere", "printed", "ball_encloses_cap",
                        [](const auto& in) -> Judgement {
                          const auto cap = in.cap("cap");
@@ -165,6 +186,12 @@ std::vector<Statement> lemma_statements() {
                                  is_smallest_cap_ball(cap, made) & no_other_ball_that_small(made, in.squared_ball("other"))};
                        }),
   };
+}
+
+}  // namespace
+
+std::vector<Statement> lemma_statements() {
+  return joined({of_cap_definitions(), of_normalization(), of_surface_intersections(), of_quaternion_hulls(), of_cap_balls()});
 }
 
 }  // namespace proptests::cases

@@ -57,9 +57,7 @@ Judgement rotated_vectors(const In& in) {
               .verdict};
 }
 
-}  // namespace
-
-std::vector<Statement> section_statements() {
+std::vector<Statement> of_weights() {
   return {
       in_space("s41_weight_vertices_span", "printed", "weight_vertices_exist",
                [](const auto& in) -> Judgement {
@@ -118,6 +116,11 @@ std::vector<Statement> section_statements() {
                  return {linear_part_hull_hypotheses<S, 3>(bounds, weight_vertices, points) & is_convex<S>(u),
                          hull_in_linear_part<S, 3>(bounds, weight_vertices, points, u).verdict};
                }),
+  };
+}
+
+std::vector<Statement> of_rotations() {
+  return {
       in_any_dimension("s43_distance_range", "printed", "distance_is_in_range",
                        [](const auto& in) -> Judgement {
                          const auto c = in.point("center");
@@ -166,6 +169,11 @@ std::vector<Statement> section_statements() {
                  return {units_in_ball<S>(units, c, r2) & ball_makes_cap(c, r2) & is_convex<S>(u),
                          blend_in_cap<S>(units, c, r2, u).verdict};
                }),
+  };
+}
+
+std::vector<Statement> of_joint_sets() {
+  return {
       in_space("s44_joint_sets", "printed", "ball_encloses_vertex", [](const auto& in) { return joint_sets<false>(in); }),
       in_space("s44_joint_sets", "repaired", "ball_encloses_vertex", [](const auto& in) { return joint_sets<true>(in); }),
       in_space("s44_sum_of_bounds", "printed", "ball_encloses_sum",
@@ -177,6 +185,11 @@ std::vector<Statement> section_statements() {
                  const auto ball = in.ball("ball");
                  return {sum_of_bounds_hypotheses(ball, bounds, parts), sum_of_bounds(ball, bounds, parts).verdict};
                }),
+  };
+}
+
+std::vector<Statement> beyond_the_paper() {
+  return {
       in_any_dimension("t3_min_dot_distance", "beyond", "distance_is_least_dot",
                        [](const auto& in) -> Judgement {
                          using S = NumberOf<decltype(in)>;
@@ -214,6 +227,12 @@ std::vector<Statement> section_statements() {
                          return {smallest_cap_hypotheses<S, d>(units, u), smallest_cap<S, d>(units, u).verdict};
                        }),
   };
+}
+
+}  // namespace
+
+std::vector<Statement> section_statements() {
+  return joined({of_weights(), of_rotations(), of_joint_sets(), beyond_the_paper()});
 }
 
 }  // namespace proptests::cases

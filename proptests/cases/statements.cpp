@@ -78,12 +78,14 @@ RefitJudgement judge_printed(const RefitInput& input, const gen::RefitCase& c, c
 
 }  // namespace
 
+std::vector<Statement> joined(std::vector<std::vector<Statement>> lists) {
+  std::vector<Statement> out;
+  for (auto& list : lists) out.insert(out.end(), std::make_move_iterator(list.begin()), std::make_move_iterator(list.end()));
+  return out;
+}
+
 const std::vector<Statement>& statements() {
-  static const std::vector<Statement> all = [] {
-    auto list = lemma_statements();
-    for (auto& s : section_statements()) list.push_back(std::move(s));
-    return list;
-  }();
+  static const std::vector<Statement> all = joined({lemma_statements(), section_statements()});
   return all;
 }
 

@@ -35,6 +35,9 @@ RefitJudgement judge_refit(const Case& c);
 
 // --- For the definition of statements ---
 
+// The lists after one another.
+std::vector<Statement> joined(std::vector<std::vector<Statement>> lists);
+
 // The inputs of a case over the number type S, points in R^D.
 template <class S, int D>
 struct Inputs {

@@ -65,7 +65,7 @@ std::vector<RationalVec<3>> parts_of(const AffineMap<Rational>& m) {
   return {m.columns[0], m.columns[1], m.columns[2], m.offset};
 }
 
-PROPTEST(a1_affine_image) {
+void images_are_in_their_hulls(Suite& t) {
   t.holds("the image of a ball is in its ball, which columns at right angles need",
           {.form = "beyond",
            .number_type = "rational",
@@ -123,6 +123,9 @@ PROPTEST(a1_affine_image) {
             RC_ASSERT(is_near_points(u, beside, squared_norm(beside)) == Verdict::holds);
             RC_ASSERT(hull_is_carried<Rational>(map, points, u, beside, squared_norm(beside)) == Verdict::holds);
           });
+}
+
+void blended_vertices_are_in_the_control_balls(Suite& t) {
   t.holds("linear blending is the blended matrix", {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
     const std::vector<AffineMap<Rational>> maps{gen::affine_map().map, gen::affine_map().map, gen::affine_map().map};
     const auto w = *gen::convex_weights(3);
@@ -195,6 +198,9 @@ PROPTEST(a1_affine_image) {
                      is_in_control_ball<Q>(maps, less, one, unit_ball, pole) == Verdict::fails &&
                      is_in_control_ball<Q>(maps, {{2}}, one, unit_ball, pole) == Verdict::holds;
             });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const BallCase c;
     const Rational squared = c.ball.squared_radius * *rc::gen::element(Rational(1), Rational(1, 3));
@@ -228,6 +234,9 @@ PROPTEST(a1_affine_image) {
     const auto found = ball_is_carried(map, ball, point);
     RC_ASSERT(found.verdict == Verdict::fails && is_carried(map, ball, point, found) == Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "a hull needs each part of the hypotheses", 0.2, [] {
     const auto turn = *gen::unit_quaternion();
     AffineMap<Rational> map;
@@ -251,6 +260,9 @@ PROPTEST(a1_affine_image) {
     return Weakening{part, is_near_points(u, beside, squared),
                      asked ? std::optional(hull_is_carried<Rational>(map, points, u, beside, squared)) : std::nullopt};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("a scale leaves the ball of a rigid joint", {.form = "beyond", .hypothesis = "the radius is stretched"}, [] {
     using namespace a1;
     return ball_is_carried_rigidly(twice, unit_ball, pole) == Verdict::fails &&
@@ -272,6 +284,14 @@ PROPTEST(a1_affine_image) {
               const std::vector<Map> maps{twice, shear};
               return is_convex<Q>(beyond) == Verdict::fails && linear_blend<Q>(maps, beyond, pole)[0] == 4 - 6;
             });
+}
+
+PROPTEST(a1_affine_image) {
+  images_are_in_their_hulls(t);
+  blended_vertices_are_in_the_control_balls(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

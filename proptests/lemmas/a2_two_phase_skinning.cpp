@@ -46,7 +46,7 @@ struct Scaled {
   }
 };
 
-PROPTEST(a2_two_phase_skinning) {
+void skinned_vertices_are_in_the_balls(Suite& t) {
   t.holds("a vertex that is scaled first is in the ball around the scaled balls",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.6}, [] {
             const Scaled c;
@@ -85,6 +85,9 @@ PROPTEST(a2_two_phase_skinning) {
     const RationalVec<3> both = apply(rigid, scaled);
     RC_ASSERT(both == oracle::dual_quaternion<Rational>({rigid}, {Rational(1)}, scaled));
   });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const Scaled c;
     std::vector<RationalVec<3>> parts;
@@ -111,6 +114,9 @@ PROPTEST(a2_two_phase_skinning) {
     RC_ASSERT(is_scaled_vertex<Rational>(c.scales, {c.around.center, c.around.squared_radius * Rational(4) + Rational(1000000)},
                                          c.vertex, c.weights, scaled) == Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "two phases need each part of the hypotheses", 0.02, [] {
     Scaled c;
     std::string part;
@@ -135,6 +141,9 @@ PROPTEST(a2_two_phase_skinning) {
         part, two_phase_hypotheses<Rational>(c.scales, c.around, c.vertex, c.weights),
         asked ? std::optional(stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).verdict) : std::nullopt};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("between a joint that scales and one that does not a vertex leaves its ball",
             {.form = "beyond", .hypothesis = "the ball encloses the scaled vertices"}, [] {
               using namespace a2;
@@ -148,6 +157,13 @@ PROPTEST(a2_two_phase_skinning) {
     return two_phase_hypotheses<Q>(scales, around, vertex, beyond) == Verdict::fails &&
            stays_in_scaled_ball<Q>(scales, around, vertex, beyond).verdict == Verdict::fails;
   });
+}
+
+PROPTEST(a2_two_phase_skinning) {
+  skinned_vertices_are_in_the_balls(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct Morph {
   }
 };
 
-PROPTEST(a3_morph_displacement) {
+void displaced_vertices_are_in_their_bounds(Suite& t) {
   t.holds("a displaced vertex is in the displaced ball, and in that of all weights of the ranges",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.5}, [] {
             const Morph c;
@@ -112,6 +112,9 @@ PROPTEST(a3_morph_displacement) {
     RC_ASSERT(moves_within(moment, displaced_motion<Rational>(upper_root(squared_norm(c.vertex.reference)), lengths, motions)) ==
               Verdict::holds);
   });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const Morph c;
     decide_by_all(
@@ -131,6 +134,9 @@ PROPTEST(a3_morph_displacement) {
     else beside[k][static_cast<int>(gen::any_place(3))] += *gen::excess();
     RC_ASSERT(is_displaced<Rational>(c.vertex, c.reference, c.balls, c.weights, beside) == Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "a displaced ball needs each part of the hypotheses", 0.2, [] {
     Morph c;
     const RationalVec<3> way = gen::unit_direction();
@@ -158,6 +164,9 @@ PROPTEST(a3_morph_displacement) {
         below ? "a weight is less" : "a weight is more", are_in_ranges<Rational>(weights, ranges),
         stays_in_ball_of_ranges<Rational>({RationalVec<3>::Zero(), {balls[0].center}}, none, balls, ranges, lengths, weights)};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("a smile leaves the ball of the face", {.form = "beyond"}, [] {
     using namespace a3;
     return stays_in_reference<Q>(corner, face, one) == Verdict::fails &&
@@ -178,6 +187,13 @@ PROPTEST(a3_morph_displacement) {
               return are_in_ranges<Q>(two, up_to_one) == Verdict::fails &&
                      stays_in_ball_of_ranges<Q>(corner, face, smiles, up_to_one, length, two) == Verdict::fails;
             });
+}
+
+PROPTEST(a3_morph_displacement) {
+  displaced_vertices_are_in_their_bounds(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ struct OpposedCase {
   }
 };
 
-PROPTEST(a4_joint_volumes) {
+void vertices_are_in_the_hull_of_grown_volumes(Suite& t) {
   t.holds("a vertex is in the ball of the mean growth about the mean of the carried points",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.6}, [] {
             const VolumesCase c;
@@ -111,6 +111,9 @@ PROPTEST(a4_joint_volumes) {
               c.volumes[0].point = c.vertex, c.volumes[0].distance = Rational(0);
               RC_ASSERT(stays_with_its_own_joint<Rational>(c.volumes, c.w, c.vertex, unit_direction()) == Verdict::holds);
             });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const VolumesCase c;
     const auto& k = c.volumes[0];
@@ -142,6 +145,9 @@ PROPTEST(a4_joint_volumes) {
     c.volumes[k].distance *= Rational(999, 1000);
     RC_ASSERT(is_vertex_among<Rational>(c.volumes, c.w, c.vertex, beside) == Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "the hull needs each part of the hypotheses", 0.2, [] {
     OpposedCase c;
     for (auto& k : c.volumes) k.growth = k.distance;
@@ -172,6 +178,9 @@ PROPTEST(a4_joint_volumes) {
     return Weakening{part, volumes_hypotheses<Rational>(c.volumes, c.w, c.vertex),
                      asked ? std::optional(stays_below_reach<Rational>(c.volumes, c.w, c.vertex, c.direction)) : std::nullopt};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("a vertex in the volume of its own joint is pulled out of it by another", {.form = "printed"}, [] {
     using namespace a4;
     return stays_with_its_own_joint<Q>(pulled(0), weights, vertex, ahead) == Verdict::fails &&
@@ -192,6 +201,13 @@ PROPTEST(a4_joint_volumes) {
     return volumes_hypotheses<Q>(volumes, weights, farther) == Verdict::fails &&
            stays_below_reach<Q>(volumes, weights, farther, ahead) == Verdict::fails;
   });
+}
+
+PROPTEST(a4_joint_volumes) {
+  vertices_are_in_the_hull_of_grown_volumes(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

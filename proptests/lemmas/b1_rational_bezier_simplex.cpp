@@ -102,7 +102,7 @@ void assert_each_field_checked(const Blend& blend, const Weights& u) {
   }
 }
 
-PROPTEST(b1_rational_bezier_simplex) {
+void blends_are_bezier_simplices(Suite& t) {
   t.holds("W_kl, P_kl and Im(d q*) as they are computed are those of the products of quaternions that define them",
           {.number_type = "rational", .cases = 300}, [] {
             const auto a = *gen::rational_vector<4>(), b = *gen::rational_vector<4>();
@@ -141,7 +141,9 @@ PROPTEST(b1_rational_bezier_simplex) {
     RC_ASSERT(is_blended_image(spherical, u, oracle::spherical(joints, w, center, v)) == Verdict::holds);
     RC_ASSERT(is_blended_image(dual_of(joints, v), u, dual_quaternion_skinning(joints, w, v)) == Verdict::holds);
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 3);
     auto wrong = c.weights;
@@ -159,7 +161,9 @@ PROPTEST(b1_rational_bezier_simplex) {
     assert_rejected(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x});
     assert_rejected(LinearBlend<Rational>{c.blend.center_images});
   });
+}
 
+void indices_are_those_of_the_power_of_a_sum(Suite& t) {
   t.holds("multi-indices are all sorted lists, and their Bernstein polynomials the terms of the power of the sum",
           {.number_type = "rational", .cases = 60}, [] {
             const std::size_t m = 1 + gen::any_place(4);
@@ -190,6 +194,9 @@ PROPTEST(b1_rational_bezier_simplex) {
             });
             RC_ASSERT(visited == terms.size());
           });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
       t, "weights of another sum are refused, and spherical blending tells them apart", 0.5,
       [] {
@@ -220,6 +227,9 @@ PROPTEST(b1_rational_bezier_simplex) {
     const DualQuaternionBlend<Rational> dual{c.blend.rotations, c.blend.rotations, c.blend.x};
     RC_ASSERT(blend_has_image(dual, u) == verdict_of(!vanishes));
   });
+}
+
+void each_part_of_a_witness_is_checked(Suite& t) {
   t.holds("an image that is wrong in one coordinate is rejected", {.number_type = "rational", .cases = 200}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
     const std::span<const Rational> u(c.weights);
@@ -244,9 +254,9 @@ PROPTEST(b1_rational_bezier_simplex) {
     assert_each_field_checked(DualQuaternionBlend<Rational>{c.blend.rotations, c.blend.rotations, c.blend.x}, c.weights);
     assert_each_field_checked(LinearBlend<Rational>{c.blend.center_images}, c.weights);
   });
-  reaches_share(t, "cases of several weight vertices that differ, with none at a right angle or 0", 0.25,
-                [] { return !(*gen::blend_case(gen::Spread::any, 4)).is_degenerate(); });
+}
 
+void pinned_cases(Suite& t) {
   t.example("with weights that do not sum to 1 the parts are scaled apart",
             {.form = "beyond", .hypothesis = "the weights sum to 1"}, [] {
               return bezier_simplex_hypotheses<Rational>(b1::twice) == Verdict::fails &&
@@ -258,6 +268,17 @@ PROPTEST(b1_rational_bezier_simplex) {
            is_blended_image(b1::cancelling, u, b1::here) == Verdict::holds &&
            is_blended_image(b1::cancelling, u, b1::elsewhere) == Verdict::holds;
   });
+}
+
+PROPTEST(b1_rational_bezier_simplex) {
+  blends_are_bezier_simplices(t);
+  verdicts_and_witnesses_are_checked(t);
+  indices_are_those_of_the_power_of_a_sum(t);
+  hypotheses_need_each_part(t);
+  each_part_of_a_witness_is_checked(t);
+  reaches_share(t, "cases of several weight vertices that differ, with none at a right angle or 0", 0.25,
+                [] { return !(*gen::blend_case(gen::Spread::any, 4)).is_degenerate(); });
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -19,6 +19,13 @@ using gen::RationalQuaternion;
 using Span = std::span<const Rational>;
 using Blend = SphericalBlend<Rational>;
 
+// At least two weight vertices.
+gen::BlendCase with_an_edge(gen::Spread spread, int most) {
+  auto c = *gen::blend_case(spread, most);
+  RC_PRE(c.blend.weight_vertex_count() > 1);
+  return c;
+}
+
 Half any_edge(const Blend& blend) {
   const auto m = blend.weight_vertex_count();
   const auto k = *rc::gen::inRange<std::size_t>(0, m), step = *rc::gen::inRange<std::size_t>(1, m);
@@ -55,11 +62,12 @@ double largest_distance(const SphericalBlend<double>& blend) {
   return largest;
 }
 
-PROPTEST(b3_subdivision) {
-  const Options exact{.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2};
+const Options exact{.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.2};
+const Options rarely_degenerate{.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_least = 0.08};
+
+void halves_cover_the_whole(Suite& t) {
   t.holds("both halves together hold every blend of the whole, and no other", exact, [] {
-    const auto c = *gen::blend_case(gen::Spread::any, 4);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const auto c = with_an_edge(gen::Spread::any, 4);
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
     const Half half = any_edge(c.blend);
     const Span u(c.weights);
@@ -72,11 +80,8 @@ PROPTEST(b3_subdivision) {
     RC_ASSERT(is_convex<Rational>(back.coefficients) == Verdict::holds);
     RC_ASSERT(is_same_blend<Rational>(c.blend, back.coefficients, half_of(c.blend, half), u) == Verdict::holds);
   });
-  Options rarer = exact;
-  rarer.degenerate_at_least = 0.08;
-  t.holds("the control hull of a half encloses its part, and is inside the hull of the whole", rarer, [] {
-    const auto c = *gen::blend_case(gen::Spread::positive, 4);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+  t.holds("the control hull of a half encloses its part, and is inside the hull of the whole", rarely_degenerate, [] {
+    const auto c = with_an_edge(gen::Spread::positive, 4);
     RC_CLASSIFY(c.is_degenerate(), "degenerate");
     const Half edge = any_edge(c.blend);
     const auto found = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
@@ -90,6 +95,9 @@ PROPTEST(b3_subdivision) {
     RC_ASSERT(
         (is_hull_point<Rational, 3>(positions(control_points(c.blend)), inside.image, inside.coefficients) == Verdict::holds));
   });
+}
+
+void halving_brings_nearer_and_makes_positive(Suite& t) {
   t.holds("a control point is as near to the surface as the square of the sizes", exact, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
     const auto index = any_index(c.blend.weight_vertex_count());
@@ -103,7 +111,7 @@ PROPTEST(b3_subdivision) {
     const SimplexSizes<Rational> half{sizes.rotation_spread / 2, sizes.center_spread / 2, sizes.rotation_length, sizes.arm};
     RC_ASSERT(distance_bound(half) * 4 <= distance_bound(sizes));
   });
-  t.holds("halving the longest edge leaves new edges of at most sqrt(3)/2 of it", rarer, [] {
+  t.holds("halving the longest edge leaves new edges of at most sqrt(3)/2 of it", rarely_degenerate, [] {
     const auto q = *gen::unit_quaternions(3, 3);
     auto a = q[0], b = q[1], c = q[2];
     if (squared_distance(a, b) < squared_distance(a, c)) std::swap(b, c);
@@ -145,10 +153,11 @@ PROPTEST(b3_subdivision) {
     }
     return Checked(worst > 3, 7, text);
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 150}, [] {
-    const auto c = *gen::blend_case(gen::Spread::any, 3);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const auto c = with_an_edge(gen::Spread::any, 3);
     const Half half = any_edge(c.blend);
     const auto index = any_index(c.blend.weight_vertex_count());
     const auto sizes = sizes_of(c.blend);
@@ -171,8 +180,7 @@ PROPTEST(b3_subdivision) {
   });
 
   t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 300}, [] {
-    const auto c = *gen::blend_case(gen::Spread::positive, 4);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const auto c = with_an_edge(gen::Spread::positive, 4);
     const Half edge = any_edge(c.blend);
     const Rational amount = *gen::positive_rational();
     auto half = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
@@ -201,11 +209,12 @@ PROPTEST(b3_subdivision) {
     RC_ASSERT(is_positive_halves(q[0], q[1], longer) == Verdict::fails);
     RC_ASSERT(is_positive_halves(q[0], q[1], other) == Verdict::fails);
   });
+}
 
+void halves_need_each_part(Suite& t) {
   t.holds("what is no half of an edge is refused", {.number_type = "rational", .cases = 300}, [] {
-    const auto c = *gen::blend_case(gen::Spread::any, 4);
+    const auto c = with_an_edge(gen::Spread::any, 4);
     const std::size_t m = c.blend.weight_vertex_count();
-    RC_PRE(m > 1u);
     const Half half = any_edge(c.blend);
     const auto refused = [&](const Half& h, const std::vector<Rational>& u) {
       return halving_hypotheses(c.blend, h, Span(u)) == Verdict::fails;
@@ -221,16 +230,14 @@ PROPTEST(b3_subdivision) {
     RC_ASSERT(is_same_blend<Rational>(c.blend, c.weights, c.blend, shorter) == Verdict::fails);
   });
   needs_each_part(t, "weights that are not convex are in no half", 0.3, [] {
-    const auto c = *gen::blend_case(gen::Spread::any, 4);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const auto c = with_an_edge(gen::Spread::any, 4);
     const Half half = any_edge(c.blend);
     const auto broken = gen::broken_weights(c.weights);
     return Weakening{broken.part, halving_hypotheses(c.blend, half, Span(broken.weights)),
                      halves_cover<Rational>(c.blend, half.kept, half.replaced, broken.weights).verdict};
   });
   t.holds("a half has the middle in place of one end, and the rest as it was", {.number_type = "rational", .cases = 200}, [] {
-    const auto c = *gen::blend_case(gen::Spread::any, 4);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+    const auto c = with_an_edge(gen::Spread::any, 4);
     const Half edge = any_edge(c.blend);
     const Blend half = half_of(c.blend, edge);
     RC_ASSERT(half.x == c.blend.x && half.weight_vertex_count() == c.blend.weight_vertex_count());
@@ -248,6 +255,9 @@ PROPTEST(b3_subdivision) {
                                                               : c.weights[i]));
     }
   });
+}
+
+void blends_and_hull_points_are_compared_part_by_part(Suite& t) {
   t.holds("blends that differ in one coordinate are not the same", {.number_type = "rational", .cases = 200}, [] {
     const auto c = *gen::blend_case(gen::Spread::any, 4);
     const Rational amount = *gen::excess();
@@ -266,8 +276,7 @@ PROPTEST(b3_subdivision) {
     }
   });
   t.holds("weights of weight vertices that count for nothing must be convex too", {.number_type = "rational", .cases = 200}, [] {
-    auto c = *gen::blend_case(gen::Spread::any, 3);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+    auto c = with_an_edge(gen::Spread::any, 3);
     const Half edge = any_edge(c.blend);
     for (int i = 0; i < 2; ++i) {
       c.blend.rotations.push_back(RationalQuaternion(0, 0, 0, 0)), c.blend.center_images.push_back(gen::RationalVec<3>(0, 0, 0));
@@ -286,8 +295,7 @@ PROPTEST(b3_subdivision) {
   });
   t.holds("whether a half's control point is in the hull is what the check of a hull point says",
           {.number_type = "rational", .cases = 400}, [] {
-            const auto c = *gen::blend_case(gen::Spread::any, 3);
-            RC_PRE(c.blend.weight_vertex_count() > 1);
+            const auto c = with_an_edge(gen::Spread::any, 3);
             const Half edge = any_edge(c.blend);
             const auto index = any_index(c.blend.weight_vertex_count());
             const auto whole = control_points(c.blend);
@@ -306,6 +314,9 @@ PROPTEST(b3_subdivision) {
             RC_ASSERT(sum == Rational(1) && combined == found.image);
             RC_ASSERT(found.verdict == verdict_of(convex));
           });
+}
+
+void sizes_need_each_part(Suite& t) {
   needs_each_part(
       t, "each size of each weight vertex and each edge is looked at, and each sign", 0.02,
       [] {
@@ -376,9 +387,11 @@ PROPTEST(b3_subdivision) {
             for (std::size_t k = 0; k < 4; ++k)
               RC_ASSERT(u.at(k) * 3 == Rational(static_cast<int>(std::count(index.begin(), index.end(), k))));
           });
+}
+
+void control_points_are_near_in_each_part(Suite& t) {
   t.holds("each part of what is said of a control point is checked by itself", {.number_type = "rational", .cases = 300}, [] {
-    auto c = *gen::blend_case(gen::Spread::positive, 3);
-    RC_PRE(c.blend.weight_vertex_count() > 1);
+    auto c = with_an_edge(gen::Spread::positive, 3);
     const std::size_t m = c.blend.weight_vertex_count();
     const auto index = any_index(m);
     const auto sizes = sizes_of(c.blend);
@@ -414,6 +427,9 @@ PROPTEST(b3_subdivision) {
     const auto verdict = is_control_point_distance(c.blend, index, point, witness_at(good.weights));
     RC_ASSERT(verdict == verdict_of(at.denominator <= c.blend.control_point(index).weight));
   });
+}
+
+void new_edges_and_middles_need_each_part(Suite& t) {
   t.holds("of a new edge only what is said of the longest is said", {.number_type = "rational", .cases = 600}, [] {
     auto q = *gen::unit_quaternions(3, 3);
     for (auto& p : q) p *= *rc::gen::element(Rational(1), Rational(1, 10), Rational(3));
@@ -476,7 +492,9 @@ PROPTEST(b3_subdivision) {
             const RationalQuaternion opposite = -p;
             RC_ASSERT(is_positive_halves(p, opposite, halving_makes_positive(p, opposite)) == Verdict::fails);
           });
+}
 
+void pinned_cases(Suite& t) {
   t.example("a blend beyond the weight vertices is in no half", {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
     const Span u(b3::beyond_the_first);
     return halving_hypotheses(b3::edge, {0, 1}, u) == Verdict::fails && halves_cover(b3::edge, 0, 1, u).verdict == Verdict::fails;
@@ -504,6 +522,18 @@ PROPTEST(b3_subdivision) {
     return equal_lengths_hypotheses(b3::one, b3::minus_one) == Verdict::fails &&
            halving_makes_positive(b3::one, b3::minus_one).verdict == Verdict::fails;
   });
+}
+
+PROPTEST(b3_subdivision) {
+  halves_cover_the_whole(t);
+  halving_brings_nearer_and_makes_positive(t);
+  verdicts_and_witnesses_are_checked(t);
+  halves_need_each_part(t);
+  blends_and_hull_points_are_compared_part_by_part(t);
+  sizes_need_each_part(t);
+  control_points_are_near_in_each_part(t);
+  new_edges_and_middles_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

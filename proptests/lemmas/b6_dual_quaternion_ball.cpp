@@ -56,7 +56,7 @@ struct AheadCase : BallCase {
   }
 };
 
-PROPTEST(b6_dual_quaternion_ball) {
+void images_are_in_the_ball(Suite& t) {
   t.holds("the ball holds every image, and no blend is 0",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const BallCase c(4);
@@ -103,7 +103,9 @@ PROPTEST(b6_dual_quaternion_ball) {
     }
     return true;
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const BallCase c(3);
     RC_PRE(squared_norm(combine<Rational, 4>(c.u(), c.blend.rotations)) > 0);
@@ -135,7 +137,9 @@ PROPTEST(b6_dual_quaternion_ball) {
     const auto led = [&](const ReachedImage<Rational>& r) { return imaginary(multiply(r.reach, conjugate(q))); };
     RC_ASSERT(rejected(reach) || led(reach) == led(good));
   });
+}
 
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
       t, "each weight vertex and each of the weights is looked at by itself", 0.03,
       [] {
@@ -164,6 +168,9 @@ PROPTEST(b6_dual_quaternion_ball) {
         return Weakening{part, hypothesis, dual_quaternion_ball_encloses(blend, c.axis, c.center, Span(u)).verdict};
       },
       3000);
+}
+
+void each_part_of_a_witness_is_checked(Suite& t) {
   t.holds("the ball's radius is the greatest of the weight vertices', and its verdict is whether the image is inside",
           {.number_type = "rational", .cases = 500}, [] {
             const AheadCase c(1);
@@ -225,11 +232,9 @@ PROPTEST(b6_dual_quaternion_ball) {
     return is_reached_image<b6::Q>(b6::still, b6::identity, {b6::between, 1}, Span(halves),
                                    {Verdict::holds, b6::between, b6::none}) == Verdict::fails;
   });
-  reaches_share(t, "cases of several weight vertices ahead of the axis, that differ", 0.1, [] {
-    const BallCase c(4);
-    return c.applies() && !c.is_degenerate;
-  });
+}
 
+void pinned_cases(Suite& t) {
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const b6::Blend& blend,
                                   const b6::Point& center, const std::vector<b6::Q>& u) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
@@ -242,6 +247,18 @@ PROPTEST(b6_dual_quaternion_ball) {
                 b6::opposite, b6::between, b6::third);
   fails_without("the weights are convex", "beyond the weight vertices a vertex leaves the ball", b6::turning, b6::turning.point,
                 b6::beyond_the_first);
+}
+
+PROPTEST(b6_dual_quaternion_ball) {
+  images_are_in_the_ball(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  each_part_of_a_witness_is_checked(t);
+  reaches_share(t, "cases of several weight vertices ahead of the axis, that differ", 0.1, [] {
+    const BallCase c(4);
+    return c.applies() && !c.is_degenerate;
+  });
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ struct ReachCase {
   bool is_degenerate() const { return transforms.size() == 1 || cosine == 0 || cosine == 1 || vertex == point; }
 };
 
-PROPTEST(b7_motion_bound) {
+void shares_and_spreads_are_computed(Suite& t) {
   t.holds(
       "the share that kernels compute is no less than either bound, exact where joints turn as much as 106 degrees or not at all",
       {.number_type = "rational", .cases = 400, .degenerate_at_least = 0.05}, [] {
@@ -109,6 +109,9 @@ PROPTEST(b7_motion_bound) {
     for (const auto& y : images) sum += y - from, squares += squared_distance(y, from);
     RC_ASSERT(squared_spread_of_sums(Rational(static_cast<int>(images.size())), squares, sum) == squared_spread(images));
   });
+}
+
+void blends_deviate_within_the_bound(Suite& t) {
   t.holds("dual quaternions deviate from the linear blend by no more than the bound, and turn what is not at the point",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const ReachCase c(4);
@@ -182,6 +185,9 @@ PROPTEST(b7_motion_bound) {
         RC_ASSERT(squared_norm(deviation) <= share * squared_spread(images));
         if (is_sharp) RC_ASSERT(share <= squared_deviation_share<Rational>(c.u(), cosines, least));
       });
+}
+
+void joints_spread_within_the_bound(Suite& t) {
   t.example("two halves that are half a turn apart deviate by half of A^2, or 9/16 of it where no cosine is known", {}, [] {
     const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, cosines{Rational(0)};
     const std::vector<Rational> low{Rational(-1)}, thirds(3, Rational(1, 3)), ones(3, Rational(1));  // as many as are asked for
@@ -205,7 +211,9 @@ PROPTEST(b7_motion_bound) {
             RC_ASSERT(squared_spread(images_of(part, c.point)) <= squared_spread(images_of(c.transforms, c.point)));
             RC_ASSERT(least_cosine(part) >= least_cosine(c.transforms));
           });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const ReachCase c(3);
     const Rational cosine = *rc::gen::element(c.cosine, Rational(1));
@@ -230,7 +238,9 @@ PROPTEST(b7_motion_bound) {
     RC_ASSERT(rejected(carried) && rejected(deviated));
     RC_ASSERT(rejected(turned) || squared_norm(turned.turned) == squared_norm(good.turned));
   });
+}
 
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
       t, "each quaternion, each pair and each bound of the hypotheses is looked at by itself", 0.02,
       [] {
@@ -294,6 +304,9 @@ PROPTEST(b7_motion_bound) {
                 RC_ASSERT(is_least_squares_center(joints, center) == verdict_of(i == axis));
               }
           });
+}
+
+void each_part_of_a_witness_is_checked(Suite& t) {
   t.holds("both bounds of a deviation are those of the statement, at their edges too", {.number_type = "rational", .cases = 1000},
           [] {
             const Rational excess = *gen::excess(),
@@ -332,6 +345,9 @@ PROPTEST(b7_motion_bound) {
     none = spherical_reach(c.transforms, Rational(1), c.vertex, c.point, c.u(), c.vertex);
     RC_ASSERT(none.verdict == verdict_of(squared_norm(none.deviated) == 0));
   });
+}
+
+void pairs_and_spreads_need_each_part(Suite& t) {
   needs_each_part(t, "the identity of the pairs needs unit quaternions and weights of sum 1", 0.2, [] {
     auto transforms = *rc::gen::container<Transforms>(3, gen::rigid_transform());
     auto weights = *gen::convex_weights(3);
@@ -386,8 +402,9 @@ PROPTEST(b7_motion_bound) {
                            squared_spread(images_of(rotations_alone(c.transforms), RationalVec<3>(center - c.point)));
     RC_CLASSIFY(squared_spread(images_of(c.transforms, c.point)) != split, "the spread does not split");
   });
-  reaches_share(t, "cases of several joints that differ, close and not", 0.4, [] { return !ReachCase(4).is_degenerate(); });
+}
 
+void pinned_cases(Suite& t) {
   const auto deviates_without = [&t](const std::string& hypothesis, const std::string& sentence, const b7::Transforms& transforms,
                                      const b7::Q& cosine, const std::vector<b7::Q>& u) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
@@ -416,6 +433,18 @@ PROPTEST(b7_motion_bound) {
                      spherical_reach(b7::short_way, b7::short_cosine, b7::elsewhere, b7::origin, u, b7::origin).verdict ==
                          Verdict::fails;
             });
+}
+
+PROPTEST(b7_motion_bound) {
+  shares_and_spreads_are_computed(t);
+  blends_deviate_within_the_bound(t);
+  joints_spread_within_the_bound(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  each_part_of_a_witness_is_checked(t);
+  pairs_and_spreads_need_each_part(t);
+  reaches_share(t, "cases of several joints that differ, close and not", 0.4, [] { return !ReachCase(4).is_degenerate(); });
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Curve straight(const RationalVec<3>& along, const Rational& first, const Rationa
   return {{from, p, q, RationalVec<3>(q + along * third)}, *gen::positive_rational()};
 }
 
-PROPTEST(c1_chord_bound) {
+void curves_are_near_their_chords(Suite& t) {
   t.holds("a curve is as near to its chord as its second derivative allows",
           {.form = "beyond",
            .number_type = "rational",
@@ -87,6 +87,9 @@ PROPTEST(c1_chord_bound) {
     const RationalVec<3> velocity = between<Rational, 3>(early, late, c.share);
     RC_ASSERT(now.velocity == velocity);
   });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const BoundedCurve c = gen::bounded_curve();
     const Rational acceleration = c.acceleration * *rc::gen::element(Rational(1), Rational(1, 2), Rational(99, 100));
@@ -128,6 +131,9 @@ PROPTEST(c1_chord_bound) {
     (end == 0 ? steps.before : steps.after) = gen::unit_direction() * Rational(speed + *gen::excess());
     RC_ASSERT(are_chord_steps(c.curve, speed, end, steps) == Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "the bound by the second derivative needs each part of its hypotheses", 0.3, [] {
     const RationalVec<3> direction = gen::unit_direction();
     Rational start = *gen::positive_rational(), end = start, share = *gen::unit_interval_rational(),
@@ -169,6 +175,9 @@ PROPTEST(c1_chord_bound) {
     if (fast == 1) conclusion = std::nullopt;
     return Weakening{part, first_order_hypotheses(curve, speed, share), conclusion};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("a kink is 1 from its chord without bending anywhere else", {.form = "beyond", .hypothesis = "f is differentiable"},
             [] {
               using namespace c1;
@@ -210,6 +219,13 @@ PROPTEST(c1_chord_bound) {
            is_on_chord_of_moments(parabola.points[0], parabola.points[3], at, half) == Verdict::fails &&
            is_on_chord_of_moments(arc_start, arc_end, arc_middle, half) == Verdict::fails;
   });
+}
+
+PROPTEST(c1_chord_bound) {
+  curves_are_near_their_chords(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

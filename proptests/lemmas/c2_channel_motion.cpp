@@ -49,7 +49,7 @@ struct Arc {
   bool is_degenerate() const { return to == from || passed == 0 || passed == steps; }
 };
 
-PROPTEST(c2_channel_motion) {
+void splines_and_linear_channels_are_within_their_bounds(Suite& t) {
   t.holds("a cubic spline is within its bounds, and its moment is what Taylor's polynomial says",
           {.form = "beyond",
            .number_type = "exact root to interval",
@@ -105,6 +105,9 @@ PROPTEST(c2_channel_motion) {
     RC_ASSERT(factor >= 0 && (factor == scale[0] || factor == -scale[0] || factor == scale[1] || factor == -scale[1] ||
                               factor == scale[2] || factor == -scale[2]));
   });
+}
+
+void arcs_are_as_long_as_said(Suite& t) {
   t.holds("the angle between unit quaternions is at most the bound, which is 1/3 % too great on the shorter way",
           {.form = "beyond",
            .number_type = "multiprecision interval",
@@ -133,6 +136,9 @@ PROPTEST(c2_channel_motion) {
     RC_ASSERT(way == to || way == RationalQuaternion(-to));
     RC_ASSERT(dot(from, to) != 0 || way == to);
   });
+}
+
+void slerps_are_within_their_bounds(Suite& t) {
   t.holds("a slerp is within its bounds: its derivatives, by sines in intervals",
           {.form = "beyond", .number_type = "multiprecision interval", .cases = 300, .degenerate_at_most = 0.6}, [] {
             const RationalQuaternion from = *gen::unit_quaternion(), to = by_shorter_way<Rational>(from, *gen::unit_quaternion());
@@ -193,6 +199,9 @@ PROPTEST(c2_channel_motion) {
             slow_bend.acceleration = less * less;
             RC_ASSERT(slerp_moves<Rational>(q, across, speed, slow_bend).verdict == Verdict::fails);
           });
+}
+
+void moments_and_hypotheses_need_each_part(Suite& t) {
   t.holds("mutated moments are rejected", {.number_type = "rational", .cases = 400}, [] {
     const Keys k;
     const auto curve = spline_curve<Rational, 3>(k.from, k.out, k.into, k.to, k.duration);
@@ -227,6 +236,9 @@ PROPTEST(c2_channel_motion) {
     const auto found = line_moves<Rational, 3>(from, to, duration, share, by_greatest_factor);
     return Weakening{part, channel_hypotheses(duration, share), found.verdict};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("no time passes between keys that are at once", {.form = "beyond"}, [] {
     return channel_hypotheses(c2::Q(0), c2::Q(0)) == Verdict::fails && channel_hypotheses(c2::Q(-1), c2::Q(0)) == Verdict::fails;
   });
@@ -251,6 +263,14 @@ PROPTEST(c2_channel_motion) {
               return bound > angle && bound < 1.0033 * angle && bound < 3.14159 - angle && way_round > 3.14159 - angle &&
                      by_shorter_way(start, other_sign) == end;
             });
+}
+
+PROPTEST(c2_channel_motion) {
+  splines_and_linear_channels_are_within_their_bounds(t);
+  arcs_are_as_long_as_said(t);
+  slerps_are_within_their_bounds(t);
+  moments_and_hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

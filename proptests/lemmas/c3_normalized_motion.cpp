@@ -57,7 +57,7 @@ Moment<Rational, 4> normalized_by_jets(const Moment<Rational, 4>& m, const Ratio
   return oracle::moment_of<Rational, 4>(q);
 }
 
-PROPTEST(c3_normalized_motion) {
+void normalised_blends_move_within_the_bounds(Suite& t) {
   t.holds("a normalised blend moves within the bounds",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.02, .degenerate_at_most = 0.5}, [] {
             const Blend b;
@@ -100,6 +100,9 @@ PROPTEST(c3_normalized_motion) {
         const Rational greatest = inverse_motion(motion, least).acceleration;
         RC_ASSERT(squared_norm(inverse_moves(all, motion, least).moment.acceleration) == greatest * greatest);
       });
+}
+
+void blends_are_as_long_as_said(Suite& t) {
   t.holds("of given weights a blend is as long as its cosines say, and at least as long as smaller ones say",
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
             const auto units = *gen::unit_quaternions(1, 5);
@@ -139,6 +142,9 @@ PROPTEST(c3_normalized_motion) {
             RC_ASSERT(least_squared_blend<Rational>(dot(pair[0], pair[1]), 2) == squared_norm(middle));
             RC_ASSERT(least_along<Rational>(pair, middle) == squared_norm(middle));
           });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const Blend b;
     const Rational share = *rc::gen::element(Rational(1), Rational(1, 2));
@@ -193,6 +199,9 @@ PROPTEST(c3_normalized_motion) {
     RC_ASSERT(is_inverse_moment(b.moment, b.motion, b.least, inverse) == inverse_moves(b.moment, b.motion, b.least).verdict);
     RC_CLASSIFY(too_small && now.verdict == Verdict::fails, "beyond the bounds");
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "the bounds need each part of the hypotheses", 0.15, [] {
     // A turn without a bend on the shortest blend, or a bend across it without a turn, reaches its bound.
     const Rational least = *gen::positive_rational(), speed = *gen::positive_rational();
@@ -240,6 +249,9 @@ PROPTEST(c3_normalized_motion) {
     const std::span<const RationalQuaternion> all(units);
     return Weakening{part, are_close_units(all, cosine), blend_is_long(all, cosine, Span(w))};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("half-way between far quaternions the turn is faster than the blend, as the bounds say",
             {.form = "beyond", .hypothesis = "||p|| >= m"}, [] {
               using namespace c3;
@@ -272,6 +284,14 @@ PROPTEST(c3_normalized_motion) {
                      blend_is_long<Q>(right_angle, Q(0), halves) == Verdict::holds &&
                      least_along<Q>(opposite, {1, 0, 0, 0}) == -1;
             });
+}
+
+PROPTEST(c3_normalized_motion) {
+  normalised_blends_move_within_the_bounds(t);
+  blends_are_as_long_as_said(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ Verdict two_links_move(const std::vector<Vec<S, 4>>& numbers) {
   return chain_moves<S>(links, motions, point, motion()).verdict;
 }
 
-PROPTEST(c4_chain_motion) {
+void points_move_within_the_bounds_of_their_chain(Suite& t) {
   t.holds("a point under a chain moves within the bounds, as matrices of jets say too",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.7}, [] {
             const MovingChain c(4);
@@ -97,6 +97,9 @@ PROPTEST(c4_chain_motion) {
             RC_ASSERT(squared_norm(found.value) == sq(bounds.size) && squared_norm(found.velocity) == sq(bounds.speed) &&
                       squared_norm(found.acceleration) == sq(bounds.acceleration));
           });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     std::vector<Vec<Rational, 4>> numbers;
     const auto add = [&](const auto& m) {
@@ -146,6 +149,9 @@ PROPTEST(c4_chain_motion) {
     RC_ASSERT(chain_moves<Rational>(c.links, c.motions, c.point, c.below).verdict == Verdict::fails);
     RC_ASSERT(are_chain_steps<Rational>(c.links, {}, c.point, at_rest(Rational(1, 2)), steps) == Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "a chain needs each part of the hypotheses", 0.1, [] {
     // Hinges about z reach the bounds in size, speed and acceleration: what breaks one of them is seen.
     const RationalVec<3> none = RationalVec<3>::Zero();
@@ -184,6 +190,9 @@ PROPTEST(c4_chain_motion) {
         part, link_hypotheses(link, motion),
         asked ? std::optional(chain_moves<Rational>(links, motions, point, at_rest(Rational(1))).verdict) : std::nullopt};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("an arm of two hinges that turn one way reaches its bounds", {.form = "beyond"}, [] {
     using namespace c4;
     const std::vector<Link> links{hinge, bone};
@@ -208,6 +217,13 @@ PROPTEST(c4_chain_motion) {
     return found.verdict == Verdict::holds && found.steps.size() == 1 && bounds.size == 1 && bounds.speed == 2 &&
            bounds.acceleration == 3;
   });
+}
+
+PROPTEST(c4_chain_motion) {
+  points_move_within_the_bounds_of_their_chain(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

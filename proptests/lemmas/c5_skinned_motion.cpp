@@ -68,7 +68,7 @@ bool same(const Moment<Rational, 3>& a, const Moment<Rational, 3>& b) {
   return a.value == b.value && a.velocity == b.velocity && a.acceleration == b.acceleration;
 }
 
-PROPTEST(c5_skinned_motion) {
+void skinned_vertices_move_within_the_bounds(Suite& t) {
   t.holds("a vertex skinned by dual quaternions moves within the bounds, as jets say too",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.6}, [] {
             const Skin s(4);
@@ -124,6 +124,9 @@ PROPTEST(c5_skinned_motion) {
             const auto bounds = carried_motion(common, dual_motion<Rational>(seen.images, seen.rotations, seen.least));
             RC_ASSERT(moves_within(vertex, bounds) == Verdict::holds);
           });
+}
+
+void vertices_of_chains_are_near_their_chords(Suite& t) {
   t.holds(
       "over an interval a vertex of two joints in a chain is as near to its chord as the bounds of their channels say, "
       "by all three",
@@ -183,6 +186,9 @@ PROPTEST(c5_skinned_motion) {
         near([&](const auto& c) { return oracle::dual_quaternion(c, w, vertex); },
              carried_motion(first, dual_motion<Rational>(below, turns, least)));
       });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const Skin s(3);
     RC_PRE(s.least > 0);
@@ -240,6 +246,9 @@ PROPTEST(c5_skinned_motion) {
     RC_ASSERT(is_spherical_moment<Rational>(s.skin, arm, s.images, s.rotations, Rational(1), s.least, spherical) ==
               Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "skinned motion needs each part of the hypotheses", 0.02, [] {
     // Two joints at right angles or less, that turn alike: the blend is as short as it is said to be.
     const RationalVec<3> still = RationalVec<3>::Zero();
@@ -280,6 +289,9 @@ PROPTEST(c5_skinned_motion) {
                                spherical_moves<Rational>(s.skin, image, s.images, s.rotations, Rational(1), s.least).verdict;
     return Weakening{part, hypothesis, conclusion};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("a short blend turns faster than its joints: without its length the vertex is faster than said",
             {.form = "beyond", .hypothesis = "||q|| >= m"}, [] {
               using namespace c5;
@@ -304,6 +316,14 @@ PROPTEST(c5_skinned_motion) {
     const std::vector<Motion> images{{1, 0, 0}, {1, 0, 0}}, rotations{turning, turning};
     return dual_moves<Q>(skin, images, rotations, length).verdict == Verdict::holds;
   });
+}
+
+PROPTEST(c5_skinned_motion) {
+  skinned_vertices_move_within_the_bounds(t);
+  vertices_of_chains_are_near_their_chords(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

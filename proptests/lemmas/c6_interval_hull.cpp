@@ -84,7 +84,7 @@ struct Patch {
   }
 };
 
-PROPTEST(c6_interval_hull) {
+void points_stay_in_the_hull_of_their_interval(Suite& t) {
   t.holds("points stay in the slab and the ball of the interval",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.05, .degenerate_at_most = 0.5}, [] {
             const MovingPoints c;
@@ -114,6 +114,9 @@ PROPTEST(c6_interval_hull) {
             RC_ASSERT(least_over_interval<Rational>(level, level - 1, slack) == level - 1 - slack);
             RC_ASSERT(interval_ball<Rational>({at, length}, slack).radius == length + slack);
           });
+}
+
+void patches_are_near_the_hull_of_their_corners(Suite& t) {
   t.holds("a function of several parameters is near the hull of its corners",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.03, .degenerate_at_most = 0.5}, [] {
             const Patch c;
@@ -147,6 +150,9 @@ PROPTEST(c6_interval_hull) {
             RC_ASSERT(found.verdict == Verdict::holds);
             RC_ASSERT(squared_distance(c.patch.at(c.shares), found.in_hull) == slack * slack);
           });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const MovingPoints c;
     const Rational part = *rc::gen::element(Rational(1), Rational(1, 2));
@@ -183,6 +189,9 @@ PROPTEST(c6_interval_hull) {
     RC_ASSERT(is_near_hull<Rational>(c.patch, less, c.shares, point_near_hull<Rational>(c.patch, c.motions, c.shares)) ==
               Verdict::fails);
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "an interval needs each part of the hypotheses", 0.2, [] {
     MovingPoints c;
     const std::size_t k = gen::any_place(c.curves.size());
@@ -243,6 +252,9 @@ PROPTEST(c6_interval_hull) {
     return Weakening{part, patch_hypotheses<Rational>(c.patch, c.motions, c.shares),
                      asked ? std::optional(point_near_hull<Rational>(c.patch, c.motions, c.shares).verdict) : std::nullopt};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("a hand that turns leaves the box of its keys, not that of the interval", {.form = "beyond"}, [] {
     using namespace c6;
     const Slab keys = slab_of_keys(hand_slab, hand_slab),
@@ -270,6 +282,14 @@ PROPTEST(c6_interval_hull) {
               return interval_hypotheses<Q>(curves, Q(0), ground, ground, x_axis, at_ground, Q(1, 2)) == Verdict::fails &&
                      stays_in_interval<Q>(curves, Q(0), ground, ground, x_axis, Q(1), at_ground, Q(1, 2)) == Verdict::fails;
             });
+}
+
+PROPTEST(c6_interval_hull) {
+  points_stay_in_the_hull_of_their_interval(t);
+  patches_are_near_the_hull_of_their_corners(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

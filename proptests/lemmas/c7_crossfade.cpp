@@ -33,7 +33,23 @@ struct Fade {
   bool is_degenerate() const { return cosine == 0 || cosine == 1 || weight == 0 || weight == 1; }
 };
 
-PROPTEST(c7_crossfade) {
+enum class Moving { first, second, weight };
+
+// The slerp of both as one of its three arguments moves, by jets of intervals.
+Moment<M, 4> slerp_as(const Fade& f, Moving moving) {
+  using J = oracle::Jet<M>;
+  const auto jets = [](const Moment<Rational, 4>& m, bool moves) {
+    Vec<J, 4> out;
+    for (int i = 0; i < 4; ++i)
+      out[i] = moves ? J(lift<M>(m.value[i]), lift<M>(m.velocity[i]), lift<M>(m.acceleration[i])) : J(lift<M>(m.value[i]));
+    return out;
+  };
+  return oracle::moment_of<M, 4>(oracle::slerp<J>(jets(f.first.moment, moving == Moving::first),
+                                                  jets(f.second.moment, moving == Moving::second),
+                                                  J(lift<M>(f.weight), M(moving == Moving::weight ? 1 : 0), M(0))));
+}
+
+void nlerps_move_within_the_bounds(Suite& t) {
   t.holds("a nlerp of two moving rotations moves within the bounds, in each of the three parameters",
           {.form = "beyond",
            .number_type = "interval to exact root",
@@ -70,49 +86,44 @@ PROPTEST(c7_crossfade) {
                 parts, bounds);
             RC_ASSERT(d.verdict == Verdict::holds);
           });
-  t.holds(
-      "a slerp of two moving rotations moves within the bounds, by sines in intervals",
-      {.form = "beyond", .number_type = "multiprecision interval", .cases = 400, .degenerate_at_most = 0.6}, [] {
-        const Fade f;
-        RC_ASSERT(is_shorter_way(f.cosine) == Verdict::holds);
-        RC_PRE(f.cosine < 1);
-        // In weight it is as slow as the arc is long, but for 1/3 %.
-        RC_ASSERT(less(slerp_by_weight(lift<M>(f.cosine)).speed, M(acos(lift<M>(f.cosine)) * M(1003.3) / M(1000))) ==
-                  Verdict::holds);
-        RC_CLASSIFY(f.is_degenerate(), "degenerate");
-        using J = oracle::Jet<M>;
-        const auto jets = [](const Moment<Rational, 4>& m, bool moves) {
-          Vec<J, 4> out;
-          for (int i = 0; i < 4; ++i)
-            out[i] = moves ? J(lift<M>(m.value[i]), lift<M>(m.velocity[i]), lift<M>(m.acceleration[i])) : J(lift<M>(m.value[i]));
-          return out;
-        };
-        const auto motion = [](const RationalMotion& m) { return Motion<M>{M(1), lift<M>(m.speed), lift<M>(m.acceleration)}; };
-        const M weight = lift<M>(f.weight);
-        const auto moment = [&](bool first, bool second, bool third) {
-          return oracle::moment_of<M, 4>(
-              oracle::slerp<J>(jets(f.first.moment, first), jets(f.second.moment, second), J(weight, M(third ? 1 : 0), M(0))));
-        };
-        // As of a cell of weights about this one, and of a cosine that is known a little less well.
-        const Rational around = *rc::gen::element(Rational(0), Rational(1, 50), Rational(1, 3));
-        const Rational low = std::max(Rational(0), Rational(f.weight - around)),
-                       high = std::min(Rational(1), Rational(f.weight + around));
-        const Rational product = low <= Rational(1, 2) && Rational(1, 2) <= high
-                                     ? Rational(1, 4)
-                                     : std::max(Rational(low * (1 - low)), Rational(high * (1 - high)));
-        const M cosine = lift<M>(std::max(Rational(0), Rational(f.cosine - around / 10)));
-        for (const auto& [m, bounds] :
-             {std::pair(moment(true, false, false),
-                        slerp_by_time(motion(f.first.motion), cosine, lift<M>(Rational(1 - low)), lift<M>(product))),
-              std::pair(moment(false, true, false),
-                        slerp_by_time(motion(f.second.motion), cosine, lift<M>(high), lift<M>(product))),
-              std::pair(moment(false, false, true), slerp_by_weight(lift<M>(f.cosine)))}) {
-          RC_ASSERT(is_slerp_moment(m, bounds) != Verdict::fails);
-          // At the end that does not move nothing does, to the last digit.
-          RC_ASSERT(less_equal(squared_norm(m.velocity), M(sq(bounds.speed) + M(1e-40))) == Verdict::holds);
-          RC_ASSERT(less_equal(squared_norm(m.acceleration), M(sq(bounds.acceleration) + M(1e-40))) == Verdict::holds);
-        }
-      });
+}
+
+void slerps_move_within_the_bounds(Suite& t) {
+  t.holds("a slerp of two moving rotations moves within the bounds, by sines in intervals",
+          {.form = "beyond", .number_type = "multiprecision interval", .cases = 400, .degenerate_at_most = 0.6}, [] {
+            const Fade f;
+            RC_ASSERT(is_shorter_way(f.cosine) == Verdict::holds);
+            RC_PRE(f.cosine < 1);
+            // In weight it is as slow as the arc is long, but for 1/3 %.
+            RC_ASSERT(less(slerp_by_weight(lift<M>(f.cosine)).speed, M(acos(lift<M>(f.cosine)) * M(1003.3) / M(1000))) ==
+                      Verdict::holds);
+            RC_CLASSIFY(f.is_degenerate(), "degenerate");
+            const auto motion = [](const RationalMotion& m) {
+              return Motion<M>{M(1), lift<M>(m.speed), lift<M>(m.acceleration)};
+            };
+            // As of a cell of weights about this one, and of a cosine that is known a little less well.
+            const Rational around = *rc::gen::element(Rational(0), Rational(1, 50), Rational(1, 3));
+            const Rational low = std::max(Rational(0), Rational(f.weight - around)),
+                           high = std::min(Rational(1), Rational(f.weight + around));
+            const Rational product = low <= Rational(1, 2) && Rational(1, 2) <= high
+                                         ? Rational(1, 4)
+                                         : std::max(Rational(low * (1 - low)), Rational(high * (1 - high)));
+            const M cosine = lift<M>(std::max(Rational(0), Rational(f.cosine - around / 10)));
+            for (const auto& [m, bounds] :
+                 {std::pair(slerp_as(f, Moving::first),
+                            slerp_by_time(motion(f.first.motion), cosine, lift<M>(Rational(1 - low)), lift<M>(product))),
+                  std::pair(slerp_as(f, Moving::second),
+                            slerp_by_time(motion(f.second.motion), cosine, lift<M>(high), lift<M>(product))),
+                  std::pair(slerp_as(f, Moving::weight), slerp_by_weight(lift<M>(f.cosine)))}) {
+              RC_ASSERT(is_slerp_moment(m, bounds) != Verdict::fails);
+              // At the end that does not move nothing does, to the last digit.
+              RC_ASSERT(less_equal(squared_norm(m.velocity), M(sq(bounds.speed) + M(1e-40))) == Verdict::holds);
+              RC_ASSERT(less_equal(squared_norm(m.acceleration), M(sq(bounds.acceleration) + M(1e-40))) == Verdict::holds);
+            }
+          });
+}
+
+void longer_slerps_move_within_the_bounds(Suite& t) {
   t.holds("a slerp that goes a little more than the shorter way moves within the bounds, by sines in intervals",
           {.form = "beyond",
            .number_type = "multiprecision interval",
@@ -130,23 +141,10 @@ PROPTEST(c7_crossfade) {
             if (f.cosine < 0) RC_TAG("beyond a right angle");
             if (5 * f.cosine < -2) RC_TAG("nearly two thirds of a half turn");
             RC_CLASSIFY(f.is_degenerate(), "degenerate");
-            using J = oracle::Jet<M>;
-            const auto jets = [](const Moment<Rational, 4>& m, bool moves) {
-              Vec<J, 4> out;
-              for (int i = 0; i < 4; ++i)
-                out[i] = moves ? J(lift<M>(m.value[i]), lift<M>(m.velocity[i]), M(0)) : J(lift<M>(m.value[i]));
-              return out;
-            };
-            const M weight = lift<M>(f.weight);
-            for (int moving = 0; moving < 3; ++moving) {
-              const auto m =
-                  oracle::moment_of<M, 4>(oracle::slerp<J>(jets(f.first.moment, moving == 0), jets(f.second.moment, moving == 1),
-                                                           J(weight, M(moving == 2 ? 1 : 0), M(0))));
-              const M speed = moving == 2   ? slerp_by_weight(lift<M>(f.cosine)).speed
-                              : moving == 0 ? slerp_speed_beyond(lift<M>(f.first.motion.speed))
-                                            : slerp_speed_beyond(lift<M>(f.second.motion.speed));
-              RC_ASSERT(less_equal(squared_norm(m.velocity), M(sq(speed) + M(1e-40))) == Verdict::holds);
-            }
+            for (const auto& [moving, speed] : {std::pair(Moving::first, slerp_speed_beyond(lift<M>(f.first.motion.speed))),
+                                                std::pair(Moving::second, slerp_speed_beyond(lift<M>(f.second.motion.speed))),
+                                                std::pair(Moving::weight, slerp_by_weight(lift<M>(f.cosine)).speed)})
+              RC_ASSERT(less_equal(squared_norm(slerp_as(f, moving).velocity), M(sq(speed) + M(1e-40))) == Verdict::holds);
           });
   t.example("across an arc of 113 degrees a slerp goes faster than its end, but not as fast as beyond is said",
             {.form = "beyond"}, [] {
@@ -158,6 +156,9 @@ PROPTEST(c7_crossfade) {
               return less(M(sq(M(1.08))), squared_norm(m.velocity)) == Verdict::holds &&
                      less(squared_norm(m.velocity), M(sq(slerp_speed_beyond(M(1))))) == Verdict::holds;
             });
+}
+
+void joints_fade_within_the_bounds(Suite& t) {
   t.holds("translations and scales fade within the bounds",
           {.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.02, .degenerate_at_most = 0.6},
           [] {
@@ -224,6 +225,9 @@ PROPTEST(c7_crossfade) {
         const Rational slack = box_slack<Rational>(motions, sides);
         RC_ASSERT(squared_distance(at, BentPatch<Rational>::interpolated(corners, shares)) <= slack * slack);
       });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const Fade f;
     decide_by_all<ExactRoot>(
@@ -252,6 +256,9 @@ PROPTEST(c7_crossfade) {
     const RationalMotion slow{Rational(1), turn.motion.speed * Rational(1, 2), turn.motion.acceleration};
     RC_ASSERT(is_slerp_moment(turn.moment, slow) == verdict_of(turn.motion.speed == 0));
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "a crossfade needs each part of the hypotheses", 0.2, [] {
     const RationalQuaternion p = *gen::unit_quaternion();
     RationalQuaternion first = p, second = *gen::unit_quaternion();
@@ -273,6 +280,9 @@ PROPTEST(c7_crossfade) {
         part, crossfade_hypotheses(first, second, cosine, weight),
         asked ? std::optional(is_long_blend<Rational>(between<Rational, 4>(first, second, weight), cosine)) : std::nullopt};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("between the clips a hand leaves the box of both, and not the bounds", {.form = "beyond"}, [] {
     using namespace c7;
     const Quaternion<Q> blend = between<Q, 4>(right, left, half);
@@ -315,6 +325,16 @@ PROPTEST(c7_crossfade) {
                      is_slerp_moment(m, slerp_by_time<M>({M(1), M(1), M(1)}, M(0), M(M(1) / M(2)), M(M(1) / M(4)))) ==
                          Verdict::fails;
             });
+}
+
+PROPTEST(c7_crossfade) {
+  nlerps_move_within_the_bounds(t);
+  slerps_move_within_the_bounds(t);
+  longer_slerps_move_within_the_bounds(t);
+  joints_fade_within_the_bounds(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

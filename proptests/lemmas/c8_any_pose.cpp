@@ -40,7 +40,7 @@ struct Chain {
   }
 };
 
-PROPTEST(c8_any_pose) {
+void points_stay_within_the_reach_of_their_chain(Suite& t) {
   t.holds("a point stays within the reach of its chain, in any pose",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.6}, [] {
             const Chain c(4);
@@ -80,6 +80,9 @@ PROPTEST(c8_any_pose) {
             RC_ASSERT(stay_together<Rational>(common.links, common.ranges, place(first), place(second), reach, other) ==
                       Verdict::holds);
           });
+}
+
+void skinned_vertices_stay_in_their_balls(Suite& t) {
   t.holds(
       "a skinned vertex stays in its ball: by linear and spherical blending, and by dual quaternions with the pairs' "
       "sum",
@@ -120,6 +123,9 @@ PROPTEST(c8_any_pose) {
         blend = oracle::dual_quaternion(joints, w, vertex);
         RC_ASSERT(squared_norm(blend) <= sq(Rational(reach + upper_root(squared_stray_in_any_pose(spread)))));
       });
+}
+
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const Chain c(1);
     RC_PRE(c.links.size() == 1);
@@ -153,6 +159,9 @@ PROPTEST(c8_any_pose) {
     for (std::size_t k = 1; k < steps.size(); ++k) moved = moved || squared_norm(steps[k]) > 0;
     RC_ASSERT(are_reach_steps<Rational>(c.links, shorter, c.point, c.distance, steps) == verdict_of(!moved));
   });
+}
+
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "a reach needs each part of its hypotheses", 0.2, [] {
     const Rational length = *gen::positive_rational(), stretch = *gen::positive_rational(), more = Rational(1) + *gen::excess();
     LinkRange<Rational> range{length, stretch};
@@ -171,6 +180,9 @@ PROPTEST(c8_any_pose) {
         asked ? std::optional(stays_in_reach<Rational>(std::vector{link}, std::vector{range}, point, Rational(1)).verdict)
               : std::nullopt};
   });
+}
+
+void pinned_cases(Suite& t) {
   t.example("an arm that is bent in the reference pose reaches 3 times as far stretched", {.form = "beyond"}, [] {
     using namespace c8;
     const std::vector<Link> bent{shoulder, bent_elbow}, stretched{shoulder, elbow};
@@ -196,6 +208,14 @@ PROPTEST(c8_any_pose) {
             });
   t.example("no links reach as far as the point", {.form = "beyond"},
             [] { return reach_of_chain<c8::Q>({}, c8::Q(5)) == 5 && apart_at_most<c8::Q>({}, 1, 2) == 3; });
+}
+
+PROPTEST(c8_any_pose) {
+  points_stay_within_the_reach_of_their_chain(t);
+  skinned_vertices_stay_in_their_balls(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

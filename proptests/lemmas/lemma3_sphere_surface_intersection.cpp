@@ -70,68 +70,54 @@ void hypotheses_need_each_part(Suite& t) {
       }
     });
   });
-  needs_part(t, "b != a", [] {
-    Violation v{};
-    gen::for_some_dimension<1, 4>([&v](auto d) {
-      auto c = eccentric<d>();
-      c.ball.center = c.surface.center;
-      c.ball.squared_radius = c.surface.squared_radius + abs(*gen::rational().as("more"));
-      RC_ASSERT(surface_meets_ball(c.surface, c.ball) == Verdict::holds);
-      RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
-      RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::fails);
-      RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
-      const auto made = intersection_cap(c.surface, c.ball);
-      RC_ASSERT(is_intersection_cap(c.surface, c.ball, made) == Verdict::fails);
-      v = {are_eccentric(c.surface, c.ball), made.verdict};
-    });
-    return v;
+  needs_part_in<1, 4>(t, "b != a", [](auto d) {
+    auto c = eccentric<d>();
+    c.ball.center = c.surface.center;
+    c.ball.squared_radius = c.surface.squared_radius + abs(*gen::rational().as("more"));
+    RC_ASSERT(surface_meets_ball(c.surface, c.ball) == Verdict::holds);
+    RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
+    RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::fails);
+    RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
+    const auto made = intersection_cap(c.surface, c.ball);
+    RC_ASSERT(is_intersection_cap(c.surface, c.ball, made) == Verdict::fails);
+    return Violation{are_eccentric(c.surface, c.ball), made.verdict};
   });
-  needs_part(t, "the ball meets the surface", [] {
-    Violation v{};
-    gen::for_some_dimension<1, 4>([&v](auto d) {
-      auto c = eccentric<d>();
-      // Inside or beyond: less than the squared distance of the nearest point, which is at least the lower end of its
-      // root.
-      const Rational delta2 = squared_distance(c.surface.center, c.ball.center);
-      c.ball.squared_radius =
-          sq(Rational(delta2 - c.surface.squared_radius)) / (Rational(4) * (delta2 + c.surface.squared_radius));
-      RC_PRE(delta2 != c.surface.squared_radius);
-      RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
-      v = {surface_meets_ball(c.surface, c.ball), intersection_cap(c.surface, c.ball).verdict};
-    });
-    return v;
+  needs_part_in<1, 4>(t, "the ball meets the surface", [](auto d) {
+    auto c = eccentric<d>();
+    // Inside or beyond: less than the squared distance of the nearest point, which is at least the lower end of its
+    // root.
+    const Rational delta2 = squared_distance(c.surface.center, c.ball.center);
+    c.ball.squared_radius = sq(Rational(delta2 - c.surface.squared_radius)) / (Rational(4) * (delta2 + c.surface.squared_radius));
+    RC_PRE(delta2 != c.surface.squared_radius);
+    RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
+    return Violation{surface_meets_ball(c.surface, c.ball), intersection_cap(c.surface, c.ball).verdict};
   });
-  needs_part(t, "the point is on the surface", [] {
-    Violation v{};
-    gen::for_some_dimension<1, 4>([&v](auto d) {
-      auto c = eccentric<d>();
-      c.point += *gen::nonzero_vector<d>().as("shift");
-      RC_PRE(on_surface(c.surface, c.point) == Verdict::fails);
-      RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
-      RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::holds);
-      const auto made = intersection_cap(c.surface, c.ball);
-      v = {on_surface(c.surface, c.point), ball_and_half_space_agree(c.ball, made.half_space, c.point)};
-    });
-    return v;
+  needs_part_in<1, 4>(t, "the point is on the surface", [](auto d) {
+    auto c = eccentric<d>();
+    c.point += *gen::nonzero_vector<d>().as("shift");
+    RC_PRE(on_surface(c.surface, c.point) == Verdict::fails);
+    RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
+    RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::holds);
+    const auto made = intersection_cap(c.surface, c.ball);
+    return Violation{on_surface(c.surface, c.point), ball_and_half_space_agree(c.ball, made.half_space, c.point)};
   });
-  needs_part(t, "of the distance: e >= 0", [] {
-    Violation v{};
-    gen::for_some_dimension<1, 4>([&v](auto d) {
-      auto c = eccentric<d>();
-      c.ball.squared_radius = c.surface.squared_radius + squared_distance(c.surface.center, c.ball.center);
-      // e = 0: the center is in the plane, and the distance 0.
-      const auto at_center = nearest_point_of_intersection_cap(c.surface, c.ball);
-      RC_ASSERT(at_center.verdict == Verdict::holds && at_center.squared_distance == Rational(0));
-      RC_ASSERT(center_is_outside_half_space(c.surface, c.ball) == Verdict::fails);
-      RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
-      c.ball.squared_radius += *gen::positive_rational().as("amount");
-      RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
-      const auto made = nearest_point_of_intersection_cap(c.surface, c.ball);
-      const auto h = intersection_cap(c.surface, c.ball).half_space;
-      v = {made.verdict, is_nearest_point(h, c.surface.center, made)};
-    });
-    return v;
+  needs_part_in<1, 4>(t, "of the distance: e >= 0", [](auto d) {
+    auto c = eccentric<d>();
+    c.ball.squared_radius = c.surface.squared_radius + squared_distance(c.surface.center, c.ball.center);
+    // e = 0: the center is in the plane, and the distance 0.
+    const auto at_center = nearest_point_of_intersection_cap(c.surface, c.ball);
+    RC_ASSERT(at_center.verdict == Verdict::holds && at_center.squared_distance == Rational(0));
+    RC_ASSERT(center_is_outside_half_space(c.surface, c.ball) == Verdict::fails);
+    RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
+    c.ball.squared_radius += *gen::positive_rational().as("amount");
+    RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
+    const auto made = nearest_point_of_intersection_cap(c.surface, c.ball);
+    const auto h = intersection_cap(c.surface, c.ball).half_space;
+    return Violation{made.verdict, is_nearest_point(h, c.surface.center, made)};
   });
+}
+
+void printed_hypotheses_need_each_part(Suite& t) {
   t.holds("nothing is printed of negative squared radii, nor of a distance for r_b >= 1", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
       auto c = eccentric<d>();
@@ -257,13 +243,8 @@ void checks_need_each_part(Suite& t) {
   });
 }
 
-PROPTEST(lemma3_sphere_surface_intersection) {
+void printed_statements_are_refuted(Suite& t) {
   using namespace lemma3;
-  undecided_parts_are_not_lost(t);
-  hypotheses_need_each_part(t);
-  statements_say_their_words(t);
-  checks_need_each_part(t);
-
   t.example("empty intersections and equal centers refute the printed statement", {.form = "printed"}, [] {
     bool all = true;
     for (const Disc& disc : {inside, beyond, point_inside, point_beyond, concentric_small, concentric_large})
@@ -290,7 +271,10 @@ PROPTEST(lemma3_sphere_surface_intersection) {
       RC_ASSERT(intersection_distance_printed((*gen::surface_and_ball<d>().as("case")).ball) == Verdict::holds);
     });
   });
+}
 
+void repaired_statements_hold(Suite& t) {
+  using namespace lemma3;
   t.holds("where b != a and the ball meets the surface, they have a cap in common",
           {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
@@ -342,7 +326,9 @@ PROPTEST(lemma3_sphere_surface_intersection) {
               RC_ASSERT((surface_meets_ball(surface, ball) == encloses(ball, point_towards<d>(surface, towards))));
             });
           });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("intervals never contradict the exact verdict on meeting, on points and on the center",
           {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.25}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
@@ -393,7 +379,10 @@ PROPTEST(lemma3_sphere_surface_intersection) {
       RC_ASSERT(is_nearest_point(h, c.surface.center, wrong) == Verdict::fails);
     });
   });
+}
 
+void pinned_cases(Suite& t) {
+  using namespace lemma3;
   t.example("for b = a there is no half-space", {.form = "repaired", .hypothesis = "b != a"}, [] {
     return are_eccentric(unit_circle, concentric_large) == Verdict::fails &&
            surface_meets_ball(unit_circle, concentric_large) == Verdict::holds &&
@@ -417,6 +406,18 @@ PROPTEST(lemma3_sphere_surface_intersection) {
               const auto h = intersection_cap(unit_circle, through_center).half_space;
               return ball_and_half_space_agree(through_center, h, unit_circle.center) == Verdict::fails;
             });
+}
+
+PROPTEST(lemma3_sphere_surface_intersection) {
+  undecided_parts_are_not_lost(t);
+  hypotheses_need_each_part(t);
+  printed_hypotheses_need_each_part(t);
+  statements_say_their_words(t);
+  checks_need_each_part(t);
+  printed_statements_are_refuted(t);
+  repaired_statements_hold(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -35,57 +35,41 @@ gen::RimmedCap<D> narrow_cap() {
   return c;
 }
 
-void hypotheses_need_each_part(Suite& t) {
+void rim_hypotheses_need_each_part(Suite& t) {
   const auto made_by = [](const auto& c) {
     return is_smallest_cap_ball(c.cap, smallest_cap_ball(c.cap, c.sine, c.rim_direction));
   };
-  needs_part(t, "v is perpendicular to the axis, to either side", [=] {
-    Violation v{};
-    gen::for_some_dimension<2, 4>([&](auto d) {
-      auto c = narrow_cap<d>();
-      const auto tilt = *gen::cap_angle().as("tilt");
-      RC_PRE(tilt.cosine != Rational(0));
-      c.rim_direction = (c.cap.apex - c.cap.center) * tilt.cosine + c.rim_direction * tilt.sine;  // as long
-      v = {is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
-    });
-    return v;
+  needs_part_in<2, 4>(t, "v is perpendicular to the axis, to either side", [=](auto d) {
+    auto c = narrow_cap<d>();
+    const auto tilt = *gen::cap_angle().as("tilt");
+    RC_PRE(tilt.cosine != Rational(0));
+    c.rim_direction = (c.cap.apex - c.cap.center) * tilt.cosine + c.rim_direction * tilt.sine;  // as long
+    return Violation{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
   });
-  needs_part(t, "v is as long as the axis, not longer and not shorter", [=] {
-    Violation v{};
-    gen::for_some_dimension<2, 4>([&](auto d) {
-      auto c = narrow_cap<d>();
-      const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
-      c.rim_direction = *rc::gen::arbitrary<bool>().as("longer") ? gen::RationalVec<d>(c.rim_direction * factor)
-                                                                 : gen::RationalVec<d>(c.rim_direction / factor);
-      v = {is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
-    });
-    return v;
+  needs_part_in<2, 4>(t, "v is as long as the axis, not longer and not shorter", [=](auto d) {
+    auto c = narrow_cap<d>();
+    const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+    c.rim_direction = *rc::gen::arbitrary<bool>().as("longer") ? gen::RationalVec<d>(c.rim_direction * factor)
+                                                               : gen::RationalVec<d>(c.rim_direction / factor);
+    return Violation{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
   });
-  needs_part(t, "cos^2 + sin^2 = 1, not more and not less", [=] {
-    Violation v{};
-    gen::for_some_dimension<2, 4>([&](auto d) {
-      auto c = narrow_cap<d>();
-      const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
-      c.sine = *rc::gen::arbitrary<bool>().as("more") ? Rational(c.sine * factor) : Rational(c.sine / factor);
-      v = {is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
-    });
-    return v;
+  needs_part_in<2, 4>(t, "cos^2 + sin^2 = 1, not more and not less", [=](auto d) {
+    auto c = narrow_cap<d>();
+    const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
+    c.sine = *rc::gen::arbitrary<bool>().as("more") ? Rational(c.sine * factor) : Rational(c.sine / factor);
+    return Violation{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
   });
-  needs_part(t, "cos(alpha) <= 1", [] {
-    Violation v{};
-    gen::for_some_dimension<2, 4>([&v](auto d) {
-      auto c = narrow_cap<d>();
-      c.cap.cos_angle = 1;
-      RC_ASSERT(cap_has_points(c.cap) == Verdict::holds);
-      c.cap.cos_angle += *gen::positive_rational().as("amount");
-      const auto made = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
-      // A cap of no radius too.
-      const Cap<Rational, d> no_radius{c.cap.center, c.cap.center, c.cap.cos_angle};
-      const gen::RationalVec<d> none = gen::RationalVec<d>::Zero();
-      RC_ASSERT(smallest_cap_ball(no_radius, Rational(0), none).verdict == Verdict::fails);
-      v = {cap_has_points(c.cap), made.verdict};
-    });
-    return v;
+  needs_part_in<2, 4>(t, "cos(alpha) <= 1", [](auto d) {
+    auto c = narrow_cap<d>();
+    c.cap.cos_angle = 1;
+    RC_ASSERT(cap_has_points(c.cap) == Verdict::holds);
+    c.cap.cos_angle += *gen::positive_rational().as("amount");
+    const auto made = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
+    // A cap of no radius too.
+    const Cap<Rational, d> no_radius{c.cap.center, c.cap.center, c.cap.cos_angle};
+    const gen::RationalVec<d> none = gen::RationalVec<d>::Zero();
+    RC_ASSERT(smallest_cap_ball(no_radius, Rational(0), none).verdict == Verdict::fails);
+    return Violation{cap_has_points(c.cap), made.verdict};
   });
   t.holds("a sine is not negative; that of the angles 0 and pi is 0", {.number_type = "rational"}, [] {
     gen::for_some_dimension<2, 4>([](auto d) {
@@ -98,27 +82,22 @@ void hypotheses_need_each_part(Suite& t) {
       RC_ASSERT(is_rim(point, Rational(0), c.rim_direction) == Verdict::holds);
     });
   });
-  needs_part(t, "the point is in the cap", [] {
-    Violation v{};
-    gen::for_some_dimension<1, 4>([&v](auto d) {
-      auto c = about_origin(*gen::cap_point<d>().as("case"));
-      c.point = *gen::sphere_point<d>().as("direction") * *gen::positive_rational().as("distance");
-      RC_PRE(contains(c.cap, c.point) == Verdict::fails);
-      RC_ASSERT(cap_ball_encloses_repaired(c.cap, c.point) == Verdict::holds);
-      RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
-      v = {contains(c.cap, c.point), encloses(cap_ball_repaired(c.cap), c.point)};
-    });
-    return v;
+}
+
+void cap_hypotheses_need_each_part(Suite& t) {
+  needs_part_in<1, 4>(t, "the point is in the cap", [](auto d) {
+    auto c = about_origin(*gen::cap_point<d>().as("case"));
+    c.point = *gen::sphere_point<d>().as("direction") * *gen::positive_rational().as("distance");
+    RC_PRE(contains(c.cap, c.point) == Verdict::fails);
+    RC_ASSERT(cap_ball_encloses_repaired(c.cap, c.point) == Verdict::holds);
+    RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
+    return Violation{contains(c.cap, c.point), encloses(cap_ball_repaired(c.cap), c.point)};
   });
-  needs_part(t, "as printed, the cap's center is 0", [] {
-    Violation v{};
-    gen::for_some_dimension<1, 4>([&v](auto d) {
-      const auto c = *gen::cap_point<d>().as("case");
-      RC_PRE(c.cap.center != gen::RationalVec<d>::Zero());
-      RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
-      v = {cap_ball_hypotheses_printed(c.cap), encloses(cap_ball_printed(c.cap), c.point)};
-    });
-    return v;
+  needs_part_in<1, 4>(t, "as printed, the cap's center is 0", [](auto d) {
+    const auto c = *gen::cap_point<d>().as("case");
+    RC_PRE(c.cap.center != gen::RationalVec<d>::Zero());
+    RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
+    return Violation{cap_ball_hypotheses_printed(c.cap), encloses(cap_ball_printed(c.cap), c.point)};
   });
   t.holds("as printed, the cosine is that of an angle", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
@@ -224,10 +203,7 @@ void checks_need_each_part(Suite& t) {
           });
 }
 
-PROPTEST(lemma5_cap_enclosing_sphere) {
-  hypotheses_need_each_part(t);
-  checks_need_each_part(t);
-
+void printed_ball_misses_wide_caps(Suite& t) {
   t.example("the printed ball misses the apex of caps beyond a right angle, the repaired one does not", {.form = "printed"}, [] {
     bool all = true;
     for (const auto& cap : {lemma5::whole_circle, lemma5::wide, lemma5::hardly_wide})
@@ -252,7 +228,9 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
               RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
             });
           });
+}
 
+void repaired_ball_is_the_smallest(Suite& t) {
   t.holds("the ball with center max(cos(alpha), 0) along the axis encloses the cap",
           {.form = "repaired", .number_type = "rational", .cases = 4000, .degenerate_at_least = 0.3}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
@@ -291,7 +269,9 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
       RC_ASSERT(is_smallest_cap_ball(exact, smallest_cap_ball_by_roots(exact)) == Verdict::holds);
     });
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("intervals never contradict the exact verdict on points in and out of the cap",
           {.number_type = "interval", .cases = 2000, .degenerate_at_least = 0.3}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
@@ -352,7 +332,9 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
       RC_ASSERT(is_smallest_cap_ball(c.cap, bad) == Verdict::fails);
     });
   });
+}
 
+void pinned_cases(Suite& t) {
   t.example("without cos(alpha) <= 1 there is no ball", {.form = "repaired", .hypothesis = "cos(alpha) <= 1"}, [] {
     return cap_has_points(lemma5::no_points) == Verdict::fails &&
            less(cap_ball_repaired(lemma5::no_points).squared_radius, Rational(0)) == Verdict::holds;
@@ -377,6 +359,16 @@ PROPTEST(lemma5_cap_enclosing_sphere) {
               return is_rim(lemma5::narrow, lemma5::not_its_sine, lemma5::perpendicular) == Verdict::fails &&
                      is_smallest_cap_ball(lemma5::narrow, made) == Verdict::fails;
             });
+}
+
+PROPTEST(lemma5_cap_enclosing_sphere) {
+  rim_hypotheses_need_each_part(t);
+  cap_hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+  printed_ball_misses_wide_caps(t);
+  repaired_ball_is_the_smallest(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

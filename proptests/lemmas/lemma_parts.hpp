@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lemmas/vocabulary/verdict.hpp"
+#include "proptests/gen/dimension.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests {
@@ -28,6 +29,17 @@ void needs_part(Suite& t, const std::string& part, const Draw& draw, int cases =
           });
   t.refuted("the conclusion holds without this part of the hypothesis: " + part, {.number_type = "rational", .cases = cases},
             [draw] { RC_ASSERT(draw().conclusion == Verdict::holds); });
+}
+
+// The same of a theorem of R^d: draw(d) makes the Violation in one of R^low ... R^high, which is drawn for each case.
+template <int low, int high, class Draw>
+void needs_part_in(Suite& t, const std::string& part, const Draw& draw, int cases = 200) {
+  const auto in_some_dimension = [draw] {
+    Violation v{refitlab::Verdict::holds, refitlab::Verdict::holds};  // neither claim lets these pass
+    gen::for_some_dimension<low, high>([&](auto d) { v = draw(d); });
+    return v;
+  };
+  needs_part(t, part, in_some_dimension, cases);
 }
 
 }  // namespace proptests

@@ -82,9 +82,7 @@ float sine_by_dot(std::span<const Quaternion<float>> unit, const Quaternion<floa
   return 2 * d * std::sqrt(std::max(0.0f, 1 - d * d));
 }
 
-}  // namespace
-
-PROPTEST(rotation_bound) {
+void bounds_hold_the_balls_of_the_lemmas(Suite& t) {
   t.example("beyond half of S_3 the formula of a smaller cap misses a rotated vector, which all rotations hold",
             {.form = "repaired", .hypothesis = "s^2 < 1/2"}, [] {
               using namespace rotation_cap;
@@ -137,36 +135,42 @@ PROPTEST(rotation_bound) {
     }
     return Checked(all, 5);
   });
-  t.example("in float the chord keeps its digits at small angles, where the dot product loses them", {.number_type = "float"},
-            [] {
-              std::mt19937 random(2006);
-              std::normal_distribution<double> gauss;
-              double chord_worst = 0, dot_worst = 0;
-              long too_small = 0, cases = 0;
-              for (double half_angle = 0.3; half_angle > 1e-3; half_angle /= 1.1)
-                for (int i = 0; i < 100; ++i, ++cases) {
-                  Quaternion<double> middle(gauss(random), gauss(random), gauss(random), gauss(random));
-                  Quaternion<double> side(gauss(random), gauss(random), gauss(random), gauss(random));
-                  middle /= norm(middle);
-                  side -= middle * dot(middle, side);
-                  side /= norm(side);
-                  const std::vector<Quaternion<float>> unit{
-                      (middle * std::cos(half_angle) + side * std::sin(half_angle)).cast<float>(),
-                      (middle * std::cos(half_angle) - side * std::sin(half_angle)).cast<float>()};
-                  const Quaternion<float> direction = (unit[0] + unit[1]) / 2;
-                  const double sine = std::sin(2 * half_angle);
-                  const double by_dot = sine_by_dot(unit, direction / norm(direction));
-                  chord_worst = std::max(chord_worst, std::abs(bound_rotations<float>(unit, direction).radius_ratio / sine - 1));
-                  dot_worst = std::max(dot_worst, std::abs(by_dot / sine - 1));
-                  too_small += by_dot < sine;
-                }
-              char text[160];
-              std::snprintf(text, sizeof text,
-                            "half angles 0.3 to 0.001 rad, worst relative error of sin alpha: chord %.1e, dot %.1e; "
-                            "by dot too small in %.0f %%",
-                            chord_worst, dot_worst, 100.0 * too_small / cases);
-              return Checked(chord_worst < 3e-4 && dot_worst > 100 * chord_worst, cases, text);
-            });
 }
 
+Checked chords_keep_their_digits() {
+  std::mt19937 random(2006);
+  std::normal_distribution<double> gauss;
+  double chord_worst = 0, dot_worst = 0;
+  long too_small = 0, cases = 0;
+  for (double half_angle = 0.3; half_angle > 1e-3; half_angle /= 1.1)
+    for (int i = 0; i < 100; ++i, ++cases) {
+      Quaternion<double> middle(gauss(random), gauss(random), gauss(random), gauss(random));
+      Quaternion<double> side(gauss(random), gauss(random), gauss(random), gauss(random));
+      middle /= norm(middle);
+      side -= middle * dot(middle, side);
+      side /= norm(side);
+      const std::vector<Quaternion<float>> unit{(middle * std::cos(half_angle) + side * std::sin(half_angle)).cast<float>(),
+                                                (middle * std::cos(half_angle) - side * std::sin(half_angle)).cast<float>()};
+      const Quaternion<float> direction = (unit[0] + unit[1]) / 2;
+      const double sine = std::sin(2 * half_angle);
+      const double by_dot = sine_by_dot(unit, direction / norm(direction));
+      chord_worst = std::max(chord_worst, std::abs(bound_rotations<float>(unit, direction).radius_ratio / sine - 1));
+      dot_worst = std::max(dot_worst, std::abs(by_dot / sine - 1));
+      too_small += by_dot < sine;
+    }
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "half angles 0.3 to 0.001 rad, worst relative error of sin alpha: chord %.1e, dot %.1e; "
+                "by dot too small in %.0f %%",
+                chord_worst, dot_worst, 100.0 * too_small / cases);
+  return Checked(chord_worst < 3e-4 && dot_worst > 100 * chord_worst, cases, text);
+}
+
+PROPTEST(rotation_bound) {
+  bounds_hold_the_balls_of_the_lemmas(t);
+  t.example("in float the chord keeps its digits at small angles, where the dot product loses them", {.number_type = "float"},
+            chords_keep_their_digits);
+}
+
+}  // namespace
 }  // namespace proptests::suite_rotation_bound

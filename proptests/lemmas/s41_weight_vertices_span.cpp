@@ -15,11 +15,13 @@ namespace {
 using namespace refitlab;
 using Weights = std::vector<Rational>;
 
+bool is_degenerate(const gen::WeightPolytope& b) {
+  bool fixed = false;
+  for (std::size_t i = 0; i < b.bounds.low.size(); ++i) fixed = fixed || b.bounds.low[i] == b.bounds.high[i];
+  return fixed || b.vertices.size() == 1;
+}
 bool is_degenerate(const gen::WeightPolytope& b, const Weights& w) {
-  bool at_weight_vertex = false, fixed = false;
-  for (const auto& c : b.vertices) at_weight_vertex = at_weight_vertex || c == w;
-  for (std::size_t i = 0; i < w.size(); ++i) fixed = fixed || b.bounds.low[i] == b.bounds.high[i];
-  return at_weight_vertex || fixed || b.vertices.size() == 1;
+  return is_degenerate(b) || std::find(b.vertices.begin(), b.vertices.end(), w) != b.vertices.end();
 }
 
 // Bounds of three or four weights with at least three weight vertices, so that there is one between the first and the last.
@@ -84,6 +86,9 @@ void hypotheses_need_each_part(Suite& t) {
     w[(i + 1) % n] -= way;
     return Violation{admits<Rational>(b.bounds, w), weight_vertices_span(b.bounds, b.vertices, w).verdict};
   });
+}
+
+void bounds_and_lists_need_each_part(Suite& t) {
   t.holds("bounds of which one pair is crossed are not compatible, and have no weight vertex", {.number_type = "rational"}, [] {
     // Three pairs at 1/3, and one pair crossed about its place, so that both sums are still on their sides
     // of 1.
@@ -204,27 +209,26 @@ void checks_need_each_part(Suite& t) {
   });
 }
 
-PROPTEST(s41_weight_vertices_span) {
-  hypotheses_need_each_part(t);
-  checks_need_each_part(t);
-
-  t.holds("every admissible weight vector is a convex combination of the weight vertices",
-          {.form = "printed", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
-            const auto b = *gen::any_bounds_of_vertices(5);
-            const Weights w = *gen::admissible_weights(b.bounds);
-            RC_CLASSIFY(is_degenerate(b, w), "degenerate");
-            RC_ASSERT(weight_vertices_span_hypotheses(b.bounds, b.vertices) == Verdict::holds);
-            RC_ASSERT(admits<Rational>(b.bounds, w) == Verdict::holds);
-            const auto span = weight_vertices_span(b.bounds, b.vertices, w);
-            RC_ASSERT(span.verdict == Verdict::holds);
-            RC_ASSERT(is_weight_vertex_combination(b.vertices, w, span.coefficients) == Verdict::holds);
-            const auto used = std::count_if(span.coefficients.begin(), span.coefficients.end(),
-                                            [](const Rational& u) { return u != Rational(0); });
-            RC_ASSERT(used <= static_cast<long>(w.size()));
-          });
+void weight_vertices_span_the_admissible_weights(Suite& t) {
+  t.holds(
+      "every admissible weight vector is a convex combination of the weight vertices",
+      {.form = "printed", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
+        const auto b = *gen::any_bounds_of_vertices(5);
+        const Weights w = *gen::admissible_weights(b.bounds);
+        RC_CLASSIFY(is_degenerate(b, w), "degenerate");
+        RC_ASSERT(weight_vertices_span_hypotheses(b.bounds, b.vertices) == Verdict::holds);
+        RC_ASSERT(admits<Rational>(b.bounds, w) == Verdict::holds);
+        const auto span = weight_vertices_span(b.bounds, b.vertices, w);
+        RC_ASSERT(span.verdict == Verdict::holds);
+        RC_ASSERT(is_weight_vertex_combination(b.vertices, w, span.coefficients) == Verdict::holds);
+        const auto used =
+            std::count_if(span.coefficients.begin(), span.coefficients.end(), [](const Rational& u) { return u != Rational(0); });
+        RC_ASSERT(used <= static_cast<long>(w.size()));
+      });
 
   t.holds("every convex combination of the weight vertices is admissible",
-          {.form = "printed", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
+          {.form = "printed", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9},
+          [] {
             const auto b = *gen::any_bounds_of_vertices(5);
             const Weights u = *gen::convex_weights(static_cast<int>(b.vertices.size()));
             const auto made = weight_vertices_combine(b.bounds, b.vertices, u);
@@ -234,9 +238,9 @@ PROPTEST(s41_weight_vertices_span) {
           });
 
   t.holds("W' has at most n C(n-1, floor((n-1)/2)) weight vertices",
-          {.form = "beyond", .number_type = "rational", .cases = 200, .degenerate_at_least = 0.2}, [] {
+          {.form = "beyond", .number_type = "rational", .cases = 200, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
             const auto b = *gen::any_bounds_of_vertices(5);
-            RC_CLASSIFY(is_degenerate(b, b.vertices[0]), "degenerate");
+            RC_CLASSIFY(is_degenerate(b), "degenerate");
             RC_ASSERT(weight_vertices_are_proper(b.bounds, b.vertices) == Verdict::holds);
             RC_ASSERT(b.vertices.size() <= most_weight_vertices(b.bounds.low.size()));
           });
@@ -254,11 +258,13 @@ PROPTEST(s41_weight_vertices_span) {
     }
     return Checked(all, 6);
   });
+}
 
+void bounds_have_weight_vertices_if_compatible(Suite& t) {
   t.refuted("any bounds have weight vertices", {.form = "printed", .number_type = "rational"},
             [] { RC_ASSERT(weight_vertices_exist_printed(*gen::arbitrary_bounds(4)) == Verdict::holds); });
   t.holds("bounds have weight vertices if and only if sum l <= 1 <= sum h and no l_i > h_i",
-          {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.1}, [] {
+          {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.9}, [] {
             const auto bounds = *gen::arbitrary_bounds(4);
             const auto found = has_weight_vertex(bounds);
             RC_CLASSIFY(found.verdict == Verdict::holds, "has weight vertices");
@@ -277,7 +283,9 @@ PROPTEST(s41_weight_vertices_span) {
             weight_vertices_exist_repaired(bounds) == Verdict::holds;
     return Checked(all, 3);
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict on a combination", {.number_type = "interval", .cases = 300}, [] {
     const auto b = *gen::any_bounds_of_vertices(4);
     Weights w = *gen::admissible_weights(b.bounds);
@@ -310,16 +318,17 @@ PROPTEST(s41_weight_vertices_span) {
       RC_ASSERT(is_weight_vertex_combination(b.vertices, w, negative) == Verdict::fails);
     }
   });
+}
 
-  const Options completeness{.form = "printed", .hypothesis = "the list has every weight vertex"};
-  t.example("without one of the weight vertices an admissible vector is not spanned", completeness, [] {
-    return weight_vertices_are_admissible(s41::segment, s41::one_end) == Verdict::holds &&
-           weight_vertices_are_complete(s41::segment, s41::one_end) == Verdict::fails &&
-           weight_vertices_span(s41::segment, s41::one_end, s41::middle).verdict == Verdict::fails &&
-           separates(s41::towards_the_other_end, s41::middle, s41::one_end) == Verdict::holds;
-  });
-  const Options admissible_vector{.form = "printed", .hypothesis = "the weights are admissible"};
-  t.example("weights outside their bounds are not spanned", admissible_vector, [] {
+void pinned_cases(Suite& t) {
+  t.example("without one of the weight vertices an admissible vector is not spanned",
+            {.form = "printed", .hypothesis = "the list has every weight vertex"}, [] {
+              return weight_vertices_are_admissible(s41::segment, s41::one_end) == Verdict::holds &&
+                     weight_vertices_are_complete(s41::segment, s41::one_end) == Verdict::fails &&
+                     weight_vertices_span(s41::segment, s41::one_end, s41::middle).verdict == Verdict::fails &&
+                     separates(s41::towards_the_other_end, s41::middle, s41::one_end) == Verdict::holds;
+            });
+  t.example("weights outside their bounds are not spanned", {.form = "printed", .hypothesis = "the weights are admissible"}, [] {
     return weight_vertices_span_hypotheses(s41::segment, s41::both_ends) == Verdict::holds &&
            admits<Rational>(s41::segment, s41::beyond_the_segment) == Verdict::fails &&
            weight_vertices_span(s41::segment, s41::both_ends, s41::beyond_the_segment).verdict == Verdict::fails &&
@@ -327,17 +336,27 @@ PROPTEST(s41_weight_vertices_span) {
            // 2 and -1 make it of the weight vertices, but are not convex.
            is_weight_vertex_combination(s41::both_ends, s41::beyond_the_segment, s41::beyond_the_segment) == Verdict::fails;
   });
-  const Options admissible_list{.form = "printed", .hypothesis = "the listed weight vertices are admissible"};
-  t.example("a listed point outside the bounds makes inadmissible combinations", admissible_list, [] {
-    return weight_vertices_are_complete(s41::segment, s41::too_far) == Verdict::holds &&
-           weight_vertices_are_admissible(s41::segment, s41::too_far) == Verdict::fails &&
-           weight_vertices_combine(s41::segment, s41::too_far, s41::only_the_first).verdict == Verdict::fails;
-  });
-  const Options distinct{.form = "beyond", .hypothesis = "no weight vertex is listed twice"};
-  t.example("a list with a repeated weight vertex is longer than the bound", distinct, [] {
-    return weight_vertices_are_proper(s41::segment, s41::repeated) == Verdict::fails &&
-           s41::repeated.size() > most_weight_vertices(2);
-  });
+  t.example("a listed point outside the bounds makes inadmissible combinations",
+            {.form = "printed", .hypothesis = "the listed weight vertices are admissible"}, [] {
+              return weight_vertices_are_complete(s41::segment, s41::too_far) == Verdict::holds &&
+                     weight_vertices_are_admissible(s41::segment, s41::too_far) == Verdict::fails &&
+                     weight_vertices_combine(s41::segment, s41::too_far, s41::only_the_first).verdict == Verdict::fails;
+            });
+  t.example("a list with a repeated weight vertex is longer than the bound",
+            {.form = "beyond", .hypothesis = "no weight vertex is listed twice"}, [] {
+              return weight_vertices_are_proper(s41::segment, s41::repeated) == Verdict::fails &&
+                     s41::repeated.size() > most_weight_vertices(2);
+            });
+}
+
+PROPTEST(s41_weight_vertices_span) {
+  hypotheses_need_each_part(t);
+  bounds_and_lists_need_each_part(t);
+  checks_need_each_part(t);
+  weight_vertices_span_the_admissible_weights(t);
+  bounds_have_weight_vertices_if_compatible(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

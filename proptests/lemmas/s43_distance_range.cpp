@@ -140,11 +140,7 @@ void checks_need_each_part(Suite& t) {
           });
 }
 
-PROPTEST(s43_distance_range) {
-  predicates_say_their_words(t);
-  hypotheses_by_point_need_each_part(t);
-  checks_need_each_part(t);
-
+void printed_range_is_refuted(Suite& t) {
   t.refuted("r < 1 and ||c|| + r >= 1 give a distance in [0, 1]", {.form = "printed", .number_type = "rational"}, [] {
     const BallAndSphere<2> b;
     RC_ASSERT(distance_range_printed(b.center, b.radius) == Verdict::holds);
@@ -155,6 +151,9 @@ PROPTEST(s43_distance_range) {
            distance_range_printed(center, radius) == Verdict::fails &&
            distance_range_repaired(center, radius) == Verdict::holds && scaled_distance(center, sq(radius)) / 6 == distance;
   });
+}
+
+void repaired_range_holds(Suite& t) {
   t.holds("| ||c|| - 1 | <= r and r^2 <= 1 + ||c||^2 give a distance in [0, 1]",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             gen::for_some_dimension<1, 4>([](auto d) {
@@ -193,7 +192,9 @@ PROPTEST(s43_distance_range) {
     RC_ASSERT(reaches_surface_from_inside(b.center, radius) == verdict_of(b.length + radius >= 1));
     RC_ASSERT(reaches_surface_from_outside(b.center, radius) == verdict_of(b.length - radius <= 1));
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 500}, [] {
     const BallAndSphere<4> b;
     decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_repaired<S, 4>(c, r); }, b.center,
@@ -217,7 +218,9 @@ PROPTEST(s43_distance_range) {
     if (good.from_inside != 0) RC_ASSERT(is_distance_range(b.center, b.radius, from_outside) == Verdict::fails);
     if (good.from_outside != 0 || good.from_inside != 0) RC_ASSERT(is_distance_range(b.center, b.radius, both) == Verdict::fails);
   });
+}
 
+void pinned_cases(Suite& t) {
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const s43_range::Case& c) {
     t.example(sentence, {.form = "repaired", .hypothesis = hypothesis}, [&] {
       return distance_range_hypotheses_repaired(c.center, c.radius) == Verdict::fails &&
@@ -231,7 +234,6 @@ PROPTEST(s43_distance_range) {
   fails_without("r^2 <= 1 + ||c||^2", "a ball that holds more than half of the sphere has a negative distance",
                 s43_range::past_half);
   fails_without("c is not 0", "a ball about 0 has no distance", s43_range::about_zero);
-  const Options unit{.form = "repaired", .hypothesis = "the point is a unit vector"};
   t.example("a ball of exactly half of the sphere meets every hypothesis, and its distance is 0", {.form = "repaired"}, [] {
     const Vec<Rational, 2> center{Rational(3, 4), Rational(0)}, x{Rational(0), Rational(1)};
     const Rational radius(5, 4);  // r^2 = 1 + ||c||^2
@@ -239,12 +241,23 @@ PROPTEST(s43_distance_range) {
            distance_range_hypotheses_by_point(center, sq(radius), x) == Verdict::holds &&
            distance_range(center, radius).verdict == Verdict::holds && scaled_distance(center, sq(radius)) == 0;
   });
-  t.example("a ball that holds a vector which is no unit vector may miss the sphere", unit, [] {
-    const auto& x = s43_range::not_unit;
-    return less_equal(squared_distance(x, x), Rational(0)) == Verdict::holds &&
-           distance_range_hypotheses_by_point(x, Rational(0), x) == Verdict::fails &&
-           distance_range_by_point(x, Rational(0), x) == Verdict::fails;
-  });
+  t.example("a ball that holds a vector which is no unit vector may miss the sphere",
+            {.form = "repaired", .hypothesis = "the point is a unit vector"}, [] {
+              const auto& x = s43_range::not_unit;
+              return less_equal(squared_distance(x, x), Rational(0)) == Verdict::holds &&
+                     distance_range_hypotheses_by_point(x, Rational(0), x) == Verdict::fails &&
+                     distance_range_by_point(x, Rational(0), x) == Verdict::fails;
+            });
+}
+
+PROPTEST(s43_distance_range) {
+  predicates_say_their_words(t);
+  hypotheses_by_point_need_each_part(t);
+  checks_need_each_part(t);
+  printed_range_is_refuted(t);
+  repaired_range_holds(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -114,10 +114,7 @@ void checks_need_each_part(Suite& t) {
   });
 }
 
-PROPTEST(s43_minkowski_sum) {
-  hypotheses_need_each_part(t);
-  checks_need_each_part(t);
-
+void turned_balls_are_sums(Suite& t) {
   t.holds("a turned point of the ball is the turned center plus an offset of at most the radius",
           {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
             const TurnedBall c;
@@ -141,7 +138,9 @@ PROPTEST(s43_minkowski_sum) {
     RC_ASSERT(dot(turned_x, turned_y) == dot(x, y));
     RC_ASSERT(is_rotated<Rational>(q, cross(x, y), cross(turned_x, turned_y)) == Verdict::holds);
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     const TurnedBall c;
     decide_by_all([]<class S>(const Quaternion<S>& q, const Ball3<S>& ball, const Vec<S, 3>& pivot,
@@ -169,18 +168,20 @@ PROPTEST(s43_minkowski_sum) {
     both.turned_point += rotate_by(c.blend, far);
     RC_ASSERT(rejected(both));
   });
+}
 
-  const Options non_zero{.form = "printed", .hypothesis = "the blend is not 0"};
-  t.example("for the zero blend every point is an image, so an offset may be longer than the radius", non_zero, [] {
-    using namespace s43_minkowski;
-    const Point center = unit_ball.center;
-    return minkowski_sum_hypotheses(zero_blend) == Verdict::fails && is_rotated(zero_blend, center, center) == Verdict::holds &&
-           is_rotated(zero_blend, center, anywhere) == Verdict::holds &&
-           is_turned_point(zero_blend, unit_ball, pivot, {center, anywhere, center, anywhere}) == Verdict::fails &&
-           is_turned_point(zero_blend, unit_ball, pivot, {anywhere, center, center, center}) == Verdict::fails;
-  });
-  const Options is_ball{.form = "printed", .hypothesis = "S is a ball"};
-  t.example("a turned box is not the box about the turned center", is_ball, [] {
+void pinned_cases(Suite& t) {
+  t.example("for the zero blend every point is an image, so an offset may be longer than the radius",
+            {.form = "printed", .hypothesis = "the blend is not 0"}, [] {
+              using namespace s43_minkowski;
+              const Point center = unit_ball.center;
+              return minkowski_sum_hypotheses(zero_blend) == Verdict::fails &&
+                     is_rotated(zero_blend, center, center) == Verdict::holds &&
+                     is_rotated(zero_blend, center, anywhere) == Verdict::holds &&
+                     is_turned_point(zero_blend, unit_ball, pivot, {center, anywhere, center, anywhere}) == Verdict::fails &&
+                     is_turned_point(zero_blend, unit_ball, pivot, {anywhere, center, center, center}) == Verdict::fails;
+            });
+  t.example("a turned box is not the box about the turned center", {.form = "printed", .hypothesis = "S is a ball"}, [] {
     const Point turned(Rational(-1, 5), Rational(7, 5), 1);  // no longer in [-1, 1]^3
     const Ball3<Rational> around_box{s43_minkowski::pivot, Rational(2)};
     return is_rotated(s43_minkowski::turn, s43_minkowski::box_corner, turned) == Verdict::holds &&
@@ -189,6 +190,14 @@ PROPTEST(s43_minkowski_sum) {
            turned_ball_in_sum(s43_minkowski::turn, s43_minkowski::unit_ball, s43_minkowski::pivot, s43_minkowski::box_corner)
                    .verdict == Verdict::fails;
   });
+}
+
+PROPTEST(s43_minkowski_sum) {
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+  turned_balls_are_sums(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

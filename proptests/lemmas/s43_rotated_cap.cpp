@@ -129,10 +129,7 @@ void checks_need_each_part(Suite& t) {
   });
 }
 
-PROPTEST(s43_rotated_cap) {
-  hypotheses_need_each_part(t);
-  checks_need_each_part(t);
-
+void rotations_fill_the_cap_of_the_doubled_angle(Suite& t) {
   t.holds("(R_p v, R_q v) >= ||v||^2 (2 c^2 - 1), and the slack is a square",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.1}, [] {
             const Quaternion<Rational> p = *gen::rational_vector<4>(), q = *gen::rational_vector<4>();
@@ -202,7 +199,9 @@ PROPTEST(s43_rotated_cap) {
     const Quaternion<Rational> q = (c.frame.first * other.cosine + c.frame.second * other.sine) * *gen::positive_rational();
     RC_ASSERT((within_angle<Rational, 4>(c.apex, q, c.angle.cosine) == verdict_of(c.angle.cosine <= other.cosine)));
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     const CapOfRotations c;
     const Vector v = *gen::rational_vector<3>();
@@ -239,33 +238,42 @@ PROPTEST(s43_rotated_cap) {
     RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, c.rotation * Rational(0)) == Verdict::fails);
     if (c.angle.cosine > 0) RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, -c.rotation) == Verdict::fails);
   });
+}
 
-  const Options in_cap{.form = "repaired", .hypothesis = "the rotation is in the cap"};
-  t.example("a rotation outside the cap takes v out of the doubled cap", in_cap, [] {
-    using namespace s43_cap;
-    return rotated_cap_hypotheses(no_turn, before_right_angle, half_turn_about_x) == Verdict::fails &&
-           rotated_cap(no_turn, half_turn_about_x, y, rotated_cap_cosine_repaired(before_right_angle)).verdict == Verdict::fails;
-  });
-  const Options non_zero{.form = "repaired", .hypothesis = "the rotation is not 0"};
-  t.example("0 is within every angle, and takes y to -y", non_zero, [] {
+void pinned_cases(Suite& t) {
+  t.example("a rotation outside the cap takes v out of the doubled cap",
+            {.form = "repaired", .hypothesis = "the rotation is in the cap"}, [] {
+              using namespace s43_cap;
+              return rotated_cap_hypotheses(no_turn, before_right_angle, half_turn_about_x) == Verdict::fails &&
+                     rotated_cap(no_turn, half_turn_about_x, y, rotated_cap_cosine_repaired(before_right_angle)).verdict ==
+                         Verdict::fails;
+            });
+  t.example("0 is within every angle, and takes y to -y", {.form = "repaired", .hypothesis = "the rotation is not 0"}, [] {
     using namespace s43_cap;
     return rotated_cap_hypotheses(no_turn, before_right_angle, zero) == Verdict::fails &&
            within_angle<Q, 4>(no_turn, zero, before_right_angle) == Verdict::holds &&
            is_rotated<Q>(zero, y, -y) == Verdict::holds &&
            within_angle<Q, 3>(y, -y, rotated_cap_cosine_repaired(before_right_angle)) == Verdict::fails;
   });
-  const Options as_long{.form = "repaired", .hypothesis = "x is as long as v"};
-  t.example("no rotation takes a vector to a longer one", as_long, [] {
+  t.example("no rotation takes a vector to a longer one", {.form = "repaired", .hypothesis = "x is as long as v"}, [] {
     using namespace s43_cap;
     return filled_cap_hypotheses(no_turn, y, twice_y, Q(1)) == Verdict::fails &&
            rotation_onto(no_turn, Q(1), y, twice_y).verdict == Verdict::fails;
   });
-  const Options within{.form = "repaired", .hypothesis = "x is within the doubled angle"};
-  t.example("no rotation of the cap takes y to z, a right angle away", within, [] {
-    using namespace s43_cap;
-    return filled_cap_hypotheses(no_turn, y, z, rotated_cap_cosine_repaired(before_right_angle)) == Verdict::fails &&
-           rotation_onto(no_turn, before_right_angle, y, z).verdict == Verdict::fails;
-  });
+  t.example("no rotation of the cap takes y to z, a right angle away",
+            {.form = "repaired", .hypothesis = "x is within the doubled angle"}, [] {
+              using namespace s43_cap;
+              return filled_cap_hypotheses(no_turn, y, z, rotated_cap_cosine_repaired(before_right_angle)) == Verdict::fails &&
+                     rotation_onto(no_turn, before_right_angle, y, z).verdict == Verdict::fails;
+            });
+}
+
+PROPTEST(s43_rotated_cap) {
+  hypotheses_need_each_part(t);
+  checks_need_each_part(t);
+  rotations_fill_the_cap_of_the_doubled_angle(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -191,10 +191,7 @@ void verdicts_and_checks_need_each_part(Suite& t) {
           });
 }
 
-PROPTEST(s43_whole_sphere_fallback) {
-  hypotheses_need_each_part(t);
-  verdicts_and_checks_need_each_part(t);
-
+void printed_statements_are_refuted(Suite& t) {
   t.refuted("a ball with r_E >= 1 needs the whole sphere", {.form = "printed", .number_type = "rational"}, [] {
     const Case c = any_cap();
     RC_ASSERT(implies(fallback_is_needed_printed(c.squared_radius), fallback_is_needed_repaired(c.center, c.squared_radius)) ==
@@ -223,7 +220,9 @@ PROPTEST(s43_whole_sphere_fallback) {
     }
     return Checked(all, 2);
   });
+}
 
+void repaired_statements_hold(Suite& t) {
   t.holds("if r^2 < 1 + ||c||^2, every blend is in the cap and none is 0",
           {.form = "repaired", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const Case c = any_cap();
@@ -245,7 +244,9 @@ PROPTEST(s43_whole_sphere_fallback) {
             RC_CLASSIFY(cap.cos_angle == -1, "falls back");
             RC_ASSERT(rotated_blend_is_bounded(cap, blend, *gen::rational_vector<3>()) == Verdict::holds);
           });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const Case c = *rc::gen::arbitrary<bool>() ? any_cap() : any_mean_ball();
     decide_by_all([]<class S>(const std::vector<Quaternion<S>>& n, const Quaternion<S>& center, const S& r2,
@@ -273,7 +274,9 @@ PROPTEST(s43_whole_sphere_fallback) {
     u[0] += bump;
     RC_ASSERT(rejected(blend_of(c), u));
   });
+}
 
+void pinned_cases(Suite& t) {
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const Case& c) {
     t.example(sentence, {.form = "repaired", .hypothesis = hypothesis}, [&] {
       const Verdict all = units_in_ball<Rational>(c.units, c.center, c.squared_radius) &
@@ -302,6 +305,15 @@ PROPTEST(s43_whole_sphere_fallback) {
     const Quaternion<Rational> zero = Quaternion<Rational>::Zero();
     return scaled_distance(zero, Rational(1, 4)) > 0 && ball_makes_cap(zero, Rational(1, 4)) == Verdict::fails;
   });
+}
+
+PROPTEST(s43_whole_sphere_fallback) {
+  hypotheses_need_each_part(t);
+  verdicts_and_checks_need_each_part(t);
+  printed_statements_are_refuted(t);
+  repaired_statements_hold(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -124,6 +124,9 @@ void hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(sum_of_bounds_hypotheses(c.ball, c.bounds, more.parts) == Verdict::fails);
     RC_ASSERT(encloses_equal_balls<Rational>(c.ball, {{}, c.bounds.spherical, c.bounds.inflation}) == Verdict::fails);
   });
+}
+
+void radii_and_offsets_need_each_part(Suite& t) {
   needs_part(t, "the spherical part is in F", [] {
     auto c = several_points();
     c.parts.spherical = c.bounds.spherical.center +
@@ -206,12 +209,9 @@ void checks_need_each_part(Suite& t) {
           });
 }
 
-PROPTEST(s44_sum_of_bounds) {
-  hypotheses_need_each_part(t);
-  checks_need_each_part(t);
-
+void inflated_balls_enclose_every_sum(Suite& t) {
   t.holds("a ball of the equal balls r'_k + F, inflated by r, encloses every sum of the parts",
-          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
+          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3, .degenerate_at_most = 0.9}, [] {
             const auto c = any_case();
             RC_CLASSIFY(is_degenerate(c), "degenerate");
             RC_ASSERT(sum_of_bounds_hypotheses(c.ball, c.bounds, c.parts) == Verdict::holds);
@@ -220,7 +220,7 @@ PROPTEST(s44_sum_of_bounds) {
             RC_ASSERT(is_sum_steps(c.ball, c.bounds, sum.vertex, sum.steps) == Verdict::holds);
           });
   t.holds("the hull of the balls r'_k + F is the hull of the r'_k plus F: nothing is lost",
-          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3}, [] {
+          {.form = "printed", .number_type = "rational", .degenerate_at_least = 0.3, .degenerate_at_most = 0.9}, [] {
             const auto c = any_case();
             RC_CLASSIFY(is_degenerate(c), "degenerate");
             std::vector<Point> points;
@@ -232,7 +232,8 @@ PROPTEST(s44_sum_of_bounds) {
             RC_ASSERT((is_hull_point<Rational, 3>(points, hull.linear + hull.spherical, c.parts.coefficients) == Verdict::holds));
           });
   t.holds("a ball encloses another if and only if it encloses its farthest point",
-          {.form = "printed", .number_type = "exact root", .cases = 200, .degenerate_at_least = 0.2}, [] {
+          {.form = "printed", .number_type = "exact root", .cases = 200, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9},
+          [] {
             const Ball3<Rational> inner{*gen::rational_vector<3>(), any_radius()};
             Ball3<Rational> outer{*rc::gen::oneOf(rc::gen::just(inner.center), gen::rational_vector<3>()), any_radius()};
             if (*rc::gen::arbitrary<bool>())  // touching, if the distance is rational, or nearly so
@@ -247,7 +248,9 @@ PROPTEST(s44_sum_of_bounds) {
     return sum_of_bounds_hypotheses(c.ball, c.bounds, c.parts) == Verdict::holds && sum.verdict == Verdict::holds &&
            squared_distance(sum.vertex, c.ball.center) == sq(Rational(c.ball.radius + c.bounds.inflation));
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     auto c = any_case();
     if (*rc::gen::arbitrary<bool>()) c.parts.offset *= Rational(3);  // a statement that may fail
@@ -301,7 +304,9 @@ PROPTEST(s44_sum_of_bounds) {
               RC_ASSERT(alone(step, limits[step] + amount) == Verdict::fails);
             }
           });
+}
 
+void pinned_cases(Suite& t) {
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const s44_sum::Case& c) {
     t.example(sentence, {.form = "printed", .hypothesis = hypothesis}, [&] {
       return sum_of_bounds_hypotheses(c.ball, c.bounds, c.parts) == Verdict::fails &&
@@ -314,6 +319,15 @@ PROPTEST(s44_sum_of_bounds) {
   fails_without("the ball encloses balls, not only their centers", "a ball of the centers is too small", s44_sum::ball_of_points);
   fails_without("the ball encloses every ball", "a ball of the first ball misses the second", s44_sum::ball_of_one);
   fails_without("the ball encloses every ball", "a ball of the second ball misses the first", s44_sum::ball_of_other);
+}
+
+PROPTEST(s44_sum_of_bounds) {
+  hypotheses_need_each_part(t);
+  radii_and_offsets_need_each_part(t);
+  checks_need_each_part(t);
+  inflated_balls_enclose_every_sum(t);
+  verdicts_and_witnesses_are_checked(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct UnitsAndCenter {
   }
 };
 
-PROPTEST(t3_min_dot_distance) {
+void distance_is_the_least_dot_product(Suite& t) {
   t.holds("d_H is the least dot product of a unit with the direction of the center",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             gen::for_some_dimension<2, 4>([](auto d) {
@@ -51,7 +51,9 @@ PROPTEST(t3_min_dot_distance) {
             c.squared_radius += *gen::unit_interval_rational();
             RC_ASSERT(c.distance().not_looser == Verdict::holds);
           });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 500}, [] {
     UnitsAndCenter<4> c;
     if (*rc::gen::arbitrary<bool>()) c.squared_radius += *gen::rational();
@@ -102,6 +104,9 @@ PROPTEST(t3_min_dot_distance) {
                  verdict_of(is_center && is_largest)));
     });
   });
+}
+
+void hypotheses_and_minima_need_each_part(Suite& t) {
   needs_each_part(
       t, "each part of the hypotheses is looked at by itself", 0.2,
       [] {
@@ -154,7 +159,9 @@ PROPTEST(t3_min_dot_distance) {
       RC_ASSERT((is_least_dot<Rational, 3>(c.units, c.center, other) == verdict_of(attains)));
     }
   });
+}
 
+void pinned_cases(Suite& t) {
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const t3_dot::Case& c) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
       return min_dot_distance_hypotheses<Rational, 2>(c.units, c.center, c.squared_radius) == Verdict::fails &&
@@ -166,6 +173,13 @@ PROPTEST(t3_min_dot_distance) {
   fails_without("r is at least the largest distance", "for a smaller radius the paper's form is larger", t3_dot::too_small);
   fails_without("r is that of the farthest unit", "the nearest unit's radius will not do", t3_dot::of_the_nearest);
   fails_without("c is not 0", "about 0 there is no distance", t3_dot::about_zero);
+}
+
+PROPTEST(t3_min_dot_distance) {
+  distance_is_the_least_dot_product(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_and_minima_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

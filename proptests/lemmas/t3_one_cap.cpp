@@ -74,7 +74,7 @@ Case wild_case() {
   return c;
 }
 
-PROPTEST(t3_one_cap) {
+void one_cap_holds_every_blend(Suite& t) {
   t.holds("the cap of the least angle cosine holds every blend, for quaternions of any length",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.2}, [] {
             const Case c = any_case();
@@ -108,7 +108,9 @@ PROPTEST(t3_one_cap) {
     RC_ASSERT(hypotheses_of(c) == Verdict::holds);
     RC_ASSERT(cap_of(c).verdict == Verdict::holds);
   });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     Case c = any_case();
     if (*rc::gen::arbitrary<bool>()) c.squared_cosine = *gen::unit_interval_rational();
@@ -136,7 +138,9 @@ PROPTEST(t3_one_cap) {
     larger.squared_cosine += *gen::positive_rational();
     RC_ASSERT(rejected(larger.squared_cosine, cap_of(larger).gram));
   });
+}
 
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
       t, "each part of the hypotheses is looked at by itself", 0.1,
       [] {
@@ -187,6 +191,9 @@ PROPTEST(t3_one_cap) {
     RC_ASSERT(hypotheses_of(c) == Verdict::holds);
     RC_ASSERT(cap_of(c).verdict == Verdict::holds);
   });
+}
+
+void statements_say_their_words(Suite& t) {
   t.holds("the verdict is that of its three parts, whatever the inputs", {.number_type = "rational", .cases = 1000}, [] {
     const Case c = wild_case();
     const Quaternion<Rational> blend = blend_of(c);
@@ -251,11 +258,9 @@ PROPTEST(t3_one_cap) {
     RC_ASSERT(pair.at_apex == at_axis && pair.rotated == rotated);
     RC_ASSERT(pair.verdict == verdict_of(v2 * (2 * kappa2 - 1) <= along));
   });
-  reaches_share(t, "cases of several quaternions with a cap between none and all", 0.4, [] {
-    const Case c = any_case();
-    return c.quaternions.size() > 1 && c.squared_cosine > 0 && c.squared_cosine < 1;
-  });
+}
 
+void pinned_cases(Suite& t) {
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const Case& c) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis},
               [&] { return hypotheses_of(c) == Verdict::fails && cap_of(c).verdict == Verdict::fails; });
@@ -270,6 +275,18 @@ PROPTEST(t3_one_cap) {
     return hypotheses_of(c) == Verdict::holds && cap_of(c).verdict == Verdict::holds &&
            squared_norm(combine<Rational, 4>(c.coefficients, c.quaternions)) == Rational(0);
   });
+}
+
+PROPTEST(t3_one_cap) {
+  one_cap_holds_every_blend(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  statements_say_their_words(t);
+  reaches_share(t, "cases of several quaternions with a cap between none and all", 0.4, [] {
+    const Case c = any_case();
+    return c.quaternions.size() > 1 && c.squared_cosine > 0 && c.squared_cosine < 1;
+  });
+  pinned_cases(t);
 }
 
 }  // namespace

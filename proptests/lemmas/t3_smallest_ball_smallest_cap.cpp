@@ -35,7 +35,7 @@ struct UnitsOnOneSide {
   auto cap() const { return smallest_cap<Rational, D>(units, coefficients); }
 };
 
-PROPTEST(t3_smallest_ball_smallest_cap) {
+void nearest_point_makes_both(Suite& t) {
   t.holds(
       "the ball about the hull's nearest point has the certificate of the smallest ball, and its distance is ||c||",
       {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1}, [] {
@@ -74,7 +74,9 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
             cap.squared_distance -= distance2 / (more + 1);
             RC_ASSERT((is_not_smaller_cap<Rational, 4>(c.units, cap, cap.center) == Verdict::fails));
           });
+}
 
+void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 300}, [] {
     const UnitsOnOneSide<4> c;
     const Vec<Rational, 4> baseline = c.cap().center + *gen::rational_vector<4>();
@@ -132,7 +134,9 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
            cap.verdict == Verdict::holds && repeated.verdict == Verdict::holds &&
            cap.squared_distance == repeated.squared_distance && cap.center == repeated.center;
   });
+}
 
+void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
       t, "each part of the hypotheses is looked at by itself", 0.5,
       [] {
@@ -184,6 +188,9 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
         return Weakening{part, hypothesis, smallest_cap<Rational, 3>(units, u).verdict};
       },
       900);
+}
+
+void each_part_of_a_certificate_is_checked(Suite& t) {
   t.holds("the ball and the cap that are claimed are those of the formulas", {.number_type = "rational", .cases = 200}, [] {
     const UnitsOnOneSide<3> c;
     Vec<Rational, 3> center(0, 0, 0);
@@ -232,6 +239,9 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
                 (is_smallest_ball<Rational, 3>(none, std::vector<Rational>{}, cap.center, cap.squared_radius) == Verdict::fails));
             RC_ASSERT((is_nearest_point<Rational, 3>(none, std::vector<Rational>{}) == Verdict::fails));
           });
+}
+
+void comparisons_need_each_part(Suite& t) {
   t.holds(
       "whether a ball or a cap is not smaller is decided by the farthest unit, on both sides and at the edge",
       {.number_type = "rational", .cases = 400}, [] {
@@ -262,7 +272,9 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
     const std::vector<t3_smallest::Point> twice{t3_smallest::x, t3_smallest::x};
     return smallest_cap<Rational, 2>(twice, std::vector<Rational>{2, -1}).verdict == Verdict::fails;
   });
+}
 
+void pinned_cases(Suite& t) {
   const auto fails_without = [&t](const std::string& hypothesis, const std::string& sentence, const t3_smallest::Case& c) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
       return smallest_cap_hypotheses<Rational, 2>(c.units, c.coefficients) == Verdict::fails &&
@@ -273,6 +285,15 @@ PROPTEST(t3_smallest_ball_smallest_cap) {
   fails_without("c is the nearest point", "about another point of the hull the ball is not the smallest",
                 t3_smallest::not_nearest);
   fails_without("0 is not in the hull", "if 0 is in the hull the nearest point is no direction", t3_smallest::zero_inside);
+}
+
+PROPTEST(t3_smallest_ball_smallest_cap) {
+  nearest_point_makes_both(t);
+  verdicts_and_witnesses_are_checked(t);
+  hypotheses_need_each_part(t);
+  each_part_of_a_certificate_is_checked(t);
+  comparisons_need_each_part(t);
+  pinned_cases(t);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ Rational power_of_ten(int exponent) {
   return x;
 }
 
-PROPTEST(vocabulary) {
+void verdicts_are_those_of_truth_values(Suite& t) {
   t.example("the connectives of verdicts are those of all truth values that are possible", {}, [] {
     long cases = 0;
     bool ok = verdict_of(true) == Verdict::holds && verdict_of(false) == Verdict::fails;
@@ -118,6 +118,9 @@ PROPTEST(vocabulary) {
     return verdict_of(Uncertain<bool>(true)) == Verdict::holds && verdict_of(Uncertain<bool>(false)) == Verdict::fails &&
            verdict_of(Uncertain<bool>(false, true)) == Verdict::undecided;
   });
+}
+
+void intervals_and_numbers_compute(Suite& t) {
   t.holds("operations on intervals of doubles are right at their ends", {.number_type = "interval", .cases = 2000},
           [] { assert_interval_operations<Interval>(interval_of); });
   t.holds("operations on intervals of 60 digits are right at their ends",
@@ -163,6 +166,9 @@ PROPTEST(vocabulary) {
     for (const auto& same : {compose(identity, map), compose(map, identity)})
       RC_ASSERT(same.columns == map.columns && same.offset == map.offset);
   });
+}
+
+void numbers_are_lifted_and_compared(Suite& t) {
   t.example("the ladder goes up by one rung at a time, and only as far as it must", {}, [] {
     // A statement that the given rung is the first to decide; it keeps a list of those that were asked.
     long cases = 0;
@@ -235,7 +241,9 @@ PROPTEST(vocabulary) {
             const Rational c = *rc::gen::element(Rational(k + off), Rational(-k + off), Rational(off));
             RC_ASSERT(at_most_root(c, q) == verdict_of(c <= k));
           });
+}
 
+void weights_are_convex_within_bounds(Suite& t) {
   needs_each_part(
       t, "convex weights: each sign, and the sum from both sides", 0,
       [] {
@@ -273,6 +281,9 @@ PROPTEST(vocabulary) {
         return Weakening{part, admits(bounds, Span(w)), {}};
       },
       1000);
+}
+
+void vectors_compute_by_coordinates(Suite& t) {
   t.holds("combinations are sums, coordinate by coordinate", {.number_type = "rational", .cases = 300}, [] {
     const auto w = *rc::gen::container<std::vector<Rational>>(static_cast<std::size_t>(*rc::gen::inRange(1, 5)), gen::rational());
     const auto points = *rc::gen::container<std::vector<RationalVec<3>>>(w.size(), gen::rational_vector<3>());
@@ -312,7 +323,9 @@ PROPTEST(vocabulary) {
     of.template operator()<float>();
     of.template operator()<double>();
   });
+}
 
+void quaternions_and_rigid_transforms_are_matrices(Suite& t) {
   t.holds(
       "quaternions multiply by the table, and their conjugates the other way round", {.number_type = "rational", .cases = 300},
       [] {
@@ -345,7 +358,9 @@ PROPTEST(vocabulary) {
     const RigidTransform<Rational> none;
     RC_ASSERT(apply(none, x) == x && none.rotation == identity_quaternion<Rational>());
   });
+}
 
+void balls_and_caps_hold_what_they_say(Suite& t) {
   t.holds("balls enclose points and balls up to their edge, and a negative radius nothing",
           {.number_type = "rational", .cases = 1000}, [] {
             const auto center = *gen::rational_vector<3>();
@@ -386,6 +401,16 @@ PROPTEST(vocabulary) {
     for (const Rational& stretch : {Rational(1), Rational(1 + excess), Rational(1 / (1 + excess))})
       RC_ASSERT(contains(all, RationalVec<3>(center + at * Rational(radius * stretch))) == verdict_of(stretch == 1));
   });
+}
+
+PROPTEST(vocabulary) {
+  verdicts_are_those_of_truth_values(t);
+  intervals_and_numbers_compute(t);
+  numbers_are_lifted_and_compared(t);
+  weights_are_convex_within_bounds(t);
+  vectors_compute_by_coordinates(t);
+  quaternions_and_rigid_transforms_are_matrices(t);
+  balls_and_caps_hold_what_they_say(t);
 }
 
 }  // namespace
