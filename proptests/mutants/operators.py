@@ -4,6 +4,8 @@
 The rules know C++ and Python by their tokens alone. That is enough because sources are laid out by clang-format: an operator of two
 operands has a space on either side, and the brackets of a template have none.
 """
+import collections
+import hashlib
 import re
 from dataclasses import dataclass
 
@@ -24,7 +26,7 @@ class Mutant:
         """The line, and what becomes of it."""
         start, end = text.rfind("\n", 0, self.at) + 1, text.find("\n", self.at + len(self.old))
         end = len(text) if end < 0 else end
-        return text[start:end].strip(), self.applied_to(text)[start:end + len(self.new) - len(self.old)].strip()
+        return text[start:end].strip(), (text[start:self.at] + self.new + text[self.at + len(self.old):end]).strip()
 
 
 SWAPPED = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||",
@@ -176,12 +178,18 @@ def rebuilt_arguments(mutant, text):
     return mutant if '"' not in mutant.old and "//" not in mutant.old else None
 
 
-def in_even_order(count, seed):
-    """The numbers below count in an order of which every beginning is spread evenly (van der Corput's, shifted by the seed)."""
-    bits, order = max(1, (count - 1).bit_length()), []
-    shift = seed * 0x9E3779B1 % (1 << bits)
-    for i in range(1 << bits):
-        place = (int(format(i, f"0{bits}b")[::-1], 2) + shift) % (1 << bits)
-        if place < count:
-            order.append(place)
-    return order
+def identities(mutants, text):
+    """What each of the mutants of a file is known by, in the order of their places: its file, its rule, the line, what becomes of it, and how
+    many before it have these in common. None of this changes with what stands elsewhere."""
+    before, found = collections.Counter(), []
+    for mutant in mutants:
+        key = (mutant.file, mutant.rule, *mutant.lines(text))
+        found.append((*key, before[key]))
+        before[key] += 1
+    return found
+
+
+def place_of(identity, seed):
+    """Where a mutant with this identity stands in the order with this seed: a number that is as good as drawn, evenly from all of one size. It
+    depends on nothing else, and so a mutant that comes or goes leaves the others in the order that they had."""
+    return hashlib.blake2b(repr(identity).encode(), key=str(seed).encode(), digest_size=16).digest()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sample of the mutants by rule, spread evenly over lemmas, algorithms and the checkers of certificates, and their verdicts."""
+"""A sample of the mutants by rule, drawn evenly from lemmas, algorithms and the checkers of certificates, and their verdicts."""
 import functools
 
 import operators
@@ -22,10 +22,18 @@ def sources():
     return sorted(f for f in (str(p.relative_to(ROOT)) for p in paths) if not f.startswith(LEFT_OUT))
 
 
+def in_order(texts, seed=SEED):
+    """All mutants of these texts, by file, in the order in which a sample takes them."""
+    places = {}
+    for file, text in texts.items():
+        mutants = operators.mutants_of(file, text)
+        places.update((operators.place_of(identity, seed), mutant) for identity, mutant in zip(operators.identities(mutants, text), mutants))
+    return [places[place] for place in sorted(places)]
+
+
 @functools.cache
 def all_mutants():
-    mutants = [m for f in sources() for m in operators.mutants_of(f, (ROOT / f).read_text())]
-    return [mutants[i] for i in operators.in_even_order(len(mutants), SEED)]
+    return in_order({file: (ROOT / file).read_text() for file in sources()})
 
 
 @functools.cache
