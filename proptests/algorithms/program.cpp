@@ -25,6 +25,7 @@
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
 // What the system calls, which is too short for a file to be tested by.

@@ -4,6 +4,8 @@
 The rules know C++ and Python by their tokens alone. That is enough because sources are laid out by clang-format: an operator of two
 operands has a space on either side, and the brackets of a template have none.
 """
+import collections
+import hashlib
 import re
 from dataclasses import dataclass
 
@@ -24,13 +26,14 @@ class Mutant:
         """The line, and what becomes of it."""
         start, end = text.rfind("\n", 0, self.at) + 1, text.find("\n", self.at + len(self.old))
         end = len(text) if end < 0 else end
-        return text[start:end].strip(), self.applied_to(text)[start:end + len(self.new) - len(self.old)].strip()
+        return text[start:end].strip(), (text[start:self.at] + self.new + text[self.at + len(self.old):end]).strip()
 
 
 SWAPPED = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||",
            "||": "&&", "and": "or", "or": "and", "true": "false", "false": "true", "True": "False", "False": "True", "low": "high",
            "high": "low", "min": "max", "max": "min", "Min": "Max", "Max": "Min", "above": "below", "below": "above", "floor": "ceil",
-           "ceil": "floor", "holds": "fails", "fails": "holds"}
+           "ceil": "floor", "holds": "fails", "fails": "holds", "MPFR_RNDD": "MPFR_RNDU", "MPFR_RNDU": "MPFR_RNDD", "inf": "sup",
+           "sup": "inf"}
 OPERAND = r"(?<=[\w)\]])"
 
 
@@ -103,6 +106,55 @@ def guards(text):
     return out
 
 
+def end_on_level(text, at, ends):
+    """Where one of these texts is first on the level of this place, or what closes the level. None where an empty line comes first."""
+    depth = 0
+    for i in range(at, len(text)):
+        if depth == 0 and any(text.startswith(end, i) for end in ends):
+            return i
+        if text[i] in ")]}" and depth == 0 or text.startswith("\n\n", i):
+            return i if text[i] in ")]}" else None
+        depth += (text[i] in "([{") - (text[i] in ")]}")
+    return None
+
+
+def python_guards(text):
+    """if a: b, b if a else c, [b for c in d if a] and require(a, b), as if a always or never were so. What is always required never passes, and is not
+    worth a mutant."""
+    kinds = [(r"(?m)^ *(?:el)?if ", [":"], ("False", "True")), (r"(?<=\S) if ", [" else ", " for ", ",", "\n"], ("False", "True")),
+             (r"(?<!def )\brequire\(", [","], ("True",))]
+    out = []
+    for pattern, ends, values in kinds:
+        for m in re.finditer(pattern, text):
+            end = end_on_level(text, m.end(), ends)
+            if end:
+                is_branch = text.startswith(" else ", end)
+                out += [("branch" if is_branch else f"guard {value.lower()}", m.end(), text[m.end():end], value) for value in values]
+    return out
+
+
+def branches(text):
+    """a ? b : c becomes a ? b : b, and a ? c : c."""
+    out = []
+    for m in re.finditer(r"(?<=\S)\s\?\s+", text):
+        middle, nested = m.end(), 0
+        while middle is not None:
+            middle = end_on_level(text, middle, [" ? ", " : ", "\n"])
+            if middle is None or text[middle] in ")]}\n" or text.startswith(" : ", middle) and nested == 0:
+                break
+            nested += 1 if text.startswith(" ? ", middle) else -1
+            middle += 3
+        if middle is None or not text.startswith(" : ", middle):
+            continue
+        end = end_on_level(text, middle + 3, [";", ",", " : ", " ? "])
+        if end is None or text.startswith(" ? ", end):  # what is chosen else is a choice, too, with mutants of its own
+            continue
+        first, second = text[m.end():middle], text[middle + 3:end]
+        if first != second:
+            out += [("branch", m.end(), text[m.end():end], f"{one} : {one}") for one in (first, second)]
+    return out
+
+
 # Their two arguments may change places: they are sums of products, squares of differences, or the greater or smaller of two numbers.
 SYMMETRIC = {"dot", "equal", "squared_distance", "squared_distances", "max_of", "min_of", "max", "min", "hypot", "lcm", "gcd"}
 
@@ -120,12 +172,20 @@ def swapped_arguments(text):
             depth += (c in "([{") - (c in ")]}")
             if c == "," and depth == 0:
                 commas.append(i)
-        if len(commas) != 1 or "\n\n" in inside:
+        if not commas or "\n\n" in inside:
             continue
-        first, second = inside[:commas[0]], inside[commas[0] + 1:].strip()
-        is_declaration = re.search(r"\bconst\b|[\w>][&*]* \w+$", first) or re.search(r"\bconst\b", second)
-        if first.strip() and second and first.strip() != second and not is_declaration:
-            out.append(("arguments", m.end(), inside, f"{second}, {first.strip()}"))
+        ends = [0, *(c + 1 for c in commas), len(inside) + 1]
+        arguments = [inside[a:b - 1] for a, b in zip(ends, ends[1:])]
+        # Of two, the second may well be a name alone, as in a declaration.
+        declared = [re.search(r"\bconst\b" if len(arguments) == 2 and i == 1 else r"\bconst\b|[\w>][&*]* \w+$", a) for i, a in enumerate(arguments)]
+        is_definition = len(arguments) > 2 and re.search(r"\bdef \w+$", text[:m.start()])
+        if any(declared) or is_definition:
+            continue
+        for i in range(len(arguments) - 1):
+            first, second = arguments[i:i + 2]
+            if first.strip() and second.strip() and first.strip() != second.strip():
+                lead = first[:len(first) - len(first.lstrip())]
+                out.append(("arguments", m.end() + ends[i] + len(lead), inside[ends[i] + len(lead):ends[i + 2] - 1], f"{second.strip()}, {first.strip()}"))
     return out
 
 
@@ -161,12 +221,14 @@ def mutants_of(file, text):
     found += swaps("truth", r"(?<!\w)(true|false|True|False|holds|fails)\b(?!\()", code)
     found += swaps("bound", r"(?:\b|_|::)(min|max|low|high)(?=\b|_of\b)(?!:)", code) + swaps("bound", r"\w(Min|Max)\b", code)
     found += swaps("rounding", r"\b(?:float_)?(above|below|floor|ceil)\(", code)
+    found += swaps("rounding", r"\b(MPFR_RND[DU])\b", code) + swaps("rounding", r"\.(inf|sup)\(\)", code)
     found += numbers(code) + dropped_terms(code) + swapped_arguments(code) + dropped_statements(code)
-    if not is_python:
-        found += guards(code)
-    unique = {(at, old, new): Mutant(file, rule, at, text[at:at + len(old)], new) for rule, at, old, new in found}
+    found += python_guards(code) if is_python else guards(code) + branches(code)
+    unique = {}  # two rules may do the same
+    for rule, at, old, new in found:
+        unique.setdefault((at, old, new), Mutant(file, rule, at, text[at:at + len(old)], new))
     # What a rule saw is the text without its comments and strings.
-    seen = {key: m for key, m in unique.items() if m.old == key[1] or m.rule in ("arguments", "term left out")}
+    seen = {key: m for key, m in unique.items() if m.old == key[1] or m.rule in ("arguments", "term left out") or m.new in ("true", "false", "True", "False")}
     kept = [m if m.rule != "arguments" else rebuilt_arguments(m, text) for m in seen.values()]
     return sorted((m for m in kept if m), key=lambda m: (m.at, m.old, m.new))
 
@@ -176,12 +238,18 @@ def rebuilt_arguments(mutant, text):
     return mutant if '"' not in mutant.old and "//" not in mutant.old else None
 
 
-def in_even_order(count, seed):
-    """The numbers below count in an order of which every beginning is spread evenly (van der Corput's, shifted by the seed)."""
-    bits, order = max(1, (count - 1).bit_length()), []
-    shift = seed * 0x9E3779B1 % (1 << bits)
-    for i in range(1 << bits):
-        place = (int(format(i, f"0{bits}b")[::-1], 2) + shift) % (1 << bits)
-        if place < count:
-            order.append(place)
-    return order
+def identities(mutants, text):
+    """What each of the mutants of a file is known by, in the order of their places: its file, its rule, the line, what becomes of it, and how
+    many before it have these in common. None of this changes with what stands elsewhere."""
+    before, found = collections.Counter(), []
+    for mutant in mutants:
+        key = (mutant.file, mutant.rule, *mutant.lines(text))
+        found.append((*key, before[key]))
+        before[key] += 1
+    return found
+
+
+def place_of(identity, seed):
+    """Where a mutant with this identity stands in the order with this seed: a number that is as good as drawn, evenly from all of one size. It
+    depends on nothing else, and so a mutant that comes or goes leaves the others in the order that they had."""
+    return hashlib.blake2b(repr(identity).encode(), key=str(seed).encode(), digest_size=16).digest()

@@ -13,6 +13,9 @@ import signal
 import subprocess
 import sys
 
+import proofs
+from passed import Passed
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TIME_LIMIT = 900  # seconds of the processor's time, of one run of the suites
 
@@ -24,6 +27,7 @@ class Copy:
         self.folder = ROOT / "out" / "mutants" / str(number)
         self.source, self.build_folder = self.folder / "source", self.folder / "build"
         self.needed = {}  # by suites: the link command and the objects that it takes
+        self.archives = {}  # by name: the objects of what is linked as an archive of their places
         self.folder.mkdir(parents=True, exist_ok=True)
         self.lock = open(self.folder / "lock", "w")
 
@@ -36,13 +40,13 @@ class Copy:
             return False
 
     def prepare(self):
-        self.copy_sources()
+        self.passed = Passed(self.folder.parent / "passed", self.copy_sources())
         subprocess.run(["cmake", "-S", self.source, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DREFITLAB_EXPERIMENTS=OFF", "-DREFITLAB_UNITY=OFF"], check=True,
                        stdout=subprocess.DEVNULL)
 
     def copy_sources(self):
-        """Brings the copy up to date without touching files that did not change, so that builds stay incremental."""
+        """Brings the copy up to date without touching files that did not change, so that builds stay incremental. Returns a digest of them."""
         files = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True, text=True,
                                capture_output=True).stdout.split("\n")
         wanted = {f for f in files if f and (ROOT / f).is_file()}
@@ -56,6 +60,10 @@ class Copy:
         for path in [p for p in self.source.rglob("*") if p.is_file()]:
             if str(path.relative_to(self.source)) not in wanted:
                 path.unlink()
+        digest = hashlib.sha256()
+        for name in sorted(wanted):
+            digest.update(name.encode() + b"\0" + hashlib.sha256((ROOT / name).read_bytes()).digest())
+        return digest.hexdigest()[:16]
 
     def ninja(self, *arguments):
         # All copies share what is compiled: to ccache their paths are relative, and a header's text counts, not its age.
@@ -65,10 +73,13 @@ class Copy:
                               env=environment)
         return done.returncode == 0, done.stdout + done.stderr
 
-    def members(self, library):
-        """The objects of one of the build's libraries."""
-        ok, text = self.ninja("-t", "query", library)
-        return re.findall(r"^    ([^ :|][^ ]*\.o)$", text, re.M) if ok else []
+    def members(self, libraries):
+        """The objects of each of the build's libraries."""
+        ok, text = self.ninja("-t", "query", *libraries)
+        if not ok:
+            sys.exit("mutants: no such libraries: " + text)
+        parts = re.split(r"^(\S+):$", text, flags=re.M)
+        return {name: re.findall(r"^    ([^ :|][^ ]*\.o)$", of, re.M) for name, of in zip(parts[1::2], parts[2::2])}
 
     def link(self, stems, jobs):
         """The command that links these suites, and the objects that the linker takes for it: what a mutant does not reach is not compiled.
@@ -94,25 +105,25 @@ class Copy:
                 helpers.append(word)
                 continue
             if path.suffix == ".a" and not path.is_absolute():
-                thin, members = self.build_folder / ("thin_" + path.name), self.members(word)
-                ok, output = self.ninja("-j", str(jobs), *members)
-                if not ok:
-                    return None, output
-                self.archive(thin, members)
-                command.append(str(thin))
+                command.append(str(self.thin(word)))
                 continue
             command.append(word)
             if path.suffix == ".o":
                 objects.append(word)
-        ok, output = self.ninja("-j", str(jobs), *helpers, *objects)
+        libraries = [word for word in words if word.endswith(".a") and not os.path.isabs(word)]
+        members = {**(self.archives or self.members(libraries)), "helpers.a": helpers}
+        ok, output = self.ninja("-j", str(jobs), *objects, *(member for of in members.values() for member in of))
         if not ok:
             return None, output
-        self.archive(self.build_folder / "thin_helpers.a", helpers)
+        if not self.archives:
+            for name, of in members.items():
+                self.archive(self.thin(name), of)
+            self.archives = members
         at = command.index("-o")
         program = self.build_folder / ("mutant_" + hashlib.sha256(" ".join(key).encode()).hexdigest()[:16])
         command[at + 1] = str(program)
         # In front of the libraries, which helpers need, too.
-        command.insert(max(i for i, word in enumerate(command) if word.endswith(".o")) + 1, str(self.build_folder / "thin_helpers.a"))
+        command.insert(max(i for i, word in enumerate(command) if word.endswith(".o")) + 1, str(self.thin("helpers.a")))
         traced = subprocess.run([*command, "-Wl,--trace"], cwd=self.build_folder, text=True, capture_output=True)
         if traced.returncode != 0:
             return None, traced.stdout + traced.stderr
@@ -120,6 +131,9 @@ class Copy:
         taken = {os.path.relpath(t, self.build_folder) if os.path.isabs(t) else t for t in taken}
         self.needed[key] = (command, sorted(taken | set(objects)), program)
         return self.needed[key]
+
+    def thin(self, library):
+        return self.build_folder / ("thin_" + pathlib.Path(library).name)
 
     def archive(self, path, members):
         path.unlink(missing_ok=True)
@@ -130,6 +144,8 @@ class Copy:
 
         planted: a source file with a mutant. Then only its object is made anew, and for a header those of the suites: all else is as it was
         before. What such a program finds wrong is wrong with the mutant, but it may overlook what a whole build sees."""
+        if stems == [proofs.SUITE]:
+            return proofs.build(self, jobs)
         command, parts, *program = self.link(stems, jobs)
         if command is None:
             return None, parts[-4000:]
@@ -142,9 +158,13 @@ class Copy:
             ok, output = done.returncode == 0, done.stdout + done.stderr
         return program[0] if ok else None, output[-4000:]
 
-    def first_failure(self, program, limit=TIME_LIMIT):
-        """The sentence of the first test that fails, or None if all pass. limit: seconds of the processor's time."""
-        process = subprocess.Popen([program], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT,
+    def first_failure(self, program, limit=TIME_LIMIT, suite=None):
+        """The sentence of the first test that fails, or None if all pass. limit: seconds of the processor's time. suite: the only one that is
+        run, of those that the program has."""
+        if suite == proofs.SUITE:
+            return proofs.first_failure(self, program, limit)
+        only = ["--only", "=" + suite] if suite else []
+        process = subprocess.Popen([program, *only], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT,
                                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5)))
         try:
             for line in process.stdout:
@@ -157,17 +177,6 @@ class Copy:
             return None if code == 0 else f"the run ended with code {code}"
         finally:
             process.wait()
-
-    def passes(self, program, limit=TIME_LIMIT):
-        """Whether all tests pass, of a program without a mutant; it is run once."""
-        known, digest = self.folder / "passed", hashlib.sha256(program.read_bytes()).hexdigest()
-        if known.exists() and digest in known.read_text().split():
-            return True
-        if self.first_failure(program, limit):
-            return False
-        with open(known, "a") as file:
-            file.write(digest + "\n")
-        return True
 
     @contextlib.contextmanager
     def planted(self, file, text):

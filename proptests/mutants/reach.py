@@ -3,6 +3,8 @@
 import collections
 import re
 
+import proofs
+
 FOLDERS = ("lemmas", "algorithms", "proptests", "experiments")
 # It is about all other suites, and fails in a program that does not have them.
 OF_ALL_SUITES = "errors"
@@ -28,6 +30,8 @@ class Reach:
     def suites(self, file):
         """(distance, stem) of the suites, the nearest first; before all others the one that is named after the file, or tests the vocabulary and
         its numbers."""
+        if file.startswith(proofs.TARGET + "/"):
+            return [(0, proofs.SUITE)]
         if file == "proptests/certificate/check_pairs":
             return [(0, "pairs_certificate")]
         if file.startswith("proptests/certificate/"):

@@ -1,31 +1,48 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sample of the mutants by rule, spread evenly over lemmas, algorithms and the checkers of certificates, and their verdicts."""
+"""A sample of the mutants by rule, drawn evenly from lemmas, algorithms, engines' boxes, exhaustive proofs and the checkers of certificates, and
+their verdicts."""
+import csv
 import functools
+import time
 
 import operators
+import proofs
 from planting import ROOT
 from reach import Reach
 
 SEED = 2006
-# So many of the nearest suites are built first, and only they. If a mutant lives, so many are, with all that the mutant reaches; then so
-# many. What no suite so near sees, no test is about.
-SUITES = (2, 6, 20)
-COLUMNS = ["file", "rule", "line", "mutant", "verdict", "by", "suites"]
+# (so many of the nearest suites, whether all that the mutant reaches is built). The nearest is tried alone, because it mostly kills. The
+# first two steps of a header build nothing but the suites anew: what they find wrong is wrong, but they may overlook what a whole build sees.
+# What no suite so near as the last step's sees, no test is about.
+STEPS = ((1, False), (3, False), (6, True), (20, True))
+# Suites that take longer come after the others of their step.
+SECONDS_OF_SHORT_SUITE = 10
+COLUMNS = ["file", "rule", "line", "mutant", "verdict", "by", "suites", "seconds"]
+# An older table has no seconds. They are what the judging took, and the one column that a second judging does not give again.
 TIME_LIMIT = 300  # seconds of the processor's time, where suites take some ten
-# Shapes: another nose is as good.
-LEFT_OUT = ("experiments/procedural/",)
+# What measures and prints, and no suite is built of.
+UNTESTED = ("experiments/engines/engines.",)
 
 
 def sources():
-    paths = [p for folder in ("lemmas", "algorithms") for p in (ROOT / folder).rglob("*") if p.suffix in (".hpp", ".cpp")]
+    folders = ("lemmas", "algorithms", "experiments/engines", proofs.TARGET)
+    paths = [ROOT / proofs.TARGET / "check", *(p for folder in folders for p in (ROOT / folder).rglob("*") if p.suffix in (".hpp", ".cpp"))]
     paths += [*(ROOT / "proptests/certificate" / name for name in ("check", "check_clip", "check_pairs")), *(ROOT / "proptests/certificate/over_time").glob("*.py")]
-    return sorted(f for f in (str(p.relative_to(ROOT)) for p in paths) if not f.startswith(LEFT_OUT))
+    return sorted(f for f in (str(p.relative_to(ROOT)) for p in paths) if not f.startswith(UNTESTED))
+
+
+def in_order(texts, seed=SEED):
+    """All mutants of these texts, by file, in the order in which a sample takes them."""
+    places = {}
+    for file, text in texts.items():
+        mutants = operators.mutants_of(file, text)
+        places.update((operators.place_of(identity, seed), mutant) for identity, mutant in zip(operators.identities(mutants, text), mutants))
+    return [places[place] for place in sorted(places)]
 
 
 @functools.cache
 def all_mutants():
-    mutants = [m for f in sources() for m in operators.mutants_of(f, (ROOT / f).read_text())]
-    return [mutants[i] for i in operators.in_even_order(len(mutants), SEED)]
+    return in_order({file: (ROOT / file).read_text() for file in sources()})
 
 
 @functools.cache
@@ -60,35 +77,63 @@ def still_to_judge(count, rows):
         else:
             again.append(position)
     others = [i for i in range(len(all_mutants())) if i not in taken][:max(0, count - len(taken))]
-    return sorted(again + others), known
+    return beside_each_other(again + others), known
+
+
+def beside_each_other(positions):
+    """In the order of the sources: a program for a mutant is mostly one for the next, too."""
+    return sorted(positions, key=lambda i: (all_mutants()[i].file, all_mutants()[i].at, i))
+
+
+def read_rows(path):
+    """Of a table of judged mutants."""
+    with open(path, newline="") as file:
+        return [{**dict.fromkeys(COLUMNS, ""), **row} for row in csv.DictReader(file)]
 
 
 class CannotJudge(Exception):
     """Because the suites do not build, or fail, without a mutant, too."""
 
 
+def steps_of(stems, is_header):
+    """(the suites that are run, whether all is built anew) of each step. A header may change more than what the first suites were built of, and
+    with the first whole build they are run again. All else is built wholly from the start: nothing includes it."""
+    seen, was_whole = 0, not is_header
+    for count, is_whole in STEPS:
+        is_whole = is_whole or not is_header
+        group = stems[seen if was_whole or not is_whole else 0:count]
+        seen, was_whole = count, is_whole
+        if group:
+            yield group, is_whole
+
+
+def in_order_of_time(group, seconds):
+    """The nearest first, but before those that take long all that do not. seconds: by suite; one that is not in it takes none."""
+    return sorted(group, key=lambda suite: seconds.get(suite, 0) > SECONDS_OF_SHORT_SUITE)
+
+
 def verdict_of(copy, mutant):
     """A row of COLUMNS: killed, not built, or alive."""
-    text = (ROOT / mutant.file).read_text()
+    start, text = time.monotonic(), (ROOT / mutant.file).read_text()
     line, changed = mutant.lines(text)
-    stems = [stem for _, stem in reach().suites(mutant.file)]
-    row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": "", "suites": ""}
-    for run, count in enumerate(SUITES):
-        # A header may change more than what the first suites were built of, and they are run again with all of it.
-        is_whole, past = run > 0, 0 if run == 0 or run == 1 and mutant.file.endswith(".hpp") else SUITES[run - 1]
-        group, row["suites"] = stems[past:count], " ".join(stems[:count])
-        if not group:
-            continue
+    row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": ""}
+    tried = []
+    for group, is_whole in steps_of([stem for _, stem in reach().suites(mutant.file)], mutant.file.endswith(".hpp")):
+        tried += [stem for stem in group if stem not in tried]
         # What an earlier mutant left to be made again is made of the sources as they are.
         program, output = copy.build(group, 1)
         if not program:
             raise CannotJudge(f"the unchanged sources do not build: {output}")
-        if not copy.passes(program, TIME_LIMIT):
-            raise CannotJudge(f"without a mutant, too, one of these suites fails: {' '.join(group)}")
+        for suite in group:
+            if not copy.passed.passes(suite, lambda: copy.first_failure(program, TIME_LIMIT, suite)):
+                raise CannotJudge(f"without a mutant, too, the suite {suite} fails")
         with copy.planted(mutant.file, mutant.applied_to(text)):
             program, output = copy.build(group, 1, None if is_whole else mutant.file)
             if not program:
-                return {**row, "verdict": "not built"}
-            if killer := copy.first_failure(program, TIME_LIMIT):
-                return {**row, "verdict": "killed", "by": killer}
-    return row
+                row["verdict"] = "not built"
+                break
+            failures = (copy.first_failure(program, TIME_LIMIT, suite) for suite in in_order_of_time(group, copy.passed.seconds()))
+            if killer := next(filter(None, failures), None):
+                row.update(verdict="killed", by=killer)
+                break
+    return {**row, "suites": " ".join(tried), "seconds": f"{time.monotonic() - start:.0f}"}
