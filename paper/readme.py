@@ -123,7 +123,7 @@ def engines_block(results):
     return f"""\
 The table is of {volume['clips']} clips of six characters (`{command_of(results, "engines")} --only engines`; commit {commit}). The volume is that of the box over that of the
 true box, which is around all linearly skinned vertices, on average over the clips. The next three columns count the poses, of {reference['poses']:,} with each way
-of skinning, in which a vertex is outside; where double precision cannot tell, {'60 digits decide all of them' if undecided == 0 else f'60 digits decide, but for {undecided}'}. The cost is from a pose, over that of joint boxes with the same SIMD.
+of skinning, in which a vertex is outside; where double precision cannot tell, {'exact arithmetic or 60 digits decide all of them' if undecided == 0 else f'exact arithmetic or 60 digits decide, but for {undecided}'}. The cost is from a pose, over that of joint boxes with the same SIMD.
 
 | box | as in | volume | linear | dual quaternion | spherical | cost |
 |---|---|---|---|---|---|---|

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "algorithms/runtime/skinning/deformation.hpp"
 #include "lemmas/exact/exact.hpp"
@@ -30,6 +31,8 @@ class ExactSkin {
   // Whether the ball, its numbers as they stand, has the vertex: decided in double if it is in or out by more than the
   // vertex, skinned in intervals, is uncertain; else in rationals. A ball that is not finite has it only if the radius is infinite.
   bool is_in(const Ball3<double>& ball, int vertex);
+  // Likewise of a box.
+  bool is_in(const Box<double>& box, int vertex);
 
  private:
   template <class S>

@@ -24,7 +24,7 @@ JointBoxes::JointBoxes(const SkinnedMesh& mesh)
 Box<float> JointBoxes::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
   float out[6];
-  joint_kernels(target).boxes(matrices.data(), numbers_.data(), numbers_.room(), out);
+  joint_kernels(target).boxes(matrices.data(), numbers_.data(), numbers_.blocks(), out);
   return box_of_numbers(out);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel of boxes around whole characters: the matrices of all joints in float, and what joints carry, a joint a lane.
 //
-// A pose comes as quaternions; matrices are what engines have of it. All arrays are by number, then by joint: number i of all
-// joints is at i * room, where room is a multiple of Lanes<float>::count and not less than the number of joints.
+// A pose comes as quaternions; matrices are what engines have of it. All arrays are by blocks of Lanes<float>::count joints, each of them
+// by number, then by joint, so that a kernel finds all numbers of a block from one address.
 #pragma once
 
 #include "algorithms/runtime/packs/targets.hpp"
@@ -18,12 +18,12 @@ inline constexpr float extent_of_nothing = -1e30f;
 
 struct JointKernels {
   // pose: a quaternion, a translation and an unused number by joint. scratch has pose_numbers by joint.
-  void (*matrices)(const double* pose, int joint_count, float* scratch, int room, float* matrices);
+  void (*matrices)(const double* pose, int joint_count, float* scratch, int blocks, float* matrices);
   // out: the least x, y, z, then the greatest.
-  void (*boxes)(const float* matrices, const float* boxes, int room, float* out);
+  void (*boxes)(const float* matrices, const float* boxes, int blocks, float* out);
   // Likewise, grown along each axis by lost times the greatest absolute value of what comes out.
-  void (*rounded_boxes)(const float* matrices, const float* boxes, int room, float lost, float* out);
-  void (*capsules)(const float* matrices, const float* capsules, int room, float lost, float* out);
+  void (*rounded_boxes)(const float* matrices, const float* boxes, int blocks, float lost, float* out);
+  void (*capsules)(const float* matrices, const float* capsules, int blocks, float lost, float* out);
 };
 
 namespace baseline {

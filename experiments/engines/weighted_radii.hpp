@@ -17,10 +17,9 @@ struct WeightedDistance {
   double weight, distance;  // of v from the joint's volume
 };
 
-// Radii by joint, none of which can be less by itself: of the inequalities by vertex. 0 for a joint in none of them. Where
-// several joints could give way, those of small costs do, which are positive, by joint.
-std::vector<double> weighted_radii(const std::vector<std::vector<WeightedDistance>>& inequalities,
-                                   const std::vector<double>& costs);
+// Radii by joint, from those that are given, which are at least 0: raised where an inequality by vertex lacks, then lowered one by
+// one, until none can be less by itself. Those of joints in no inequality become 0.
+std::vector<double> weighted_radii(const std::vector<std::vector<WeightedDistance>>& inequalities, std::vector<double> radii);
 
 // By joint the vertices that it moves with this weight or more, or most of its vertex's joints where no vertex has that;
 // of a joint that moves none so, the one that it moves most; none of a joint that moves no vertex.
