@@ -4,7 +4,7 @@ import re
 
 import content
 from formats import digits, whole_number
-from report import over_time
+from report import deformations, engines, over_time
 from report.statistics import span
 from report.tables import ResultError
 
@@ -99,7 +99,57 @@ Bounding {triangles:,} triangles takes {bounding:.0f} MB of memory; writing the 
 """
 
 
-BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": queries_block}
+def command_of(results, name):
+    """The command whose last run wrote this table."""
+    effort = next((row.effort for row in results.rows("run") if row.file == f"{name}.csv"), "full")
+    return "experiments/run" + ("" if effort == "default" else f" --{effort}")
+
+
+def row_of_engines(results, method):
+    of = {s: engines.row_of(results, method, s) for s in over_time.SKINNINGS}
+    one, cost = of["linear"], engines.costs(results, method)["ratio"]
+    missed = [str(of[s]["misses"]) if of[s] else "" for s in over_time.SKINNINGS]
+    return " | ".join([one["method"].replace("’", "'"), one["who"], f"{one['volume_ratio']:.2f}", *missed, digits(cost, 3 if cost < 100 else 2).replace("{,}", ",") if cost else ""])
+
+
+def engines_block(results):
+    commit = commit_of(results, "engines")
+    volume, cost, goals = engines.volume_goal(results), engines.costs(results, engines.OURS), engines.GOALS
+    methods = [method for method in engines.METHODS if engines.row_of(results, method, "linear")]
+    reference = engines.row_of(results, "joint_boxes", "linear")
+    twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
+    undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))
+    any_ratio = {s: engines.row_of(results, "motion_bound", s) for s in ("dual_quaternion", "spherical")}
+    return f"""\
+The table is of {volume['clips']} clips of six characters (`{command_of(results, "engines")} --only engines`; commit {commit}). The volume is that of the box over that of the
+true box, which is around all linearly skinned vertices, on average over the clips. The next three columns count the poses, of {reference['poses']:,} with each way
+of skinning, in which a vertex is outside; where double precision cannot tell, {'exact arithmetic or 60 digits decide all of them' if undecided == 0 else f'exact arithmetic or 60 digits decide, but for {undecided}'}. The cost is from a pose, over that of joint boxes with the same SIMD.
+
+| box | as in | volume | linear | dual quaternion | spherical | cost |
+|---|---|---|---|---|---|---|
+""" + "\n".join(f"| {row_of_engines(results, method)} |" for method in methods) + f"""
+
+Rounded boxes should have at most {goals['volume']} of the volume of joint boxes on average, at most at their cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
+true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
+skinning needs anyway, {'as it should be' if max(cost['ratio'], cost['ratio_of_matrices']) <= goals['cost'] else 'more than it should be'}. Rounded boxes and capsules are sound for linear skinning alone: when each joint is twisted by 90 to 179 degrees, rounded boxes miss a vertex in {twisted['linear'][0]} of
+{twisted['linear'][1]} poses with linear, {twisted['dual_quaternion'][0]} with dual quaternion and {twisted['spherical'][0]} with spherical skinning. The motion bound is sound for all three. It has {any_ratio['dual_quaternion']['volume_ratio']:.2f} and {any_ratio['spherical']['volume_ratio']:.2f} times the
+volume of the true box with the last two, where it has a bound: it has none in {any_ratio['dual_quaternion']['unbounded']} and {any_ratio['spherical']['unbounded']} poses, in which blends nearly vanish.
+"""
+
+
+def deformations_block(results):
+    commit = commit_of(results, "deformations")
+    said = [f"`{g['name']}` has at most {g['worst']:.2f} (goal: {g['goal']}, reached in {g['reached']} of {g['cases']} cases)" for g in deformations.goals(results)]
+    ratios = [row["changing"] for row in deformations.costs(results)]
+    misses = deformations.misses(results)
+    return f"""\
+Characters whose joints scale or whose morph targets move, generated and real (`{command_of(results, "deformations")} --only deformations`; commit {commit}): of {deformations.balls(results):,} balls
+{'none misses' if misses == 0 else f'{misses} miss'} a vertex. Of the average radius over that of the smallest balls, on the worst level of the worst character, {"; ".join(said)}.
+The default refits cost {digits(min(ratios), 2)} to {digits(max(ratios), 2)} times as much as those of the rigid character.
+"""
+
+
+BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": queries_block, "engines": engines_block, "deformations": deformations_block}
 
 
 def blocks(text, path):
@@ -113,7 +163,10 @@ def blocks(text, path):
     return found
 
 
-def renewed(text, results, path):
-    """The README with its blocks from these results."""
+def renewed(text, results, path, names=()):
+    """The README with its blocks from these results; with names, only those blocks."""
     blocks(text, path)
-    return BLOCK.sub(lambda m: m[1] + BLOCKS[m[2]](results) + m[4], text)
+    for name in names:
+        if name not in BLOCKS:
+            raise ResultError(f"{path}: has no block {name}; there are: {', '.join(BLOCKS)}")
+    return BLOCK.sub(lambda m: m[1] + (BLOCKS[m[2]](results) if not names or m[2] in names else m[3]) + m[4], text)

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "algorithms/runtime/skinning/deformation.hpp"
 #include "lemmas/exact/exact.hpp"
@@ -31,6 +32,8 @@ class ExactSkin {
   // skinned in intervals, is in or out by more than its uncertainty, and in rationals otherwise. A ball that is not finite has
   // the vertex only if the radius is infinite.
   bool is_in(const Ball3<double>& ball, int vertex);
+  // Likewise of a box.
+  bool is_in(const Box<double>& box, int vertex);
 
  private:
   template <class S>

@@ -9,7 +9,7 @@ namespace refitlab {
 namespace {
 
 constexpr double guessed_scale = 2, seconds_a_step = 1. / 6;  // as Babylon.js has it by default
-constexpr int expected_times = 16;                            // of a clip
+constexpr int expected_times = 12;                            // of a clip
 
 enum PoseMethodIndex { of_joint_boxes, of_padded_pivots, of_all_skinned, of_joint_capsules, of_rounded_boxes, of_motion_bound };
 

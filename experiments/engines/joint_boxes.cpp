@@ -10,7 +10,7 @@ JointBoxes::JointBoxes(const SkinnedMesh& mesh)
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     for (const Influence& influence : mesh.influences[v]) bind_[influence.joint].merge(mesh.vertices[v]);
   for (int number = 0; number < 3; ++number)
-    for (int j = 0; j < numbers_.stride(); ++j) numbers_.at(number, j) = 0;
+    for (int j = 0; j < numbers_.padded_count(); ++j) numbers_.at(number, j) = 0;
   for (std::size_t j = 0; j < bind_.size(); ++j) {
     if (bind_[j].is_empty()) continue;
     const Point3 center = bind_[j].center(), half = bind_[j].edges() / 2;
@@ -24,7 +24,7 @@ JointBoxes::JointBoxes(const SkinnedMesh& mesh)
 Box<float> JointBoxes::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
   float out[6];
-  joint_kernels(target).boxes(matrices.data(), numbers_.data(), numbers_.stride(), out);
+  joint_kernels(target).boxes(matrices.data(), numbers_.data(), numbers_.blocks(), out);
   return box_of_numbers(out);
 }
 

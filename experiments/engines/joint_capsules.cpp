@@ -75,7 +75,7 @@ std::vector<JointCapsule> fit_capsules(const SkinnedMesh& mesh) {
     for (const Influence& i : mesh.influences[v])
       own.push_back({i.joint, i.weight, distance_from_axis(capsules[i.joint], mesh.vertices[v])});
   }
-  const std::vector<double> radii = weighted_radii(inequalities, std::vector<double>(capsules.size(), 1));
+  const std::vector<double> radii = weighted_radii(inequalities, std::vector<double>(capsules.size()));
   for (std::size_t j = 0; j < capsules.size(); ++j)
     if (capsules[j].radius >= 0) capsules[j].radius = radii[j];
   return capsules;
@@ -84,7 +84,7 @@ std::vector<JointCapsule> fit_capsules(const SkinnedMesh& mesh) {
 JointCapsules::JointCapsules(const SkinnedMesh& mesh, const std::vector<JointCapsule>& capsules)
     : numbers_(capsule_numbers, mesh.joints.size()) {
   const DefaultFloatEnvironment environment;
-  for (int j = 0; j < numbers_.stride(); ++j) numbers_.at(6, j) = extent_of_nothing;
+  for (int j = 0; j < numbers_.padded_count(); ++j) numbers_.at(6, j) = extent_of_nothing;
   for (std::size_t j = 0; j < capsules.size(); ++j) {
     const JointCapsule& c = capsules[j];
     if (c.radius < 0) continue;
@@ -100,7 +100,7 @@ JointCapsules::JointCapsules(const SkinnedMesh& mesh, const std::vector<JointCap
 Box<float> JointCapsules::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
   float out[6];
-  joint_kernels(target).capsules(matrices.data(), numbers_.data(), numbers_.stride(), 2 * lost_of_capsules, out);
+  joint_kernels(target).capsules(matrices.data(), numbers_.data(), numbers_.blocks(), 2 * lost_of_capsules, out);
   return box_of_numbers(out);
 }
 

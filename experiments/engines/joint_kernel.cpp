@@ -6,15 +6,17 @@
 namespace refitlab::REFITLAB_TARGET {
 namespace {
 
-// A MatrixRow is row `row` of the matrices of some joints, with the translation last.
+constexpr int block_lanes = motion_bound_lanes;  // joints of a block
+
+// Of some joints of a block, of which the numbers' first one is given: row `row` of their matrices, with the translation behind.
 struct MatrixRow {
   S x, y, z, t;
 
-  [[gnu::always_inline]] MatrixRow(const float* matrices, int row, int stride, int first)
-      : x(load(matrices + (4 * row + 0) * stride + first)),
-        y(load(matrices + (4 * row + 1) * stride + first)),
-        z(load(matrices + (4 * row + 2) * stride + first)),
-        t(load(matrices + (4 * row + 3) * stride + first)) {}
+  [[gnu::always_inline]] MatrixRow(const float* matrices, int row)
+      : x(load(matrices + (4 * row + 0) * block_lanes)),
+        y(load(matrices + (4 * row + 1) * block_lanes)),
+        z(load(matrices + (4 * row + 2) * block_lanes)),
+        t(load(matrices + (4 * row + 3) * block_lanes)) {}
   [[gnu::always_inline]] S image(const Point& p) const { return x * p[0] + (y * p[1] + (z * p[2] + t)); }
   [[gnu::always_inline]] S extent(const Point& h, const S& radius) const {
     return abs(x) * h[0] + (abs(y) * h[1] + (abs(z) * h[2] + radius));
@@ -22,31 +24,61 @@ struct MatrixRow {
   [[gnu::always_inline]] S extent(const Point& h) const { return abs(x) * h[0] + (abs(y) * h[1] + abs(z) * h[2]); }
 };
 
-[[gnu::always_inline]] inline Point load_row(const float* numbers, int number, int stride, int first) {
-  return {load(numbers + number * stride + first), load(numbers + (number + 1) * stride + first),
-          load(numbers + (number + 2) * stride + first)};
+[[gnu::always_inline]] inline Point load_row(const float* numbers, int number) {
+  return {load(numbers + number * block_lanes), load(numbers + (number + 1) * block_lanes),
+          load(numbers + (number + 2) * block_lanes)};
 }
 
-// Merges what add(first, merge) merges for all joints, three least and three greatest coordinates at a time. If is_grown, the box
-// is grown along each axis by lost times the greatest absolute value.
-template <bool is_grown, class Add>
-[[gnu::always_inline]] inline void merge_joints(int stride, float lost, float* out, const Add& add) {
-  S low[3] = {S(infinity), S(infinity), S(infinity)}, high[3] = {S(-infinity), S(-infinity), S(-infinity)};
-  for (int first = 0; first < stride; first += width)
-    add(first, [&](int axis, const S& least, const S& greatest) {
-      low[axis] = min_of(low[axis], least), high[axis] = max_of(high[axis], greatest);
-    });
-  for (int i = 0; i < 3; ++i) {
-    const float least = std::experimental::hmin(low[i]), greatest = std::experimental::hmax(high[i]);
-    const float by = is_grown ? lost * max_of(-least, greatest) : 0;
-    out[i] = least - by, out[3 + i] = greatest + by;
+using Four = Row<float, 4>;
+
+inline Four greater_of(const Four& a, const Four& b) { return a < b ? b : a; }
+
+// In four lanes the greatest of every fourth.
+[[gnu::always_inline]] inline Four in_four_lanes(const Four& x) { return x; }
+[[gnu::always_inline]] inline Four in_four_lanes(const Row<float, 8>& x) {
+  return greater_of(__builtin_shufflevector(x, x, 0, 1, 2, 3), __builtin_shufflevector(x, x, 4, 5, 6, 7));
+}
+[[gnu::always_inline]] inline Four in_four_lanes(const Row<float, 16>& x) {
+  const Row<float, 8> one = __builtin_shufflevector(x, x, 0, 1, 2, 3, 4, 5, 6, 7),
+                      other = __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15);
+  return in_four_lanes(one < other ? other : one);
+}
+[[gnu::always_inline]] inline Four in_four_lanes(const S& x) { return in_four_lanes(__builtin_bit_cast(Row<float, width>, x)); }
+
+// The greatest of each of three packs, and that of the last once more.
+[[gnu::always_inline]] inline Four greatest_of(const S (&packs)[3]) {
+  const Four a = in_four_lanes(packs[0]), b = in_four_lanes(packs[1]), c = in_four_lanes(packs[2]);
+  const Four two = greater_of(__builtin_shufflevector(a, b, 0, 4, 1, 5), __builtin_shufflevector(a, b, 2, 6, 3, 7)),
+             one = greater_of(c, __builtin_shufflevector(c, c, 2, 3, 0, 1));
+  return greater_of(__builtin_shufflevector(two, one, 0, 1, 4, 4), __builtin_shufflevector(two, one, 2, 3, 5, 5));
+}
+
+// Merges what add(matrices, volumes, merge) merges for some joints of a block: by axis how far they reach against it, and along
+// it. volume_numbers: by joint. is_grown: along each axis by lost times the greatest absolute value.
+template <int volume_numbers, bool is_grown, class Add>
+[[gnu::always_inline]] inline void merge_joints(const float* matrices, const float* volumes, int blocks, float lost, float* out,
+                                                const Add& add) {
+  S against[3] = {S(-infinity), S(-infinity), S(-infinity)}, along[3] = {S(-infinity), S(-infinity), S(-infinity)};
+  for (int block = 0; block < blocks; ++block)
+    for (int first = 0; first < block_lanes; first += width)
+      add(
+          matrices + block * matrix_numbers * block_lanes + first, volumes + block * volume_numbers * block_lanes + first,
+          [&](int axis, const S& reach_against, const S& reach_along) __attribute__((always_inline)) {
+            against[axis] = max_of(against[axis], reach_against), along[axis] = max_of(along[axis], reach_along);
+          });
+  Four low = greatest_of(against), high = greatest_of(along);
+  if constexpr (is_grown) {
+    const Four by = greater_of(low, high) * lost;
+    low += by, high += by;
   }
+  low = -low;
+  for (int i = 0; i < 3; ++i) out[i] = low[i], out[3 + i] = high[i];
 }
 
-REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* scratch, int stride, float* matrices) {
-  const Joints<false> joints{scratch, joint_count, stride};
+REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* scratch, int blocks, float* matrices) {
+  const Joints<false> joints{scratch, joint_count, blocks * block_lanes};
   joints.read(pose);
-  for (int first = 0; first < stride; first += width) {
+  for (int first = 0; first < blocks * block_lanes; first += width) {
     const Transform joint = joints.lanes(first);
     const S w = joint.rotation[0], x = joint.rotation[1], y = joint.rotation[2], z = joint.rotation[3];
     const S xx = (x + x) * x, yy = (y + y) * y, zz = (z + z) * z, xy = (x + x) * y, xz = (x + x) * z, yz = (y + y) * z,
@@ -54,46 +86,52 @@ REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* s
     const S numbers[matrix_numbers] = {one - yy - zz, xy - wz,       xz + wy,       joint.translation[0],
                                        xy + wz,       one - xx - zz, yz - wx,       joint.translation[1],
                                        xz - wy,       yz + wx,       one - xx - yy, joint.translation[2]};
-    for (int i = 0; i < matrix_numbers; ++i) numbers[i].copy_to(matrices + i * stride + first, std::experimental::vector_aligned);
+    float* to = matrices + first / block_lanes * matrix_numbers * block_lanes + first % block_lanes;
+    for (int i = 0; i < matrix_numbers; ++i) numbers[i].copy_to(to + i * block_lanes, std::experimental::vector_aligned);
   }
 }
 
-REFITLAB_KERNEL void merge_boxes(const float* matrices, const float* boxes, int stride, float* out) {
-  merge_joints<false>(stride, 0, out, [&](int first, const auto& merge) {
-    const Point center = load_row(boxes, 0, stride, first), half = load_row(boxes, 3, stride, first);
+REFITLAB_KERNEL void merge_boxes(const float* matrices, const float* boxes, int blocks, float* out) {
+  merge_joints<box_numbers, false>(
+      matrices, boxes, blocks, 0, out, [](const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
+        const Point center = load_row(box, 0), half = load_row(box, 3);
 #pragma GCC unroll 3
-    for (int axis = 0; axis < 3; ++axis) {
-      const MatrixRow row(matrices, axis, stride, first);
-      const S middle = row.image(center), extent = row.extent(half);
-      merge(axis, middle - extent, middle + extent);
-    }
-  });
+        for (int axis = 0; axis < 3; ++axis) {
+          const MatrixRow row(some, axis);
+          const S middle = row.image(center), extent = row.extent(half);
+          merge(axis, extent - middle, extent + middle);
+        }
+      });
 }
 
-REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* boxes, int stride, float lost, float* out) {
-  merge_joints<true>(stride, lost, out, [&](int first, const auto& merge) {
-    const Point center = load_row(boxes, 0, stride, first), half = load_row(boxes, 3, stride, first);
-    const S radius = load(boxes + 6 * stride + first);
+REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* boxes, int blocks, float lost, float* out) {
+  merge_joints<rounded_box_numbers, true>(
+      matrices, boxes, blocks, lost, out,
+      [](const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
+        const Point center = load_row(box, 0), half = load_row(box, 3);
+        const S radius = load(box + 6 * block_lanes);
 #pragma GCC unroll 3
-    for (int axis = 0; axis < 3; ++axis) {
-      const MatrixRow row(matrices, axis, stride, first);
-      const S middle = row.image(center), extent = row.extent(half, radius);
-      merge(axis, middle - extent, middle + extent);
-    }
-  });
+        for (int axis = 0; axis < 3; ++axis) {
+          const MatrixRow row(some, axis);
+          const S middle = row.image(center), extent = row.extent(half, radius);
+          merge(axis, extent - middle, extent + middle);
+        }
+      });
 }
 
-REFITLAB_KERNEL void merge_capsules(const float* matrices, const float* capsules, int stride, float lost, float* out) {
-  merge_joints<true>(stride, lost, out, [&](int first, const auto& merge) {
-    const Point one = load_row(capsules, 0, stride, first), other = load_row(capsules, 3, stride, first);
-    const S radius = load(capsules + 6 * stride + first);
+REFITLAB_KERNEL void merge_capsules(const float* matrices, const float* capsules, int blocks, float lost, float* out) {
+  merge_joints<capsule_numbers, true>(
+      matrices, capsules, blocks, lost, out,
+      [](const float* some, const float* capsule, const auto& merge) __attribute__((always_inline)) {
+        const Point one = load_row(capsule, 0), other = load_row(capsule, 3);
+        const S radius = load(capsule + 6 * block_lanes);
 #pragma GCC unroll 3
-    for (int axis = 0; axis < 3; ++axis) {
-      const MatrixRow row(matrices, axis, stride, first);
-      const S a = row.image(one), b = row.image(other);
-      merge(axis, min_of(a, b) - radius, max_of(a, b) + radius);
-    }
-  });
+        for (int axis = 0; axis < 3; ++axis) {
+          const MatrixRow row(some, axis);
+          const S a = row.image(one), b = row.image(other);
+          merge(axis, radius - min_of(a, b), max_of(a, b) + radius);
+        }
+      });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 // The kernel of boxes around whole characters makes the matrices of all joints in float, and the boxes around what joints carry,
 // a joint a lane.
 //
-// A pose comes as quaternions, while engines have matrices. All arrays are by number, then by joint: number i of all joints is at
-// i * stride, where stride is a multiple of Lanes<float>::count and not less than the number of joints.
+// A pose comes as quaternions; matrices are what engines have of it. All arrays are by blocks of Lanes<float>::count joints, each of them
+// by number, then by joint, so that a kernel finds all numbers of a block from one address.
 #pragma once
 
 #include "algorithms/runtime/packs/targets.hpp"
@@ -18,14 +18,13 @@ inline constexpr int matrix_numbers = 12, box_numbers = 6, rounded_box_numbers =
 inline constexpr float extent_of_nothing = -1e30f;
 
 struct JointKernels {
-  // Makes the matrices of a pose, which has a quaternion, a translation and an unused number by joint. scratch has pose_numbers
-  // by joint.
-  void (*matrices)(const double* pose, int joint_count, float* scratch, int stride, float* matrices);
-  // Makes the box around the carried boxes. out gets the least x, y, z, then the greatest.
-  void (*boxes)(const float* matrices, const float* boxes, int stride, float* out);
-  // These do likewise, and grow the box along each axis by lost times its greatest absolute coordinate.
-  void (*rounded_boxes)(const float* matrices, const float* boxes, int stride, float lost, float* out);
-  void (*capsules)(const float* matrices, const float* capsules, int stride, float lost, float* out);
+  // pose: a quaternion, a translation and an unused number by joint. scratch has pose_numbers by joint.
+  void (*matrices)(const double* pose, int joint_count, float* scratch, int blocks, float* matrices);
+  // out: the least x, y, z, then the greatest.
+  void (*boxes)(const float* matrices, const float* boxes, int blocks, float* out);
+  // Likewise, grown along each axis by lost times the greatest absolute value of what comes out.
+  void (*rounded_boxes)(const float* matrices, const float* boxes, int blocks, float lost, float* out);
+  void (*capsules)(const float* matrices, const float* capsules, int blocks, float lost, float* out);
 };
 
 namespace baseline {

@@ -14,23 +14,26 @@
 
 namespace refitlab {
 
-// JointNumbers are by joint. The lanes behind the last joint have `padding`.
+// Numbers by joint, as the kernels read them (joint_kernel.hpp). The lanes behind the last joint have `padding`.
 class JointNumbers {
  public:
   JointNumbers(int numbers, std::size_t joints, float padding = 0)
       : blocks_(blocks_for<float>(static_cast<int>(joints))),
+        count_(numbers),
         lanes_(static_cast<std::size_t>(numbers) * blocks_) {
     for (Lanes<float>& block : lanes_) block.lane.fill(padding);
   }
-  // Returns how far the next number of the same joint is behind a number.
-  int stride() const { return blocks_ * Lanes<float>::count; }
+  int blocks() const { return blocks_; }
+  // Joints, with those that are there for whole blocks.
+  int padded_count() const { return blocks_ * Lanes<float>::count; }
   float* data() { return lanes_.data()->lane.data(); }
   const float* data() const { return lanes_.data()->lane.data(); }
-  float& at(int number, int joint) { return data()[number * stride() + joint]; }
-  float at(int number, int joint) const { return data()[number * stride() + joint]; }
+  float& at(int number, int joint) {
+    return lanes_[static_cast<std::size_t>(joint / Lanes<float>::count * count_ + number)].lane[joint % Lanes<float>::count];
+  }
 
  private:
-  int blocks_;
+  int blocks_, count_;
   std::vector<Lanes<float>> lanes_;
 };
 
@@ -45,9 +48,8 @@ class JointMatrices {
   void set(const Pose& pose, Target target = best_target()) {
     static_assert(sizeof(pose[0]) == pose_numbers * sizeof(double));
     const DefaultFloatEnvironment environment;
-    joint_kernels(target).matrices(pose[0].rotation.data(), joints_, scratch_.data(), scratch_.stride(), matrices_.data());
+    joint_kernels(target).matrices(pose[0].rotation.data(), joints_, scratch_.data(), scratch_.blocks(), matrices_.data());
   }
-  int stride() const { return matrices_.stride(); }
   const float* data() const { return matrices_.data(); }
 
  private:

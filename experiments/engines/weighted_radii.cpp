@@ -2,7 +2,6 @@
 #include "experiments/engines/weighted_radii.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "lemmas/a4_joint_volumes.hpp"
 
@@ -18,36 +17,32 @@ double lack_of(const Inequality& inequality, const std::vector<double>& radii) {
   return lack;
 }
 
-// Raises radii, in the proportion of weights over costs, until the inequality holds.
-void satisfy(const Inequality& inequality, const std::vector<double>& costs, std::vector<double>& radii) {
+// Raises radii, in the proportion of weights, until the inequality holds.
+void satisfy(const Inequality& inequality, std::vector<double>& radii) {
   const double lack = lack_of(inequality, radii);
   if (lack <= 0) return;
   double sum = 0;
-  for (const WeightedDistance& t : inequality) sum += t.weight * t.weight / costs[t.joint];
-  for (const WeightedDistance& t : inequality) radii[t.joint] += lack * t.weight / costs[t.joint] / sum;
+  for (const WeightedDistance& t : inequality) sum += t.weight * t.weight;
+  for (const WeightedDistance& t : inequality) radii[t.joint] += lack * t.weight / sum;
 }
 
 }  // namespace
 
-std::vector<double> weighted_radii(const std::vector<Inequality>& inequalities, const std::vector<double>& costs) {
+std::vector<double> weighted_radii(const std::vector<Inequality>& inequalities, std::vector<double> radii) {
   struct Use {
     const Inequality* inequality;
     double weight;
   };
-  const std::size_t joints = costs.size();
-  std::vector<std::vector<Use>> uses(joints);
-  std::vector<double> radii(joints);
+  std::vector<std::vector<Use>> uses(radii.size());
+  const std::vector<double> none(radii.size());
   for (const Inequality& i : inequalities) {
-    if (lack_of(i, radii) <= 0) continue;
+    satisfy(i, radii);
+    if (lack_of(i, none) <= 0) continue;
     for (const WeightedDistance& t : i) uses[t.joint].push_back({&i, t.weight});
   }
-  for (const Inequality& i : inequalities) satisfy(i, costs, radii);
-  std::vector<std::size_t> order(joints);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
-  // Radii go half-way at first, so that all joints give way, and not only the first ones.
+  // Half-way at first, so that all joints give way, and not those before others.
   for (int pass = 0; pass < radius_passes; ++pass)
-    for (const std::size_t j : order) {
+    for (std::size_t j = 0; j < radii.size(); ++j) {
       double least = 0;
       for (const Use& use : uses[j]) least = std::max(least, radii[j] + lack_of(*use.inequality, radii) / use.weight);
       radii[j] = pass < radius_passes / 2 ? (radii[j] + least) / 2 : least;

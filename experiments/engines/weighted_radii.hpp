@@ -16,10 +16,9 @@ struct WeightedDistance {
   double weight, distance;  // of v from the joint's volume
 };
 
-// Returns radii by joint that satisfy the inequalities, which are by vertex. None of them can be less by itself. A joint in no
-// inequality has 0. Where several joints could give way, those of small costs do. costs are positive, and by joint.
-std::vector<double> weighted_radii(const std::vector<std::vector<WeightedDistance>>& inequalities,
-                                   const std::vector<double>& costs);
+// Radii by joint, from those that are given, which are at least 0: raised where an inequality by vertex lacks, then lowered one by
+// one, until none can be less by itself. Those of joints in no inequality become 0.
+std::vector<double> weighted_radii(const std::vector<std::vector<WeightedDistance>>& inequalities, std::vector<double> radii);
 
 // Returns, by joint, the vertices that it moves with this weight or more. If there are none, they are those that it moves more
 // than other joints do, or else the one that it moves most. A joint that moves no vertex has none.

@@ -68,6 +68,38 @@ void check_verdicts(Skinned& s, int v) {
   RC_ASSERT(!s.exact.is_in(ball, v));
 }
 
+// Boxes whose walls are at a vertex, within its last bits, or far away.
+void check_boxes(Skinned& s, int v) {
+  const Vec<Rational, 3> at = s.exact.exact(v);
+  Box<double> box;
+  bool expected = true;
+  const auto wall = [&](int i, double outward) {
+    const double near = lift<double>(at)[i];
+    switch (*rc::gen::inRange(0, 9)) {
+      case 0: return near;
+      case 1: return std::nextafter(near, INFINITY);
+      case 2: return std::nextafter(near, -INFINITY);
+      case 3: return near + outward * 1e-7;
+      case 4: return outward * INFINITY;
+      default: return near + outward;
+    }
+  };
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = wall(i, -1), box.high[i] = wall(i, 1);
+    expected = expected && (std::isinf(box.low[i]) || Rational(box.low[i]) <= at[i]);
+    expected = expected && (std::isinf(box.high[i]) || at[i] <= Rational(box.high[i]));
+  }
+  RC_CLASSIFY(expected, "in");
+  RC_ASSERT(s.exact.is_in(box, v) == expected);
+  Box<double> beside = Box<double>::everything();
+  RC_ASSERT(s.exact.is_in(beside, v));
+  const int axis = *rc::gen::inRange(0, 3);
+  beside.low[axis] = CGAL::to_double(at[axis]) + 1;
+  RC_ASSERT(!s.exact.is_in(beside, v));
+  beside.low[axis] = NAN;
+  RC_ASSERT(!s.exact.is_in(beside, v));
+}
+
 }  // namespace
 
 PROPTEST(exact_skin) {
@@ -83,6 +115,11 @@ PROPTEST(exact_skin) {
                 *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
             Skinned s(*gen::posed_model(), skinning);
             check_verdicts(s, *rc::gen::inRange(0, static_cast<int>(s.posed.mesh.vertices.size())));
+          });
+  t.holds("a box has a vertex exactly if rationals say so, to the last bit of its walls",
+          {.number_type = "rational", .cases = 300, .tags_at_least = {{"in", 0.1}}}, [] {
+            Skinned s(*gen::posed_model(), *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::dual_quaternion));
+            check_boxes(s, *rc::gen::inRange(0, static_cast<int>(s.posed.mesh.vertices.size())));
           });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "algorithms/model/keyed.hpp"
@@ -11,6 +12,7 @@
 #include "experiments/engines/bind_box.hpp"
 #include "experiments/engines/box_measures.hpp"
 #include "experiments/engines/engine_methods.hpp"
+#include "experiments/engines/linear_program.hpp"
 #include "experiments/engines/weighted_radii.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "lemmas/a1_affine_image.hpp"
@@ -249,9 +251,9 @@ PROPTEST(whole_character_boxes) {
       for (const auto& term : inequality) sum += term.weight;
       for (auto& term : inequality) term.weight /= sum;
     }
-    std::vector<double> costs;
-    for (int j = 0; j < joints; ++j) costs.push_back(*rc::gen::element(0.01, 1., 20.));
-    const std::vector<double> radii = weighted_radii(inequalities, costs);
+    std::vector<double> first;
+    for (int j = 0; j < joints; ++j) first.push_back(*rc::gen::element(0., 1., 20.));
+    const std::vector<double> radii = weighted_radii(inequalities, first);
     for (int j = 0; j < joints; ++j) {
       double least = 0;
       for (const auto& inequality : inequalities) {
@@ -266,6 +268,37 @@ PROPTEST(whole_character_boxes) {
       RC_ASSERT(radii[j] >= 0);
       RC_ASSERT(std::abs(radii[j] - least) < 1e-9);
     }
+  });
+  t.example("a linear program goes on from its last solution when rows are added, and says when there is none", {}, [] {
+    LinearProgram program;
+    const int x = program.add_variable(0, 10), y = program.add_variable(-1, 1);
+    program.set_cost(x, 1), program.set_cost(y, 3);
+    program.add_row({{x, 1}, {y, 2}}, 2);
+    const auto is = [&](double a, double b) {
+      return program.solve() && std::abs(program.value(x) - a) < 1e-9 && std::abs(program.value(y) - b) < 1e-9;
+    };
+    const bool first = is(4, -1);
+    program.add_row({{x, -1}}, -3);
+    const bool second = is(3, -0.5);
+    program.set_cost(x, 2);
+    const bool third = is(0, 1);
+    program.add_row({{x, -1}, {y, -1}}, 0);
+    return first && second && third && !program.solve();
+  });
+  t.example("what an octahedron's joint carries is fitted to a pose: a ball where it turns by half a right angle", {}, [] {
+    SkinnedMesh octahedron;
+    octahedron.joints.resize(1);
+    for (int i = 0; i < 6; ++i) {
+      octahedron.vertices.push_back(Point3(3, 4, 5) + Point3::Unit(i / 2) * (i % 2 == 0 ? 2 : -2));
+      octahedron.influences.push_back({{0, 1.}});
+    }
+    Pose turned(1);
+    turned[0].rotation = {std::cos(std::numbers::pi / 8), 0, 0, std::sin(std::numbers::pi / 8)};
+    JointMatrices matrices(1);
+    matrices.set(turned);
+    const double of_box = volume_of_box(box_of<double>(JointBoxes(octahedron).box(matrices))),
+                 fitted = volume_of_box(box_of<double>(RoundedBoxes(octahedron, {&turned, 1}).box(matrices)));
+    return std::abs(of_box / 128 - 1) < 1e-3 && std::abs(fitted / 64 - 1) < 1e-2;
   });
   t.example("the fitted capsules and rounded boxes solve the man's inequalities", {}, [] {
     const auto capsules = fit_capsules(man());
@@ -361,7 +394,7 @@ PROPTEST(whole_character_boxes) {
     for (const char* sound : {"joint_boxes", "all_skinned", "joint_capsules", "rounded_boxes", "motion_bound"})
       if (of_method(found, sound).misses > 0 || of_method(found, sound).volume < 1) return Checked(false, poses);
     return Checked(of_method(found, "padded_pivots").misses > 0 && of_method(found, "padded_pivots").missed_by > 0 &&
-                       of_method(found, "rounded_boxes").to_reference < 1,
+                       of_method(found, "rounded_boxes").to_reference < 0.85,
                    poses);
   });
   t.example(

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/engines/linear_program.hpp"
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+
+namespace refitlab {
+
+int LinearProgram::add_variable(double least, double most) {
+  const int column = glp_add_cols(program_.get(), 1);
+  glp_set_col_bnds(program_.get(), column, least < most ? GLP_DB : GLP_FX, least, most);
+  return column - 1;
+}
+
+void LinearProgram::add_row(const std::vector<ProgramTerm>& terms, double least) {
+  std::vector<int> columns = {0};  // GLPK counts from 1
+  std::vector<double> factors = {0};
+  for (const ProgramTerm& t : terms) columns.push_back(t.variable + 1), factors.push_back(t.factor);
+  const int row = glp_add_rows(program_.get(), 1);
+  glp_set_row_bnds(program_.get(), row, GLP_LO, least, 0);
+  glp_set_mat_row(program_.get(), row, static_cast<int>(terms.size()), columns.data(), factors.data());
+}
+
+bool LinearProgram::solve() {
+  const DefaultFloatEnvironment environment;
+  glp_smcp parameters;
+  glp_init_smcp(&parameters);
+  parameters.msg_lev = GLP_MSG_OFF;
+  parameters.meth = GLP_DUALP;
+  if (glp_simplex(program_.get(), &parameters) != 0) return false;
+  return glp_get_status(program_.get()) == GLP_OPT;
+}
+
+}  // namespace refitlab

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LinearProgram: a linear program that grows by rows, solved by GLPK's simplex method, which goes on from its last basis.
+#pragma once
+
+#include <glpk.h>
+
+#include <memory>
+#include <vector>
+
+namespace refitlab {
+
+// A coefficient of a row.
+struct ProgramTerm {
+  int variable;
+  double factor;
+};
+
+class LinearProgram {
+ public:
+  LinearProgram() : program_(glp_create_prob(), glp_delete_prob) { glp_set_obj_dir(program_.get(), GLP_MIN); }
+
+  // The position of a new variable, which is at least `least` and at most `most`, both finite.
+  int add_variable(double least, double most);
+  // What a variable counts in the sum that is to be least; 0 at first.
+  void set_cost(int variable, double cost) { glp_set_obj_coef(program_.get(), variable + 1, cost); }
+  // The sum of the terms is at least this. A variable is in a row once at most.
+  void add_row(const std::vector<ProgramTerm>& terms, double least);
+  int rows() const { return glp_get_num_rows(program_.get()); }
+
+  // False if no least sum is found.
+  bool solve();
+  // Of the last solution.
+  double value(int variable) const { return glp_get_col_prim(program_.get(), variable + 1); }
+
+ private:
+  std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> program_;
+};
+
+}  // namespace refitlab
