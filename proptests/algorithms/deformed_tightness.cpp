@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How tight refits of deformed characters are: the radius of a level's balls over that of the smallest balls of its deformed vertices,
 // on the level where this is worst. The default variants and the tightest ones, for characters whose joints scale, and for
-// those with morph targets.
+// those with morph targets. The goals are 12 % for the defaults and 5 % for the tightest; the man's worst are 10.1 % and 2.9 %.
 #include <cstdio>
 
 #include "experiments/deformations/deformed_levels.hpp"
@@ -50,9 +50,9 @@ PROPTEST(deformed_tightness) {
             [&] {
               return check(man, defaults, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.12);
             });
-  t.example("the tightest variant's balls of the man, scaled and morphed, are on no level by more than 5.5 % too large", options,
+  t.example("the tightest variant's balls of the man, scaled and morphed, are on no level by more than 3.5 % too large", options,
             [&] {
-              return check(man, {"control_many_pieces"}, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.055);
+              return check(man, {"control_many_pieces"}, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.035);
             });
 }
 
