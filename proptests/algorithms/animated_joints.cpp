@@ -31,7 +31,7 @@ Model stepping(double duration, const std::vector<std::pair<double, double>>& st
   return model;
 }
 
-PROPTEST(animated_joints) {
+void defects_of_joints(Suite& t) {
   t.holds(
       "at every time skin matrices are no farther from their chains' rotations than the part's defect",
       {.number_type = "multiprecision interval",
@@ -91,17 +91,9 @@ PROPTEST(animated_joints) {
               RC_ASSERT(joints.cell(part, joints.times()[part], joints.times()[part + 1]).defect <=
                         300 * plan.nodes * plan.noise + 1e-12);
           });
-  t.example("a model without keys is refused by name", {}, [] {
-    Model model = stepping(1, {{0, 1}});
-    const Animation animation = model.clips[0].animation;
-    model.skeleton.joints.clear();
-    try {
-      AnimatedJoints(model, animation, false);
-    } catch (const ModelError& e) {
-      return std::string(e.what()) == "stepping: clip 'clip': it has no keys, and nothing is known of it between poses";
-    }
-    return false;
-  });
+}
+
+void poses_at_jumps_and_elsewhere(Suite& t) {
   t.example("both sides of a jump are posed, and of other times one", {}, [] {
     const Model model = stepping(3, {{0, 1}, {1, 2}, {2.5, 3}});
     const AnimatedJoints joints(model, model.clips[0].animation, true);
@@ -124,6 +116,22 @@ PROPTEST(animated_joints) {
     return AnimatedJoints(model, model.clips[0].animation, false).at(0, Side::after)->pose.empty() &&
            AnimatedJoints(model, model.clips[0].animation, true).at(0, Side::after)->pose.size() == 1;
   });
+}
+
+PROPTEST(animated_joints) {
+  defects_of_joints(t);
+  t.example("a model without keys is refused by name", {}, [] {
+    Model model = stepping(1, {{0, 1}});
+    const Animation animation = model.clips[0].animation;
+    model.skeleton.joints.clear();
+    try {
+      AnimatedJoints(model, animation, false);
+    } catch (const ModelError& e) {
+      return std::string(e.what()) == "stepping: clip 'clip': it has no keys, and nothing is known of it between poses";
+    }
+    return false;
+  });
+  poses_at_jumps_and_elsewhere(t);
 }
 
 }  // namespace

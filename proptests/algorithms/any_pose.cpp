@@ -29,9 +29,7 @@ Animation turned_anyhow(const Animation& clip) {
   return out;
 }
 
-}  // namespace
-
-PROPTEST(any_pose) {
+void vertices_stay_within_the_radius(Suite& t) {
   for (const bool rigid : {false, true})
     t.holds(
         rigid ? "rigid joints: vertices stay within the radius by linear blending, and by dual quaternions and spherically"
@@ -87,6 +85,12 @@ PROPTEST(any_pose) {
             for (const Point3& p : points) RC_ASSERT((p - center).norm() <= bound.radius + error);
           }
         });
+}
+
+}  // namespace
+
+PROPTEST(any_pose) {
+  vertices_stay_within_the_radius(t);
   t.example("a stretched arm reaches the radius, and joints of two trees have no node above them", {}, [] {
     // Two links of lengths 2 and 3, scaled by 2 and 1, and a vertex 1 below the last: 2 (3 + 1 * 1) = 8 from the first joint.
     Model model;

@@ -233,9 +233,7 @@ std::string what_is_wrong(const SkinnedMesh& model, const Pose& pose, Skinning s
   return "";
 }
 
-}  // namespace
-
-PROPTEST(batch_refit) {
+void the_slack_holds_what_floats_lose(Suite& t) {
   for (const Skinning skinning : {Skinning::spherical, Skinning::linear}) {
     const std::string name = skinning == Skinning::linear ? "linear" : "spherical";
     t.holds("by every target, each ball is the scalar one up to the stated slack, and misses no vertex: " + name,
@@ -271,6 +269,9 @@ PROPTEST(batch_refit) {
     }
     return Checked(true, 5);
   });
+}
+
+void hard_cases_miss_no_vertex(Suite& t) {
   t.holds("nor is a vertex missed where joints are turned nearly opposite ways, and a cap would be over a half-sphere",
           {.number_type = "float pack", .cases = 100, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
             const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());
@@ -303,6 +304,9 @@ PROPTEST(batch_refit) {
     const auto [model, pose] = lopsided(random);
     if (const auto wrong = what_is_wrong(model, pose, Skinning::spherical); !wrong.empty()) RC_FAIL(wrong);
   });
+}
+
+void many_joints_and_great_lengths(Suite& t) {
   t.example("the slack grows with the number of joints, of which 90 turn alike", {.number_type = "float pack"}, [] {
     SkinnedMesh model;
     model.name = "a triangle of 90 joints";
@@ -352,6 +356,14 @@ PROPTEST(batch_refit) {
           }
         return Checked(taken == 4 && refused == 4, taken + refused);
       });
+}
+
+}  // namespace
+
+PROPTEST(batch_refit) {
+  the_slack_holds_what_floats_lose(t);
+  hard_cases_miss_no_vertex(t);
+  many_joints_and_great_lengths(t);
   t.example(
       "of the built-in man's nodes most are refitted whole and some are merged, in lanes of unlike weight vertices too", {}, [] {
         const Model man = make_man();

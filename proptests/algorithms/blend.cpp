@@ -51,9 +51,7 @@ void classify(const Blend& b) {
   RC_CLASSIFY(weight_vertex || equal || b.vanishes() || b.vertex == b.palette.rotation_center, "degenerate");
 }
 
-}  // namespace
-
-PROPTEST(blend) {
+void linear_blends_and_those_without_a_root(Suite& t) {
   t.holds("linear blending of the images is the image under the blended matrices",
           {.number_type = "rational", .degenerate_at_least = 0.2}, [] {
             const Blend b = draw();
@@ -93,6 +91,9 @@ PROPTEST(blend) {
             first[0] = 1;
             RC_ASSERT(blend_dual_quaternion<Rational>(b.palette, first, b.vertex) == apply(b.palette.transforms[0], b.vertex));
           });
+}
+
+void what_does_not_change_a_blend(Suite& t) {
   t.holds("dual quaternion blending of joints that agree at a point is spherical blending about it", {.number_type = "rational"},
           [] {
             Blend b = draw();
@@ -131,6 +132,13 @@ PROPTEST(blend) {
     t.refuted(std::string("negating one quaternion of a joint-set moves no vertex: ") + name, {.number_type = "rational"},
               [=, kind = skinning] { moves_no_vertex(kind, 1); });
   }
+}
+
+}  // namespace
+
+PROPTEST(blend) {
+  linear_blends_and_those_without_a_root(t);
+  what_does_not_change_a_blend(t);
   t.holds(
       "all blendings agree with Eigen's quaternions and transforms up to 1e-12 of the coordinates' size",
       {.number_type = "double"}, [] {

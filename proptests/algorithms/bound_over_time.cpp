@@ -222,7 +222,7 @@ Model swinging() {
   return model;
 }
 
-PROPTEST(bound_over_time) {
+void bounds_hold_and_converge(Suite& t) {
   t.holds("no vertex that is skinned linearly is ever outside of slabs and ball",
           {.number_type = "double", .cases = 250, .degenerate_at_least = 0.2, .degenerate_at_most = 0.9}, [] {
             const auto plan = gen::draw_animated_plan(false);
@@ -279,17 +279,9 @@ PROPTEST(bound_over_time) {
         RC_ASSERT(bound.ball.radius <= 0.5 * std::sqrt(squared_diagonal) * (1 + tolerance) + missed);
         RC_ASSERT(bound.gap <= tolerance / 6 * longest * 1.01 + missed);
       });
-  t.example("a tolerance that is not positive is refused", {}, [] {
-    const Model model = swinging();
-    bool good = true;
-    for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) try {
-        Scene(model, Skinning::linear, {Point3::UnitX()}).bound(tolerance);
-        good = false;
-      } catch (const std::invalid_argument& e) {
-        good = good && std::string(e.what()) == "bound_over_time: the tolerance is not positive";
-      }
-    return Checked(good, 3);
-  });
+}
+
+void what_is_reached_between_keys_and_at_jumps(Suite& t) {
   t.example("keys alone miss what a slerp reaches between them, and so does a sample at a rate that jumps over it",
             {.hypothesis = "bounds are blown up by the slack"}, [] {
               const Model model = swinging();
@@ -341,6 +333,9 @@ PROPTEST(bound_over_time) {
     }
     return Checked(good, count);
   });
+}
+
+void rounding_outward_and_axes_of_slabs(Suite& t) {
   t.holds("what is rounded outward encloses what was rounded, and hardly more",
           {.number_type = "double", .degenerate_at_least = 0.1, .degenerate_at_most = 0.95}, [] {
             const auto any = [] {
@@ -368,6 +363,23 @@ PROPTEST(bound_over_time) {
     const Box<double> box = box_of(slabs);
     return box.low == Point3(1, 3, 5) && box.high == Point3(2, 4, 6);
   });
+}
+
+PROPTEST(bound_over_time) {
+  bounds_hold_and_converge(t);
+  t.example("a tolerance that is not positive is refused", {}, [] {
+    const Model model = swinging();
+    bool good = true;
+    for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) try {
+        Scene(model, Skinning::linear, {Point3::UnitX()}).bound(tolerance);
+        good = false;
+      } catch (const std::invalid_argument& e) {
+        good = good && std::string(e.what()) == "bound_over_time: the tolerance is not positive";
+      }
+    return Checked(good, 3);
+  });
+  what_is_reached_between_keys_and_at_jumps(t);
+  rounding_outward_and_axes_of_slabs(t);
 }
 
 }  // namespace

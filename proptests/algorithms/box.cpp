@@ -37,6 +37,38 @@ Box<double> by_rows(std::span<const Point3> points) {
   return box_of<double>(box);
 }
 
+void boxes_in_blocks(Suite& t) {
+  t.example("a block keeps its boxes, and says by lane which meet another, in float and double", {}, [] {
+    const auto says = []<class S>(S) {
+      BoxBlock<S> blocks[2];
+      std::uint64_t expected = 0;
+      for (int i = 0; i < 16; ++i) put_box(blocks, i, box_of<S>(unit_box(i % 3, i % 5 - 2.0)));
+      bool ok = true;
+      for (int i = 0; i < 16; ++i) ok = ok && same(box_of<double>(get_box(blocks, i)), unit_box(i % 3, i % 5 - 2.0));
+      for (int i = 0; i < 8; ++i) expected |= std::uint64_t(std::abs(i % 5 - 2) < 2) << 8 * i;
+      return ok && meeting(blocks[0], box_of<S>(unit_box(0, 0))) == expected;
+    };
+    return says(1.0f) && says(1.0);
+  });
+  t.example("of boxes in blocks those are found that meet another, in order, and none behind the last", {}, [] {
+    long cases = 0;
+    const auto finds = [&]<class S>(S) {
+      BoxBlock<S> blocks[4];
+      for (int i = 0; i < 32; ++i) put_box(blocks, i, box_of<S>(unit_box(i % 3, i * 7 % 5 - 2.0)));
+      for (int count = 0; count <= 32; ++count, ++cases) {
+        std::vector<int> expected, found(32);
+        for (int i = 0; i < count; ++i)
+          if (std::abs(i * 7 % 5 - 2) < 2) expected.push_back(i);
+        found.resize(static_cast<std::size_t>(find_meeting(blocks, count, box_of<S>(unit_box(0, 0)), found.data())));
+        if (found != expected) return false;
+      }
+      return true;
+    };
+    const bool ok = finds(1.0f) && finds(1.0);
+    return Checked(ok, cases);
+  });
+}
+
 }  // namespace
 
 PROPTEST(box) {
@@ -74,35 +106,7 @@ PROPTEST(box) {
       }
     return ok;
   });
-  t.example("a block keeps its boxes, and says by lane which meet another, in float and double", {}, [] {
-    const auto says = []<class S>(S) {
-      BoxBlock<S> blocks[2];
-      std::uint64_t expected = 0;
-      for (int i = 0; i < 16; ++i) put_box(blocks, i, box_of<S>(unit_box(i % 3, i % 5 - 2.0)));
-      bool ok = true;
-      for (int i = 0; i < 16; ++i) ok = ok && same(box_of<double>(get_box(blocks, i)), unit_box(i % 3, i % 5 - 2.0));
-      for (int i = 0; i < 8; ++i) expected |= std::uint64_t(std::abs(i % 5 - 2) < 2) << 8 * i;
-      return ok && meeting(blocks[0], box_of<S>(unit_box(0, 0))) == expected;
-    };
-    return says(1.0f) && says(1.0);
-  });
-  t.example("of boxes in blocks those are found that meet another, in order, and none behind the last", {}, [] {
-    long cases = 0;
-    const auto finds = [&]<class S>(S) {
-      BoxBlock<S> blocks[4];
-      for (int i = 0; i < 32; ++i) put_box(blocks, i, box_of<S>(unit_box(i % 3, i * 7 % 5 - 2.0)));
-      for (int count = 0; count <= 32; ++count, ++cases) {
-        std::vector<int> expected, found(32);
-        for (int i = 0; i < count; ++i)
-          if (std::abs(i * 7 % 5 - 2) < 2) expected.push_back(i);
-        found.resize(static_cast<std::size_t>(find_meeting(blocks, count, box_of<S>(unit_box(0, 0)), found.data())));
-        if (found != expected) return false;
-      }
-      return true;
-    };
-    const bool ok = finds(1.0f) && finds(1.0);
-    return Checked(ok, cases);
-  });
+  boxes_in_blocks(t);
   t.example("a flipped box is the union of the lanes that are merged into it", {}, [=] {
     using P = Pack<float>;
     constexpr int width = static_cast<int>(P::size());

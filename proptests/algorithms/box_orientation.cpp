@@ -33,9 +33,7 @@ Point3 extents(const std::vector<Ball3<double>>& balls, const Quaternion<double>
   return out;
 }
 
-}  // namespace
-
-PROPTEST(box_orientation) {
+void orientations_of_clouds(Suite& t) {
   t.holds("all are unit quaternions, and no rotation comes first",
           {.number_type = "double", .cases = 1000, .degenerate_at_least = 0.4}, [] {
             const auto list = *gen::ball_list(12);
@@ -60,6 +58,9 @@ PROPTEST(box_orientation) {
     }
     return good;
   });
+}
+
+void orientations_along_a_side(Suite& t) {
   t.example("a flat triangle lies in a face of each of its side's boxes, with the side along an edge", {}, [] {
     std::mt19937_64 random(2006);
     std::normal_distribution<double> normal;
@@ -108,6 +109,13 @@ PROPTEST(box_orientation) {
               }
               return Checked(true, tried);
             });
+}
+
+}  // namespace
+
+PROPTEST(box_orientation) {
+  orientations_of_clouds(t);
+  orientations_along_a_side(t);
   t.example(
       "triangles however flat have their sides' boxes, but for those that rounding makes of a line or a point: these have none",
       {}, [] {

@@ -55,9 +55,7 @@ bool is_everything(const FlippedBox& b) {
 // What float may lose of a box, on both sides, of these lengths: that is stated in box_kernel.cpp.
 double stated_slack(double size, int joints) { return size * (joints <= most_box_joints ? 0x1p-10 : 2e-5) + 1e-36; }
 
-}  // namespace
-
-PROPTEST(box_packs) {
+void boxes_hold_their_vertices(Suite& t) {
   t.holds(
       "the boxes of all nodes hold their vertices, however joints are turned, in every skinning and for every target",
       {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
@@ -102,6 +100,9 @@ PROPTEST(box_packs) {
               for (const int n : nodes) RC_ASSERT(excess(c, n, skinned, boxes[n]) <= 0);
             }
           });
+}
+
+void boxes_at_attained_bounds_and_far_away(Suite& t) {
   t.holds(
       "boxes hold vertices that are where the bound is attained, of 1 to 90 joints, at every scale, however long "
       "quaternions are; and are wider by no more than what rounding is allowed",
@@ -172,6 +173,9 @@ PROPTEST(box_packs) {
         }
         RC_TAG(joints > most_box_joints ? "more joints than a pack takes" : "in packs");
       });
+}
+
+void joints_in_float(Suite& t) {
   t.holds("joints in float know the greatest of their coordinates, however small all are", {.number_type = "float", .cases = 100},
           [] {
             const auto plan = *gen::mesh_plan();
@@ -229,6 +233,14 @@ PROPTEST(box_packs) {
                    : what == joint    ? "a joint that moves far"
                                       : "a far rotation center");
           });
+}
+
+}  // namespace
+
+PROPTEST(box_packs) {
+  boxes_hold_their_vertices(t);
+  boxes_at_attained_bounds_and_far_away(t);
+  joints_in_float(t);
   t.example(
       "the ball of a node's piece, of float numbers, holds its vertices by the last bit, and is no more than a float's rounding "
       "larger",

@@ -31,6 +31,7 @@ json point(const char* x, const char* y, const char* z) { return {x, y, z}; }
 const json origin = point("0", "0", "0"), unturned = {"1", "0", "0", "0"}, zero_dual = {"0", "0", "0", "0"};
 
 json ball(const json& center, const json& radius) { return {{"center", center}, {"radius", radius}}; }
+const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
 
 // A list of one, which braces alone do not make.
 json alone(const json& item) { return json::array({item}); }
@@ -186,8 +187,7 @@ json with_vertices_at_edges(json document) {
 // Each holds with equality, of a radius that is a fraction.
 std::vector<Tight> tight_documents() {
   std::vector<Tight> out;
-  const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}};
-  const json small = ball(origin, "1"), left = {"2", "1", "0", "0"}, right = {"2", "-1", "0", "0"};
+  const json left = {"2", "1", "0", "0"}, right = {"2", "-1", "0", "0"};
   for (int far = 0; far < 3; ++far) {  // which weight vertex is the farthest
     json moved = repeated(origin, 3), duals = repeated(zero_dual, 3);
     moved[far] = point("12", "0", "0");
@@ -285,13 +285,20 @@ struct Broken {
   const char* reason;
 };
 
-// Lists of a fixed length with an item less and one more, objects with a member less and one more, and neither.
-void add_other_shapes(const json& good, const Texts& lists, const Texts& objects, std::vector<Broken>& out) {
-  const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
+// Adds a good document with another value at a place, which is rejected for a reason.
+struct WithOther {
+  void operator()(const std::string& pointer, const json& value, const char* reason) const {
     json changed = good;
     changed[json::json_pointer(pointer)] = value;
     out.push_back({pointer + " = " + value.dump(), changed, reason});
-  };
+  }
+  const json& good;
+  std::vector<Broken>& out;
+};
+
+// Lists of a fixed length with an item less and one more, objects with a member less and one more, and neither.
+void add_other_shapes(const json& good, const Texts& lists, const Texts& objects, std::vector<Broken>& out) {
+  const WithOther with{good, out};
   for (const std::string& place : lists) {
     const json list = good.at(json::json_pointer(place));
     json less = list, more = list;
@@ -319,14 +326,10 @@ void add_other_shapes(const json& good, const Texts& lists, const Texts& objects
 // Of two affine joints, one of which shears.
 void add_broken_affine(std::vector<Broken>& out) {
   const json sheared = columns(point("1/2", "0", "0"), point("-2", "2", "0"), point("0", "0", "1"));
-  const json both = json::array({json::array({"1", "0"}), json::array({"0", "1"})}), small = ball(origin, "1");
+  const json both = json::array({json::array({"1", "0"}), json::array({"0", "1"})});
   const json good = document("affine", json::array({sheared, scale("1", "-2", "1")}), repeated(origin, 2),
                              {piece(both, small, stretch(json::array({"3", "2"}), json::array({"3", "2"})))}, ball(origin, "3"));
-  const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
-    json changed = good;
-    changed[json::json_pointer(pointer)] = value;
-    out.push_back({pointer + " = " + value.dump(), changed, reason});
-  };
+  const WithOther with{good, out};
   const std::string nines = std::string(380, '9'), one = "1" + std::string(380, '0'), bound = "/pieces/0/bound/";
   const json less_than_3 = "2" + nines + "/" + one, less_than_2 = "1" + nines + "/" + one;
   const char *joint = "a joint stretches more", *blend = "the blend at a weight vertex stretches more",
@@ -344,18 +347,16 @@ void add_broken_affine(std::vector<Broken>& out) {
                    {"/joint_sets/0", "/pieces/0/bound"}, out);
 }
 
-std::vector<Broken> broken_documents() {
-  std::vector<Broken> out;
-  add_broken_affine(out);
-  const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
-  const json good = document("linear", repeated(unturned, 3), repeated(origin, 3), repeated(piece(units, small, control), 3),
-                             ball(origin, "1"));
-  const auto with = [&](const std::string& pointer, const json& value, const char* reason) {
-    json changed = good;
-    changed[json::json_pointer(pointer)] = value;
-    out.push_back({pointer + " = " + value.dump(), changed, reason});
-  };
-  const std::string tiny = "/1" + std::string(380, '0');
+// Of three vertices at the origin, each in a piece of its own of three joints.
+json three_pieces() {
+  return document("linear", repeated(unturned, 3), repeated(origin, 3), repeated(piece(units, small, control), 3),
+                  ball(origin, "1"));
+}
+// The denominator of the smallest fraction that a document may have.
+const std::string tiny = "/1" + std::string(380, '0');
+
+void add_broken_pieces(const json& good, std::vector<Broken>& out) {
+  const WithOther with{good, out};
   for (const std::string p : {"0", "1", "2"}) {
     const std::string at = "/pieces/" + p + "/";
     for (const std::string k : {"0", "1", "2"}) {
@@ -388,6 +389,10 @@ std::vector<Broken> broken_documents() {
     with(at + "bound/by", "all_rotations", "no bound of this skinning");
     with(at + "bound/by", "halves", "no bound of this skinning");
   }
+}
+
+void add_broken_vertices(const json& good, std::vector<Broken>& out) {
+  const WithOther with{good, out};
   for (const std::string v : {"0", "1", "2"}) {
     const std::string at = "/vertices/" + v + "/";
     with(at + "piece", 3, "piece is none of them");
@@ -412,6 +417,9 @@ std::vector<Broken> broken_documents() {
   json negative = good;  // shares of sum 1 that make the weights, one of them below 0
   negative["vertices"][1]["weight_vertices"] = {0, 1, 1}, negative["vertices"][1]["shares"] = {"1", "1", "-1"};
   out.push_back({"a share below 0", negative, "vertices[1]: the shares are not convex"});
+}
+
+void add_broken_shapes(const json& good, std::vector<Broken>& out) {
   add_other_shapes(
       good,
       {"/ball/center", "/vertices/1/position", "/pieces/2/reference/center", "/joint_sets/0/rotations/2",
@@ -431,6 +439,10 @@ std::vector<Broken> broken_documents() {
                    {"/joint_sets/0/duals/2", "/pieces/0/bound/axis", "/pieces/0/bound/center"},
                    {"/joint_sets/0", "/pieces/0/bound"}, out);
   add_other_shapes(alone_with("dual_quaternion", halves(0, 1, control, control)), in_halves, {"/pieces/0/bound"}, out);
+}
+
+void add_broken_numbers(const json& good, std::vector<Broken>& out) {
+  const WithOther with{good, out};
   for (const char* number : {"1.0",  "1e0",  "+1",  " 1", "1 ", "1\n", "1_0", "0x1",  "1/",     "/1",   "1/0",
                              "1/-1", "1/+1", "--1", "",   "-",  "inf", "NaN", "1/01", "\u00b2", "1/1/1"})
     for (const char* place :
@@ -443,6 +455,10 @@ std::vector<Broken> broken_documents() {
   with("/ball/radius", "1/1" + std::string(400, '0'), "is no Fraction of at most 400 digits");
   with("/joint_sets/0/translations/3", origin, "lists differ in length");
   with("/joint_sets", json::array(), "is no list of something");
+}
+
+// Bounds of rigid joints that do not prove what they should.
+void add_broken_bounds(std::vector<Broken>& out) {
   const auto rigid = [&](const char* what, const json& rotations, const json& bound, const char* reason,
                          const char* skinning = "spherical") {
     const bool is_dual = skinning != std::string("spherical");
@@ -489,6 +505,17 @@ std::vector<Broken> broken_documents() {
     bound["halves"][half] = "control";
     rigid("a half that is a text", repeated(unturned, 3), bound, "is no dict");
   }
+}
+
+std::vector<Broken> broken_documents() {
+  std::vector<Broken> out;
+  add_broken_affine(out);
+  const json good = three_pieces();
+  add_broken_pieces(good, out);
+  add_broken_vertices(good, out);
+  add_broken_shapes(good, out);
+  add_broken_numbers(good, out);
+  add_broken_bounds(out);
   return out;
 }
 

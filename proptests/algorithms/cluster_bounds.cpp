@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "algorithms/runtime/tree/binary.hpp"
 #include "proptests/harness.hpp"
@@ -66,6 +67,50 @@ std::string reason_against(const std::string& bytes) {
   return "";
 }
 
+// Each change of good bounds makes them refused, for the reason that belongs to it.
+Checked spoiled_bounds_are_refused() {
+  ClusterBounds good{.dop = 14};
+  good.primitives = {{0, 0, 0, 0}}, good.clusters = {{0, {0, 1}}};
+  const BoundedPart bound{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, 2}, {{0, 3}, {-1, 2}, {-1, 2}, {-2, 1}}};
+  good.clips = {{"", 0, {bound}, {bound, bound}}};
+  const float nan = std::nanf("");
+  const auto part = [](ClusterBounds& b) -> BoundedPart& { return b.clips[0].clusters[0]; };
+  const auto fade = [](int first, int second, bool is_bounded) {
+    return [=](ClusterBounds& b) {
+      b.clips.push_back(b.clips[0]);
+      b.crossfades = {{first, second, is_bounded ? b.clips[0].clusters : std::vector<BoundedPart>()}};
+    };
+  };
+  const std::pair<std::function<void(ClusterBounds&)>, const char*> spoiled[] = {
+      {[](auto& b) { b.clusters[0].primitive = 1; }, "test: cluster 0: its primitive is out of range"},
+      {[](auto& b) { b.clusters[0].primitive = -1; }, "test: cluster 0: its primitive is out of range"},
+      {[](auto& b) { b.clusters[0].triangles[1] = -1; }, "test: cluster 0: a triangle is out of range"},
+      {[](auto& b) { b.clips.clear(); }, "test: clips: the rest pose is missing"},
+      {[](auto& b) { b.clips[0].duration = -1; }, "test: clip '': its duration is not a time"},
+      {[](auto& b) { b.clips[0].clusters.clear(); }, "test: clip '': it does not have a bound for each cluster"},
+      {[=](auto& b) { part(b).box.low[1] = 2; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).box.high[2] = nan; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).ball.center[0] = nan; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).ball.radius = -1; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).slabs[3].low = 2; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { b.clips[0].nodes[1].slabs[0].high = nan; }, "test: clip '', node 1: its bound is none"},
+      {[](auto& b) { b.clips.push_back(b.clips[0]), b.clips[1].nodes.pop_back(); },
+       "test: clip '': it does not have a bound for each node"},
+      {[](auto& b) { b.dop = 16, b.clusters.clear(), b.clips[0].clusters.clear(), b.clips[0].nodes.clear(); },
+       "test: k-DOPs: there are none of 16 planes"},
+      {fade(0, 1, true), "test: crossfades: a clip is out of range"},
+      {fade(-1, 0, true), "test: crossfades: a clip is out of range"},
+      {fade(0, 0, false), "test: crossfade of '' and '': it does not have a bound for each cluster"}};
+  std::string wrong = reason_against(bytes_of(good));
+  for (const auto& [change, reason] : spoiled) {
+    ClusterBounds bad = good;
+    change(bad);
+    if (const std::string given = reason_against(bytes_of(bad)); given != reason)
+      wrong += "'" + given + "', not '" + reason + "'; ";
+  }
+  return Checked(wrong.empty(), 1 + static_cast<long>(std::size(spoiled)), wrong);
+}
+
 }  // namespace
 
 PROPTEST(cluster_bounds) {
@@ -103,51 +148,7 @@ PROPTEST(cluster_bounds) {
   });
   t.example(
       "indices out of range, reversed boxes and slabs, numbers that are none, and a list without a rest pose are refused by name",
-      {}, [] {
-        ClusterBounds good{.dop = 14};
-        good.primitives = {{0, 0, 0, 0}}, good.clusters = {{0, {0, 1}}};
-        const BoundedPart bound{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, 2}, {{0, 3}, {-1, 2}, {-1, 2}, {-2, 1}}};
-        good.clips = {{"", 0, {bound}, {bound, bound}}};
-        const auto reason = [&](auto&& change) {
-          ClusterBounds bad = good;
-          change(bad);
-          return reason_against(bytes_of(bad));
-        };
-        const float nan = std::nanf("");
-        return Checked(
-            reason_against(bytes_of(good)).empty() &&
-                reason([](auto& b) { b.clusters[0].primitive = 1; }) == "test: cluster 0: its primitive is out of range" &&
-                reason([](auto& b) { b.clusters[0].primitive = -1; }) == "test: cluster 0: its primitive is out of range" &&
-                reason([](auto& b) { b.clusters[0].triangles[1] = -1; }) == "test: cluster 0: a triangle is out of range" &&
-                reason([](auto& b) { b.clips.clear(); }) == "test: clips: the rest pose is missing" &&
-                reason([](auto& b) { b.clips[0].duration = -1; }) == "test: clip '': its duration is not a time" &&
-                reason([](auto& b) { b.clips[0].clusters.clear(); }) ==
-                    "test: clip '': it does not have a bound for each cluster" &&
-                reason([](auto& b) { b.clips[0].clusters[0].box.low[1] = 2; }) == "test: clip '', cluster 0: its bound is none" &&
-                reason([&](auto& b) { b.clips[0].clusters[0].box.high[2] = nan; }) ==
-                    "test: clip '', cluster 0: its bound is none" &&
-                reason([&](auto& b) { b.clips[0].clusters[0].ball.center[0] = nan; }) ==
-                    "test: clip '', cluster 0: its bound is none" &&
-                reason([](auto& b) { b.clips[0].clusters[0].ball.radius = -1; }) ==
-                    "test: clip '', cluster 0: its bound is none" &&
-                reason([](auto& b) { b.clips[0].clusters[0].slabs[3].low = 2; }) ==
-                    "test: clip '', cluster 0: its bound is none" &&
-                reason([&](auto& b) { b.clips[0].nodes[1].slabs[0].high = nan; }) == "test: clip '', node 1: its bound is none" &&
-                reason([](auto& b) { b.clips.push_back(b.clips[0]), b.clips[1].nodes.pop_back(); }) ==
-                    "test: clip '': it does not have a bound for each node" &&
-                reason([](auto& b) { b.dop = 16, b.clusters.clear(), b.clips[0].clusters.clear(), b.clips[0].nodes.clear(); }) ==
-                    "test: k-DOPs: there are none of 16 planes" &&
-                reason([&](auto& b) {
-                  b.clips.push_back(b.clips[0]), b.crossfades = {{0, 1, b.clips[0].clusters}};
-                }) == "test: crossfades: a clip is out of range" &&
-                reason([&](auto& b) {
-                  b.clips.push_back(b.clips[0]), b.crossfades = {{-1, 0, b.clips[0].clusters}};
-                }) == "test: crossfades: a clip is out of range" &&
-                reason([&](auto& b) {
-                  b.clips.push_back(b.clips[0]), b.crossfades = {{0, 0, {}}};
-                }) == "test: crossfade of '' and '': it does not have a bound for each cluster",
-            18);
-      });
+      {}, spoiled_bounds_are_refused);
 }
 
 }  // namespace proptests::suite_cluster_bounds

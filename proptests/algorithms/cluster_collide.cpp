@@ -88,6 +88,17 @@ SkinnedMesh row_of_triangles(int count, int joints, const JointsOf& joints_of) {
   return m;
 }
 
+RigidTransform<double> moved(double x, double y = 0, double z = 0) { return {identity_quaternion<double>(), {x, y, z}}; }
+
+// Two bodies of one man, and his walk.
+struct TwoMen {
+  const AnimatedCharacter man = bake(make_man());
+  const ClusterTree tree{man};
+  const Clip& walk = man.clips[0];
+  ClusterBody a{tree, Skinning::spherical}, b{tree, Skinning::spherical};
+  Pose at(double share) const { return walk.sample(share * walk.duration); }
+};
+
 // How many of some triangles of a row are not found by a triangle that is put upon them, or others are.
 long lost_of_row(const ClusterTree& row, const std::vector<int>& triangles) {
   const auto stamp = bake(row_of_triangles(1, 1, [](int) { return std::pair(0, 0); }));
@@ -104,9 +115,7 @@ long lost_of_row(const ClusterTree& row, const std::vector<int>& triangles) {
   return lost;
 }
 
-}  // namespace
-
-PROPTEST(cluster_collide) {
+void pairs_are_those_of_testing_all(Suite& t) {
   t.holds("finds the pairs that testing all pairs finds, in every skinning, for clusters and wide_nodes of any size",
           {.number_type = "double", .cases = 200, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
@@ -161,6 +170,9 @@ PROPTEST(cluster_collide) {
             RC_ASSERT(sorted(collide(first, second, Query::full, counts)) ==
                       oracle::all_pairs({c, pose, here}, {c, pose, at}, skinning));
           });
+}
+
+void a_needle_touches_where_a_bound_is_attained(Suite& t) {
   t.holds(
       "a needle that touches a body in one vertex, where a bound is attained, touches it: of 1 to 90 joints, at every "
       "scale and place, however long quaternions are",
@@ -201,6 +213,9 @@ PROPTEST(cluster_collide) {
           RC_ASSERT(holds(body.motion_bound(), p) && holds(oracle::in_world(body, body.wide_node_box(0)), p));
         RC_ASSERT(holds(other.motion_bound(), tip) && holds(oracle::in_world(other, other.wide_node_box(0)), tip));
       });
+}
+
+void leaves_that_are_too_large(Suite& t) {
   t.example("a leaf of more vertices than 16 bits name is split, and so is one that is larger than clusters should be", {}, [] {
     const auto c = bake(row_of_triangles(30000, 1, [](int) { return std::pair(0, 0); }), {.triangles_per_leaf = 1000000});
     long lost = 0, tried = 0;
@@ -229,6 +244,9 @@ PROPTEST(cluster_collide) {
     const long lost = lost_of_row(tree, {0, 1, count / 2, count - 2, count - 1});
     return Checked(is_one && lost == 0, 5, std::to_string(lost) + " lost");
   });
+}
+
+void clusters_and_wide_nodes(Suite& t) {
   t.holds("clusters and wide_nodes are as large as they may be and no larger, and every triangle is in one of them",
           {.cases = 100}, [] {
             const auto plan = *gen::mesh_plan();
@@ -287,6 +305,9 @@ PROPTEST(cluster_collide) {
       }));
     }
   });
+}
+
+void what_is_counted(Suite& t) {
   t.example(
       "what is counted: of single triangles every box once, none where motion bounds are apart, and sums over queries", {}, [] {
         SkinnedMesh m = gen::needle(0, 1, 1, 1);
@@ -295,7 +316,7 @@ PROPTEST(cluster_collide) {
         ClusterBody first(tree, Skinning::spherical), second(tree, Skinning::spherical);
         const Pose still = reference_pose(c.mesh);
         const auto counts_at = [&](double x, Query query, PairMemory* memory) {
-          first.begin(still, {}), second.begin(still, {identity_quaternion<double>(), {x, 0, 0}});
+          first.begin(still, {}), second.begin(still, moved(x));
           QueryCounts counts{100, 1000};  // of queries before
           collide(first, second, query, counts, memory);
           return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
@@ -354,11 +375,12 @@ PROPTEST(cluster_collide) {
     const auto count = static_cast<long>(tree.wide_nodes().size());
     return Checked(wrong == 0 && skinned > 0 && skinned < count, count, std::to_string(skinned) + " are skinned");
   });
+}
+
+void two_walking_men(Suite& t) {
   t.example("no more is looked at than is near: boxes, pairs of triangles and vertices of two men, at three distances", {}, [] {
-    const auto man = bake(make_man());
-    const ClusterTree tree(man);
-    const Clip& walk = man.clips[0];
-    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
+    TwoMen men;
+    auto &a = men.a, &b = men.b;
     struct Most {
       double distance;
       long ball_tests, triangle_tests, vertices, nodes;
@@ -367,8 +389,7 @@ PROPTEST(cluster_collide) {
     std::string text;
     for (const Most& most :
          {Most{0.6, 120, 100, 1000, 60}, Most{0.35, 700, 2960, 7500, 100}, Most{0.1, 1400, 7950, 15200, 168}}) {
-      a.begin(walk.sample(0.2 * walk.duration), {});
-      b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {most.distance, 0, 0}});
+      a.begin(men.at(0.2), {}), b.begin(men.at(0.7), moved(most.distance));
       QueryCounts counts;
       collide(a, b, Query::full, counts);
       QueryCounts of_first;  // of a pair, which ends the query
@@ -386,22 +407,20 @@ PROPTEST(cluster_collide) {
       "two walking men: nothing is bounded or skinned far apart, a part close by, and the pairs are those of the "
       "sphere trees",
       {}, [] {
-        const auto man = bake(make_man());
-        const ClusterTree tree(man);
-        const Clip& walk = man.clips[0];
-        const Pose early = walk.sample(0.2 * walk.duration), late = walk.sample(0.7 * walk.duration);
-        ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-        Body p(man, compared_variant("spherical_repaired")), q(man, compared_variant("spherical_repaired"));
+        TwoMen men;
+        auto &a = men.a, &b = men.b;
+        const Pose early = men.at(0.2), late = men.at(0.7);
+        Body p(men.man, compared_variant("spherical_repaired")), q(men.man, compared_variant("spherical_repaired"));
         bool ok = true;
         std::string text;
         for (const double distance : {5.0, 0.6, 0.1}) {
-          const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
+          const RigidTransform<double> at = moved(distance);
           a.begin(early, {}), b.begin(late, at), p.begin(early), q.begin(late);
           QueryCounts counts, unused;
           const auto pairs = sorted(collide(a, b, Query::full, counts));
           ok = ok && pairs == sorted(collide({p}, {q, at}, Query::full, unused));
           const long skinned = a.clusters_skinned() + b.clusters_skinned();
-          const auto all = 2 * static_cast<long>(tree.clusters().size());
+          const auto all = 2 * static_cast<long>(men.tree.clusters().size());
           if (distance == 5.0) ok = ok && a.nodes_bounded() + b.nodes_bounded() == 0;  // their motion bounds are apart
           ok = ok && (distance == 5.0 ? skinned == 0 : distance == 0.1 ? pairs.size() > 100 : skinned < all / 2);
           text += std::to_string(skinned) + " of " + std::to_string(all) + " clusters skinned for " +
@@ -410,40 +429,38 @@ PROPTEST(cluster_collide) {
         return Checked(ok, 3, text);
       });
   t.example("where two men's motion bounds begin to meet, each box of the first one's root is counted as compared", {}, [] {
-    const auto man = bake(make_man());
-    const ClusterTree tree(man);
-    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-    const Pose pose = man.clips[0].sample(0);
+    TwoMen men;
+    const Pose pose = men.at(0);
     for (double distance = 5; distance > 0; distance -= 0.02) {
-      const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
-      a.begin(pose, {}), b.begin(pose, at);
+      men.a.begin(pose, {}), men.b.begin(pose, moved(distance));
       QueryCounts counts;
-      collide(a, b, Query::full, counts);
+      collide(men.a, men.b, Query::full, counts);
       if (counts.ball_tests == 1) continue;  // the motion bounds are apart
-      return Checked(counts.ball_tests >= 1 + tree.wide_nodes()[0].child_count && tree.wide_nodes()[0].child_count > 8, 1,
+      const int boxes = men.tree.wide_nodes()[0].child_count;
+      return Checked(counts.ball_tests >= 1 + boxes && boxes > 8, 1,
                      std::to_string(counts.ball_tests) + " boxes are compared at " + std::to_string(distance));
     }
     return Checked(false, 0, "the motion bounds never meet");
   });
+}
+
+void bodies_that_are_skinned_whole(Suite& t) {
   t.example(
       "bodies for which that is less work are skinned whole in the next frames, with the same pairs, and bounded again after "
       "them",
       {}, [] {
-        const auto man = bake(make_man());
-        const ClusterTree tree(man);
-        const Clip& walk = man.clips[0];
-        ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-        const RigidTransform<double> in_place{identity_quaternion<double>(), {0.02, 0, 0}},
-            near{identity_quaternion<double>(), {0.5, 0, 0}}, away{identity_quaternion<double>(), {5, 0, 0}};
+        TwoMen men;
+        auto &a = men.a, &b = men.b;
+        const RigidTransform<double> in_place = moved(0.02), near = moved(0.5), away = moved(5);
         PairMemory memory;
         bool ok = true;
         long queries = 0;
         const auto at = [&](double time, const RigidTransform<double>& place) {
-          const Pose first = walk.sample(time * walk.duration), second = walk.sample((time + 0.5) * walk.duration);
+          const Pose first = men.at(time), second = men.at(time + 0.5);
           a.begin(first, {}), b.begin(second, place);
           QueryCounts counts;
           ok = ok && sorted(collide(a, b, Query::full, counts, &memory)) ==
-                         oracle::all_pairs({man, first, {}}, {man, second, place}, Skinning::spherical);
+                         oracle::all_pairs({men.man, first, {}}, {men.man, second, place}, Skinning::spherical);
           ++queries;
           const bool is_whole = a.is_all_skinned() && b.is_all_skinned();
           // Everything was skinned; or what was bounded besides is counted, too.
@@ -462,13 +479,13 @@ PROPTEST(cluster_collide) {
              a.nodes_bounded() == 0;
         // What was not made for a frame that should have been skinned whole is made where it is asked for, and is the same.
         ok = ok && !at(0.2, in_place) && memory.are_entangled();
-        a.begin(walk.sample(0.1), in_place);
-        ClusterBody fresh(tree, Skinning::spherical);
-        fresh.begin(walk.sample(0.1), in_place);
+        a.begin(men.walk.sample(0.1), in_place);
+        ClusterBody fresh(men.tree, Skinning::spherical);
+        fresh.begin(men.walk.sample(0.1), in_place);
         const Box<double> late = a.motion_bound(), soon = fresh.motion_bound();
         ok = ok && late.low == soon.low && late.high == soon.high && a.wide_node_box(0).low == fresh.wide_node_box(0).low;
         a.expect_whole(true);
-        a.begin(walk.sample(0.1), in_place);
+        a.begin(men.walk.sample(0.1), in_place);
         ok = ok && a.wide_node_box(0).low == fresh.wide_node_box(0).low;
         try {
           a.begin(Pose(3), in_place);
@@ -477,6 +494,9 @@ PROPTEST(cluster_collide) {
         }
         return Checked(ok, queries);
       });
+}
+
+void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
   t.example("triangles that touch in a point, an edge or a plane are found, and boxes that only touch hide none", {}, [] {
     SkinnedMesh m;
     m.name = "triangle";
@@ -490,7 +510,7 @@ PROPTEST(cluster_collide) {
     const Pose still = reference_pose(c.mesh);
     first.begin(still, {});
     const auto pairs = [&](double x, double y, double z) {
-      second.begin(still, {identity_quaternion<double>(), {x, y, z}});
+      second.begin(still, moved(x, y, z));
       QueryCounts counts;
       return collide(first, second, Query::full, counts).size();
     };
@@ -499,36 +519,36 @@ PROPTEST(cluster_collide) {
                    6);
   });
   t.example("a remembered pair that still touches answers a yes/no query, and no cluster is skinned for it", {}, [] {
-    const auto man = bake(make_man());
-    const ClusterTree tree(man);
-    const Clip& walk = man.clips[0];
-    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
-    const RigidTransform<double> at{identity_quaternion<double>(), {0.1, 0, 0}}, away{identity_quaternion<double>(), {1, 0, 0}};
+    TwoMen men;
+    auto &a = men.a, &b = men.b;
+    const RigidTransform<double> at = moved(0.1), away = moved(1);
     PairMemory memory;
     QueryCounts counts;
     bool ok = true;
     for (const double time : {0.2, 0.2, 0.201}) {
-      a.begin(walk.sample(time * walk.duration), {}), b.begin(walk.sample((time + 0.5) * walk.duration), at);
+      a.begin(men.at(time), {}), b.begin(men.at(time + 0.5), at);
       ok = ok && collide(a, b, Query::yes_no, counts, &memory).size() == 1;
     }
     ok = ok && a.clusters_skinned() == 0 && !memory.pairs().empty();
-    b.begin(walk.sample(0.7 * walk.duration), away);
+    b.begin(men.at(0.7), away);
     ok = ok && collide(a, b, Query::yes_no, counts, &memory).empty();
-    b.begin(walk.sample(0.7 * walk.duration), at);
+    b.begin(men.at(0.7), at);
     const auto pairs = collide(a, b, Query::full, counts, &memory);
     const auto& kept = memory.pairs();
     for (const TrianglePair& pair : kept) ok = ok && std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
     const std::size_t remembered = kept.size();
     memory.count_query(0);                       // else they are skinned whole
     for (const bool was_near : {true, false}) {  // motion bounds are compared again once the bounds have been found apart
-      a.begin(walk.sample(0.2 * walk.duration), {});
-      b.begin(walk.sample(0.7 * walk.duration), {identity_quaternion<double>(), {5, 0, 0}});
+      a.begin(men.at(0.2), {}), b.begin(men.at(0.7), moved(5));
       ok = ok && memory.are_near == was_near && collide(a, b, Query::full, counts, &memory).empty() &&
            (a.nodes_bounded() > 0) == was_near;
     }
     return Checked(ok && remembered == PairMemory::most, 5,
                    std::to_string(pairs.size()) + " pairs found, " + std::to_string(remembered) + " remembered");
   });
+}
+
+void what_is_refused(Suite& t) {
   t.example("options out of range, a placement that is not rigid and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     const auto message = [](const auto& call) -> std::string {
@@ -569,6 +589,20 @@ PROPTEST(cluster_collide) {
                        refused.find("joint 1") != std::string::npos,
                    5, small + "; " + narrow + "; " + stretched + "; " + lost + "; " + refused);
   });
+}
+
+}  // namespace
+
+PROPTEST(cluster_collide) {
+  pairs_are_those_of_testing_all(t);
+  a_needle_touches_where_a_bound_is_attained(t);
+  leaves_that_are_too_large(t);
+  clusters_and_wide_nodes(t);
+  what_is_counted(t);
+  two_walking_men(t);
+  bodies_that_are_skinned_whole(t);
+  pairs_that_touch_and_pairs_that_are_remembered(t);
+  what_is_refused(t);
 }
 
 }  // namespace proptests::suite_cluster_collide

@@ -66,9 +66,7 @@ Men two_men(const char* variant, double distance, Query query) {
   return {pairs.size(), counts.ball_tests, a.vertices_skinned() + b.vertices_skinned(), balls};
 }
 
-}  // namespace
-
-PROPTEST(collide) {
+void pairs_are_those_of_testing_all(Suite& t) {
   t.holds("every sound variant, with and without the frame's short cuts, finds the pairs that testing all pairs finds",
           {.number_type = "double", .cases = 150, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
@@ -111,16 +109,9 @@ PROPTEST(collide) {
               oracle::all_pairs({c, pose, {}}, {c, pose, at}, variant.skinning));
     RC_ASSERT(body.vertices_skinned() <= static_cast<long>(c.mesh.vertices.size()));
   });
-  t.example("a ball that is undefined, or too small by rounding, hides no pair", {}, [] {
-    const auto c = bake(lone_triangle());
-    const RigidTransform<double> touching{identity_quaternion<double>(), {2, 0, 0}};
-    const RefitVariant variant{"wrong", "", Skinning::spherical, false, Pieces::joint_sets, &undefined, &undefined};
-    Body body(c, variant);
-    body.begin(reference_pose(c.mesh));
-    QueryCounts counts;
-    const auto found = static_cast<long>(collide({body}, {body, touching}, Query::full, counts).size());
-    return Checked(found == 1, found);
-  });
+}
+
+void triangles_that_touch_where_balls_do(Suite& t) {
   t.holds("triangles that touch in a point where their balls do are found, wherever rounding has put them",
           {.number_type = "double", .cases = 2000}, [] {
             static const auto c = bake(lone_triangle());
@@ -152,6 +143,9 @@ PROPTEST(collide) {
       RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
     }
   });
+}
+
+void balls_that_are_apart_cost_one_test(Suite& t) {
   t.example("two walking men far apart cost one test and no vertex; close by they are refitted in part only", {}, [] {
     const Men far = two_men("spherical_repaired", 5, Query::full), near = two_men("spherical_repaired", 0.6, Query::full),
               deep = two_men("spherical_repaired", 0.1, Query::full), first = two_men("spherical_repaired", 0.1, Query::yes_no);
@@ -183,6 +177,24 @@ PROPTEST(collide) {
         }
         return Checked(true, tried);
       });
+}
+
+}  // namespace
+
+PROPTEST(collide) {
+  pairs_are_those_of_testing_all(t);
+  t.example("a ball that is undefined, or too small by rounding, hides no pair", {}, [] {
+    const auto c = bake(lone_triangle());
+    const RigidTransform<double> touching{identity_quaternion<double>(), {2, 0, 0}};
+    const RefitVariant variant{"wrong", "", Skinning::spherical, false, Pieces::joint_sets, &undefined, &undefined};
+    Body body(c, variant);
+    body.begin(reference_pose(c.mesh));
+    QueryCounts counts;
+    const auto found = static_cast<long>(collide({body}, {body, touching}, Query::full, counts).size());
+    return Checked(found == 1, found);
+  });
+  triangles_that_touch_where_balls_do(t);
+  balls_that_are_apart_cost_one_test(t);
   t.example("a placement that is not rigid, or not finite, and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     Body body(c, compared_variant("spherical_repaired"));

@@ -81,25 +81,7 @@ bool holds_on_a_grid(const RefitCase& c) {
   return all;
 }
 
-}  // namespace
-
-PROPTEST(control_hull) {
-  t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
-          {.form = "beyond",
-           .number_type = "rational",
-           .cases = 300,
-           .degenerate_at_least = 0.2,
-           .degenerate_at_most = 0.5,
-           .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
-          check_hull);
-  t.holds("up to a right angle between joints no root is taken and nothing is halved",
-          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
-          oracle::check_moderate_turns<SphericalHull>);
-  t.holds("halving ends: at most 16 m (m + 1) (m + 2) / 6 balls for m weight vertices, all of them finite",
-          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
-          [] { oracle::check_halving_ends<SphericalHull>(false); });
-  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
-          oracle::check_own_balls<SphericalHull>);
+void the_fallback_alone(Suite& t) {
   t.holds("without any halving the fallback holds every vertex",
           {.number_type = "multiprecision interval", .cases = 300, .degenerate_at_least = 0.2}, [] {
             using S = MultiprecisionInterval;
@@ -138,14 +120,9 @@ PROPTEST(control_hull) {
             // Powers of 2 are not rounded.
             for (std::size_t k = 0; k < a.size(); ++k) RC_ASSERT(a[k].center == b[k].center && a[k].radius == b[k].radius);
           });
-  const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
-  t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { oracle::check_double<SphericalHull, MeanBalls>(); });
-  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { oracle::check_double<SphericalHull, NearSmallestBalls>(); });
-  t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { oracle::check_double<SphericalHull, SmallestBalls>(); });
+}
 
+void weight_vertices_that_vanish_or_turn_far(Suite& t) {
   t.example("a weight vertex that is 0 beside two near ones: all rotations are allowed for it", {}, [] {
     const RefitCase c =
         by_hand({{1, 0, 0, 0}, {-1, 0, 0, 0}}, {{1, 0}, {Rational(3, 4), Rational(1, 4)}, {Rational(1, 2), Rational(1, 2)}});
@@ -180,6 +157,30 @@ PROPTEST(control_hull) {
       on_the_way = on_the_way && b.radius == 0 && b.center[0] >= 0 && b.center[0] <= 1 && b.center[1] == 0 && b.center[2] == 0;
     return on_the_way;
   });
+}
+
+}  // namespace
+
+PROPTEST(control_hull) {
+  t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
+          {.form = "beyond",
+           .number_type = "rational",
+           .cases = 300,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.5,
+           .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
+          check_hull);
+  t.holds("up to a right angle between joints no root is taken and nothing is halved",
+          {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
+          oracle::check_moderate_turns<SphericalHull>);
+  t.holds("halving ends: at most 16 m (m + 1) (m + 2) / 6 balls for m weight vertices, all of them finite",
+          {.number_type = "double", .cases = 1500, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
+          [] { oracle::check_halving_ends<SphericalHull>(false); });
+  t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
+          oracle::check_own_balls<SphericalHull>);
+  the_fallback_alone(t);
+  oracle::balls_in_double<SphericalHull>(t);
+  weight_vertices_that_vanish_or_turn_far(t);
   t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth",
             {.number_type = "double"}, [] { return oracle::measure_tightness<SphericalHull>(2006); });
 }

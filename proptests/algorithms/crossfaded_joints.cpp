@@ -113,14 +113,16 @@ struct Hinge {
     const Eigen::Quaterniond turned(Eigen::AngleAxisd(degrees * 3.141592653589793 / 180, Eigen::Vector3d::UnitZ()));
     return {name, 1, {{0, {{{0, Eigen::Vector3d::Zero()}}}, {{{0, turned}}}, {{{0, Eigen::Vector3d::Ones()}}}}}};
   }
+  CrossfadedJoints joints(RotationBlend blend, bool with_poses) const {
+    return {model, first, second, gen::all_of(model.joints), blend, with_poses};
+  }
   BoundOverTime bound(RotationBlend blend, double tolerance = 0.01) const {
     const JointSets sets(model);
-    const CrossfadedJoints joints(model, first, second, gen::all_of(model.joints), blend, false);
-    return bound_over_time(joints, MovingVertices(model, sets, Skinning::linear, {0}), {.tolerance = tolerance});
+    return bound_over_time(joints(blend, false), MovingVertices(model, sets, Skinning::linear, {0}), {.tolerance = tolerance});
   }
 };
 
-PROPTEST(crossfaded_joints) {
+void crossfades_are_bounded_and_hardly_more(Suite& t) {
   t.holds("no vertex of a crossfade is outside of slabs and ball, at any times and weight",
           {.number_type = "multiprecision interval",
            .cases = 150,
@@ -199,6 +201,9 @@ PROPTEST(crossfaded_joints) {
             for (int d = 0; d < 3; ++d)
               RC_ASSERT(bound.slabs[d].high - bound.slabs[d].low <= 1.1 * seen.edges()[d] + 0.06 * longest + 1e-9 * plan.unit);
           });
+}
+
+void hands_half_way_between_clips(Suite& t) {
   t.example("half-way between two clips a hand is where neither has it, and the bound knows",
             {.hypothesis = "bounds hold in between"}, [] {
               bool good = true;
@@ -229,8 +234,7 @@ PROPTEST(crossfaded_joints) {
   t.example("with weight 0 joints are as in the first clip, with weight 1 as in the second, each in its own time", {}, [] {
     Hinge hinge(0, 90);
     hinge.first.tracks[0].positions = {{{0, Eigen::Vector3d::Zero()}, {1, Eigen::Vector3d(2, 0, 0)}}};
-    const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), RotationBlend::slerp,
-                                  true);
+    const CrossfadedJoints joints = hinge.joints(RotationBlend::slerp, true);
     const auto at = [&](double a, double b, double w) {
       return joints.at({{{a, Side::after}, {b, Side::after}, {w, Side::after}}});
     };
@@ -241,8 +245,7 @@ PROPTEST(crossfaded_joints) {
   });
   t.example("a slerp by weight turns by that share of the angle", {}, [] {
     const Hinge hinge(0, 100);
-    const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), RotationBlend::slerp,
-                                  true);
+    const CrossfadedJoints joints = hinge.joints(RotationBlend::slerp, true);
     for (const double weight : {0.1, 0.25, 0.5, 0.8}) {
       const auto matrix = joints.at({{{0, Side::after}, {0, Side::after}, {weight, Side::after}}})->matrices[0];
       const double angle = weight * 100 * 3.141592653589793 / 180;
@@ -250,6 +253,9 @@ PROPTEST(crossfaded_joints) {
     }
     return true;
   });
+}
+
+void what_each_clip_moves(Suite& t) {
   t.example(
       "at its end a crossfade does not move with the first clip, at its start not with the second, and by weight from one to the "
       "other",
@@ -265,7 +271,7 @@ PROPTEST(crossfaded_joints) {
                 {{0, Eigen::Quaterniond(Eigen::AngleAxisd(0.1, there))}, {1, Eigen::Quaterniond(Eigen::AngleAxisd(0.5, there))}}};
             moving.scales = {{{0, ones}, {1, 2 * ones}}};
             (is_end ? hinge.second : hinge.first).tracks[0].positions = {{{0, Eigen::Vector3d(-1, 0, 0)}}};
-            const CrossfadedJoints joints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), blend, false);
+            const CrossfadedJoints joints = hinge.joints(blend, false);
             ParameterBox box = joints.boxes()[0];
             const double weight = is_end ? 1 : 0;
             box.ranges[2] = {0, 0, weight, weight};
@@ -304,12 +310,18 @@ PROPTEST(crossfaded_joints) {
     Hinge hinge(0, 0);
     hinge.model.skeleton.joints.clear();
     try {
-      CrossfadedJoints(hinge.model, hinge.first, hinge.second, gen::all_of(hinge.model.joints), RotationBlend::slerp, false);
+      hinge.joints(RotationBlend::slerp, false);
     } catch (const ModelError& e) {
       return std::string(e.what()) == "hinge: clip 'first': it has no keys, and nothing is known of it between poses";
     }
     return false;
   });
+}
+
+PROPTEST(crossfaded_joints) {
+  crossfades_are_bounded_and_hardly_more(t);
+  hands_half_way_between_clips(t);
+  what_each_clip_moves(t);
   t.holds("a vertex is as near to what is between the eight corners as the slack says, or to its linear blend, which is",
           {.number_type = "multiprecision interval",
            .cases = 400,

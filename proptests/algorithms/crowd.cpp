@@ -44,9 +44,7 @@ CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const Workers& wor
   return out;
 }
 
-}  // namespace
-
-PROPTEST(crowd) {
+void contacts_are_those_of_all_pairs(Suite& t) {
   t.holds("the contacts of a crowd are those of its pairs, one after the other, on one thread and on two",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
@@ -119,6 +117,12 @@ PROPTEST(crowd) {
         }
         return Checked(contacts > 30 * frames, frames, std::to_string(contacts) + " contacts");
       });
+}
+
+}  // namespace
+
+PROPTEST(crowd) {
+  contacts_are_those_of_all_pairs(t);
   t.example("what is counted of a crowd: pairs of motion bounds that meet, and what their queries count, added to what was", {},
             [] {
               const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));

@@ -69,9 +69,7 @@ Vec<Rational, 3> by_definition(const SkinnedMesh& mesh, const Deformation& d, in
   return out;
 }
 
-}  // namespace
-
-PROPTEST(deformation) {
+void decomposed_joints_and_deformed_vertices(Suite& t) {
   t.holds("an affine joint is a rotation behind a symmetric scale about its origin, up to rounding",
           {.number_type = "double", .cases = 1000, .tags_at_least = {{"mirrors", 0.1}, {"flattens", 0.05}, {"turns", 0.4}}}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
@@ -121,6 +119,9 @@ PROPTEST(deformation) {
               RC_ASSERT((doubles[static_cast<std::size_t>(v)] - near).norm() <= 1e-6);
             }
           });
+}
+
+void affine_joints_are_skinned_linearly(Suite& t) {
   t.holds("linear skinning by affine joints is the sum of the images", {.number_type = "rational", .cases = 150}, [] {
     const auto plan = *gen::mesh_plan();
     std::mt19937 random(plan.seed);
@@ -146,6 +147,13 @@ PROPTEST(deformation) {
     const auto b = skin(mesh, sets, make_skinning_palette(mesh, sets, rigid, Skinning::linear), Skinning::linear);
     for (std::size_t v = 0; v < a.size(); ++v) RC_ASSERT((a[v] - b[v]).norm() <= 1e-12 * (1 + a[v].norm()));
   });
+}
+
+}  // namespace
+
+PROPTEST(deformation) {
+  decomposed_joints_and_deformed_vertices(t);
+  affine_joints_are_skinned_linearly(t);
   t.example("what is out of range or of another number is refused by name", {}, [] {
     std::mt19937 random(1);
     SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});

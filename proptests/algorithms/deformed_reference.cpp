@@ -242,24 +242,7 @@ void check_collide() {
   RC_ASSERT(found == expected);
 }
 
-}  // namespace
-
-PROPTEST(deformed_reference) {
-  const std::map<std::string, double> tags = {{"morphed", 0.6}, {"uniform", 0.05}, {"axes", 0.05},     {"shear", 0.05},
-                                              {"flat", 0.05},   {"mixed", 0.05},   {"mirrored", 0.05}, {"extreme", 0.05}};
-  t.holds("no sound variant misses a vertex of affine joints, of scaled ones in two phases, or of morph targets",
-          {.number_type = "double against rational",
-           .cases = 1000,
-           .degenerate_at_least = 0.1,
-           .degenerate_at_most = 0.5,
-           .tags_at_least = tags},
-          check_variants);
-  t.holds("every deformed vertex is in the ball of a piece, exactly and in double",
-          {.number_type = "double against rational", .cases = 200, .degenerate_at_most = 0.5}, check_references);
-  t.holds("bounds for weights in intervals hold for every one of them",
-          {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_ranges);
-  t.holds("a character made anew is skinned to the last bit as the deformed one, and no sound variant misses it",
-          {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_deformed_character);
+void scaled_joints_and_their_certificates(Suite& t) {
   t.holds("a scale of all joints scales the balls by it, up to rounding", {.number_type = "double", .cases = 20}, [] {
     const auto plan = *gen::mesh_plan();
     std::mt19937 random(plan.seed);
@@ -307,8 +290,9 @@ PROPTEST(deformed_reference) {
     };
     return is_certified(Skinning::linear) && !is_certified(Skinning::spherical) && !is_certified(Skinning::dual_quaternion);
   });
-  t.holds("deformed bodies touch where all pairs of skinned triangles say so",
-          {.number_type = "double", .cases = 150, .tags_at_least = {{"touching", 0.3}}}, check_collide);
+}
+
+void what_a_deformation_keeps_and_refuses(Suite& t) {
   t.example("a character without the pieces is refused, and a palette of affine joints where skinning is not linear", {}, [] {
     const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}), {}, {Pieces::mixed});
     std::mt19937 random(1);
@@ -341,6 +325,30 @@ PROPTEST(deformed_reference) {
     const double first = radius(one), again = radius(one), second = radius(other), third = radius(one);
     return first == again && first == third && first != second && radius({}) == c.tree.nodes[0].reference.radius;
   });
+}
+
+}  // namespace
+
+PROPTEST(deformed_reference) {
+  const std::map<std::string, double> tags = {{"morphed", 0.6}, {"uniform", 0.05}, {"axes", 0.05},     {"shear", 0.05},
+                                              {"flat", 0.05},   {"mixed", 0.05},   {"mirrored", 0.05}, {"extreme", 0.05}};
+  t.holds("no sound variant misses a vertex of affine joints, of scaled ones in two phases, or of morph targets",
+          {.number_type = "double against rational",
+           .cases = 1000,
+           .degenerate_at_least = 0.1,
+           .degenerate_at_most = 0.5,
+           .tags_at_least = tags},
+          check_variants);
+  t.holds("every deformed vertex is in the ball of a piece, exactly and in double",
+          {.number_type = "double against rational", .cases = 200, .degenerate_at_most = 0.5}, check_references);
+  t.holds("bounds for weights in intervals hold for every one of them",
+          {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_ranges);
+  t.holds("a character made anew is skinned to the last bit as the deformed one, and no sound variant misses it",
+          {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_deformed_character);
+  scaled_joints_and_their_certificates(t);
+  t.holds("deformed bodies touch where all pairs of skinned triangles say so",
+          {.number_type = "double", .cases = 150, .tags_at_least = {{"touching", 0.3}}}, check_collide);
+  what_a_deformation_keeps_and_refuses(t);
 }
 
 }  // namespace proptests::suite_deformed_reference

@@ -75,9 +75,7 @@ bool is_smallest(const Balls& balls, double radius) {
   return !(optimum < Rational(radius) - Rational(slack)) && optimum < Rational(radius) + Rational(slack + 1e-300);
 }
 
-}  // namespace
-
-PROPTEST(few_balls_ball) {
+void the_smallest_ball_and_its_certificate(Suite& t) {
   t.example("without its certificate the ball is the same, to the last digit, and undefined where it is",
             {.number_type = "double"}, [] {
               std::mt19937_64 random(2006);
@@ -133,6 +131,9 @@ PROPTEST(few_balls_ball) {
                              std::to_string(fallbacks) + " fallbacks, " +
                                  std::to_string(static_cast<double>(pivots) / static_cast<double>(cases)) + " pivots on average");
             });
+}
+
+void slacks_equal_radii_and_few_or_many_balls(Suite& t) {
   t.example("with a slack the ball holds all and is at most so much larger than the smallest, with fewer pivots",
             {.number_type = "double"}, [] {
               std::mt19937_64 random(Session::get().seed() + 2);
@@ -197,6 +198,13 @@ PROPTEST(few_balls_ball) {
     }
     return true;
   });
+}
+
+}  // namespace
+
+PROPTEST(few_balls_ball) {
+  the_smallest_ball_and_its_certificate(t);
+  slacks_equal_radii_and_few_or_many_balls(t);
   t.example("balls of which one is undefined have an undefined ball, whatever the number of them", {.number_type = "double"}, [] {
     std::mt19937_64 random(Session::get().seed());
     for (int n = 1; n < 40; ++n)

@@ -77,8 +77,7 @@ std::vector<Vec<double, D>> nearly_degenerate(std::mt19937_64& random, int n, do
 }
 
 template <int D>
-void properties(Suite& t) {
-  const std::string space = " in R^" + std::to_string(D);
+void smallest_balls_are_certified(Suite& t, const std::string& space) {
   t.holds("the radius is within 1e-12 of the exact smallest ball's" + space,
           {.number_type = "rational", .cases = 300, .degenerate_at_least = 0.5}, [] {
             const auto cloud = *gen::cloud<D>(20);
@@ -122,6 +121,10 @@ void properties(Suite& t) {
                              std::to_string(walks) + " walks, " +
                                  std::to_string(static_cast<double>(pivots) / static_cast<double>(cases)) + " pivots on average");
             });
+}
+
+template <int D>
+void floats_and_points_beyond_the_certificate(Suite& t, const std::string& space) {
   t.example("a ball in float is as small as the one in double, but for its digits" + space, {.number_type = "float"}, [] {
     std::mt19937_64 random(Session::get().seed());
     constexpr long cases = 3000;
@@ -170,6 +173,13 @@ void properties(Suite& t) {
       }
     return true;
   });
+}
+
+template <int D>
+void properties(Suite& t) {
+  const std::string space = " in R^" + std::to_string(D);
+  smallest_balls_are_certified<D>(t, space);
+  floats_and_points_beyond_the_certificate<D>(t, space);
 }
 
 }  // namespace

@@ -142,9 +142,7 @@ Ball3<double> ball_by_definition(const Drawn& d, int n, const FrameOptions& opti
   return few_balls_ball(balls).ball;
 }
 
-}  // namespace
-
-PROPTEST(frame_refits) {
+void balls_of_one_node(Suite& t) {
   t.holds("every ball encloses its vertices, in whatever order, with and without the frame's short cuts, frame after frame",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
@@ -183,6 +181,9 @@ PROPTEST(frame_refits) {
               RC_ASSERT(made == static_cast<long>(asked.size()));
             }
           });
+}
+
+void balls_from_children_and_from_below(Suite& t) {
   t.holds("children first: the ball is the smaller of the node's own and the smallest around its children's",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
@@ -230,6 +231,9 @@ PROPTEST(frame_refits) {
     }
     return Checked(true, frames);
   });
+}
+
+void what_is_counted_and_what_is_refused(Suite& t) {
   t.holds("the balls made since begin are counted by their levels, those for cuts too",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const Drawn d = draw();
@@ -257,6 +261,14 @@ PROPTEST(frame_refits) {
     frame.begin(palette);
     return frame[0].radius > 0;
   });
+}
+
+}  // namespace
+
+PROPTEST(frame_refits) {
+  balls_of_one_node(t);
+  balls_from_children_and_from_below(t);
+  what_is_counted_and_what_is_refused(t);
   t.example("of the built-in man's inner nodes some are bounded from below, some by their children, some by themselves", {}, [] {
     static const Drawn man(make_man(), 2006);
     FrameRefits plain(man.character, man.variant), below(man.character, man.variant, {.most_joint_sets = 16}),

@@ -87,8 +87,8 @@ struct Change {
   const char* reason;
 };
 
-// Of bending_tube(3): nodes j0 to j2 and "skin", one mesh, one skin, one clip "bend".
-std::vector<Change> refused_changes() {
+// Changes of the description of bending_tube(3): nodes j0 to j2 and "skin", one mesh, one skin, one clip "bend".
+std::vector<Change> refused_descriptions() {
   return {
       {[](json& g) { g["asset"].erase("version"); }, "file: says no version of glTF"},
       {[](json& g) { g = json::array(); }, "file: says no version of glTF"},
@@ -148,7 +148,10 @@ std::vector<Change> refused_changes() {
       {[](json& g) { g["accessors"][0].erase("type"); }, "glTF description: tinygltf cannot read it: "},
       {[](json& g) { g["buffers"][0]["uri"] = "data:text/html;base64,AAAA"; }, "glTF description: tinygltf cannot read it: "},
       {[](json& g) { primitive(g)["indices"] = 99; }, "glTF description: tinygltf cannot read it: "},
-
+  };
+}
+std::vector<Change> refused_accessors() {
+  return {
       {[](json& g) { primitive(g)["attributes"]["POSITION"] = 99; }, "mesh 0, accessor 99: there is none"},
       {[](json& g) { attribute_accessor(g, "POSITION")["componentType"] = 5130; },
        "mesh 0, accessor 0: glTF has no component type 5130"},
@@ -194,7 +197,10 @@ std::vector<Change> refused_changes() {
          make_sparse(g, {0, 3}, 1);
        },
        "mesh 0, accessor 0: reaches past the end of its buffer view"},
-
+  };
+}
+std::vector<Change> refused_nodes() {
+  return {
       {[](json& g) {
          g["nodes"][1]["translation"] = {1, 2};
        },
@@ -223,7 +229,10 @@ std::vector<Change> refused_changes() {
       {[](json& g) { g["scenes"][0]["nodes"].push_back(4); }, "scene 0: names node 4, which is below another or not there"},
       {[](json& g) { g["scene"] = 1; }, "file: its default scene is one that there is not"},
       {[](json& g) { g.erase("scenes"); }, "file: its default scene is one that there is not"},
-
+  };
+}
+std::vector<Change> refused_meshes() {
+  return {
       {[](json& g) { primitive(g)["attributes"].erase("POSITION"); }, "mesh 0: has no positions"},
       {[](json& g) { attribute_accessor(g, "POSITION")["count"] = 0; }, "mesh 0: is empty"},
       {[](json& g) { g["accessors"][std::size_t(primitive(g)["indices"])]["count"] = 143; },
@@ -248,7 +257,10 @@ std::vector<Change> refused_changes() {
       {[](json& g) { g["skins"][0]["joints"][1] = 99; }, "skin 0: has a joint that there is not"},
       {[](json& g) { g["nodes"][3]["mesh"] = 1; }, "node 3 'skin': shows a mesh that there is not"},
       {[](json& g) { g["nodes"][3]["skin"] = 1; }, "node 3 'skin': has a skin that there is not"},
-
+  };
+}
+std::vector<Change> refused_clips() {
+  return {
       {[](json& g) { channel(g, 1)["target"]["node"] = 99; }, "clip 'bend': moves a node that there is not"},
       {[](json& g) { channel(g, 1)["target"]["path"] = "colour"; },
        "clip 'bend', joint 'j1': a channel moves 'colour', which glTF has not"},
@@ -265,6 +277,12 @@ std::vector<Change> refused_changes() {
        },
        "clip 'bend', joint 'j1', key 0 at 0.000000 s: a tangent is not finite"},
   };
+}
+std::vector<Change> refused_changes() {
+  std::vector<Change> all;
+  for (const auto& part : {refused_descriptions(), refused_accessors(), refused_nodes(), refused_meshes(), refused_clips()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 // The vertices of the model at a time, each moved by its morph targets and then by the matrices of its joints.
@@ -355,9 +373,7 @@ std::vector<std::pair<const char*, std::function<void(json&)>>> accepted_changes
   };
 }
 
-}  // namespace
-
-PROPTEST(gltf_scene) {
+void files_of_all_features(Suite& t) {
   t.example(
       "a file of all features has each vertex where its formulas have it: rigid or not, with weights of targets that move or not",
       {}, [] {
@@ -425,7 +441,9 @@ PROPTEST(gltf_scene) {
               return Checked(count(false) == 18 && count(true) == 32, 2,
                              std::to_string(count(false)) + ", " + std::to_string(count(true)));
             });
-  const json tube = json::parse(gen::built(gen::bending_tube(3)).text_file());
+}
+
+void refused_and_unusual_descriptions(Suite& t, const json& tube) {
   t.example("of three nodes that show a mesh with the same skin, the one whose weights move has a mesh of its own", {}, [&] {
     json three = tube;
     add_target(three, 1);
@@ -482,6 +500,9 @@ PROPTEST(gltf_scene) {
     }
     return Checked(wrong.empty(), static_cast<long>(accepted_changes().size()), wrong);
   });
+}
+
+void skins_buffers_and_what_is_no_json(Suite& t, const json& tube) {
   t.example("one mesh with two skins is there for each of them, and joints are known by their nodes, not by names", {}, [&] {
     json g = tube;
     g["nodes"][1]["name"] = g["nodes"][2]["name"] = "j0";
@@ -531,6 +552,15 @@ PROPTEST(gltf_scene) {
     deep.insert(1, "\"extras\":" + std::string(1000000, '[') + std::string(1000000, ']') + ",");
     return Checked(good && refusal(deep).empty(), 5);
   });
+}
+
+}  // namespace
+
+PROPTEST(gltf_scene) {
+  files_of_all_features(t);
+  const json tube = json::parse(gen::built(gen::bending_tube(3)).text_file());
+  refused_and_unusual_descriptions(t, tube);
+  skins_buffers_and_what_is_no_json(t, tube);
 }
 
 }  // namespace proptests::suite_gltf_scene

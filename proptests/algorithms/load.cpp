@@ -145,9 +145,7 @@ Checked over_real_models(const Check& check) {
   return {passed, used, std::to_string(used) + " of 7 real models" + detail};
 }
 
-}  // namespace
-
-PROPTEST(load) {
+void rigs_and_real_models_as_their_files_say(Suite& t) {
   t.holds("a loaded rig is posed as the file's own matrices palette it", {.cases = 300, .degenerate_at_least = 0.05}, [] {
     const gen::RigTraits traits = gen::draw_traits();
     RC_CLASSIFY(traits.joints == 1 || traits.split_joint, "degenerate");
@@ -179,7 +177,9 @@ PROPTEST(load) {
       return as_known && m.rigidity_defect < 1e-5 ? "" : "it has others, or is not rigid";
     });
   });
+}
 
+void what_a_tube_is_loaded_as(Suite& t) {
   t.example("the bones of a tube are its joints, parents first, with their origins and names", {}, [] {
     const Model m = load(gen::bending_tube(4));
     bool good = m.joints.size() == 4 && m.vertices.size() == 36 && m.triangles.size() == 64;
@@ -232,6 +232,9 @@ PROPTEST(load) {
     const Model one = load_model(path), each = load(gen::bending_tube(3));
     return Checked(one.vertices == each.vertices && one.triangles == each.triangles && one.joints.size() == each.joints.size());
   });
+}
+
+void vertices_that_are_merged_dropped_or_kept(Suite& t) {
   t.example("vertices of one position are one exactly where their weights agree", {}, [] {
     RiggedGltf seams = gen::bending_tube(3);
     gen::GltfMesh& mesh = seams.meshes[0];
@@ -264,6 +267,9 @@ PROPTEST(load) {
     for (const auto& influences : m.influences) good = good && influences.size() == 8;
     return Checked(good, static_cast<long>(m.influences.size()));
   });
+}
+
+void how_rigid_a_clip_has_to_be(Suite& t) {
   t.example("a scale that wavers within the tolerance is measured, and one beyond it is refused", {}, [] {
     const auto wavering = [](float by) {
       RiggedGltf scene = gen::bending_tube(3);
@@ -336,6 +342,9 @@ PROPTEST(load) {
           wrong += "an index equal to the count loads; ";
         return Checked(wrong.empty(), 13, wrong);
       });
+}
+
+void keys_and_their_times(Suite& t) {
   t.example("quaternions in keys may be of any length but nearly 0", {}, [] {
     const auto scaled = [](float by) {
       RiggedGltf scene = gen::bending_tube(3);
@@ -383,7 +392,9 @@ PROPTEST(load) {
     const Model silent = load_model(path);
     return Checked(odd.clips[0].duration == 2 && silent.clips[0].duration == 2 && worst < 1e-5, 2);
   });
+}
 
+void broken_rigs_and_what_is_no_model(Suite& t) {
   for (const gen::BrokenRig& broken : gen::broken_rigs())
     t.example(std::string("refused, with file, thing and reason: ") + broken.what, {}, [&] {
       const Folder folder;
@@ -418,6 +429,9 @@ PROPTEST(load) {
               for (const auto& [bytes, name] : others) good = good && !is_gltf(bytes, name);
               return Checked(good, 9);
             });
+}
+
+void spoiled_gltf_files(Suite& t) {
   t.example("refused: a glTF file that ends early, wherever that is", {}, [] {
     const Folder folder;
     write_glb(gen::bending_tube(3), folder.file("rig.glb"));
@@ -492,6 +506,9 @@ PROPTEST(load) {
       }
     return Checked(wrong.empty(), 6, wrong);
   });
+}
+
+void spoiled_descriptions_and_x_files(Suite& t) {
   t.example("refused: a glTF file whose description refers to what is not there", {}, [] {
     const struct {
       const char *old, *fresh, *word;
@@ -549,6 +566,19 @@ PROPTEST(load) {
     const Checked negative = refuses(path, {"sum to 1.5"});
     return Checked(none.passed && negative.passed, 2, none.detail + "; " + negative.detail);
   });
+}
+
+}  // namespace
+
+PROPTEST(load) {
+  rigs_and_real_models_as_their_files_say(t);
+  what_a_tube_is_loaded_as(t);
+  vertices_that_are_merged_dropped_or_kept(t);
+  how_rigid_a_clip_has_to_be(t);
+  keys_and_their_times(t);
+  broken_rigs_and_what_is_no_model(t);
+  spoiled_gltf_files(t);
+  spoiled_descriptions_and_x_files(t);
 }
 
 }  // namespace proptests::suite_load

@@ -32,9 +32,7 @@ bool encloses(const BoundedPart& outer, const BoundedPart& inner) {
          apart + inner.ball.radius <= outer.ball.radius * (1 + 1e-6);
 }
 
-}  // namespace
-
-PROPTEST(model_bounds) {
+void clusters_and_moments(Suite& t) {
   t.example("clusters have each triangle once, as many as allowed at most, and the vertices of these; other sizes are refused",
             {}, [] {
               bool good = true;
@@ -93,6 +91,9 @@ PROPTEST(model_bounds) {
               }
               return Checked(good, looked_at);
             });
+}
+
+void volumes_around_what_is_sampled(Suite& t) {
   t.example("k-DOPs and the nodes of a tree hold what is sampled, and are of what was asked for; other k are refused", {}, [] {
     bool good = true;
     long looked_at = 0;
@@ -157,6 +158,13 @@ PROPTEST(model_bounds) {
     }
     return Checked(good, static_cast<long>(bounds().clips.size()));
   });
+}
+
+}  // namespace
+
+PROPTEST(model_bounds) {
+  clusters_and_moments(t);
+  volumes_around_what_is_sampled(t);
   t.example(
       "what is seen while one clip fades to another is inside of the crossfade's bounds, and these of what is of all", {}, [] {
         bool good = true;

@@ -44,15 +44,7 @@ RigidTransform<double> random_placement(std::mt19937& random) {
   return {gen::random_rotation(random, 1), Point3(normal(random), normal(random), normal(random)) * far};
 }
 
-// Rotations as files of floats have them: up to 1e-6 off in the square of their length.
-void spoil_lengths(Pose& pose, std::mt19937& random) {
-  std::uniform_real_distribution<double> off(-4.9e-7, 4.9e-7);
-  for (auto& t : pose) t.rotation *= 1 + off(random);
-}
-
-}  // namespace
-
-PROPTEST(motion_bound) {
+void boxes_hold_their_vertices(Suite& t) {
   t.holds("the box holds all vertices, however joints are turned, in every skinning",
           {.number_type = "float", .cases = 600, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
@@ -65,7 +57,7 @@ PROPTEST(motion_bound) {
               MotionBound motion_bound(model, sets, skinning);
               for (int frame = 0; frame < 4; ++frame) {
                 Pose pose = gen::random_pose(model, random, spread);
-                if (frame == 1) spoil_lengths(pose, random);
+                if (frame == 1) gen::spoil_lengths(pose, random);
                 // All turned together, so that relative rotations stay small.
                 if (frame == 2)
                   for (auto& joint : pose) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
@@ -123,6 +115,9 @@ PROPTEST(motion_bound) {
           for (int i = 0; i < 3; ++i) RC_ASSERT(box.edges()[i] <= std::max(of_vertices.edges()[i], most));
         }
       });
+}
+
+void swept_vertices_rigid_poses_and_many_joints(Suite& t) {
   t.example("a vertex swept about an axis bulges out of its joints' chord, and stays in the box", {}, [] {
     SkinnedMesh model;
     model.name = "swept";
@@ -189,6 +184,9 @@ PROPTEST(motion_bound) {
     }
     return Checked(ok, 4 * 56);
   });
+}
+
+void boxes_of_a_walking_man(Suite& t) {
   t.example("a walking man's box is little larger than that of his vertices, in every skinning", {}, [] {
     const Model man = make_man();
     const JointSets sets(man);
@@ -232,6 +230,9 @@ PROPTEST(motion_bound) {
     }
     return Checked(ok, 4);
   });
+}
+
+void boxes_without_end(Suite& t) {
   t.example("dual quaternions half a turn apart have no box, and rotation centers help out in spherical skinning", {}, [] {
     SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 12, 8, 4, 7});
     const JointSets sets(model);
@@ -259,6 +260,15 @@ PROPTEST(motion_bound) {
     }
     return Checked(wrong == 0, tried);
   });
+}
+
+}  // namespace
+
+PROPTEST(motion_bound) {
+  boxes_hold_their_vertices(t);
+  swept_vertices_rigid_poses_and_many_joints(t);
+  boxes_of_a_walking_man(t);
+  boxes_without_end(t);
 }
 
 }  // namespace proptests::suite_motion_bound

@@ -25,12 +25,6 @@ RigidTransform<double> random_placement(std::mt19937& random) {
   return {gen::random_rotation(random, 1), Point3(normal(random), normal(random), normal(random))};
 }
 
-// Rotations as files of floats have them: up to 1e-6 off in the square of their length.
-void spoil_lengths(Pose& pose, std::mt19937& random) {
-  std::uniform_real_distribution<double> off(-4.9e-7, 4.9e-7);
-  for (auto& t : pose) t.rotation *= 1 + off(random);
-}
-
 std::vector<Point3> placed_vertices(const Character& c, const Pose& pose, const RigidTransform<double>& placement,
                                     Skinning skinning) {
   auto out = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose, skinning), skinning);
@@ -76,9 +70,7 @@ std::vector<int> all_nodes(const Character& c) {
 
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion, Skinning::hejl};
 
-}  // namespace
-
-PROPTEST(motion_bound_packs) {
+void boxes_of_nodes_hold_their_vertices(Suite& t) {
   t.holds("the boxes of nodes hold their vertices on every target, however joints are turned",
           {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
@@ -92,7 +84,7 @@ PROPTEST(motion_bound_packs) {
               MotionBound motion_bound(c.mesh, c.sets, skinning);
               for (int frame = 0; frame < 3; ++frame) {
                 Pose pose = gen::random_pose(c.mesh, random, spread);
-                if (frame == 1) spoil_lengths(pose, random);
+                if (frame == 1) gen::spoil_lengths(pose, random);
                 const auto placement = random_placement(random);
                 const auto points = placed_vertices(c, pose, placement, skinning);
                 for (const Target target : available_targets()) {
@@ -135,6 +127,9 @@ PROPTEST(motion_bound_packs) {
           }
         }
       });
+}
+
+void turning_joints_and_clusters_of_bodies(Suite& t) {
   t.holds("joints that only turn, about points of their own, by rotations that are not quite of unit length",
           {.number_type = "float", .cases = 300}, [] {
             const auto plan = *gen::mesh_plan();
@@ -151,7 +146,7 @@ PROPTEST(motion_bound_packs) {
             }
             const RigidTransform<double> all{gen::random_rotation(random, 1), {0, 0, 0}};
             for (auto& joint : pose) joint = compose(all, joint);  // relative rotations stay small
-            if (*rc::gen::arbitrary<bool>()) spoil_lengths(pose, random);
+            if (*rc::gen::arbitrary<bool>()) gen::spoil_lengths(pose, random);
             for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
               const auto placement = random_placement(random);
               MotionBound motion_bound(c.mesh, c.sets, skinning);
@@ -191,6 +186,9 @@ PROPTEST(motion_bound_packs) {
               }
             }
           });
+}
+
+void rotations_off_unit_length(Suite& t) {
   t.example("a rotation center far away multiplies what rotations lack of unit length", {}, [] {
     SkinnedMesh model;
     model.name = "turned about a far point";
@@ -251,6 +249,9 @@ PROPTEST(motion_bound_packs) {
       }
     return Checked(ok, tried);
   });
+}
+
+void tiny_models_and_tight_boxes(Suite& t) {
   t.holds("what is so small that its squares underflow is held too", {.number_type = "float", .cases = 200}, [] {
     const auto plan = *gen::mesh_plan();
     const double scale = *rc::gen::element(1e-15, 1e-17, 1e-19, 1e-22, 1e-30, 1e-50);
@@ -324,6 +325,9 @@ PROPTEST(motion_bound_packs) {
         }
         return Checked(ok && lanes > 1000, lanes);
       });
+}
+
+void rods_half_turns_and_what_has_no_pack(Suite& t) {
   t.example("across a rod whose ends turn apart, the box is that of the images, and what turns add", {}, [] {
     SkinnedMesh rod;
     rod.name = "rod";
@@ -375,6 +379,16 @@ PROPTEST(motion_bound_packs) {
     return Checked(!make_motion_bound_packs(near, pieces_of_nodes(near, all_nodes(near))).empty() &&
                    make_motion_bound_packs(far, pieces_of_nodes(far, all_nodes(far))).empty());
   });
+}
+
+}  // namespace
+
+PROPTEST(motion_bound_packs) {
+  boxes_of_nodes_hold_their_vertices(t);
+  turning_joints_and_clusters_of_bodies(t);
+  rotations_off_unit_length(t);
+  tiny_models_and_tight_boxes(t);
+  rods_half_turns_and_what_has_no_pack(t);
 }
 
 }  // namespace proptests::suite_motion_bound_packs

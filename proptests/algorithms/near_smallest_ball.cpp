@@ -46,27 +46,7 @@ Rational half_extent(const Balls& balls) {
   return longest;
 }
 
-}  // namespace
-
-PROPTEST(near_smallest_ball) {
-  const Options options{.number_type = "double", .cases = 1500, .degenerate_at_least = 0.5};
-  t.holds("the ball encloses all balls up to 1e-15 of its radius, after any number of steps", options, [] {
-    bool degenerate;
-    const Balls balls = draw(degenerate);
-    RC_CLASSIFY(degenerate, "degenerate");
-    auto around = exact(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)));
-    around.radius *= Rational(1 + 1e-15);
-    for (const auto& b : balls) RC_ASSERT(encloses(around, exact(b)) == Verdict::holds);
-  });
-  t.holds("its radius is between half the longest edge of the balls' box and sqrt(3) times that", options, [] {
-    bool degenerate;
-    const Balls balls = draw(degenerate);
-    RC_CLASSIFY(degenerate, "degenerate");
-    const Rational radius(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)).radius), half = half_extent(balls);
-    const Rational slack(1e-13);
-    RC_ASSERT(radius >= half * (Rational(1) - slack));
-    RC_ASSERT(radius * radius <= 3 * half * half * (Rational(1) + slack));
-  });
+void each_step_goes_towards_the_farthest_ball(Suite& t) {
   t.example(
       "from the middle of the balls' box, each step goes the share 1/(i + 2) towards the ball that reaches farthest; the best is "
       "kept",
@@ -99,6 +79,30 @@ PROPTEST(near_smallest_ball) {
         }
         return Checked(true, tried);
       });
+}
+
+}  // namespace
+
+PROPTEST(near_smallest_ball) {
+  const Options options{.number_type = "double", .cases = 1500, .degenerate_at_least = 0.5};
+  t.holds("the ball encloses all balls up to 1e-15 of its radius, after any number of steps", options, [] {
+    bool degenerate;
+    const Balls balls = draw(degenerate);
+    RC_CLASSIFY(degenerate, "degenerate");
+    auto around = exact(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)));
+    around.radius *= Rational(1 + 1e-15);
+    for (const auto& b : balls) RC_ASSERT(encloses(around, exact(b)) == Verdict::holds);
+  });
+  t.holds("its radius is between half the longest edge of the balls' box and sqrt(3) times that", options, [] {
+    bool degenerate;
+    const Balls balls = draw(degenerate);
+    RC_CLASSIFY(degenerate, "degenerate");
+    const Rational radius(near_smallest_ball<double>(balls, *rc::gen::inRange(0, 20)).radius), half = half_extent(balls);
+    const Rational slack(1e-13);
+    RC_ASSERT(radius >= half * (Rational(1) - slack));
+    RC_ASSERT(radius * radius <= 3 * half * half * (Rational(1) + slack));
+  });
+  each_step_goes_towards_the_farthest_ball(t);
   t.holds("a further step never makes it larger", options, [] {
     bool degenerate;
     const Balls balls = draw(degenerate);

@@ -74,62 +74,7 @@ Channel<Eigen::Quaterniond> swinging(double duration, double tangent) {
   return {{{0, one}, {duration, one}}, Interpolation::cubic, {{aside, aside}, {aside, aside}}};
 }
 
-PROPTEST(node_motions) {
-  t.holds("links and chains move within their bounds at any time of a part, as jets say",
-          {.number_type = "multiprecision interval",
-           .cases = 250,
-           .degenerate_at_least = 0.2,
-           .degenerate_at_most = 0.9,
-           .tags_at_least = {{"bounded", 0.8}}},
-          [] {
-            const auto plan = gen::draw_animated_plan(*rc::gen::arbitrary<bool>());
-            RC_LOG() << plan;
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            const Model model = gen::animated_model(plan);
-            const Animation& animation = model.clips[0].animation;
-            const auto& nodes = model.skeleton.nodes;
-            std::vector<double> times;
-            try {
-              times = smooth_times(model.name, nodes, animation);
-            } catch (const ModelError&) {
-              RC_TAG("refused");
-              return;
-            }
-            RC_TAG("bounded");
-            std::mt19937 random(plan.seed + 2);
-            for (int i = 0; i < 6 && times.size() > 1; ++i) {
-              const std::size_t part = random() % (times.size() - 1);
-              const double start = times[part], end = times[part + 1];
-              const double share = std::array{0.0, 1.0, 0.5}[i % 3];
-              const double at =
-                  i < 3 ? start + share * (end - start) : std::uniform_real_distribution<double>(start, end)(random);
-              const Side side = at == start ? Side::after : Side::before;
-              const auto links = link_motions(nodes, animation, start, end);
-              const auto chains = chain_motions(nodes, links);
-              std::vector<oracle::Placed<Jet>> local;
-              try {
-                local = oracle::local_transforms<Jet>(model.skeleton, animation, at, Jet(M(at), M(1), M(0)), side, plan.rigid);
-              } catch (const oracle::Ambiguous&) {
-                RC_TAG("undecided");
-                continue;
-              }
-              // Of nodes that are not rigid there is no quaternion to be had but of tracks.
-              for (const NodeTrack& track : animation.tracks)
-                local[track.node].turn = oracle::unit<Jet>(oracle::at<Jet>(track.rotations, at, Jet(M(at), M(1), M(0)), side));
-              const auto scene = oracle::scene_transforms<Jet>(model.skeleton, local);
-              const double rate = 1 / (end - start);
-              for (std::size_t n = 0; n < nodes.size(); ++n) {
-                moves_within(derivatives_of(local[n]), links[n], rate);
-                moves_within(derivatives_of(scene[n]), chains[n], rate);
-                const auto same = chain_below(nodes, links, -1, static_cast<int>(n));
-                RC_ASSERT(std::abs(same.offset.speed - chains[n].offset.speed) <= 1e-9 * chains[n].offset.speed);
-                RC_ASSERT(chain_below(nodes, links, static_cast<int>(n), static_cast<int>(n)).linear.size == 1);
-                const auto range = stretches(nodes, animation, start, end)[n];
-                const auto d = derivatives_of(local[n]).linear[0].jacobiSvd().singularValues().eval();
-                RC_ASSERT(!is_beyond(d[0], range.most, 1e-300) && !is_beyond(range.least * (1 - 1e-9), d[2], 1e-12 * d[0]));
-              }
-            }
-          });
+void times_and_splines(Suite& t) {
   t.holds("times are in order, from 0 to the duration, and hold every key's time and no jump between",
           {.number_type = "double", .cases = 300, .degenerate_at_most = 0.9}, [] {
             const auto plan = gen::draw_animated_plan(true);
@@ -190,6 +135,9 @@ PROPTEST(node_motions) {
     }
     return Checked(good, static_cast<long>(times.size()));
   });
+}
+
+void known_speeds_and_rounding(Suite& t) {
   t.example("nothing moves at a moment, where everything is as far as it is", {}, [] {
     const Animation animation{
         "clip", 0, {{0, {{{0, Eigen::Vector3d(3, 0, 4)}, {1, Eigen::Vector3d::Zero()}}}, swinging(1, 5), still(2)}}};
@@ -211,6 +159,66 @@ PROPTEST(node_motions) {
     const Animation slerp{"clip", 1, {{0, still(0), {{{0, Eigen::Quaterniond::Identity()}}}, still(1)}}};
     return growth_of_rounding(slerp, 0, 1) == 1 && growth_of_rounding(animation, 0, 1) >= 99;
   });
+}
+
+PROPTEST(node_motions) {
+  t.holds("links and chains move within their bounds at any time of a part, as jets say",
+          {.number_type = "multiprecision interval",
+           .cases = 250,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"bounded", 0.8}}},
+          [] {
+            const auto plan = gen::draw_animated_plan(*rc::gen::arbitrary<bool>());
+            RC_LOG() << plan;
+            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const Model model = gen::animated_model(plan);
+            const Animation& animation = model.clips[0].animation;
+            const auto& nodes = model.skeleton.nodes;
+            std::vector<double> times;
+            try {
+              times = smooth_times(model.name, nodes, animation);
+            } catch (const ModelError&) {
+              RC_TAG("refused");
+              return;
+            }
+            RC_TAG("bounded");
+            std::mt19937 random(plan.seed + 2);
+            for (int i = 0; i < 6 && times.size() > 1; ++i) {
+              const std::size_t part = random() % (times.size() - 1);
+              const double start = times[part], end = times[part + 1];
+              const double share = std::array{0.0, 1.0, 0.5}[i % 3];
+              const double at =
+                  i < 3 ? start + share * (end - start) : std::uniform_real_distribution<double>(start, end)(random);
+              const Side side = at == start ? Side::after : Side::before;
+              const auto links = link_motions(nodes, animation, start, end);
+              const auto chains = chain_motions(nodes, links);
+              std::vector<oracle::Placed<Jet>> local;
+              try {
+                local = oracle::local_transforms<Jet>(model.skeleton, animation, at, Jet(M(at), M(1), M(0)), side, plan.rigid);
+              } catch (const oracle::Ambiguous&) {
+                RC_TAG("undecided");
+                continue;
+              }
+              // Of nodes that are not rigid there is no quaternion to be had but of tracks.
+              for (const NodeTrack& track : animation.tracks)
+                local[track.node].turn = oracle::unit<Jet>(oracle::at<Jet>(track.rotations, at, Jet(M(at), M(1), M(0)), side));
+              const auto scene = oracle::scene_transforms<Jet>(model.skeleton, local);
+              const double rate = 1 / (end - start);
+              for (std::size_t n = 0; n < nodes.size(); ++n) {
+                moves_within(derivatives_of(local[n]), links[n], rate);
+                moves_within(derivatives_of(scene[n]), chains[n], rate);
+                const auto same = chain_below(nodes, links, -1, static_cast<int>(n));
+                RC_ASSERT(std::abs(same.offset.speed - chains[n].offset.speed) <= 1e-9 * chains[n].offset.speed);
+                RC_ASSERT(chain_below(nodes, links, static_cast<int>(n), static_cast<int>(n)).linear.size == 1);
+                const auto range = stretches(nodes, animation, start, end)[n];
+                const auto d = derivatives_of(local[n]).linear[0].jacobiSvd().singularValues().eval();
+                RC_ASSERT(!is_beyond(d[0], range.most, 1e-300) && !is_beyond(range.least * (1 - 1e-9), d[2], 1e-12 * d[0]));
+              }
+            }
+          });
+  times_and_splines(t);
+  known_speeds_and_rounding(t);
 }
 
 }  // namespace

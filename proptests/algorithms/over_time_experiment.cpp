@@ -61,9 +61,7 @@ Point3 place_of(const Place& place, Skinning skinning) {
   return points[0];
 }
 
-}  // namespace
-
-PROPTEST(over_time_experiment) {
+void clips_repeated_and_sampled(Suite& t) {
   t.holds("extremes are the farthest of all places, whichever came first, and of whichever part", {.cases = 500}, [] {
     const Point3 center(half(), half(), half());
     const auto count = *rc::gen::inRange(1, 12), first = *rc::gen::inRange(0, count + 1);
@@ -113,6 +111,9 @@ PROPTEST(over_time_experiment) {
       for (std::size_t i = 0; i + 1 < times.size(); ++i) RC_ASSERT(way.rate == 0 || times[i + 1] - times[i] <= 1.0001 / way.rate);
     }
   });
+}
+
+void bounds_are_compared_with_what_is_seen(Suite& t) {
   t.example("the bounds hold, and are hardly larger than what was seen; boxes at the keys do not hold", {}, [] {
     const ClipResult result = checked(bounds());
     const ClipMisses& ours = of_bounds(result);
@@ -163,6 +164,13 @@ PROPTEST(over_time_experiment) {
                        none.outside == 1 && none.clusters == 0 && none.cluster_ratio == 1,
                    3);
   });
+}
+
+}  // namespace
+
+PROPTEST(over_time_experiment) {
+  clips_repeated_and_sampled(t);
+  bounds_are_compared_with_what_is_seen(t);
   t.holds("many digits decide for a box or a ball what is well inside or outside, for each skinning", {.cases = 40}, [] {
     const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);
     const Place place{*rc::gen::inRange(0, static_cast<int>(man().vertices.size())),

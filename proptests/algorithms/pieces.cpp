@@ -208,9 +208,7 @@ Checked check_man(const PieceOptions& options) {
   return Checked(nodes > 100, nodes, std::to_string(table.pieces.size()) + " pieces for " + std::to_string(count) + " nodes");
 }
 
-}  // namespace
-
-PROPTEST(pieces) {
+void pieces_hold_all_vertices_and_get_smaller(Suite& t) {
   t.holds("every vertex is in a piece of its joint-set: in its ball, and in the hull of its weights",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
@@ -258,6 +256,9 @@ PROPTEST(pieces) {
               RC_ASSERT(smallest_ball_of_balls(first).radius >= smallest_ball_of_balls(all).radius * (1 - 1e-9));
             }
           });
+}
+
+void what_is_split_and_how(Suite& t) {
   t.example("the widest piece is split first: eight pieces of a tube of one joint are a fraction of it", {}, [] {
     const Rig rig(gen::make_mesh({gen::MeshKind::tube, 12, 4, 1, 2006}));
     const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {8});
@@ -332,6 +333,9 @@ PROPTEST(pieces) {
     }
     return Checked(good, 4);
   });
+}
+
+void what_is_listed_by_its_vertices(Suite& t) {
   t.example("what is better listed by its vertices is not split, but counts as a piece", {}, [] {
     // Three blended vertices, far apart, against the four control points of their two weight vertices, twice; and a
     // rigid ring.
@@ -374,6 +378,14 @@ PROPTEST(pieces) {
             for (int n = 0; n < static_cast<int>(rig.tree.nodes.size()); ++n) compare_lists(rig, plain, mixed, factor, n, result);
             RC_ASSERT(result.wrong == "");
           });
+}
+
+}  // namespace
+
+PROPTEST(pieces) {
+  pieces_hold_all_vertices_and_get_smaller(t);
+  what_is_split_and_how(t);
+  what_is_listed_by_its_vertices(t);
   t.example("on the built-in man, a piece for each joint-set", {.number_type = "rational"}, [] { return check_man({}); });
   t.example("on the built-in man, up to 64 pieces", {.number_type = "rational"}, [] { return check_man({64}); });
   t.example("on the built-in man, some of its pieces are listed as vertices and some are not", {}, [] {

@@ -179,9 +179,7 @@ std::vector<double> times_of(const Clip& c) {
   return times;
 }
 
-}  // namespace
-
-PROPTEST(procedural_models) {
+void numbers_of_triangles_and_joints(Suite& t) {
   t.example("the models have the paper's numbers of triangles and joints, and names for all joints", {}, [] {
     return for_each_model([](const Model& m, const Expected& e) {
       std::set<std::string> names;
@@ -220,7 +218,9 @@ PROPTEST(procedural_models) {
       return Checked(true);
     });
   });
+}
 
+void skins_are_closed_surfaces_of_good_triangles(Suite& t) {
   t.example("the skin is closed and consistently oriented, with one ring of triangles around each vertex", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
       return Checked(is_closed_and_oriented(m) && has_one_ring_a_vertex(m), long(m.vertices.size()));
@@ -261,7 +261,9 @@ PROPTEST(procedural_models) {
                      "from " + std::to_string(low[1]) + " to " + std::to_string(high[1]) + " m");
     });
   });
+}
 
+void weights_of_joints(Suite& t) {
   t.example("a vertex has at most four joints, many have one, and weights change smoothly", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
       std::size_t most = 0;
@@ -288,7 +290,9 @@ PROPTEST(procedural_models) {
 
   t.example("making a model twice gives the same model", {},
             [] { return for_each_model([](const Model& m, const Expected& e) { return Checked(same(m, e.make())); }); });
+}
 
+void clips_keep_joints_together_and_turn_smoothly(Suite& t) {
   t.example("every pose of a clip has unit quaternions and keeps joints together", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
       double worst_length = 0, worst_gap = 0;
@@ -350,7 +354,9 @@ PROPTEST(procedural_models) {
       return Checked(largest < 5e-4, 2000, "largest second difference: " + std::to_string(largest));
     });
   });
+}
 
+void the_walk(Suite& t) {
   t.example("the walk is periodic, moves, and keeps half a period between left and right", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
       const Clip& walk = clip(m, "walk");
@@ -381,6 +387,16 @@ PROPTEST(procedural_models) {
                      "between " + std::to_string(lowest) + " and " + std::to_string(highest) + " m");
     });
   });
+}
+
+}  // namespace
+
+PROPTEST(procedural_models) {
+  numbers_of_triangles_and_joints(t);
+  skins_are_closed_surfaces_of_good_triangles(t);
+  weights_of_joints(t);
+  clips_keep_joints_together_and_turn_smoothly(t);
+  the_walk(t);
 }
 
 }  // namespace proptests::suite_procedural_models

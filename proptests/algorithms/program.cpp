@@ -111,18 +111,7 @@ void halve_a_box(BakedFile& baked) {
   bound.box.high[1] = bound.box.low[1] + (bound.box.high[1] - bound.box.low[1]) / 2;
 }
 
-}  // namespace
-
-PROPTEST(program) {
-  t.example("called by the system it does what it does with the arguments behind its name", {}, [] {
-    std::string name = "refitlab", option = "--help";
-    char* arguments[] = {name.data(), option.data(), nullptr};
-    std::ostringstream out;
-    std::streambuf* const screen = std::cout.rdbuf(out.rdbuf());
-    const int code = refitlab_main(2, arguments);
-    std::cout.rdbuf(screen);
-    return Checked(code == 0 && out.str() == call({"--help"}).out, 1, out.str());
-  });
+void bounds_hold_and_are_checked(Suite& t) {
   t.example("every vertex of a file of all features is inside of its bounds, by the file's own formulas, at 400 times",
             {.number_type = "double"}, [] {
               long looked_at = 0, missed = 0;
@@ -179,6 +168,9 @@ PROPTEST(program) {
                        found.out.find("cluster 0, vertex ") != std::string::npos,
                    7, checked.out + found.out + twice.errors + without.errors);
   });
+}
+
+void characters_nodes_and_crossfades(Suite& t) {
   t.example("the baked character has the file's morph targets, and moves its vertices as they do", {}, [] {
     const Rich rich(true, true);
     const Character character = *read_baked(rich.folder.file("out.glb")).character;
@@ -252,6 +244,9 @@ PROPTEST(program) {
                        first["crossfades"][0]["box"] == second["crossfades"][0]["box"],
                    5, called.errors + checked.out + found.out);
   });
+}
+
+void what_is_said_of_a_file(Suite& t) {
   t.example("the summary of a bake says how long it took and how much memory, which is no less than what is there", {}, [] {
     const Rich rich(true, true);
     const std::string in = rich.folder.file("in.glb"), out = rich.folder.file("out.glb"), to = rich.folder.file("summary.json");
@@ -295,6 +290,9 @@ PROPTEST(program) {
     expect(call({"--help"}).code == 0 && call({}).code == 2, "no command");
     return Checked(wrong.empty(), 11, wrong);
   });
+}
+
+void reports_and_progress(Suite& t) {
   t.example("the report has the clusters, each clip's frames from its start to its end, and times of the clip alone", {}, [] {
     const gen::TemporaryFolder folder;
     const std::string in = folder.file("in.glb");
@@ -353,6 +351,9 @@ PROPTEST(program) {
                        text.find("] 100 %") != std::string::npos && std::count(text.begin(), text.end(), '%') == 3,
                    2, text);
   });
+}
+
+void collide_writes_pairs_and_certificates(Suite& t) {
   t.example(
       "collide finds the pairs of a file whose joints scale and whose morph weights move, by the file's own formulas", {}, [] {
         const Rich rich(true, true);
@@ -413,6 +414,9 @@ PROPTEST(program) {
     if (unwritten.code != 3 || unwritten.errors.find("in.glb") == std::string::npos) wrong += unwritten.errors;
     return Checked(wrong.empty() && printed > 0, printed, wrong);
   });
+}
+
+void wrong_calls_and_files(Suite& t) {
   t.example("wrong calls exit with 2, files that cannot be used with 3, each with a line that says why, and nothing is written",
             {}, [] {
               const Rich rich(true, false), even(false, false);
@@ -483,6 +487,26 @@ PROPTEST(program) {
               good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
               return Checked(good, 123, wrong);
             });
+}
+
+}  // namespace
+
+PROPTEST(program) {
+  t.example("called by the system it does what it does with the arguments behind its name", {}, [] {
+    std::string name = "refitlab", option = "--help";
+    char* arguments[] = {name.data(), option.data(), nullptr};
+    std::ostringstream out;
+    std::streambuf* const screen = std::cout.rdbuf(out.rdbuf());
+    const int code = refitlab_main(2, arguments);
+    std::cout.rdbuf(screen);
+    return Checked(code == 0 && out.str() == call({"--help"}).out, 1, out.str());
+  });
+  bounds_hold_and_are_checked(t);
+  characters_nodes_and_crossfades(t);
+  what_is_said_of_a_file(t);
+  reports_and_progress(t);
+  collide_writes_pairs_and_certificates(t);
+  wrong_calls_and_files(t);
 }
 
 }  // namespace proptests::suite_program

@@ -95,9 +95,7 @@ bool is_all_of_space(const RefitCase& c) {
          ball.center == balls[0].center && std::isinf(ball.radius);
 }
 
-}  // namespace
-
-PROPTEST(refit_dual_quaternion) {
+void control_balls_and_what_they_need(Suite& t) {
   t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
           {.form = "dual quaternion blending",
            .number_type = "rational",
@@ -135,54 +133,9 @@ PROPTEST(refit_dual_quaternion) {
           [] { oracle::check_halving_ends<DualQuaternionHull>(true); });
   t.holds("a ball of each piece's own serves its vertices as S serves all", {.number_type = "rational", .cases = 200},
           oracle::check_own_balls<DualQuaternionHull>);
-  t.holds("without any halving the fallback holds every vertex, or says that there is no bound",
-          {.number_type = "multiprecision interval", .cases = 300}, [] {
-            using S = MultiprecisionInterval;
-            const auto blend = any_weight_vertices();
-            const std::size_t m = blend.weight_vertex_count();
-            ControlLists<S> lists;
-            for (std::size_t k = 0; k < m; ++k)
-              lists.dual_weight_vertices.push_back({lift<S>(blend.rotations[k]), lift<S>(blend.duals[k])});
-            DualQuaternionPiece<S> piece(lift<S>(blend.point), S(0));
-            ControlHull(piece, lists.dual_weight_vertices, lists).cover(m, 0);
-            RC_ASSERT(lists.dual_weight_vertices.empty() && piece.is_bounded() == !lists.cap.balls.empty());
-            RC_CLASSIFY(!piece.is_bounded(), "no bound");
-            RC_CLASSIFY(piece.is_bounded() && lists.cap.balls.size() == 1 && m > 1, "fallback");
-            if (!piece.is_bounded()) {
-              const auto u = nearest_point_coefficients<4>(blend.rotations);
-              const auto nearest = combine<Rational, 4>(u, blend.rotations);
-              RC_ASSERT(squared_norm(nearest) < Rational(1, 10));  // or a bound was there to be found
-              return;
-            }
-            const auto rounded = oracle::middles(lists.cap.balls);
-            for (int i = 0; i < 4; ++i) {
-              const auto at = blend.at(*gen::convex_weights(static_cast<int>(m)));
-              RC_ASSERT(at.denominator > 0);
-              const RationalVec<3> v = at.numerator / at.denominator;
-              const auto d = convert<Rational>(oracle::direction_away(rounded, lift<double>(v)));
-              RC_ASSERT(oracle::reaches<S>(lists.cap.balls, lift<S>(v), lift<S>(d)) != Verdict::fails);
-            }
-          });
-  const Options in_double{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
-  t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { oracle::check_double<DualQuaternionHull, MeanBalls>(); });
-  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { oracle::check_double<DualQuaternionHull, NearSmallestBalls>(); });
-  t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", in_double,
-          [] { oracle::check_double<DualQuaternionHull, SmallestBalls>(); });
+}
 
-  t.example("the fallback finds an axis where the weight vertices' mean is behind one, and its ball has all of r", {}, [] {
-    const Quaternion<double> ahead(1, 0, 0, 0), behind(-1, 0.5, 0, 0), still(0, 0, 0, 0);
-    const auto ball = [&](double radius) {
-      ControlLists<double> lists;
-      lists.dual_weight_vertices = {{ahead, still}, {ahead, still}, {behind, still}};
-      DualQuaternionPiece<double> piece(Point3(0, 1, 0), radius);
-      ControlHull(piece, lists.dual_weight_vertices, lists).cover(3, 0);
-      return piece.is_bounded() && lists.cap.balls.size() == 1 ? lists.cap.balls[0].radius : -1;
-    };
-    return ball(0) > 0 && std::abs(ball(5) - ball(0) - 5) < 1e-12;
-  });
-
+void weight_vertices_by_hand(Suite& t) {
   const RationalVec<3> none(0, 0, 0), aside(1, 0, 0);
   const gen::RationalQuaternion one(1, 0, 0, 0), i(0, 1, 0, 0);
   t.example("opposite quaternions: no ball holds the vertices near a blend of 0", {}, [=] {
@@ -223,6 +176,54 @@ PROPTEST(refit_dual_quaternion) {
     const auto balls = balls_of<Rational>(by_hand({{i, aside}}));
     return balls.size() == 1 && balls[0].center == RationalVec<3>(2, -2, -3) && balls[0].radius == Rational(1, 2);
   });
+}
+
+}  // namespace
+
+PROPTEST(refit_dual_quaternion) {
+  control_balls_and_what_they_need(t);
+  t.holds("without any halving the fallback holds every vertex, or says that there is no bound",
+          {.number_type = "multiprecision interval", .cases = 300}, [] {
+            using S = MultiprecisionInterval;
+            const auto blend = any_weight_vertices();
+            const std::size_t m = blend.weight_vertex_count();
+            ControlLists<S> lists;
+            for (std::size_t k = 0; k < m; ++k)
+              lists.dual_weight_vertices.push_back({lift<S>(blend.rotations[k]), lift<S>(blend.duals[k])});
+            DualQuaternionPiece<S> piece(lift<S>(blend.point), S(0));
+            ControlHull(piece, lists.dual_weight_vertices, lists).cover(m, 0);
+            RC_ASSERT(lists.dual_weight_vertices.empty() && piece.is_bounded() == !lists.cap.balls.empty());
+            RC_CLASSIFY(!piece.is_bounded(), "no bound");
+            RC_CLASSIFY(piece.is_bounded() && lists.cap.balls.size() == 1 && m > 1, "fallback");
+            if (!piece.is_bounded()) {
+              const auto u = nearest_point_coefficients<4>(blend.rotations);
+              const auto nearest = combine<Rational, 4>(u, blend.rotations);
+              RC_ASSERT(squared_norm(nearest) < Rational(1, 10));  // or a bound was there to be found
+              return;
+            }
+            const auto rounded = oracle::middles(lists.cap.balls);
+            for (int i = 0; i < 4; ++i) {
+              const auto at = blend.at(*gen::convex_weights(static_cast<int>(m)));
+              RC_ASSERT(at.denominator > 0);
+              const RationalVec<3> v = at.numerator / at.denominator;
+              const auto d = convert<Rational>(oracle::direction_away(rounded, lift<double>(v)));
+              RC_ASSERT(oracle::reaches<S>(lists.cap.balls, lift<S>(v), lift<S>(d)) != Verdict::fails);
+            }
+          });
+  oracle::balls_in_double<DualQuaternionHull>(t);
+  t.example("the fallback finds an axis where the weight vertices' mean is behind one, and its ball has all of r", {}, [] {
+    const Quaternion<double> ahead(1, 0, 0, 0), behind(-1, 0.5, 0, 0), still(0, 0, 0, 0);
+    const auto ball = [&](double radius) {
+      ControlLists<double> lists;
+      lists.dual_weight_vertices = {{ahead, still}, {ahead, still}, {behind, still}};
+      DualQuaternionPiece<double> piece(Point3(0, 1, 0), radius);
+      ControlHull(piece, lists.dual_weight_vertices, lists).cover(3, 0);
+      return piece.is_bounded() && lists.cap.balls.size() == 1 ? lists.cap.balls[0].radius : -1;
+    };
+    return ball(0) > 0 && std::abs(ball(5) - ball(0) - 5) < 1e-12;
+  });
+
+  weight_vertices_by_hand(t);
   t.example("without a radius and up to 120 degrees apart, the control balls are nearly as small as the truth",
             {.number_type = "double"}, [] { return oracle::measure_tightness<DualQuaternionHull>(2007); });
 }

@@ -76,9 +76,7 @@ Checked interrupted_run_has_the_same_rows() {
   return {kills > 10, kills, std::to_string(kills) + " runs"};
 }
 
-}  // namespace
-
-PROPTEST(run_folder) {
+void units_are_found_under_their_names(Suite& t) {
   t.holds("a unit is found under its name and inputs only, and the latest of its name", {.cases = 50}, [] {
     const TemporaryFolder folder;
     const RunFolder run(folder.path());
@@ -141,6 +139,9 @@ PROPTEST(run_folder) {
       if (run.find(name, "inputs") != "of " + name) wrong += "'" + name.substr(0, 20) + "'; ";
     return Checked(wrong.empty(), static_cast<long>(names.size()), wrong);
   });
+}
+
+void heads_of_units_and_runs_that_start_anew(Suite& t) {
   t.example("a unit's head has the commit with its state, and the program by 16 hexadecimal digits", {}, [] {
     const TemporaryFolder folder;
     RunFolder(folder.path()).keep("a unit", "some inputs", "the result");
@@ -166,6 +167,13 @@ PROPTEST(run_folder) {
     const bool forgotten = !RunFolder(folder.path(), true).find("unit", "inputs");
     return Checked(kept && forgotten && only_unit(folder).empty(), 2);
   });
+}
+
+}  // namespace
+
+PROPTEST(run_folder) {
+  units_are_found_under_their_names(t);
+  heads_of_units_and_runs_that_start_anew(t);
   t.example("two runs at once: the second is refused", {}, [] {
     const TemporaryFolder folder;
     const RunFolder run(folder.path());

@@ -135,21 +135,7 @@ double size_of(const Balls& balls) {
   return size;
 }
 
-}  // namespace
-
-PROPTEST(scaling) {
-  t.example("lengths are scaled from a bit beyond 2^64 and below 2^-64 on, in float 2^8 and 2^-8, never by 0 or infinity", {},
-            [] {
-              const auto is = [](double length, int expected) { return scaling_of(length) == expected; };
-              const auto is_float = [](float length, int expected) { return scaling_of(length) == expected; };
-              return is(0x1p64, 0) && is(0x1.8p64, 0) && is(0x1p65, 65) && is(0x1p-64, 0) && is(0x1.8p-65, -65) && is(0, 0) &&
-                     is(INFINITY, 0) && is(std::nan(""), 0) && is(0x1p-1074, -1074) && is_float(0x1p8f, 0) &&
-                     is_float(0x1p9f, 9) && is_float(0x1p-9f, -9) && is_float(0x1p-8f, 0) && is_float(0x1p-149f, -149);
-            });
-  points_of_every_size<double, 3>(t, " in R^3");
-  points_of_every_size<double, 4>(t, " in R^4");
-  points_of_every_size<float, 3>(t, " in R^3");
-  points_of_every_size<float, 4>(t, " in R^4");
+void balls_of_balls_of_every_size(Suite& t) {
   t.example(
       "so do the balls of balls, by every function that makes one, and what is called smallest is never above what is called "
       "near or mean",
@@ -183,6 +169,9 @@ PROPTEST(scaling) {
         }
         return Checked(5 * first_found > cases, cases, std::to_string(first_found) + " known by the first balls");
       });
+}
+
+void clouds_and_triangles_of_every_size(Suite& t) {
   t.example(
       "clouds of a size for each point, from denormals beside ordinary ones to 1e40, have balls that hold them exactly",
       {.number_type = "double"}, [] {
@@ -239,6 +228,25 @@ PROPTEST(scaling) {
               }
               return Checked(true, cases);
             });
+}
+
+}  // namespace
+
+PROPTEST(scaling) {
+  t.example("lengths are scaled from a bit beyond 2^64 and below 2^-64 on, in float 2^8 and 2^-8, never by 0 or infinity", {},
+            [] {
+              const auto is = [](double length, int expected) { return scaling_of(length) == expected; };
+              const auto is_float = [](float length, int expected) { return scaling_of(length) == expected; };
+              return is(0x1p64, 0) && is(0x1.8p64, 0) && is(0x1p65, 65) && is(0x1p-64, 0) && is(0x1.8p-65, -65) && is(0, 0) &&
+                     is(INFINITY, 0) && is(std::nan(""), 0) && is(0x1p-1074, -1074) && is_float(0x1p8f, 0) &&
+                     is_float(0x1p9f, 9) && is_float(0x1p-9f, -9) && is_float(0x1p-8f, 0) && is_float(0x1p-149f, -149);
+            });
+  points_of_every_size<double, 3>(t, " in R^3");
+  points_of_every_size<double, 4>(t, " in R^4");
+  points_of_every_size<float, 3>(t, " in R^3");
+  points_of_every_size<float, 4>(t, " in R^4");
+  balls_of_balls_of_every_size(t);
+  clouds_and_triangles_of_every_size(t);
   t.example("the orientations of boxes are of unit length at any size, and rotations where those of size 1 are",
             {.number_type = "double"}, [] {
               std::mt19937_64 random(Session::get().seed() + 4);

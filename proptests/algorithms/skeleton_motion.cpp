@@ -20,41 +20,7 @@ PosedSkeleton palette_by(const Eigen::Matrix4d& matrix) {
   return pose(skeleton, Animation{}, 0);
 }
 
-}  // namespace
-
-PROPTEST(skeleton_motion) {
-  t.holds("a matrix that is a rotation but for a small symmetric stretch is posed by that very rotation",
-          {.number_type = "double", .degenerate_at_least = 0.05}, [] {
-            const Eigen::Vector4d drawn(real(), real(), real(), real());
-            RC_PRE(drawn.norm() > 0.01);
-            const Eigen::Quaterniond turn(Eigen::Vector4d(drawn.normalized()));
-            const double size = *rc::gen::element(0.0, 1e-6, 1e-4, 5e-4);
-            RC_CLASSIFY(size == 0, "degenerate");
-            Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity();
-            for (int i = 0; i < 3; ++i)
-              for (int k = i; k < 3; ++k) stretch(i, k) = stretch(k, i) = stretch(i, k) + size * real();
-            Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-            matrix.topLeftCorner<3, 3>() = turn.toRotationMatrix() * stretch;
-            matrix.topRightCorner<3, 1>() = Eigen::Vector3d(real(), real(), real());
-
-            const PosedSkeleton posed = palette_by(matrix);
-            const auto& q = posed.pose[0].rotation;
-            const Eigen::Vector4d expected(turn.w(), turn.x(), turn.y(), turn.z());
-            RC_ASSERT(std::min((q - expected).norm(), (q + expected).norm()) < 1e-13);
-            RC_ASSERT(posed.pose[0].translation == Eigen::Vector3d(matrix.topRightCorner<3, 1>()));
-            const double defect = (stretch * stretch - Eigen::Matrix3d::Identity()).norm();
-            RC_ASSERT(std::abs(posed.rigidity_defect - defect) < 1e-14);
-            RC_ASSERT((turn.toRotationMatrix() - matrix.topLeftCorner<3, 3>()).norm() <= posed.rigidity_defect + 1e-14);
-          });
-  t.example("key times begin at 0, end at the duration, hold every key between, and are thinned evenly", {}, [] {
-    Animation motion{"clip", 10, {{0, {}, {}, {}}}};
-    for (int k = -1; k <= 11; ++k) motion.tracks[0].scales.keys.push_back({k + 0.5, Eigen::Vector3d::Ones()});
-    const std::vector<double> all = key_times(motion, 12), some = key_times(motion, 4);
-    return Checked(all == std::vector<double>{0, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 10} &&
-                       some == std::vector<double>{0, 2.5, 6.5, 10} &&
-                       key_times(Animation{"moment", 0, {}}, 1) == std::vector<double>{0},
-                   3);
-  });
+void what_is_no_rotation_is_measured_or_refused(Suite& t) {
   t.example("of several joints the largest defect is reported, whichever joint has it, and the tolerance is for all", {}, [] {
     bool good = true;
     for (int stretched = 0; stretched < 3; ++stretched) {
@@ -112,24 +78,9 @@ PROPTEST(skeleton_motion) {
         wrong += "'" + message + "', not '" + words + "'; ";
     return Checked(wrong.empty() && refusal({1, 1, 1}).empty(), 11, wrong);
   });
-  t.example("the common scale is the middle one of the joints', a mirror its sign, and one within 1e-5 of 1 is 1", {}, [] {
-    const auto factor = [](const std::vector<double>& scales) {
-      BoundSkeleton skeleton{"test", {}, {}};
-      for (std::size_t j = 0; j < scales.size(); ++j) {
-        Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-        local.topLeftCorner<3, 3>() = Eigen::Vector3d(scales[j], std::abs(scales[j]), std::abs(scales[j])).asDiagonal();
-        skeleton.nodes.push_back({"node", -1, local});
-        skeleton.joints.push_back({"joint", static_cast<int>(j), -1, Eigen::Matrix4d::Identity()});
-      }
-      return Eigen::Vector3d(common_factor(skeleton, Animation{}, 0).diagonal().head<3>());
-    };
-    const auto is = [](const Eigen::Vector3d& found, double x, double scale) {
-      return (found - Eigen::Vector3d(x, scale, scale)).norm() < 1e-12;
-    };
-    return is(factor({3, 0.5, 2}), 2, 2) && is(factor({5, 1, 1, 0.2, 7}), 1, 1) && is(factor({-2}), -2, 2) &&
-           is(factor({1 + 9e-6}), 1, 1) && is(factor({1 + 1.2e-5}), 1 + 1.2e-5, 1 + 1.2e-5) &&
-           is(factor({1 - 1.2e-5}), 1 - 1.2e-5, 1 - 1.2e-5) && is(factor({NAN}), 1, 1);
-  });
+}
+
+void what_holds_at_keys(Suite& t) {
   t.example("at a time that two keys share the later one holds, and before it the way leads to the earlier one", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
     const Animation motion{"clip",
@@ -167,6 +118,9 @@ PROPTEST(skeleton_motion) {
     return pose[0].rotation[0] > 0 && dot(pose[1].rotation, pose[0].rotation) > 0 &&
            dot(pose[2].rotation, pose[1].rotation) > 0 && dot(pose[2].rotation, pose[0].rotation) < 0;
   });
+}
+
+void what_holds_between_keys_and_beyond_them(Suite& t) {
   t.example("before its first key and after its last a node stays", {}, [] {
     const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), zeros = Eigen::Vector3d::Zero();
     const Animation motion{
@@ -213,6 +167,64 @@ PROPTEST(skeleton_motion) {
     }
     return Checked(good, 8);
   });
+}
+
+}  // namespace
+
+PROPTEST(skeleton_motion) {
+  t.holds("a matrix that is a rotation but for a small symmetric stretch is posed by that very rotation",
+          {.number_type = "double", .degenerate_at_least = 0.05}, [] {
+            const Eigen::Vector4d drawn(real(), real(), real(), real());
+            RC_PRE(drawn.norm() > 0.01);
+            const Eigen::Quaterniond turn(Eigen::Vector4d(drawn.normalized()));
+            const double size = *rc::gen::element(0.0, 1e-6, 1e-4, 5e-4);
+            RC_CLASSIFY(size == 0, "degenerate");
+            Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity();
+            for (int i = 0; i < 3; ++i)
+              for (int k = i; k < 3; ++k) stretch(i, k) = stretch(k, i) = stretch(i, k) + size * real();
+            Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+            matrix.topLeftCorner<3, 3>() = turn.toRotationMatrix() * stretch;
+            matrix.topRightCorner<3, 1>() = Eigen::Vector3d(real(), real(), real());
+
+            const PosedSkeleton posed = palette_by(matrix);
+            const auto& q = posed.pose[0].rotation;
+            const Eigen::Vector4d expected(turn.w(), turn.x(), turn.y(), turn.z());
+            RC_ASSERT(std::min((q - expected).norm(), (q + expected).norm()) < 1e-13);
+            RC_ASSERT(posed.pose[0].translation == Eigen::Vector3d(matrix.topRightCorner<3, 1>()));
+            const double defect = (stretch * stretch - Eigen::Matrix3d::Identity()).norm();
+            RC_ASSERT(std::abs(posed.rigidity_defect - defect) < 1e-14);
+            RC_ASSERT((turn.toRotationMatrix() - matrix.topLeftCorner<3, 3>()).norm() <= posed.rigidity_defect + 1e-14);
+          });
+  t.example("key times begin at 0, end at the duration, hold every key between, and are thinned evenly", {}, [] {
+    Animation motion{"clip", 10, {{0, {}, {}, {}}}};
+    for (int k = -1; k <= 11; ++k) motion.tracks[0].scales.keys.push_back({k + 0.5, Eigen::Vector3d::Ones()});
+    const std::vector<double> all = key_times(motion, 12), some = key_times(motion, 4);
+    return Checked(all == std::vector<double>{0, 0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 10} &&
+                       some == std::vector<double>{0, 2.5, 6.5, 10} &&
+                       key_times(Animation{"moment", 0, {}}, 1) == std::vector<double>{0},
+                   3);
+  });
+  what_is_no_rotation_is_measured_or_refused(t);
+  t.example("the common scale is the middle one of the joints', a mirror its sign, and one within 1e-5 of 1 is 1", {}, [] {
+    const auto factor = [](const std::vector<double>& scales) {
+      BoundSkeleton skeleton{"test", {}, {}};
+      for (std::size_t j = 0; j < scales.size(); ++j) {
+        Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
+        local.topLeftCorner<3, 3>() = Eigen::Vector3d(scales[j], std::abs(scales[j]), std::abs(scales[j])).asDiagonal();
+        skeleton.nodes.push_back({"node", -1, local});
+        skeleton.joints.push_back({"joint", static_cast<int>(j), -1, Eigen::Matrix4d::Identity()});
+      }
+      return Eigen::Vector3d(common_factor(skeleton, Animation{}, 0).diagonal().head<3>());
+    };
+    const auto is = [](const Eigen::Vector3d& found, double x, double scale) {
+      return (found - Eigen::Vector3d(x, scale, scale)).norm() < 1e-12;
+    };
+    return is(factor({3, 0.5, 2}), 2, 2) && is(factor({5, 1, 1, 0.2, 7}), 1, 1) && is(factor({-2}), -2, 2) &&
+           is(factor({1 + 9e-6}), 1, 1) && is(factor({1 + 1.2e-5}), 1 + 1.2e-5, 1 + 1.2e-5) &&
+           is(factor({1 - 1.2e-5}), 1 - 1.2e-5, 1 - 1.2e-5) && is(factor({NAN}), 1, 1);
+  });
+  what_holds_at_keys(t);
+  what_holds_between_keys_and_beyond_them(t);
 }
 
 }  // namespace proptests::suite_skeleton_motion

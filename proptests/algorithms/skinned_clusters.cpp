@@ -89,9 +89,7 @@ SkinnedMesh about_one_joint() {
   return m;
 }
 
-}  // namespace
-
-PROPTEST(skinned_clusters) {
+void floats_are_within_their_slack(Suite& t) {
   t.holds(
       "floats are within their slack of the doubles, which are those of skinning: of one joint to many, turned any way",
       {.number_type = "rational", .cases = 400, .tags_at_least = {{"in float", 0.3}}}, [] {
@@ -141,6 +139,9 @@ PROPTEST(skinned_clusters) {
         const Character c = bake(soup.mesh);
         assert_right(compare_placed(c, soup.pose, {}, Point3::Zero(), Skinning::spherical));
       });
+}
+
+void slacks_of_placements_and_of_a_walking_man(Suite& t) {
   t.example("a placement off unit length stretches what it turns, and the slack has that", {}, [] {
     const Character c = bake(about_one_joint());
     double largest = 0;
@@ -171,6 +172,13 @@ PROPTEST(skinned_clusters) {
     }
     return Checked(ok, all.within, std::to_string(all.largest_share) + " of the slack");
   });
+}
+
+}  // namespace
+
+PROPTEST(skinned_clusters) {
+  floats_are_within_their_slack(t);
+  slacks_of_placements_and_of_a_walking_man(t);
   t.example("single triangles have the very doubles, and clusters and vertices are counted once a frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);

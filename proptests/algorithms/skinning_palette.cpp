@@ -82,9 +82,7 @@ bool names(const std::string& message, std::initializer_list<const char*> parts)
   return true;
 }
 
-}  // namespace
-
-PROPTEST(skinning_palette) {
+void consistent_signs_keep_blends_from_vanishing(Suite& t) {
   // Why: with <q_1, q_i> >= 0 for all i, <q_1, sum w_i q_i> >= w_1 |q_1|^2 > 0.
   t.holds("with consistent signs and a positive first weight no blend vanishes",
           {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
@@ -120,6 +118,9 @@ PROPTEST(skinning_palette) {
               const std::vector<Rational> w{Rational(0), Rational(1, 2), Rational(1, 2)};
               return squared_norm(blend_quaternion<Rational>(palette, w)) == 0;
             });
+}
+
+void vertices_and_data_of_joint_sets(Suite& t) {
   t.holds("the skinned vertices are those of Eigen's matrices and quaternions, up to 1e-11 of the model's size",
           {.number_type = "double", .cases = 500, .degenerate_at_least = 0.2}, [] {
             const PosedModel posed = *gen::posed_model();
@@ -197,6 +198,9 @@ PROPTEST(skinning_palette) {
             const auto other = make_skinning_palette(posed.mesh, sets, negated, skinning);
             RC_ASSERT(worst_difference(skin(posed.mesh, sets, palette, skinning), skin(posed.mesh, sets, other, skinning)) == 0);
           });
+}
+
+void where_rotation_centers_are(Suite& t) {
   t.holds(
       "the joint that two neighbouring bones share is where their transforms agree, and blending about it is blending "
       "about any point of the relative rotation's axis",
@@ -268,6 +272,9 @@ PROPTEST(skinning_palette) {
         }
         for (const std::string& tag : seen) RC_TAG(tag);
       });
+}
+
+void refused_poses(Suite& t) {
   t.example("a pose that is refused leaves the palette as it was", {}, [] {
     const PosedModel p = two_joints();
     const JointSets sets(p.mesh);
@@ -309,6 +316,15 @@ PROPTEST(skinning_palette) {
     rounded.pose[1].rotation *= 1 + 1e-9;
     return Checked(refused == 4 && message_of(rounded.pose, rounded).empty(), 5);
   });
+}
+
+}  // namespace
+
+PROPTEST(skinning_palette) {
+  consistent_signs_keep_blends_from_vanishing(t);
+  vertices_and_data_of_joint_sets(t);
+  where_rotation_centers_are(t);
+  refused_poses(t);
 }
 
 }  // namespace proptests::suite_skinning_palette

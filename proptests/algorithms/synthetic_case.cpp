@@ -95,9 +95,7 @@ Ball3<double> scaled(Ball3<double> ball, double factor) {
   return ball;
 }
 
-}  // namespace
-
-PROPTEST(synthetic_case) {
+void the_stored_sample_and_what_cases_keep(Suite& t) {
   t.example("the stored sample is what the generator makes of its seed, to the letter", {.number_type = "rational"},
             [] { return Checked(text_of(sample_file) == synthetic_cases_as_case_file(seed, sample_count), sample_count); });
   t.example("each case of the sample is read, and its vertex enclosed by the repaired Algorithm 1",
@@ -123,28 +121,9 @@ PROPTEST(synthetic_case) {
               if (kinds.size() != 9) wrong += std::to_string(kinds.size() - 1) + " ways; ";
               return Checked(wrong.empty(), count, wrong);
             });
-  t.holds("a ball is scored as missing exactly if matrices in rationals say so",
-          {.number_type = "double against rational", .cases = 300}, [] {
-            const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
-            const CaseNodes nodes(synthetic);
-            const RefitVariant& variant = compared_variant(*rc::gen::element<std::string>(
-                "spherical_printed_signed", "spherical_repaired", "control_mean", "dual_quaternion_control_mean", "linear"));
-            SkinnedCase skinned(synthetic, variant.skinning);
-            const Ball3<double> ball =
-                scaled(variant.refit(nodes.node(variant.pieces)), *rc::gen::element(1.0, 0.97, 0.9, 1.0000001));
-            const CaseScore score = skinned.score(ball);
-            RC_CLASSIFY(score.misses, "missed");
-            RC_CLASSIFY(score.undefined, "undefined");
-            RC_CLASSIFY(score.unbounded, "unbounded");
-            RC_PRE(!score.unbounded);
-            if (score.undefined) {
-              RC_ASSERT(score.misses && score.worst_miss == 1);
-              return;
-            }
-            const ByMatrices expected = by_matrices(synthetic, variant.skinning, ball);
-            RC_ASSERT(score.misses == expected.misses);
-            RC_ASSERT(std::abs(score.worst_miss - expected.worst / size_of(synthetic, ball)) <= 1e-13);
-          });
+}
+
+void pieces_of_a_synthetic_node(Suite& t) {
   t.holds("a synthetic case's node has the joint-sets' own balls as its pieces', and its own ball about them", {.cases = 100},
           [] {
             const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
@@ -195,6 +174,9 @@ PROPTEST(synthetic_case) {
               }
             }
           });
+}
+
+void scores_of_small_and_undefined_balls(Suite& t) {
   t.holds("a ball that is too small by a share is scored as missing by that share, and the smallest ball as 1",
           {.number_type = "double", .cases = 300}, [] {
             const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
@@ -230,6 +212,36 @@ PROPTEST(synthetic_case) {
            is_undefined({{NAN, 0, 0}, 1}) && is_undefined({{0, 0, 0}, INFINITY}) && !is_undefined({{0, 0, 0}, 1e6}) &&
            !skinned.score({{0, 0, 0}, 1e6}).misses;
   });
+}
+
+}  // namespace
+
+PROPTEST(synthetic_case) {
+  the_stored_sample_and_what_cases_keep(t);
+  t.holds("a ball is scored as missing exactly if matrices in rationals say so",
+          {.number_type = "double against rational", .cases = 300}, [] {
+            const SyntheticCase synthetic = make_synthetic_case(seed, *rc::gen::inRange(0, 1000000));
+            const CaseNodes nodes(synthetic);
+            const RefitVariant& variant = compared_variant(*rc::gen::element<std::string>(
+                "spherical_printed_signed", "spherical_repaired", "control_mean", "dual_quaternion_control_mean", "linear"));
+            SkinnedCase skinned(synthetic, variant.skinning);
+            const Ball3<double> ball =
+                scaled(variant.refit(nodes.node(variant.pieces)), *rc::gen::element(1.0, 0.97, 0.9, 1.0000001));
+            const CaseScore score = skinned.score(ball);
+            RC_CLASSIFY(score.misses, "missed");
+            RC_CLASSIFY(score.undefined, "undefined");
+            RC_CLASSIFY(score.unbounded, "unbounded");
+            RC_PRE(!score.unbounded);
+            if (score.undefined) {
+              RC_ASSERT(score.misses && score.worst_miss == 1);
+              return;
+            }
+            const ByMatrices expected = by_matrices(synthetic, variant.skinning, ball);
+            RC_ASSERT(score.misses == expected.misses);
+            RC_ASSERT(std::abs(score.worst_miss - expected.worst / size_of(synthetic, ball)) <= 1e-13);
+          });
+  pieces_of_a_synthetic_node(t);
+  scores_of_small_and_undefined_balls(t);
   t.example("every sound variant holds every synthetic case up to rounding; each printed form misses some",
             {.number_type = "double against rational"}, [] {
               constexpr int count = 300;

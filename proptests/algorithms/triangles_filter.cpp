@@ -39,9 +39,7 @@ TrianglePoints random_triangle(std::mt19937& random, double size) {
   return t;
 }
 
-}  // namespace
-
-PROPTEST(triangles_filter) {
+void decisions_are_those_of_exact_arithmetic(Suite& t) {
   t.holds("what it says of random triangles is what exact arithmetic says, whatever the order of their vertices",
           {.number_type = "rational", .cases = 400}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
@@ -90,6 +88,9 @@ PROPTEST(triangles_filter) {
             RC_TAG(filter_triangles(a, b) == Filtered::unknown ? "unknown" : "decided");
             RC_ASSERT(never_wrong_in_any_order(a, b));
           });
+}
+
+void what_is_decided_and_what_is_left_open(Suite& t) {
   t.example("triangles of common sizes are decided, those of sizes beyond 1e100 and below 1e-66 are not", {}, [] {
     const TrianglePoints a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, through{{{0.2, 0.2, -1}, {0.2, 0.3, 1}, {0.3, 0.2, 1}}},
         above{{{0.2, 0.2, 1}, {0.2, 0.3, 2}, {0.3, 0.2, 3}}};
@@ -153,6 +154,13 @@ PROPTEST(triangles_filter) {
       if (filter_triangles(p, q) != Filtered::unknown || filter_triangles(q, p) != Filtered::unknown) return Checked(false, 12);
     return Checked(true, 12);
   });
+}
+
+}  // namespace
+
+PROPTEST(triangles_filter) {
+  decisions_are_those_of_exact_arithmetic(t);
+  what_is_decided_and_what_is_left_open(t);
 }
 
 }  // namespace proptests::suite_triangles_filter

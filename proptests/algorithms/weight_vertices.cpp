@@ -38,9 +38,7 @@ WeightBounds<Rational> middle_cut(int n) {
   return {ExactWeights(n, Rational(0)), ExactWeights(n, Rational(1) / (Rational((n - 1) / 2) + Rational(1, 2)))};
 }
 
-}  // namespace
-
-PROPTEST(weight_vertices) {
+void weight_vertices_are_all_there_are(Suite& t) {
   t.holds("the weight vertices are those that trying all patterns finds, each once",
           {.number_type = "rational", .cases = 600, .degenerate_at_least = 0.3}, [] {
             const bool any = *rc::gen::arbitrary<bool>();
@@ -87,6 +85,9 @@ PROPTEST(weight_vertices) {
             RC_ASSERT(sum == Rational(1));
             RC_ASSERT(blend == w);
           });
+}
+
+void how_many_weight_vertices_and_their_simplex(Suite& t) {
   t.holds("the simplex of the low bounds holds all weight vertices",
           {.number_type = "rational", .cases = 600, .degenerate_at_least = 0.3}, [] {
             const auto dyadic = *gen::dyadic_bounds(6);
@@ -129,6 +130,9 @@ PROPTEST(weight_vertices) {
         RC_CLASSIFY(bounds.is_degenerate(), "degenerate");
         RC_ASSERT(enumerate_weight_vertices(bounds.as<double>(), no_limit)->size() <= most_weight_vertices(bounds.low.size()));
       });
+}
+
+void bounds_on_numbers_and_times(Suite& t) {
   t.example("that many weight vertices are reached for 1 to 9 weights: 1, 2, 6, 12, 30, 60, 140, 280, 630", {}, [] {
     const std::size_t known[] = {1, 2, 6, 12, 30, 60, 140, 280, 630};
     bool all = true;
@@ -165,6 +169,14 @@ PROPTEST(weight_vertices) {
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     return Checked(seconds < 1 && too_many > 50, boxes, std::to_string(too_many) + " boxes fall back");
   });
+}
+
+}  // namespace
+
+PROPTEST(weight_vertices) {
+  weight_vertices_are_all_there_are(t);
+  how_many_weight_vertices_and_their_simplex(t);
+  bounds_on_numbers_and_times(t);
 }
 
 }  // namespace proptests::suite_weight_vertices

@@ -168,9 +168,7 @@ const BoxMeasure& of_method(const std::vector<BoxMeasure>& measures, const std::
   return *std::find_if(measures.begin(), measures.end(), [&](const BoxMeasure& m) { return m.method == name; });
 }
 
-}  // namespace
-
-PROPTEST(whole_character_boxes) {
+void cases_of_joint_boxes(Suite& t) {
   t.holds("joint boxes hold every linear blend, also of joints that scale and shear",
           {.number_type = "rational", .cases = 600, .tags_at_least = {{"of several joints", 0.3}}}, [] {
             const int joints = *rc::gen::inRange(1, 5);
@@ -196,6 +194,9 @@ PROPTEST(whole_character_boxes) {
               return spherical == expected && dual == expected && box.high[0] == Rational(3, 5) && !is_inside(box, dual) &&
                      is_inside(box, linear);
             });
+}
+
+void cases_of_padded_pivots(Suite& t) {
   t.example("padded pivots miss a vertex of one joint: the padding is its greatest coordinate, and it turns by its length",
             {.number_type = "rational"}, [] {
               const RationalVec<3> vertex(3, 4, 0);
@@ -230,6 +231,9 @@ PROPTEST(whole_character_boxes) {
     RC_ASSERT(holds(padding));
     if (padding > 0) RC_ASSERT(!holds(padding * Rational(9, 10)));
   });
+}
+
+void boxes_that_are_grown_by_radii(Suite& t) {
   t.holds("boxes that are grown by weighted radii hold linear blends of rigid joints",
           {.number_type = "rational", .tags_at_least = {{"the inequality holds", 0.2}}}, [] {
             const GrownCase c;
@@ -308,6 +312,9 @@ PROPTEST(whole_character_boxes) {
            inequalities_hold([&](int j, const Point3& v) { return distance_from_box(boxes[j], v); },
                              [&](int j) { return boxes[j].radius; });
   });
+}
+
+void boxes_by_every_target(Suite& t) {
   t.holds("joint boxes hold what their joints move, and are around the images of all of them, by every target", {.cases = 60},
           [] {
             const Pose pose = some_pose();
@@ -358,6 +365,9 @@ PROPTEST(whole_character_boxes) {
       RC_ASSERT(found.low == box.low && found.high == box.high);
     }
   });
+}
+
+void boxes_of_clips_and_their_measures(Suite& t) {
   t.example("of a clip, unions of boxes hold the times that they are made of, and a scaled box has the volume of the scale", {},
             [] {
               const Clip& clip = man().clips[0];
@@ -418,6 +428,16 @@ PROPTEST(whole_character_boxes) {
                of_small.unbounded == 1 && of_twice.unbounded == 0 && of_small.missed_at == 5 && of_small.missed_by == 0.5 &&
                std::abs(of_small.volume - small_volume) < 1e-12 && std::abs(of_small.to_reference - small_volume / 2) < 1e-12;
       });
+}
+
+}  // namespace
+
+PROPTEST(whole_character_boxes) {
+  cases_of_joint_boxes(t);
+  cases_of_padded_pivots(t);
+  boxes_that_are_grown_by_radii(t);
+  boxes_by_every_target(t);
+  boxes_of_clips_and_their_measures(t);
 }
 
 }  // namespace proptests::suite_whole_character_boxes

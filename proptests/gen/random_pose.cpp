@@ -22,4 +22,9 @@ Pose random_pose(const SkinnedMesh& model, std::mt19937& random, double spread) 
   return pose;
 }
 
+void spoil_lengths(Pose& pose, std::mt19937& random) {
+  std::uniform_real_distribution<double> off(-4.9e-7, 4.9e-7);
+  for (auto& t : pose) t.rotation *= 1 + off(random);
+}
+
 }  // namespace proptests::gen

@@ -150,6 +150,17 @@ void check_double() {
     if (const auto v = gen::skinned(c, sample, Hull::blending)) RC_ASSERT(encloses(around, *v) == Verdict::holds);
 }
 
+template <class Hull>
+void balls_in_double(Suite& t) {
+  const Options options{.number_type = "double", .cases = 700, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5};
+  t.holds("the mean ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", options,
+          check_double<Hull, refitlab::MeanBalls>);
+  t.holds("the near-smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", options,
+          check_double<Hull, refitlab::NearSmallestBalls>);
+  t.holds("the smallest ball encloses every exactly skinned vertex up to 1e-12 of the coordinates' size", options,
+          check_double<Hull, refitlab::SmallestBalls>);
+}
+
 // The middles of the intervals.
 inline std::vector<refitlab::Ball3<double>> middles(const std::vector<refitlab::Ball3<refitlab::MultiprecisionInterval>>& balls) {
   const auto middle = [](const refitlab::MultiprecisionInterval& x) { return static_cast<double>(median(x)); };
