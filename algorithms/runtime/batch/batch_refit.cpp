@@ -16,21 +16,26 @@ void append(std::vector<float>& to, const Vec<double, D>& v) {
   for (int i = 0; i < D; ++i) to.push_back(static_cast<float>(v[i]));
 }
 
-// As of rigid joints. What float loses of an image is a share of F ||p||, which is more than ||p|| for rotations, for which it is
-// derived. r is stretched to s r by adding (s - 1) r, where its own roundings are shares of r: eight are allowed for.
+// As of rigid joints, but for F ||p|| in place of ||p||.
 void append_affine(std::vector<float>& to, const PaletteEntry<double>& set, const PaletteScales<double>& scales,
                    float largest_reference) {
-  const double lengths = 1.001 * (scales.translation + max_of(scales.matrix, 1.0) * largest_reference);
+  const double lengths = 1.001 * (scales.translation + scales.matrix * largest_reference);
   to.push_back(linear_refit_slack(static_cast<int>(set.maps.size())) * static_cast<float>(checked_single(lengths)));
   double stretch = 0;
   for (const double s : set.stretches) stretch = max_of(stretch, s);
-  to.push_back(float_above(stretch - 1 + 4 * static_cast<double>(std::numeric_limits<float>::epsilon()) * max_of(stretch, 1.0)));
+  to.push_back(added_stretch(stretch));
   for (const AffineMap<double>& map : set.maps)
     for (int row = 0; row < 3; ++row)
       append<4>(to, {map.columns[0][row], map.columns[1][row], map.columns[2][row], map.offset[row]});
 }
 
 }  // namespace
+
+float added_stretch(double stretch) {
+  const DefaultFloatEnvironment environment;
+  constexpr double lost = 4 * static_cast<double>(std::numeric_limits<float>::epsilon());
+  return float_above(stretch - 1 + lost * max_of(stretch, 1.0));
+}
 
 const PackedBalls& BatchRefit::spherical(const SkinningPalette<double>& palette, Target target) {
   const DefaultFloatEnvironment environment;

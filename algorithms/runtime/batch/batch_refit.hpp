@@ -7,6 +7,9 @@
 
 namespace refitlab {
 
+// Returns what, times r, is added to a radius r that affine joints stretch by at most this, with what float loses of that.
+float added_stretch(double stretch);
+
 // The balls of all nodes, where the kernels left them.
 class PackedBalls {
  public:

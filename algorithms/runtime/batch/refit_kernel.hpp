@@ -9,7 +9,8 @@
 //     epsilon (64 + 2 n) (||x|| / min ||q'_k|| + size),     epsilon = 2 u, size = max ||r_i|| + 2 ||r_c||,
 // which is added to the radius, and the sums of radii are less than 8 epsilon times the radius off. The means need no
 // bound: a ball is measured from whatever center came out. The linear refit: epsilon (8 + n) (max ||t_i|| + max ||p||), and,
-// as of rotations whose ||q_i||^2 = 1 + e are off by e (palette_rounding.hpp), 2 |e| r.
+// as of rotations whose ||q_i||^2 = 1 + e are off by e (palette_rounding.hpp), 2 |e| r. Affine joints make images of up to F max
+// ||p||, for Frobenius norms of up to F. They stretch r to s r, by adding (s - 1) r; the sums on the way are at most max(s, 1) r.
 // Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few
 // of them (balls/round_up.hpp). proptests/algorithms/bound_budgets.cpp derives what the slacks must be at least.
 #pragma once
