@@ -93,8 +93,10 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   }
   if (map.count("certificate")) {
     const std::string about = std::string("touching triangles, ") + name_of(skinning) + " skinning";
-    write_whole(map["certificate"].as<std::string>(),
-                pairs_certificate(about, posed_body(body_a, name_a), posed_body(body_b, name_b), pairs));
+    const std::string file = map["certificate"].as<std::string>();
+    const std::string text = pairs_certificate(about, posed_body(body_a, name_a), posed_body(body_b, name_b), pairs);
+    write_whole(file, text);
+    errors << note_of_length(file, text.size());
   }
   if (map.count("json")) {
     nlohmann::ordered_json summary = {{"first", name_a}, {"second", name_b}, {"skinning", name_of(skinning)}};

@@ -77,6 +77,7 @@ void write_certificate(const CertificateRequest& request, Model model) {
   write_whole(model_file, model_text);
   write_whole(pose_file, pose_text);
   write_whole(request.file, text);
+  std::cerr << note_of_length(request.file, text.size());
   std::cout << "certificate of " << about << ": " << request.file << "\ncheck it: proptests/certificate/check --against "
             << model_file << " --pose " << pose_file << ' ' << request.file << '\n';
 }

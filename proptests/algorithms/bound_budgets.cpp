@@ -3,15 +3,18 @@
 // compare: as float_budgets.cpp, for kernels whose steps are repeated here with the templates that they call.
 #include <random>
 
+#include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/refit_kernel.hpp"
+#include "algorithms/runtime/collide/affine_boxes.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
 #include "algorithms/runtime/collide/motion_bound_lanes.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 #include "algorithms/runtime/collide/placement.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
-#include "lemmas/rotation_bound.hpp"
+#include "lemmas/a1_affine_image.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/oracles/cap_budget.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
 #include "proptests/oracles/norm_budget.hpp"
 
@@ -35,50 +38,23 @@ Vec<Budget, D> rounded_input(double length) {
 
 // --- The refit ---
 
-// The greatest error of sum w_i v_i, of so many rounded vectors of length 1. It is linear in the weights, and so greatest at a
-// vertex of their simplex.
+// Vectors are rounded.
 template <int D>
 double error_of_blend(int joints) {
-  double worst = 0;
-  for (int most = 0; most < joints; ++most) {
-    std::vector<Budget> w(joints, Budget(tiny));
-    w[most] = Budget(1 - joints * tiny - 0x1p-24);
-    const std::vector<Vec<Budget, D>> vectors(joints, rounded_input<D>(1));
-    worst = std::max(worst, whole(combine<Budget, D>(w, vectors)).in_u());
-  }
-  return worst;
+  return oracle::error_of_blend<D>(joints, u);
 }
 
-// The error of v / ||v|| for an exact v of this length.
-double error_of_unit(double length) {
-  Budget::least_squared_norm = length * length;
-  const Quaternion<Budget> q = of_length<0, 4>(length);
-  const double error = whole(Quaternion<Budget>(q * (Budget(1) / root(squared_norm(q))))).in_u();
-  Budget::least_squared_norm = 0;
-  return error;
-}
-
-// What Algorithm 1 may lose per ||x|| and kappa = 1 / min ||q'_k||, for caps of less than a right angle; beyond, the ball has all
-// rotations of x.
+// What Algorithm 1 may lose per ||x|| and kappa = 1 / min ||q'_k||.
 double error_of_cap(int joints, double kappa) {
-  const double of_unit = error_of_blend<4>(joints) * kappa + error_of_unit(1 / kappa), of_apex = error_of_unit(1);
-  const Quaternion<Budget> apex = of_length<0, 4>(1, of_apex * u);
-  const Vec<Budget, 3> x = of_length<0, 3>(1, 2 * u);  // p, r_c and their difference are rounded: 2 u ||x|| + 2 u ||r_c||
-  double worst = 0;
-  constexpr double end = 0.1465;  // 8 s^2 (1 - s^2) = 1 at a right angle
-  for (double least = 1e-30; least < end;) {
-    const double most = least < 1e-12 ? 1e-12 : std::min(end, least * 1.01);
-    const Budget s2(most, 0, least);
-    const RotationBound<Budget> bound = bound_of_cap(apex, s2);
-    const Vec<Budget, 3> offset = rotate(bound.apex, x) * bound.center_ratio;
-    const Budget radius = bound.radius_ratio * Budget(1, whole(x).error + 3 * u, 1);  // || x ||: three roundings and a root
-    // The chord 2 s = || n_k - a || has the errors of both and four roundings of itself, and the angle is 4 arcsin s.
-    const double of_chord = of_unit + of_apex + 4 * 2 * std::sqrt(most), of_angle = 2 / std::sqrt(1 - most) * of_chord;
-    worst = std::max(worst, whole(offset).in_u() + radius.in_u() + of_angle);
-    least = most;
-  }
-  // The centers are measured from the ball's center less the offset, which is at most 2 ||x|| and the center images.
-  return (worst + 2) / kappa;
+  // p, r_c and their difference are rounded: 2 u ||x|| + 2 u ||r_c||. The centers are measured from the ball's center less the
+  // offset, which is at most 2 ||x|| and the center images.
+  return (oracle::error_of_cap(error_of_blend<4>(joints) * kappa + oracle::error_of_unit(), 2 * u) + 2) / kappa;
+}
+
+// Of r, which joints stretch to s r: the product, sums with the slack and a distance, and that with r.
+double error_of_added_stretch(double added) {
+  const Budget product = Budget(added) * Budget(1, 0, tiny);
+  return (product + Budget(tiny) + Budget(tiny) + Budget(1)).in_u();
 }
 
 Checked check_refit() {
@@ -103,6 +79,12 @@ Checked check_refit() {
     const double more = error_of_blend<3>(n) - 1 + 1;
     budgets.add(std::to_string(n) + " joints, linear, per |p|", image + more, linear_refit_slack(n) / u);
     budgets.add(std::to_string(n) + " joints, linear, per |t|", translation + more, linear_refit_slack(n) / u);
+    // Of affine joints rows have other lengths, whose squares add up to those of F.
+    budgets.add(std::to_string(n) + " joints, affine, per F |p|", image / std::sqrt(3.0) + more, linear_refit_slack(n) / u);
+  }
+  for (const double s : {0.0, 0.01, 0.5, 1.0, 1.5, 4.0, 1000.0}) {
+    const double added = added_stretch(s);
+    budgets.add("stretched by " + std::to_string(s), error_of_added_stretch(std::abs(added)), (added - (s - 1)) / u);
   }
   // A distance and sums of radii, which are relative to the radius.
   const Vec<Budget, 3> difference = of_length<0, 3>(1, u);
@@ -246,6 +228,50 @@ Checked check_hulls() {
   return budgets.checked();
 }
 
+// Boxes around what affine joints of a Frobenius norm of 1 make of pieces, and the skinned vertices that they hold. In u of double,
+// for a point, a half extent and an offset of these lengths, and twice a radius.
+double error_of_affine_boxes(int joints, double point, double half_extent, double radius, double offset) {
+  const Quaternion<Budget> unit = of_length<0, 4>(1);
+  const double of_blend = oracle::error_of_blend<3>(joints, 0) * u;
+  double worst = 0;
+  // Errors are linear in the products of coordinates and columns. A column is turned by three products, of lengths of sqrt 3 in all.
+  for (int k = 0; k < 3; ++k) {
+    AffineMap<Budget> turn{{rotate<Budget>(unit, of_length<0, 3>(1)), of_length<0, 3>(tiny), of_length<0, 3>(tiny)},
+                           of_length<0, 3>(tiny)};
+    std::swap(turn.columns[0], turn.columns[k]);
+    Vec<Budget, 3> blended = of_length<0, 3>(tiny);
+    blended[k] = Budget(std::sqrt(3.0), of_blend, 0);
+    AffineMap<Budget> map{{of_length<0, 3>(tiny), of_length<0, 3>(tiny), of_length<0, 3>(tiny)}, of_length<0, 3>(tiny)};
+    map.columns[k] = of_length<0, 3>(1, whole(turned_by(turn, blended)).error);
+    map.offset = of_length<0, 3>(offset, offset * whole(turned_by(turn, blended)).error);
+    // The box's center and half extents are rounded.
+    Vec<Budget, 3> center = of_length<0, 3>(tiny), half = of_length<0, 3>(tiny);
+    center[k] = Budget(point, u * point, 0), half[k] = Budget(half_extent, u * half_extent, 0);
+    const HalfBox<Budget> image = image_of_box<Budget>(map, {center, half});
+    const Budget squared = squared_norm(Vec<Budget, 3>(map.columns[k])), row = root(Budget(1, squared.error, 1));
+    const double of_box = (whole(image.center) - whole(image.half)).rounded().in_u();
+    const double of_ball = (whole(image.center) - row * Budget(2 * radius, 0, 0)).rounded().in_u();
+    const Vec<Budget, 3> skinned = of_length<0, 3>(
+        point + offset, (point * (oracle::error_of_blend<3>(joints, 4 * u)) + offset * oracle::error_of_blend<3>(joints, u)) * u);
+    worst = std::max(worst, std::max(of_box, of_ball) + whole(rotate<Budget>(unit, skinned)).in_u());
+  }
+  return worst;
+}
+
+Checked check_affine_boxes() {
+  DerivedBudgets budgets;
+  for (const int n : {1, 2, 4, 8, 64, 1024}) {
+    const std::string joints = std::to_string(n) + " joints, per ";
+    const double allowed = lost_of_affine_box(n) / 0x1p-53;
+    budgets.add(joints + "F |p|", error_of_affine_boxes(n, 1, tiny, tiny, tiny), allowed);
+    budgets.add(joints + "F |half extent|", error_of_affine_boxes(n, tiny, 1, tiny, tiny), allowed);
+    // Where the ball decides it reaches no farther than the box, which is of twice the lengths.
+    budgets.add(joints + "F r", error_of_affine_boxes(n, tiny, tiny, 1, tiny), allowed);
+    budgets.add(joints + "|t|", error_of_affine_boxes(n, tiny, tiny, tiny, 1), allowed);
+  }
+  return budgets.checked();
+}
+
 // In u of double.
 Checked check_placements() {
   DerivedBudgets budgets;
@@ -363,6 +389,7 @@ PROPTEST(bound_budgets) {
   t.example("the cosine that the motion bound uses is below the exact one", {.number_type = "float against double"},
             check_cosines);
   t.example("boxes in float allow for what growing and moving them may lose", options, check_float_boxes);
+  t.example("boxes of affine images allow for what double may lose", {.number_type = "bounds of double"}, check_affine_boxes);
   t.example("hulls of whole images allow for what double may lose", {.number_type = "bounds of double"}, check_hulls);
   t.example("the rates of skinned vertices allow for what the formulas may lose", {.number_type = "bounds of any float"},
             check_vertices);

@@ -416,6 +416,29 @@ void collide_writes_pairs_and_certificates(Suite& t) {
   });
 }
 
+void collide_tells_of_long_certificates(Suite& t) {
+  t.example("collide says of a certificate that checkers refuse for its length that they do, and nothing of others", {}, [] {
+    const Rich rich(false, false);
+    const std::string in = rich.folder.file("in.glb"), why = rich.folder.file("why.json"), other = rich.folder.file("other.glb");
+    // The certificate has the clip's name.
+    std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
+    json description = json::parse(chunks[0].data);
+    const std::string name(most_certificate_bytes, 'n');
+    description["animations"][0]["name"] = name;
+    chunks[0].data = description.dump();
+    write_whole(other, glb_of(chunks, other));
+    const Called longer = call({"collide", "--clip-a", name, "--certificate", why, other, in});
+    const std::string said =
+        "note: " + why + ": " + std::to_string(std::filesystem::file_size(why)) + " bytes are more than the 16777216";
+    const bool is_said = longer.code == 0 && longer.errors.find(said) != std::string::npos;
+    const auto refused = oracle::run_checker(why, oracle::pairs_checker());
+    const bool is_refused = refused.lines.size() == 1 && refused.lines[0].ends_with("the file has more than 16777216 bytes");
+    const Called shorter = call({"collide", "--certificate", why, in, in});
+    return Checked(is_said && is_refused && shorter.code == 0 && shorter.errors.find("bytes") == std::string::npos, 2,
+                   longer.errors.substr(0, 200) + shorter.errors);
+  });
+}
+
 void wrong_calls_and_files(Suite& t) {
   t.example("wrong calls exit with 2, files that cannot be used with 3, each with a line that says why, and nothing is written",
             {}, [] {
@@ -506,6 +529,7 @@ PROPTEST(program) {
   what_is_said_of_a_file(t);
   reports_and_progress(t);
   collide_writes_pairs_and_certificates(t);
+  collide_tells_of_long_certificates(t);
   wrong_calls_and_files(t);
 }
 

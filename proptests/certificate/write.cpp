@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // write_certificates COUNT SEED FOLDER: certificates of random nodes, each by some sound variant, for the checkers to agree on.
 //
-// FOLDER gets a folder for each model and pose and skinning, with a file model, a file palette and the certificates. The
-// models are the procedural ones in clips and in random poses, and random meshes of all kinds.
+// FOLDER gets a folder for each model and pose and skinning, with a file model, a file pose and the certificates. The
+// models are the procedural ones in clips and in random poses, random meshes of all kinds, and the real ones that are there,
+// which the output says.
 #include <filesystem>
 #include <iostream>
 
@@ -14,6 +15,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/real_models.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 
 namespace proptests {
@@ -26,12 +28,18 @@ class Writer {
   Writer(long count, unsigned seed, std::filesystem::path folder) : left_(count), random_(seed), folder_(std::move(folder)) {}
 
   void run() {
-    const AnimatedCharacter procedural[] = {bake(make_snake(5)), bake(make_man()), bake(make_creature())};
+    std::vector<AnimatedCharacter> characters;
+    for (const Model& model : {make_snake(5), make_man(), make_creature()}) characters.push_back(bake(model));
+    const std::size_t procedural = characters.size();
+    gen::for_each_real_model(std::cout, [&](Model model) { characters.push_back(bake(std::move(model))); });
     while (left_ > 0) {
-      const std::size_t which = pick(18);
-      if (which < std::size(procedural)) write_some(procedural[which]);
+      const std::size_t which = pick(characters.size() + 15);
+      const long left = left_;
+      if (which < characters.size()) write_some(characters[which]);
       else write_some(AnimatedCharacter{bake(gen::make_mesh(some_plan())), {}});
+      if (which >= procedural && which < characters.size()) of_real_models_ += left - left_;
     }
+    std::cout << of_real_models_ << " certificates of balls are of real models\n";
   }
 
  private:
@@ -87,7 +95,7 @@ class Writer {
     write_whole((group / (std::to_string(left_--) + ".json")).string(), text);
   }
 
-  long left_, groups_ = 0;
+  long left_, of_real_models_ = 0, groups_ = 0;
   std::mt19937 random_;
   std::filesystem::path folder_;
 };

@@ -2,7 +2,8 @@
 // write_pairs COUNT SEED FOLDER: certificates of touching triangles of random bodies, for the checkers to agree on.
 //
 // FOLDER gets a folder of COUNT certificates of a few triangles each, and folders of one certificate each with its documents first
-// and second: of skinned meshes, the last but one the procedural snake and the last the man, in random poses.
+// and second: of skinned meshes, the procedural snake and man, and the real models that are there, in random poses. The output
+// says which these are.
 #include <filesystem>
 #include <iostream>
 
@@ -13,6 +14,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/posed_bodies.hpp"
 #include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/real_models.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 
 namespace proptests {
@@ -41,6 +43,8 @@ class Writer {
     }
     write_posed(9, bake(make_snake(5)));
     write_posed(10, bake(make_man()));
+    int group = 11;
+    gen::for_each_real_model(std::cout, [&](Model model) { write_posed(group++, bake(std::move(model))); });
   }
 
  private:

@@ -102,14 +102,16 @@ struct NormBudget {
     NormBudget exact(most * b.most, most * b.error + error * b.most + error * b.error, least * b.least);
     exact.is_step = is_step || b.is_step;
     exact.name = name ? name : b.name, exact.perpendicular_to = name ? perpendicular_to : b.perpendicular_to;
+    return is_power_of_two() || b.is_power_of_two() ? exact : exact.rounded();
+  }
+  // Products and quotients by it are exact.
+  bool is_power_of_two() const {
     int exponent;
-    const auto is_power_of_two = [&](const NormBudget& n) {
-      return n.error == 0 && (n.most == 0 || (n.least == n.most && std::frexp(n.most, &exponent) == 0.5));
-    };
-    return is_power_of_two(*this) || is_power_of_two(b) ? exact : exact.rounded();
+    return error == 0 && (most == 0 || (least == most && std::frexp(most, &exponent) == 0.5));
   }
   // By a positive number whose lower bound is known.
   NormBudget operator/(const NormBudget& b) const {
+    if (b.is_power_of_two() && b.most > 0) return *this * NormBudget(1 / b.most);
     const double nearest = b.least - b.error;
     if (!(nearest > 0)) return {HUGE_VAL, HUGE_VAL, 0};
     const double quotient = most / b.least;
@@ -279,17 +281,23 @@ inline Vec<proptests::oracle::Budget, 3> rotate<proptests::oracle::Budget>(const
   return as_computed(rotate<PlainBudget>(exact<4>(q), exact<3>(v)), v.most, of_operands);
 }
 // W_kl is at most ||q_k|| ||q_l||, and P_kl at most ||q_k|| ||q_l|| ||x||, as the mean of two products of quaternions. Both are
-// linear in each operand.
+// linear in each operand, and so are the formulas' own errors, which are those for lengths of 1. Then no sum in the formulas is
+// longer than 1. Let q = (w, v). Of P_kl, the first two terms are w_k w_l x - v_k x (x x v_l), the first three are half of what P_kl
+// and its value for w of other signs add up to, and the fourth is half of their difference; and |w_k| ||v_l|| + |w_l| ||v_k|| and
+// |w_k w_l| + ||v_k|| ||v_l|| are at most 1, by Cauchy and Schwarz.
 template <>
 inline MixedPair<proptests::oracle::Budget> mix_rotations<proptests::oracle::Budget>(
     const Quaternion<proptests::oracle::Budget>& a, const Quaternion<proptests::oracle::Budget>& b,
     const Vec<proptests::oracle::Budget, 3>& x) {
   using namespace proptests::oracle;
   const Budget q = whole(a), r = whole(b), v = whole(x);
-  const MixedPair<PlainBudget> plain = mix_rotations<PlainBudget>(exact<4>(q), exact<4>(r), exact<3>(v));
-  const double most = q.most * r.most, computed = (q.most + q.error) * (r.most + r.error);
-  const Budget weight(most, plain.weight.error + computed - most, &a == &b ? least_own_weight : least_mixed_weight);
-  return {weight, as_computed(plain.numerator, most * v.most, computed * (v.most + v.error) - most * v.most)};
+  PlainBudget::longest = 1;
+  const MixedPair<PlainBudget> own = mix_rotations<PlainBudget>(of_length<1, 4>(1), of_length<1, 4>(1), of_length<1, 3>(1));
+  PlainBudget::longest = HUGE_VAL;
+  const double most = q.most * r.most, computed = (q.most + q.error) * (r.most + r.error), along = v.most + v.error;
+  const Budget weight(most, own.weight.error * computed + computed - most, &a == &b ? least_own_weight : least_mixed_weight);
+  const double error = whole(own.numerator).error * computed * along + computed * along - most * v.most;
+  return {weight, of_length<0, 3>(most * v.most, error)};
 }
 // Im(d q*) is at most ||d|| ||q||.
 template <>

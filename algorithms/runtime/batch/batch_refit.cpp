@@ -16,22 +16,26 @@ void append(std::vector<float>& to, const Vec<double, D>& v) {
   for (int i = 0; i < D; ++i) to.push_back(static_cast<float>(v[i]));
 }
 
-// Appends a joint-set of affine joints in the layout of rigid ones. Float loses a share of F ||p|| of an image. The share was
-// derived for rotations and ||p||, which is less. r is stretched to s r by adding (s - 1) r, whose roundings are shares of r:
-// eight are allowed for.
+// Appends a joint-set of affine joints in the layout of rigid ones. Float loses a share of F ||p|| of an image, as of ||p|| there.
 void append_affine(std::vector<float>& to, const PaletteEntry<double>& set, const PaletteScales<double>& scales,
                    float largest_reference) {
-  const double lengths = 1.001 * (scales.translation + max_of(scales.matrix, 1.0) * largest_reference);
+  const double lengths = 1.001 * (scales.translation + scales.matrix * largest_reference);
   to.push_back(linear_refit_slack(static_cast<int>(set.maps.size())) * static_cast<float>(checked_single(lengths)));
   double stretch = 0;
   for (const double s : set.stretches) stretch = max_of(stretch, s);
-  to.push_back(float_above(stretch - 1 + 4 * static_cast<double>(std::numeric_limits<float>::epsilon()) * max_of(stretch, 1.0)));
+  to.push_back(added_stretch(stretch));
   for (const AffineMap<double>& map : set.maps)
     for (int row = 0; row < 3; ++row)
       append<4>(to, {map.columns[0][row], map.columns[1][row], map.columns[2][row], map.offset[row]});
 }
 
 }  // namespace
+
+float added_stretch(double stretch) {
+  const DefaultFloatEnvironment environment;
+  constexpr double lost = 4 * static_cast<double>(std::numeric_limits<float>::epsilon());
+  return float_above(stretch - 1 + lost * max_of(stretch, 1.0));
+}
 
 const PackedBalls& BatchRefit::spherical(const SkinningPalette<double>& palette, Target target) {
   const DefaultFloatEnvironment environment;

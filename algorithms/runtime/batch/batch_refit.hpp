@@ -7,6 +7,9 @@
 
 namespace refitlab {
 
+// Returns the factor of r that is added to a radius r which affine joints stretch by at most this, with what float loses of it.
+float added_stretch(double stretch);
+
 // PackedBalls holds the balls of all nodes where the kernels left them.
 class PackedBalls {
  public:

@@ -10,6 +10,8 @@
 // which is added to the radius. The sums of radii are off by less than 8 epsilon times the radius. The means need no bound,
 // because a ball is measured from the computed center, whatever it is. The linear refit adds epsilon (8 + n) (max ||t_i|| + max
 // ||p||). It also adds 2 |e| r, as rotations with ||q_i||^2 = 1 + e are off by e (palette_rounding.hpp).
+// Affine joints make images of up to F max ||p||, for Frobenius norms of up to F. They stretch r to s r, by adding (s - 1) r; the
+// sums on the way are at most max(s, 1) r.
 // Underflow: a sum of squares is off by less than 2^-147 and so a length by less than 2^-73; a radius has a few
 // of them (balls/round_up.hpp). proptests/algorithms/bound_budgets.cpp derives what the slacks must be at least.
 #pragma once

@@ -16,7 +16,7 @@ Box<double> box_of_image(const AffineMap<double>& map, const Ball3<double>& ball
   Box<double> out;
   double norm_of_map = 0, length = 0;
   for (const Point3& column : map.columns) norm_of_map += upper_norm(column);
-  length = max_of(upper_norm(ball.center), Point3(box.center().cwiseAbs() + half).sum()) + ball.radius;
+  length = max_of(upper_norm(ball.center), Point3(box.center().cwiseAbs() + half).sum());
   const double lost = lost_of_affine_box(joints) * (norm_of_map * length + upper_norm(map.offset)) + least_affine_box;
   for (int i = 0; i < 3; ++i) {
     const double of_ball = reach_along<double>(map, Point3::Unit(i)) * ball.radius;

@@ -7,9 +7,9 @@
 //
 // Rounding. Let u be half of epsilon, F bound the Frobenius norms of the joints' matrices, and t their offsets. A placement's
 // rotation is the matrix of rotate(), which is off by 24 u and of a norm below 2. A blend of n matrices is off by n u F, their
-// product with the rotation by 30 u F, an image by 4 u F ||p||. Half extents are sums of at most three such products. All of that
-// is below (n + 64) u of 2 F (||p|| + r) + 2 t, of which lost_of_affine_box counts many times as much, and least_affine_box what
-// may underflow.
+// product with the rotation by 60 u F, an image by 4 u F ||p||. So is a skinned vertex, by the same order of things. Where the ball
+// decides a side it reaches no farther than the box, so that its radius is within twice the lengths there. The slack is
+// lost_of_affine_box, of F ||p|| + t, which proptests/algorithms/bound_budgets.cpp derives. least_affine_box is what may underflow.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@
 
 namespace refitlab {
 
-constexpr double lost_of_affine_box(int joints) { return 1e-13 + 1e-15 * joints; }
+constexpr double lost_of_affine_box(int joints) { return (112 + 2 * joints) * 0x1p-53; }
 inline constexpr double least_affine_box = 1e-100;
 
 // Returns a box around the image of what is in the ball and in the box; n joints make up the map.

@@ -5,8 +5,8 @@
 // given quaternions are of unit length only nearly, and the given rotation centers, their images and the dual parts are
 // rounded already. The weights are multiples of 2^-24, so weight vertices have no error. Let u be half of epsilon, n the
 // number of joints, and kappa >= 1 / ||q|| for all blends q = sum w_i q_i. Let T and t bound the lengths of the C_j r_c and
-// the t_j (PaletteScales), and let x = p - r_c. Errors are vectors, in units of u, to first order. Each constant is some
-// tenths larger than the sum that it is derived from, which leaves room for the terms in u^2.
+// the t_j (PaletteScales), and let x = p - r_c. Errors are vectors, in units of u, to first order. The scales are rounded up by
+// 128 u, which leaves room for the terms in u^2.
 //
 // The elementary errors are in namespace rounding below, relative to the lengths of the operands. A blend of n terms has an
 // error of n, relative to the largest length of its terms. If a quaternion of length 1/kappa or more has an error of e,
@@ -19,15 +19,10 @@
 // A control ball: after h <= 4 halvings the quaternions and centers at the weight vertices have an error of n + h. The hull
 // of the control points of these computed values holds the blends of the computed values, so the errors count once: 2 (n +
 // h) kappa ||x|| + (n + h) T. A control point is N / D. Near weight vertices (control_hull.hpp) have ||q'_k|| ||q'_l|| < 2
-// W_kl, so the products P are at most 2 D ||x||. In their sum, the error is twice mix_numerator of D ||x||, and 4 for
-// adding. The moved centers are at most D T; their error is twice mix_weight, and 3 for products and sums. Adding both
-// costs 2 and 1. D has an error of twice mix_weight and 2. Its inverse and the product have an error of one each, of at
-// most 2 ||x|| + T. With the error of x that is 93 and 32 + n + h, and 2 (n + h) kappa.
+// W_kl, so the products P are at most 2 D ||x||, and the moved centers at most D T. With the error of x that is 80 and 29 + n + h.
 // A cap: unit quaternions have an error of n kappa + 5, and the apex has 5. Half of that is the error of the chord s, with
-// 3 s for its own rounding. As the image's angle is 4 arcsin s and s^2 < 1/2, the angle's error is 4 sqrt 2 times as much:
-// 41 + 2.9 n kappa. The ratios and ||x|| add 10. The rotation adds 24 and, for an apex off unit length, 20. Sums add 2.
-// Together that is 97 + 2.9 n kappa, and n + 5.
-// One formula covers both: (100 + 3 (n + 4) kappa) ||x|| + (36 + n) T.
+// 4 s for its own rounding. As the image's angle is 4 arcsin s, and no more than a right angle, its error is at most 2.17 times
+// that. With the ratios, the rotation and sums it is less than 80 + 2.25 (n + h) kappa, which covers both, and n + h + 1.
 //
 // Linear blending of a point p: the error is that of rotate (the given quaternions have no error), 1 for the sum, and n for
 // the blend of both. But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which
@@ -35,17 +30,19 @@
 //
 // Linear blending by affine joints: let F bound the Frobenius norms of their matrices, and t the lengths of their offsets. The
 // image of p is three products and their sum with the offset: 3 F ||p||, and one of F ||p|| + t. The blend adds n of both. The
-// factor that r is stretched by has the squares of a1_affine_image. The blended matrix is off by n F. Each row of its A^T A is
-// off by 6 sqrt 3 ||A||^2, and the root of the greatest row sum, which is at least ||A|| / sqrt 3, by 9 ||A||. The root and the
-// product have one each. Products of tiny numbers underflow, for which least_matrix stands.
+// factor that r is stretched by has the squares of a1_affine_image. The blended matrix is off by n F. The root of the greatest row
+// sum of its A^T A, which is at least F / sqrt 3, and the product have errors of 9 F. A factor that is blended of the joints' is at
+// most 1.2 F, and off by n of that. Products of tiny numbers underflow, for which least_matrix stands.
 //
 // Dual quaternions: the errors are as for spherical blending with p in place of x, and with 2 ||d_j|| <= t, so that
 // translations are at most kappa t. A vertex has the errors of a spherical one. In addition, Im(d q*) has an error of 7,
 // doubled; the sum adds 1; the squared length and the quotient add theirs; d adds n; and q adds n kappa. For a control
-// ball, near weight vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl. The numerator has sqrt 2 mix_numerator, the sums 2, and
-// the quotient 11. T_kl has 7 and 7, and 3 for sums, times sqrt 2, and the quotient has 11. The weight vertices add 2 (n +
-// 4) kappa of each. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding
+// ball, near weight vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl. The quotient N / W has an error of 46, and 27 of translations. The
+// weight vertices add 2 (n + 4) kappa of each. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding
 // (dual_quaternion.hpp).
+//
+// proptests/algorithms/control_budgets.cpp derives the constants of control balls and of affine joints from the refits' own
+// templates, and bound_budgets.cpp those of vertices.
 //
 // Skinning in double has the error of a vertex, with ||x|| + r in place of ||x||. The certified ball encloses these
 // vertices too. A piece that is one vertex is computed exactly as skinning computes it, to the last bit, so it counts this
@@ -70,8 +67,7 @@ namespace rounding {
 inline constexpr int squared_length = 5;  // of a quaternion
 inline constexpr int rotate = 24;         // by a quaternion taken to be of unit length
 inline constexpr int rotate_scaled = 24;
-inline constexpr int mix_weight = 6, mix_numerator = 27;  // mix_rotations
-inline constexpr int matrix = 3;                          // times a point, relative to its Frobenius norm
+inline constexpr int matrix = 3;  // times a point, relative to its Frobenius norm
 }  // namespace rounding
 
 // PaletteScales are the scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own
@@ -158,25 +154,23 @@ PaletteRounding<S> rounding_affine(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   const S n = palette.joints, f = palette.matrix, t = palette.translation;
   const RoundingRates<S> vertex{u * (S(rounding::matrix + 1) + n) * f, S(0), u * (n + 1) * t};
-  return {vertex, {2 * vertex.per_length, u * (16 + n) * f, 2 * vertex.offset}};
+  return {vertex, {2 * vertex.per_length, u * (9 + S(1.25) * n) * f, 2 * vertex.offset}};
 }
 template <class S>
 PaletteRounding<S> rounding_spherical(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   constexpr S turned(1 + rounding::rotate_scaled + (rounding::squared_length + 2) + 1);
-  constexpr S cap(100), control(1 + 2 * rounding::mix_numerator + 4 + 2 + 2 * (2 * rounding::mix_weight + 2 + 2));
-  constexpr S centers(4 * rounding::mix_weight + 2 + 2 + 3 + 1 + 4);
-  static_assert(control <= cap);
+  constexpr S control(80), centers(33);  // also of caps
   const S n = palette.joints, kappa = palette.inverse_blend, t = palette.center_image;
   const RoundingRates<S> vertex{u * (turned + 2 * n * kappa), S(0), u * (n + 1) * t};
-  return {vertex, {vertex.per_length + u * (cap + 3 * (n + 4) * kappa), S(0), vertex.offset + u * (centers + n) * t}};
+  return {vertex, {vertex.per_length + u * (control + S(2.25) * (n + 4) * kappa), S(0), vertex.offset + u * (centers + n) * t}};
 }
 template <class S>
 PaletteRounding<S> rounding_dual_quaternion(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   constexpr S turned(rounding::rotate_scaled + (rounding::squared_length + 1) + 1);
   constexpr S moved(2 * 7 + 1 + (rounding::squared_length + 1) + 1);
-  constexpr S control(1.42 * rounding::mix_numerator + 2 + 11 + 1), translations(1.42 * 17 + 2 + 11 + 1);
+  constexpr S control(46), translations(27);
   const S n = palette.joints, kappa = palette.inverse_blend, t = palette.translation * palette.inverse_blend;
   const RoundingRates<S> vertex{u * (turned + 2 * n * kappa), S(0), u * (moved + 2 * n * kappa) * t};
   return {vertex,

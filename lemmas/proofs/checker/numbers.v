@@ -60,7 +60,7 @@ Definition num_dyadic : Num number :=
 Definition check_exactly (c : certificate number) : bool := check (n := num_fractions) c.
 Definition check_exactly_against (m : model number) (c : named number) : bool := check_against (n := num_fractions) m c.
 Definition check_dyadic (c : certificate number) : bool := check (n := num_dyadic) c.
-(* There are no quotients here: what is extracted is also what the kernel computes. *)
+(* There are no quotients here. This is what the kernel computes; quick.v has what is extracted. *)
 Definition check_pairs_exactly (c : pairs number) : bool := check_pairs (n := num_fractions) c.
 
 (* --- The real numbers that they stand for --- *)

@@ -69,22 +69,72 @@ let encode length value =
   Buffer.add_char out '\n';
   Buffer.contents out
 
-(* Its order of keys is kept: whoever reads an object says which keys it has, in order. *)
+(* Reads a text that is in canonical form, and rejects any other: what is read is what encode makes this text of. The order of keys
+   is kept: whoever reads an object says which keys it has, in order. *)
 let parse text =
-  String.iter (fun c -> require (Char.code c < 128) "no ASCII") text;
-  let value = try Yojson.Safe.from_string text with Yojson.Json_error _ -> raise (Rejected "no JSON") in
-  (match value with `Assoc _ -> () | _ -> raise (Rejected "no document in canonical form"));
-  require (encode (String.length text) value = text) "no document in canonical form";
-  value
+  let length = String.length text and at = ref 0 in
+  let no_form () = raise (Rejected "no document in canonical form") in
+  let next () = if !at < length then String.unsafe_get text !at else '\000' in
+  let expect c = if next () = c then incr at else no_form () in
+  let rec spaces n = if n > 0 then begin expect ' '; spaces (n - 1) end in
+  let line indent = expect '\n'; spaces indent in
+  let string () =
+    expect '"';
+    let first = !at in
+    let rec plain i =
+      if i >= length then no_form ()
+      else match String.unsafe_get text i with
+        | '"' -> at := i + 1; String.sub text first (i - first)
+        | '\\' -> escaped i
+        | c -> if c >= ' ' && c <= '~' then plain (i + 1) else no_form ()
+    and escaped i =
+      if i >= length then no_form ()
+      else match String.unsafe_get text i with
+        | '"' ->
+            let raw = String.sub text (first - 1) (i + 2 - first) in
+            let read = try Yojson.Safe.from_string raw with Yojson.Json_error _ -> no_form () in
+            (match read with `String s when string_of s = raw -> at := i + 1; s | _ -> no_form ())
+        | '\\' -> escaped (i + 2)
+        | c -> if c >= ' ' && c <= '~' then escaped (i + 1) else no_form () in
+    plain first in
+  let integer () =
+    let first = !at in
+    if next () = '-' then incr at;
+    let digits = !at in
+    while next () >= '0' && next () <= '9' do incr at done;
+    require (!at > digits && !at - digits <= 15) "no integer of at most 9 digits";
+    if text.[digits] = '0' && (!at > digits + 1 || digits > first) then no_form ();
+    int_of_string (String.sub text first (!at - first)) in
+  let rec value indent : Yojson.Safe.t = match next () with
+    | '"' -> `String (string ())
+    | '[' -> incr at; if next () = ']' then (incr at; `List []) else `List (items indent (fun () -> value (indent + 1)) ']')
+    | '{' -> incr at; if next () = '}' then (incr at; `Assoc []) else `Assoc (items indent (fun () -> member (indent + 1)) '}')
+    | '-' | '0' .. '9' -> `Int (integer ())
+    | _ -> no_form ()
+  and member indent =
+    let key = string () in
+    expect ':'; expect ' ';
+    key, value indent
+  and items : 'a. int -> (unit -> 'a) -> char -> 'a list = fun indent one last ->
+    let rec from read =
+      line (indent + 1);
+      let read = one () :: read in
+      if next () = ',' then (incr at; from read) else (line indent; expect last; List.rev read) in
+    from [] in
+  let read = value 0 in
+  expect '\n';
+  if !at <> length then no_form ();
+  match read with `Assoc _ -> read | _ -> no_form ()
 
 (* The text with another value, a text too, of a key of the document itself. In the canonical form nothing but such a key is
    behind a line feed and one space. *)
 let with_text key value text =
-  let start = "\n \"" ^ key ^ "\": \"" in
+  let start = " \"" ^ key ^ "\": \"" in
   let n = String.length start in
-  let rec find i =
-    require (i + n <= String.length text) ("no " ^ key);
-    if text.[i] = '\n' && String.sub text i n = start then i + n else find (i + 1) in
+  let rec find from = match String.index_from_opt text from '\n' with
+    | Some i when i + 1 + n <= String.length text ->
+        if text.[i + 2] = start.[1] && String.sub text (i + 1) n = start then i + 1 + n else find (i + 1)
+    | _ -> raise (Rejected ("no " ^ key)) in
   let first = find 0 in
   let last = String.index_from text first '"' in
   String.concat "" [ String.sub text 0 first; value; String.sub text last (String.length text - last) ]

@@ -26,26 +26,44 @@ let digest v =
 
 type lengths = { mutable scale : Integer.t; mutable all : Rational.t list }
 
+let is_decimal s first last =
+  let rec all i = i >= last || (s.[i] >= '0' && s.[i] <= '9' && all (i + 1)) in
+  last > first && last - first <= most_digits && all first
+
+(* Denominators come again and again. *)
+let denominators : (string, Integer.t) Hashtbl.t = Hashtbl.create 100
+let denominator text = match Hashtbl.find_opt denominators text with
+  | Some d -> d
+  | None ->
+      let d = Integer.of_string text in
+      if Hashtbl.length denominators > 1000 then Hashtbl.reset denominators;
+      Hashtbl.add denominators text d;
+      d
+
 let number lengths v =
   let s = text v in
-  let is_negative = s <> "" && s.[0] = '-' in
-  let unsigned = if is_negative then String.sub s 1 (String.length s - 1) else s in
-  let above, below = match String.index_opt unsigned '/' with
-    | None -> unsigned, "1"
-    | Some i -> String.sub unsigned 0 i, String.sub unsigned (i + 1) (String.length unsigned - i - 1) in
-  let is_decimal d =
-    d <> "" && String.length d <= most_digits && String.for_all (fun c -> c >= '0' && c <= '9') d in
-  require (is_decimal above && is_decimal below && below.[0] <> '0') "no fraction of at most 400 digits each";
-  let q = Rational.make (Integer.of_string above) (Integer.of_string below) in
-  let q = if is_negative then Rational.neg q else q in
+  let length = String.length s in
+  let first = if length > 0 && s.[0] = '-' then 1 else 0 in
+  let line = match String.index_opt s '/' with None -> length | Some i -> i in
+  require
+    (is_decimal s first line && (line = length || (is_decimal s (line + 1) length && s.[line + 1] <> '0')))
+    "no fraction of at most 400 digits each";
+  let num = Integer.of_substring s ~pos:0 ~len:line in
+  let den = if line = length then Integer.one else denominator (String.sub s (line + 1) (length - line - 1)) in
+  let twos = Integer.trailing_zeros den in
+  let is_dyadic = Integer.equal den (Integer.shift_left Integer.one twos) in
+  (* In lowest terms; of a power of two only twos are shared. *)
+  let q = if is_dyadic then begin
+      let shared = if Integer.sign num = 0 then twos else min twos (Integer.trailing_zeros num) in
+      { Rational.num = Integer.shift_right num shared; den = Integer.shift_right den shared }
+    end else Rational.make num den in
   let num, den = Rational.num q, Rational.den q in
   if not (Integer.divisible lengths.scale den) then begin
     lengths.scale <- Integer.lcm lengths.scale den;
     require (Integer.numbits lengths.scale <= most_bits) "the common denominator has more than 8192 bits"
   end;
   lengths.all <- q :: lengths.all;
-  let twos = Integer.trailing_zeros den in
-  if Integer.equal den (Integer.shift_left Integer.one twos) then Dyadic (num, Integer.of_int (-twos))
+  if is_dyadic then Dyadic (num, Integer.of_int (-(Integer.trailing_zeros den)))
   else Fraction { qnum = num; qden = den }
 
 let vec n v = match list (number n) v with [ vx; vy; vz ] -> { vx; vy; vz } | _ -> raise (Rejected "no point")

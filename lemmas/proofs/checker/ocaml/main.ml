@@ -58,6 +58,9 @@ let files path =
 
 let say verdict path reason = Printf.printf "%s: %s: %s\n" verdict (string_of path) reason
 
+(* Documents are read into lists of many short-lived numbers. *)
+let () = Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 400 }
+
 let () =
   let bound_to reader path =
     try reader (read path) with

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The budgets of rounding of control balls and of affine joints: that the rates of palette_rounding.hpp are at least what the refits'
+// own templates can lose. As float_budgets.cpp, in u of any type: terms of higher order are those of float.
+#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/linear.hpp"
+#include "algorithms/runtime/skinning/palette_rounding.hpp"
+#include "proptests/harness.hpp"
+#include "proptests/oracles/cap_budget.hpp"
+#include "proptests/oracles/derived_budgets.hpp"
+#include "proptests/oracles/norm_budget.hpp"
+
+namespace proptests::suite_control_budgets {
+namespace {
+
+using namespace refitlab;
+using oracle::Budget;
+using oracle::DerivedBudgets;
+using oracle::error_of_blend;
+using oracle::of_length;
+using oracle::whole;
+constexpr double u = Budget::u, u_double = 0x1p-53;
+constexpr double tiny = 1e-30;  // in place of 0, with which sums would be exact
+constexpr int numbers_of_joints[] = {1, 2, 3, 4, 8, 64};
+
+// --- What both kinds of rates have ---
+
+// What control balls may lose beside the skinned vertices that they hold, per length and per offset.
+template <class S>
+RoundingRates<S> of_control_balls(const PaletteRounding<S>& r) {
+  const RoundingRates<S>&whole = r.weight_vertices, &vertex = r.vertex;
+  return {whole.per_length - vertex.per_length, whole.per_radius - vertex.per_radius, whole.offset - vertex.offset};
+}
+// Scales are rounded up, which leaves room for terms of higher order.
+PaletteScales<double> scales(int joints, double kappa, double image, double translation, double matrix = 0) {
+  constexpr double up = 1 + 128 * u;  // measure_palette, in float
+  return {double(joints), image * up, translation * up, kappa * up, 0, matrix * up};
+}
+
+// The error of a weight vertex in units of u, of its quaternion or its center image: of a blend, and of middles of middles.
+template <int D>
+double error_of_weight_vertex(int joints) {
+  Vec<Budget, D> v = of_length<0, D>(1, error_of_blend<D>(joints, 0) * u);
+  for (int i = 0; i < most_halvings; ++i) v = middle_of(v, v);
+  return whole(v).in_u();
+}
+
+// --- Spherical blending and dual quaternions ---
+
+// The greatest error of a control point N / D of near weight vertices, in u. N, D and their errors are sums over pairs of weight
+// vertices, linear in the product s of the pair's lengths and in W_kl, which is between s / sqrt(near) and s. Of quotients of such
+// sums, and of products of two, each factor is greatest if one pair is all of it. So the others have an s of next to nothing here, a
+// power of two, by which products are exact; or none has.
+template <class Piece, class WeightVertex = typename Piece::WeightVertex>
+double error_of_control_points(const Piece& piece, const WeightVertex& weight_vertex) {
+  constexpr std::size_t m = 3;
+  const std::vector<WeightVertex> weight_vertices(m, weight_vertex);
+  double worst = 0;
+  for (double least = 1 / std::sqrt(Piece::near) - 128 * u; least < 1; least *= 1.01)  // as computed
+    for (std::size_t only = 0; only <= m * m; ++only) {
+      ControlLists<Budget> lists;
+      for (std::size_t k = 0; k < m; ++k)
+        for (std::size_t l = 0; l < m; ++l) {
+          MixedPair<Budget> mixed = piece.mix(weight_vertex, weight_vertex);
+          mixed.weight.most = std::min(least * 1.01, 1.0), mixed.weight.least = least;
+          const Budget s(only == m * m || only == std::min(k, l) * m + std::max(k, l) ? 1 : 0x1p-60);
+          lists.dots.push_back(mixed.weight * s), lists.products.push_back(mixed.numerator * s);
+        }
+      piece.emit(weight_vertices, lists);
+      for (const auto& ball : lists.cap.balls) worst = std::max(worst, whole(ball.center).in_u());
+    }
+  return worst;
+}
+double error_of_spherical_points(double x, double image) {
+  const SphericalPiece<Budget> piece(of_length<0, 3>(x), Budget(tiny));
+  return error_of_control_points(piece, {of_length<0, 4>(1), of_length<0, 3>(image)});
+}
+// Of duals of half the translation's length.
+double error_of_dual_points(double p, double translation) {
+  const DualQuaternionPiece<Budget> piece(of_length<0, 3>(p), Budget(tiny), Budget(tiny));
+  return error_of_control_points(piece, {of_length<0, 4>(1), of_length<0, 4>(translation / 2)});
+}
+
+// For joint-sets of any kappa that a blend in float may have; in double it is greater, and terms of higher order less. The hull of
+// what is made of weight vertices, x and centers as computed holds the blends of these. So their errors count once: that of a
+// quaternion turns x by 2 kappa of it.
+Checked check_control_balls() {
+  DerivedBudgets budgets;
+  const double x = whole(Vec<Budget, 3>(of_length<0, 3>(1) - of_length<0, 3>(tiny))).in_u();
+  const double spherical = error_of_spherical_points(1, tiny) + x, centers = error_of_spherical_points(tiny, 1);
+  const double dual = error_of_dual_points(1, tiny), translations = error_of_dual_points(tiny, 1);
+  for (const int n : numbers_of_joints)
+    for (const double kappa : {1.0, 1.5, 16.0, 256.0}) {
+      char name[80];
+      std::snprintf(name, sizeof name, "%d joints, kappa %g, ", n, kappa);
+      const auto add = [&](const char* what, double derived, double rate) {
+        budgets.add(std::string(name) + what, derived, rate / u_double);
+      };
+      const double of_quaternion = error_of_weight_vertex<4>(n), of_center = error_of_weight_vertex<3>(n);
+      const auto rates = of_control_balls(rounding_spherical(scales(n, kappa, 1, 0)));
+      add("spherical, per |x|", spherical + 2 * kappa * of_quaternion, rates.per_length);
+      add("spherical, per center image", centers + of_center, rates.offset);
+      // A cap's ball is moved by the center images.
+      add("cap, per |x|", oracle::error_of_cap(of_quaternion * kappa + oracle::error_of_unit(), x * u) + 1, rates.per_length);
+      add("cap, per center image", of_center + 1, rates.offset);
+      // The offset is per kappa |t|, for weight vertices of length 1 / kappa. Duals move as much as quaternions turn.
+      const auto of_dual = of_control_balls(rounding_dual_quaternion(scales(n, kappa, 0, 1)));
+      add("dual quaternions, per |p|", dual + 2 * kappa * of_quaternion, of_dual.per_length);
+      add("dual quaternions, per |t|", translations + 2 * kappa * of_quaternion, of_dual.offset / kappa);
+    }
+  return budgets.checked();
+}
+
+// What does not grow with kappa and joints is what was derived, or less than a unit more. The vertices' own blends add nothing here.
+Checked check_constants() {
+  DerivedBudgets budgets;
+  const auto add = [&](const char* what, double derived, double rate) {
+    budgets.add(what, derived, rate / u_double);
+    budgets.add(std::string(what) + ", not a unit more", rate / u_double - 1, derived);
+  };
+  const auto spherical = of_control_balls(rounding_spherical(scales(0, 0, 1, 0)));
+  const auto dual = of_control_balls(rounding_dual_quaternion(scales(0, 1, 0, 1)));
+  add("spherical, per |x|", error_of_spherical_points(1, tiny) + 1, spherical.per_length);
+  add("spherical, per center image", error_of_spherical_points(tiny, 1) + most_halvings, spherical.offset);
+  add("dual quaternions, per |p|", error_of_dual_points(1, tiny) + 2 * most_halvings, dual.per_length);
+  add("dual quaternions, per |t|", error_of_dual_points(tiny, 1) + 2 * most_halvings, dual.offset);
+  return budgets.checked();
+}
+
+// --- Linear blending ---
+
+// The error of an image under a map whose matrix has a Frobenius norm of 1, and an offset of this length. It is linear in the products
+// of a column's length and a coordinate, which add up to at most ||p||: so it is greatest where one of them is all.
+double error_of_affine_image(double point, double offset) {
+  double worst = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    AffineMap<Budget> map{{of_length<0, 3>(tiny), of_length<0, 3>(tiny), of_length<0, 3>(tiny)}, of_length<0, 3>(offset)};
+    map.columns[k] = of_length<0, 3>(1);
+    Vec<Budget, 3> p = of_length<0, 3>(tiny);
+    p[k] = Budget(point, 0, 0);
+    worst = std::max(worst, whole(apply(map, p)).in_u());
+  }
+  return worst;
+}
+
+// s^2 of all columns whose squared lengths add up to 1. It is at least the greatest eigenvalue of A^T A, and so at least 1/3.
+Budget squared_stretch_of_unit() {
+  constexpr int cells = 64;
+  Budget out(0, 0, 1. / 3);
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      const double a = i * 1. / cells, b = j * 1. / cells, c = 1 - a * a - b * b;
+      if (c < 0) continue;
+      const AffineMap<Budget> map{
+          {of_length<0, 3>(a + 1. / cells), of_length<0, 3>(b + 1. / cells), of_length<0, 3>(std::sqrt(c))},
+          of_length<0, 3>(tiny)};
+      out = max(out, squared_stretch(map));
+    }
+  return out;
+}
+
+Checked check_linear() {
+  DerivedBudgets budgets;
+  const double of_point = error_of_affine_image(1, tiny), of_offset = error_of_affine_image(tiny, 1);
+  // What is computed of a matrix of Frobenius norm 1, in u; and times the radius.
+  const Budget squared = squared_stretch_of_unit(), radius(1, 0, 0), stretched = root(squared) * radius;
+  const double greatest = std::sqrt(squared.most), own = root(squared).in_u() / std::sqrt(squared.least);
+  // The factor of a joint is rounded up, and so by more than a blend of factors may lose.
+  const double raised = (stretch_of(identity_map<double>()) - 1) / u_double - own;
+  const Budget of_factor = root(sq(Budget(1, 0, 1 - 1e-9))) * radius;
+  budgets.add("per F r, with one more", rounding_affine(scales(0, 1, 0, 0, 1)).weight_vertices.per_radius / u_double - 1,
+              stretched.in_u());
+  for (const int n : numbers_of_joints) {
+    const std::string joints = std::to_string(n) + " joints, ";
+    const auto rounding = rounding_affine(scales(n, 1, 0, 1, 1));
+    const auto more = of_control_balls(rounding), linear = of_control_balls(rounding_linear(scales(n, 1, 0, 1)));
+    const auto of_linear = rounding_linear(scales(n, 1, 0, 1)).vertex;
+    // The matrix that is blended is off by a blend's error, and stretches by so much more.
+    const double of_blend = error_of_blend<3>(n, 0);
+    budgets.add(joints + "per F |p|", error_of_blend<3>(n, of_point * u), rounding.vertex.per_length / u_double);
+    budgets.add(joints + "per |t|", error_of_blend<3>(n, of_offset * u), rounding.vertex.offset / u_double);
+    budgets.add(joints + "per F r, of the blended matrix", of_blend + stretched.in_u(), more.per_radius / u_double);
+    // However many joints there are.
+    const double of_factors = greatest * (16 * of_blend + of_factor.in_u() - raised);
+    budgets.add(joints + "times 16, per F r, of blended factors", std::max(1., of_factors),
+                rounding_affine(scales(16 * n, 1, 0, 0, 1)).weight_vertices.per_radius / u_double);
+    // The centers of control balls are computed as vertices are.
+    budgets.add(joints + "control balls, per F |p|", rounding.vertex.per_length / u_double, more.per_length / u_double);
+    budgets.add(joints + "control balls, per |t|", rounding.vertex.offset / u_double, more.offset / u_double);
+    budgets.add(joints + "control balls, rigid, per |p|", of_linear.per_length / u_double, linear.per_length / u_double);
+    budgets.add(joints + "control balls, rigid, per |t|", of_linear.offset / u_double, linear.offset / u_double);
+  }
+  return budgets.checked();
+}
+
+}  // namespace
+
+PROPTEST(control_budgets) {
+  const Options options{.number_type = "bounds of any float"};
+  t.example("control balls allow for what the formulas may lose", options, check_control_balls);
+  t.example("the constants of control balls are derived up to a unit", options, check_constants);
+  t.example("control balls of linear blending allow for what matrices may lose", options, check_linear);
+}
+
+}  // namespace proptests::suite_control_budgets
