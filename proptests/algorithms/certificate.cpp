@@ -221,12 +221,9 @@ std::vector<Ball3<double>> nearby_balls(const Ball3<double>& ball, std::mt19937&
   return out;
 }
 
-struct Tried {
-  long certified = 0, refused = 0, missing = 0;  // missing: refused, and some vertex is outside
-};
-
 // Whatever has a certificate is accepted and holds all vertices of the node exactly.
-void check_other_balls(Tried& tried) {
+void check_other_balls() {
+  int certified_balls = 0, missing = 0, holding = 0;  // the last two have no certificate, and miss a vertex or do not
   const auto plan = *gen::mesh_plan();
   const auto c = bake(gen::make_mesh(plan));
   std::mt19937 random(plan.seed);
@@ -261,15 +258,17 @@ void check_other_balls(Tried& tried) {
       for (const int v : c.vertices[n]) is_outside = is_outside || !skin.is_in(ball, v);
       try {
         folder.add(certificate(node, skinning, ball, certified(c, n, variant.name)));
-        ++tried.certified;
+        ++certified_balls;
         RC_ASSERT(!is_outside);
       } catch (const NoProof&) {
-        ++tried.refused;
-        tried.missing += is_outside;
+        ++(is_outside ? missing : holding);
       }
     }
   }
   for (const auto& line : folder.check()) RC_ASSERT(line.is_accepted());
+  RC_CLASSIFY(certified_balls >= 5, "certified");
+  RC_CLASSIFY(missing >= 5, "missing a vertex");
+  RC_CLASSIFY(holding > 0, "holding all without a certificate");
 }
 
 // --- What is changed ---
@@ -532,33 +531,43 @@ std::vector<json> some_certificates() {
   return out;
 }
 
+// The root of a tube whose joints are turned a little.
+struct BentTube {
+  const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
+  std::mt19937 random{2006};
+  const SkinningPalette<double> palette =
+      make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.2), Skinning::spherical);
+  const RefitVariant& variant = compared_variant("control_miniball");
+  const RefitNode<double> node = c.refit_node(0, palette, variant.pieces);
+};
+
 struct Malformed {
   const char* what;
   std::function<std::string(const json&)> made;
   const char* reason;
 };
 
-Checked check_malformed() {
-  const auto c = gen::rounded_to_double(counterexamples::algorithm1()[0].input);
-  const gen::NodeOf<double> node(c);
-  CheckedFolder whole;
-  const json good = certify(whole, compared_variant("control_miniball"), node.node());
-  const auto with = [](const char* pointer, const json& value) {
-    return [=](const json& document) {
-      json changed = document;
-      changed[json::json_pointer(pointer)] = value;
-      return sealed(changed);
-    };
+// With another value at a place, and a digest of that.
+std::function<std::string(const json&)> with(const char* pointer, const json& value) {
+  return [=](const json& document) {
+    json changed = document;
+    changed[json::json_pointer(pointer)] = value;
+    return sealed(changed);
   };
-  const auto without = [](const char* owner, const char* key) {
-    return [=](const json& document) {
-      json changed = document;
-      changed[json::json_pointer(owner)].erase(key);
-      return sealed(changed);
-    };
+}
+std::function<std::string(const json&)> without(const char* owner, const char* key) {
+  return [=](const json& document) {
+    json changed = document;
+    changed[json::json_pointer(owner)].erase(key);
+    return sealed(changed);
   };
-  const auto text = [](const std::string& text) { return [=](const json&) { return text; }; };
-  const Malformed list[] = {
+}
+std::function<std::string(const json&)> text(const std::string& text) {
+  return [=](const json&) { return text; };
+}
+
+std::vector<Malformed> malformed_texts() {
+  return {
       {"an empty file", text(""), "Expecting value"},
       {"no JSON", text("{\"about\": "), "Expecting value"},
       {"no object", text("[]\n"), "canonical"},
@@ -581,6 +590,11 @@ Checked check_malformed() {
          return e.dump(1) + "\n";
        },
        "digest"},
+  };
+}
+
+std::vector<Malformed> malformed_members() {
+  return {
       {"a skinning of another kind", with("/skinning", "hejl"), "skinning is none"},
       {"a skinning that is no text", with("/skinning", {"linear"}), "skinning is none"},
       {"a model's digest that is none", with("/model", "0"), "certificate.model is no SHA-256"},
@@ -608,36 +622,45 @@ Checked check_malformed() {
       {"weights of sum 2", with("/pieces/0/weight_vertices/0", {"1", "1", "0", "0"}), "weights are not convex"},
       {"a reference ball of radius -1", with("/pieces/0/reference/radius", "-1"), "reference.radius is negative"},
       {"a ball of radius -1", with("/ball/radius", "-1"), "smaller than the reference"},
+  };
+}
+
+// bound: one that proves something.
+std::vector<Malformed> malformed_bounds(const json& bound) {
+  return {
       {"a bound that is a text", with("/pieces/0/bound", "control"), "bound is no dict"},
       {"a bound by nothing", with("/pieces/0/bound", json::object()), "bound.by is no bound"},
       {"a bound by a list", with("/pieces/0/bound", {{"by", {"control"}}}), "bound.by is no bound"},
       {"a bound of another skinning", with("/pieces/0/bound", {{"by", "reach"}}), "bound.by is no bound"},
       {"a cap without axis", with("/pieces/0/bound", {{"by", "cap"}}), "bound has not the members"},
       {"a cap about 0", with("/pieces/0/bound", {{"by", "cap"}, {"axis", {"0", "0", "0", "0"}}}), "not ahead"},
-      {"halves of no edge",
-       with("/pieces/0/bound",
-            {{"by", "halves"}, {"edge", {0, 99}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}),
+      {"halves of no edge", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 99}}, {"halves", {bound, bound}}}),
        "edge ends at no weight vertex"},
       {"halves of an edge counted from the end",
-       with("/pieces/0/bound",
-            {{"by", "halves"}, {"edge", {-1, 0}}, {"halves", {good["pieces"][0]["bound"], good["pieces"][0]["bound"]}}}),
+       with("/pieces/0/bound", {{"by", "halves"}, {"edge", {-1, 0}}, {"halves", {bound, bound}}}),
        "edge ends at no weight vertex"},
-      {"one half", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 1}}, {"halves", {good["pieces"][0]["bound"]}}}),
-       "has 1 items, not 2"},
+      {"one half", with("/pieces/0/bound", {{"by", "halves"}, {"edge", {0, 1}}, {"halves", {bound}}}), "has 1 items, not 2"},
   };
-  CheckedFolder folder;
+}
+
+Checked check_malformed() {
+  const auto c = gen::rounded_to_double(counterexamples::algorithm1()[0].input);
+  const gen::NodeOf<double> node(c);
+  CheckedFolder whole, folder;
+  const json good = certify(whole, compared_variant("control_miniball"), node.node());
+  std::vector<Malformed> list = malformed_texts();
+  for (const auto& part : {malformed_members(), malformed_bounds(good["pieces"][0]["bound"])})
+    list.insert(list.end(), part.begin(), part.end());
   folder.add(sealed(good));
   for (const Malformed& m : list) folder.add(m.made(good));
   const auto lines = folder.check();
   if (!lines[0].is_accepted()) return Checked(false, 0, lines[0].text);
-  for (std::size_t i = 0; i < std::size(list); ++i)
+  for (std::size_t i = 0; i < list.size(); ++i)
     if (!lines[i + 1].is_rejected_for(list[i].reason)) return Checked(false, long(i), list[i].what + (": " + lines[i + 1].text));
-  return Checked(true, std::size(list));
+  return Checked(true, static_cast<long>(list.size()));
 }
 
-}  // namespace
-
-PROPTEST(certificate) {
+void nodes_have_accepted_certificates(Suite& t) {
   const Options exact{.form = "", .number_type = "double against rational"};
   t.holds("random nodes have certificates by every sound variant, and all are accepted",
           {.number_type = "double against rational", .cases = 15, .degenerate_at_least = 0.3}, check_random_nodes);
@@ -666,7 +689,9 @@ PROPTEST(certificate) {
       return std::filesystem::exists(path) ? check_model(bake(load_model(path)))
                                            : Checked(true, 0, "skipped: " + path + " is not there");
     });
+}
 
+void what_has_no_certificate(Suite& t) {
   t.example("Algorithm 1's balls as printed have no proof on its pinned counterexamples, and forged ones are rejected", {}, [] {
     CheckedFolder folder;
     long refused = 0;
@@ -719,18 +744,14 @@ PROPTEST(certificate) {
            with_first_weight(std::nextafter(first, 2)) && with_first_weight(first - 0x1p-53);
   });
   t.example("a vertex outside its pieces' reference balls, or with weights outside their hulls, has no certificate", {}, [] {
-    std::mt19937 random(2006);
-    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
-    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.2), Skinning::spherical);
-    const RefitVariant& variant = compared_variant("control_miniball");
-    const RefitNode<double> node = c.refit_node(0, palette, variant.pieces);
-    const Ball3<double> ball = variant.refit(node);
-    const CertifiedNode good = certified(c, 0, "");
+    const BentTube tube;
+    const Ball3<double> ball = tube.variant.refit(tube.node);
+    const CertifiedNode good = certified(tube.c, 0, "");
     const auto is_refused = [&](const auto& change) {
       CertifiedNode of = good;
       change(of.vertices[0]);
       try {
-        certificate(node, Skinning::spherical, ball, of);
+        certificate(tube.node, Skinning::spherical, ball, of);
         return false;
       } catch (const NoProof& error) {
         return std::string(error.what()) == ": no piece holds vertex " + std::to_string(good.vertices[0].id);
@@ -740,31 +761,21 @@ PROPTEST(certificate) {
     beyond[0] += 2, beyond.back() -= 2;
     return !is_refused([](CertifiedVertex&) {}) && is_refused([](CertifiedVertex& v) { v.position[2] += 1e3; }) &&
            (beyond.size() == 1 || is_refused([&](CertifiedVertex& v) { v.weights = beyond; })) &&
-           is_refused([&](CertifiedVertex& v) { v.joint_set = c.sets.count() + 1; });
+           is_refused([&](CertifiedVertex& v) { v.joint_set = tube.c.sets.count() + 1; });
   });
-  static Tried tried;
-  t.holds(
-      "shrunk by an ulp up to a half, moved, of another node or palette: a ball has a certificate that is accepted, or none, and "
-      "none if a vertex is outside",
-      {.number_type = "double against rational", .cases = 12}, [] { check_other_balls(tried); });
-  t.example("that were 50 balls with a certificate and 50 without at least, some of which hold all vertices", {}, [] {
-    return Checked(tried.certified >= 50 && tried.missing >= 50 && tried.missing < tried.refused, tried.certified + tried.refused,
-                   std::to_string(tried.certified) + " have one, " + std::to_string(tried.missing) + " of " +
-                       std::to_string(tried.refused) + " others miss a vertex");
-  });
+}
+
+void joint_sets_and_shares_as_they_are_written(Suite& t) {
   t.example("joint-sets are written once each, and pieces name them by their places, whatever their numbers", {}, [] {
     // Two pieces of set 2 around one of set 0.
-    std::mt19937 random(2006);
-    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
-    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.2), Skinning::spherical);
-    const RefitVariant& variant = compared_variant("control_miniball");
-    const RefitNode<double> node = c.refit_node(0, palette, variant.pieces);
+    const BentTube tube;
+    const RefitNode<double>& node = tube.node;
     std::vector<NodePiece> twice(node.pieces.rbegin(), node.pieces.rend());
     twice.insert(twice.end(), node.pieces.begin(), node.pieces.end());
     const RefitNode<double> both{node.reference, twice, node.weight_vertices, node.palette, node.piece_references};
-    const Ball3<double> ball = variant.refit(both);
+    const Ball3<double> ball = tube.variant.refit(both);
     CheckedFolder folder;
-    const CertifiedNode of = certified(c, 0, "\xff");
+    const CertifiedNode of = certified(tube.c, 0, "\xff");
     const std::string text = certificate(both, Skinning::spherical, ball, of);
     folder.add(text);
     const json document = json::parse(text);
@@ -774,12 +785,9 @@ PROPTEST(certificate) {
                    long(twice.size()));
   });
   t.example("shares that are 0 are as good as none, but not all of them", {}, [] {
-    std::mt19937 random(2006);
-    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
-    const auto palette = make_skinning_palette(c.mesh, c.sets, gen::random_pose(c.mesh, random, 0.2), Skinning::spherical);
-    const RefitVariant& variant = compared_variant("control_miniball");
+    const BentTube tube;
     CheckedFolder made, folder;
-    const json document = certify(made, variant, c.refit_node(0, palette, variant.pieces), certified(c, 0, ""));
+    const json document = certify(made, tube.variant, tube.node, certified(tube.c, 0, ""));
     json more = document, none = document;
     for (json& vertex : more["vertices"]) vertex["weight_vertices"].push_back(0), vertex["shares"].push_back("0");
     for (json& share : none["vertices"][0]["shares"]) share = "0";
@@ -788,6 +796,57 @@ PROPTEST(certificate) {
     return Checked(lines[0].is_accepted() && lines[1].text.find("the shares are not convex") != std::string::npos,
                    static_cast<long>(more["vertices"].size()), lines[0].text + lines[1].text);
   });
+}
+
+void whatever_is_changed_or_forged(Suite& t) {
+  t.holds("whatever bytes or values are changed, the certificate is rejected, with a reason",
+          {.cases = 25, .tags_at_least = {{"40 changes", 1}}}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            CheckedFolder folder;
+            for (const json& document : some_certificates())
+              for (int i = 0; i < 8; ++i) {
+                folder.add(with_other_bytes(sealed(document), random));
+                folder.add(with_other_value(document, random).dump(1, ' ', true) + "\n");
+              }
+            for (const auto& line : folder.check()) RC_ASSERT(line.is_rejected());
+            RC_CLASSIFY(folder.size() >= 40, "40 changes");
+          });
+  t.holds("with a new digest, changed values are accepted or rejected, with a reason", {.cases = 25}, [] {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    CheckedFolder folder;
+    std::vector<json> documents;
+    for (const json& document : some_certificates())
+      for (int i = 0; i < 10; ++i) folder.add(sealed(documents.emplace_back(with_other_value(document, random))));
+    const auto lines = folder.check();
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      RC_ASSERT(lines[i].is_rejected() || (lines[i].is_accepted() && !is_false(documents[i])));
+  });
+  t.holds("no bound proves a ball a little too small, whatever else is forged",
+          {.cases = 40, .tags_at_least = {{"25 forgeries", 0.8}}}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            CheckedFolder folder;
+            Forger forger(random);
+            for (const json& document : some_certificates())
+              for (int i = 0; i < 10; ++i)
+                if (const json false_one = forger.forge(document); is_false(false_one)) folder.add(sealed(false_one));
+            for (const auto& line : folder.check()) RC_ASSERT(line.is_rejected());
+            RC_CLASSIFY(folder.size() >= 25, "25 forgeries");
+          });
+}
+
+}  // namespace
+
+PROPTEST(certificate) {
+  nodes_have_accepted_certificates(t);
+  what_has_no_certificate(t);
+  t.holds(
+      "shrunk by an ulp up to a half, moved, of another node or palette: a ball has a certificate that is accepted, or none, and "
+      "none if a vertex is outside",
+      {.number_type = "double against rational",
+       .cases = 12,
+       .tags_at_least = {{"certified", 0.8}, {"missing a vertex", 0.8}, {"holding all without a certificate", 0.05}}},
+      check_other_balls);
+  joint_sets_and_shares_as_they_are_written(t);
   t.example("what is no certificate is rejected, each for its reason", {}, check_malformed);
   t.example("the checker has at most 370 lines", {}, [] {
     std::ifstream file(oracle::checker());
@@ -800,43 +859,7 @@ PROPTEST(certificate) {
     return oracle::run_checker("").status == 2 && oracle::run_checker(folder.path() + "/absent.json").status == 2 &&
            oracle::run_checker(folder.path()).status == 2;
   });
-
-  static long changed = 0, forged = 0;
-  t.holds("whatever bytes or values are changed, the certificate is rejected, with a reason", {.cases = 25}, [] {
-    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-    CheckedFolder folder;
-    for (const json& document : some_certificates())
-      for (int i = 0; i < 8; ++i) {
-        folder.add(with_other_bytes(sealed(document), random));
-        folder.add(with_other_value(document, random).dump(1, ' ', true) + "\n");
-      }
-    for (const auto& line : folder.check()) RC_ASSERT(line.is_rejected());
-    changed += static_cast<long>(folder.size());
-  });
-  t.holds("with a new digest, changed values are accepted or rejected, with a reason", {.cases = 25}, [] {
-    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-    CheckedFolder folder;
-    std::vector<json> documents;
-    for (const json& document : some_certificates())
-      for (int i = 0; i < 10; ++i) folder.add(sealed(documents.emplace_back(with_other_value(document, random))));
-    const auto lines = folder.check();
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      RC_ASSERT(lines[i].is_rejected() || (lines[i].is_accepted() && !is_false(documents[i])));
-  });
-  t.holds("no bound proves a ball a little too small, whatever else is forged", {.cases = 40}, [] {
-    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-    CheckedFolder folder;
-    Forger forger(random);
-    for (const json& document : some_certificates())
-      for (int i = 0; i < 10; ++i)
-        if (const json false_one = forger.forge(document); is_false(false_one)) folder.add(sealed(false_one));
-    for (const auto& line : folder.check()) RC_ASSERT(line.is_rejected());
-    forged += static_cast<long>(folder.size());
-  });
-  t.example("that were 1000 changes and 1000 forgeries at least", {}, [] {
-    return Checked(changed >= 1000 && forged >= 1000, changed + forged,
-                   std::to_string(changed) + " changes, " + std::to_string(forged) + " forgeries");
-  });
+  whatever_is_changed_or_forged(t);
 }
 
 }  // namespace proptests::suite_certificate
