@@ -314,10 +314,6 @@ const std::vector<std::string> without_environment{
     "model/gltf_numbers.cpp",
     "model/mesh_binding.cpp",
     "model/regular_file.cpp",  // by load_model, gltf_scene, model_of_scene
-    "procedural/procedural_body.cpp",
-    "procedural/procedural_mesh.cpp",
-    "procedural/procedural_polygonise.cpp",
-    "procedural/procedural_skeleton.cpp",  // by make_man and its like
     "tree/check_character.cpp",            // by character_of
     "program/bake_command.cpp",
     "program/collide_command.cpp",
