@@ -313,8 +313,8 @@ const std::vector<std::string> without_environment{
     "model/gltf_nodes.cpp",
     "model/gltf_numbers.cpp",
     "model/mesh_binding.cpp",
-    "model/regular_file.cpp",  // by load_model, gltf_scene, model_of_scene
-    "tree/check_character.cpp",            // by character_of
+    "model/regular_file.cpp",    // by load_model, gltf_scene, model_of_scene
+    "tree/check_character.cpp",  // by character_of
     "program/bake_command.cpp",
     "program/collide_command.cpp",
     "program/clip_certificate.cpp",
