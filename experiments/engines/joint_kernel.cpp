@@ -33,12 +33,12 @@ using Four = Row<float, 4>;
 
 inline Four greater_of(const Four& a, const Four& b) { return a < b ? b : a; }
 
-// In four lanes the greatest of every fourth.
-[[gnu::always_inline]] inline Four in_four_lanes(const Four& x) { return x; }
-[[gnu::always_inline]] inline Four in_four_lanes(const Row<float, 8>& x) {
+// These return the greatest of every fourth lane, in four lanes. Which of them are used depends on the target.
+[[maybe_unused, gnu::always_inline]] inline Four in_four_lanes(const Four& x) { return x; }
+[[maybe_unused, gnu::always_inline]] inline Four in_four_lanes(const Row<float, 8>& x) {
   return greater_of(__builtin_shufflevector(x, x, 0, 1, 2, 3), __builtin_shufflevector(x, x, 4, 5, 6, 7));
 }
-[[gnu::always_inline]] inline Four in_four_lanes(const Row<float, 16>& x) {
+[[maybe_unused, gnu::always_inline]] inline Four in_four_lanes(const Row<float, 16>& x) {
   const Row<float, 8> one = __builtin_shufflevector(x, x, 0, 1, 2, 3, 4, 5, 6, 7),
                       other = __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15);
   return in_four_lanes(one < other ? other : one);
