@@ -91,32 +91,31 @@ REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* s
   }
 }
 
-REFITLAB_KERNEL void merge_boxes(const float* matrices, const float* boxes, int blocks, float* out) {
-  merge_joints<box_numbers, false>(
-      matrices, boxes, blocks, 0, out, [](const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
+// Merges boxes of half extents, rounded by a radius where numbers are those of rounded boxes, whose results alone are grown.
+template <int numbers, bool is_rounded = numbers == rounded_box_numbers>
+[[gnu::always_inline]] inline void merge_boxes_of(const float* matrices, const float* boxes, int blocks, float lost, float* out) {
+  merge_joints<numbers, is_rounded>(
+      matrices, boxes, blocks, lost, out,
+      [](const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
         const Point center = load_row(box, 0), half = load_row(box, 3);
 #pragma GCC unroll 3
         for (int axis = 0; axis < 3; ++axis) {
           const MatrixRow row(some, axis);
-          const S middle = row.image(center), extent = row.extent(half);
+          const S middle = row.image(center);
+          S extent;
+          if constexpr (is_rounded) extent = row.extent(half, load(box + 6 * block_lanes));
+          else extent = row.extent(half);
           merge(axis, extent - middle, extent + middle);
         }
       });
 }
 
+REFITLAB_KERNEL void merge_boxes(const float* matrices, const float* boxes, int blocks, float* out) {
+  merge_boxes_of<box_numbers>(matrices, boxes, blocks, 0, out);
+}
+
 REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* boxes, int blocks, float lost, float* out) {
-  merge_joints<rounded_box_numbers, true>(
-      matrices, boxes, blocks, lost, out,
-      [](const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
-        const Point center = load_row(box, 0), half = load_row(box, 3);
-        const S radius = load(box + 6 * block_lanes);
-#pragma GCC unroll 3
-        for (int axis = 0; axis < 3; ++axis) {
-          const MatrixRow row(some, axis);
-          const S middle = row.image(center), extent = row.extent(half, radius);
-          merge(axis, extent - middle, extent + middle);
-        }
-      });
+  merge_boxes_of<rounded_box_numbers>(matrices, boxes, blocks, lost, out);
 }
 
 REFITLAB_KERNEL void merge_capsules(const float* matrices, const float* capsules, int blocks, float lost, float* out) {

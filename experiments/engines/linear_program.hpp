@@ -25,7 +25,6 @@ class LinearProgram {
   void set_cost(int variable, double cost) { glp_set_obj_coef(program_.get(), variable + 1, cost); }
   // The sum of the terms is at least this. A variable is in a row once at most.
   void add_row(const std::vector<ProgramTerm>& terms, double least);
-  int rows() const { return glp_get_num_rows(program_.get()); }
 
   // False if no least sum is found.
   bool solve();

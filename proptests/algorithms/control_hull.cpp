@@ -6,7 +6,6 @@
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/oracles/control_balls.hpp"
-#include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 
 namespace proptests::suite_control_hull {
 namespace {
@@ -26,20 +25,6 @@ std::vector<Ball3<S>> balls_of(const RefitCase& c) {
 template <class S>
 void assert_holds(const RefitCase& c, const std::vector<Ball3<S>>& balls, Verdict at_least) {
   oracle::assert_holds<SphericalHull, S>(c, balls, at_least);
-}
-
-void check_hull() {
-  const RefitCase c = random_case(gen::Turns::any);
-  for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
-  try {
-    const auto balls = balls_of<Rational>(c);
-    RC_TAG("exact");
-    RC_CLASSIFY(balls.size() > oracle::count_without_halving<SphericalHull>(c), "halved");
-    assert_holds(c, balls, Verdict::holds);
-  } catch (const NoRationalRoot&) {
-    RC_TAG("fallback");
-    assert_holds(c, balls_of<MultiprecisionInterval>(c), Verdict::undecided);  // on the boundary of a cap's ball
-  }
 }
 
 // A joint-set by hand: rotations about the origin without translation, and weight vertices.
@@ -163,13 +148,7 @@ void weight_vertices_that_vanish_or_turn_far(Suite& t) {
 
 PROPTEST(control_hull) {
   t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
-          {.form = "beyond",
-           .number_type = "rational",
-           .cases = 300,
-           .degenerate_at_least = 0.2,
-           .degenerate_at_most = 0.5,
-           .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
-          check_hull);
+          oracle::options_of_hull("beyond"), [] { oracle::check_hull<SphericalHull>(random_case(gen::Turns::any)); });
   t.holds("up to a right angle between joints no root is taken and nothing is halved",
           {.form = "beyond", .number_type = "rational", .cases = 150, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5},
           oracle::check_moderate_turns<SphericalHull>);

@@ -7,7 +7,6 @@
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/oracles/control_balls.hpp"
 #include "proptests/oracles/nearest_point.hpp"
-#include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 
 // There is no rational for it.
 struct Unbounded {};
@@ -48,20 +47,13 @@ std::optional<bool> may_vanish(const gen::SetCase& set) {
 
 void check_hull() {
   const RefitCase c = random_case(gen::Turns::any);
-  for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
   try {
-    const auto balls = balls_of<Rational>(c);
-    RC_TAG("exact");
-    RC_CLASSIFY(balls.size() > oracle::count_without_halving<DualQuaternionHull>(c), "halved");
-    assert_holds(c, balls, Verdict::holds);
+    oracle::check_hull<DualQuaternionHull>(c);
   } catch (const Unbounded&) {
     RC_TAG("unbounded");
     bool some_vanishes = false;
     for (const auto& set : c.sets) some_vanishes = some_vanishes || may_vanish(set).value_or(true);
     RC_ASSERT(some_vanishes);
-  } catch (const NoRationalRoot&) {
-    RC_TAG("fallback");
-    assert_holds(c, balls_of<MultiprecisionInterval>(c), Verdict::undecided);  // on the boundary of a ball
   }
 }
 
@@ -97,13 +89,7 @@ bool is_all_of_space(const RefitCase& c) {
 
 void control_balls_and_what_they_need(Suite& t) {
   t.holds("the hull of the control balls holds every vertex of S with admissible weights, most of them exactly",
-          {.form = "dual quaternion blending",
-           .number_type = "rational",
-           .cases = 300,
-           .degenerate_at_least = 0.2,
-           .degenerate_at_most = 0.5,
-           .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}},
-          check_hull);
+          oracle::options_of_hull("dual quaternion blending"), check_hull);
   t.refuted("it does without the terms T_kl", {.number_type = "rational"}, [] {
     const RefitCase c = *gen::refit_case(gen::Turns::moderate);
     RefitCase still = c;

@@ -13,6 +13,7 @@
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/hull_of_balls.hpp"
+#include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 
 namespace proptests::oracle {
 
@@ -81,6 +82,34 @@ inline gen::RefitCase random_case(gen::Turns turns) {
   const gen::RefitCase c = *gen::refit_case(turns);
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   return c;
+}
+
+// How often the balls of random cases should be exact, halved, or those of the fallback.
+inline Options options_of_hull(const std::string& form) {
+  return {.form = form,
+          .number_type = "rational",
+          .cases = 300,
+          .degenerate_at_least = 0.2,
+          .degenerate_at_most = 0.5,
+          .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}};
+}
+
+// The hull holds the case's samples in rationals, or in intervals on the fallback. There is no rational for all of space: then this
+// throws what all_of_space does.
+template <class Hull>
+void check_hull(const gen::RefitCase& c) {
+  using namespace refitlab;
+  for (const auto& kind : gen::degeneracies(c)) RC_TAG(kind);
+  try {
+    const auto balls = balls_of<Hull, Rational>(c);
+    RC_TAG("exact");
+    RC_CLASSIFY(balls.size() > count_without_halving<Hull>(c), "halved");
+    assert_holds<Hull, Rational>(c, balls, Verdict::holds);
+  } catch (const NoRationalRoot&) {
+    RC_TAG("fallback");
+    assert_holds<Hull, MultiprecisionInterval>(c, balls_of<Hull, MultiprecisionInterval>(c),
+                                               Verdict::undecided);  // on the boundary of a cap's ball
+  }
 }
 
 template <class Hull>
