@@ -159,10 +159,4 @@ std::string certificate(const RefitNode<double>& node, Skinning skinning, const 
   return canonical(document);
 }
 
-std::string note_of_length(const std::string& file, std::size_t bytes) {
-  if (bytes <= most_certificate_bytes) return "";
-  return "note: " + file + ": " + std::to_string(bytes) + " bytes are more than the " + std::to_string(most_certificate_bytes) +
-         " that checkers of certificates read\n";
-}
-
 }  // namespace refitlab

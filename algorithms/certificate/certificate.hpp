@@ -67,9 +67,4 @@ struct CertifiedNode {
 // phases, are certified for the vertices of a node of a deformed_character (runtime/refit/deformed_reference.hpp).
 std::string certificate(const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball, const CertifiedNode& of);
 
-// Checkers of balls and of pairs refuse longer certificates.
-inline constexpr std::size_t most_certificate_bytes = 1 << 24;
-// Returns a line that says that they refuse one of this length, to be shown where it is written to a file, or nothing.
-std::string note_of_length(const std::string& file, std::size_t bytes);
-
 }  // namespace refitlab

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-#include "algorithms/certificate/linear_program.hpp"
+#include "algorithms/certificate/whole_numbers.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {

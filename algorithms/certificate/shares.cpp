@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "algorithms/certificate/linear_program.hpp"
+#include "algorithms/certificate/whole_numbers.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {

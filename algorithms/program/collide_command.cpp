@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "algorithms/certificate/limits.hpp"
 #include "algorithms/certificate/pairs_certificate.hpp"
 #include "algorithms/model/guarded_load.hpp"
 #include "algorithms/program/command.hpp"
@@ -96,7 +97,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     const std::string file = map["certificate"].as<std::string>();
     const std::string text = pairs_certificate(about, posed_body(body_a, name_a), posed_body(body_b, name_b), pairs);
     write_whole(file, text);
-    errors << note_of_length(file, text.size());
+    errors << note_of_refusal(file, refusal_of_length(text.size()));
   }
   if (map.count("json")) {
     nlohmann::ordered_json summary = {{"first", name_a}, {"second", name_b}, {"skinning", name_of(skinning)}};

@@ -6,6 +6,7 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/documents.hpp"
+#include "algorithms/certificate/limits.hpp"
 #include "algorithms/certificate/sha256.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/result_file.hpp"
@@ -77,7 +78,7 @@ void write_certificate(const CertificateRequest& request, Model model) {
   write_whole(model_file, model_text);
   write_whole(pose_file, pose_text);
   write_whole(request.file, text);
-  std::cerr << note_of_length(request.file, text.size());
+  std::cerr << note_of_refusal(request.file, refusal_of_certificate(text));
   std::cout << "certificate of " << about << ": " << request.file << "\ncheck it: proptests/certificate/check --against "
             << model_file << " --pose " << pose_file << ' ' << request.file << '\n';
 }

@@ -22,7 +22,8 @@ struct CertificateRequest {
 inline constexpr LoadOptions certified_models{.joints = Joints::affine, .morphs = Morphs::moving};
 
 // Writes the file, and beside it the documents of the model and of the pose (algorithms/certificate/documents.hpp), with the
-// endings .model and .pose, each whole or not at all. Says on stdout what is in it. Morph targets, and joints that scale in
+// endings .model and .pose, each whole or not at all. Says on stdout what is in it, and on stderr if checkers refuse it for its
+// size. Morph targets, and joints that scale in
 // skinning in two phases, move the vertices first. The document of the model then has the moved vertices, in double. Throws
 // std::invalid_argument for a node, clip, time or variant that does not exist, and NoProof (algorithms/certificate) for a ball
 // that is not proved to hold its vertices.

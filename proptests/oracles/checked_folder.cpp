@@ -72,6 +72,11 @@ std::string CheckedFolder::file(std::size_t number) const {
 
 void CheckedFolder::add(const std::string& text) { std::ofstream(file(count_++), std::ios::binary) << text; }
 
+std::string CheckedFolder::text(std::size_t number) const {
+  std::ifstream in(file(number), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 std::vector<CheckedLine> CheckedFolder::check() const {
   if (count_ == 0) return {};
   const CheckerRun run = run_checker(path(), program_);

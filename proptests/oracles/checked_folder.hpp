@@ -44,6 +44,7 @@ class CheckedFolder {
   explicit CheckedFolder(std::string program = checker()) : program_(std::move(program)) {}
   void add(const std::string& text);
   std::size_t size() const { return count_; }
+  std::string text(std::size_t number) const;  // of one that was added
   std::string path() const { return folder_.path(); }
 
   // A line for each file, in the order in which they were added. Throws std::runtime_error if the checker says anything

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/certificate/limits.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/exact/exact.hpp"
+
+namespace refitlab {
+namespace {
+
+using nlohmann::json;
+
+// Appends all fractions of a document.
+void collect(const json& value, std::vector<std::string>& fractions) {
+  static constexpr std::string_view texts[] = {"about", "by", "digest", "model", "pose", "skinning"};
+  if (value.is_string()) fractions.push_back(value.get<std::string>());
+  if (value.is_array())
+    for (const json& item : value) collect(item, fractions);
+  if (value.is_object())
+    for (const auto& [key, item] : value.items())
+      if (std::ranges::find(texts, key) == std::end(texts)) collect(item, fractions);
+}
+
+bool has_more_digits(std::string_view fraction, std::size_t most) {
+  if (fraction.starts_with('-')) fraction.remove_prefix(1);
+  const std::size_t slash = std::min(fraction.find('/'), fraction.size());
+  return slash > most || fraction.size() > slash + 1 + most;
+}
+
+// Returns how many bits a whole number has; 0 has none.
+std::size_t bits_of(const CGAL::Gmpz& n) { return n == 0 ? 0 : mpz_sizeinbase(n.mpz(), 2); }
+
+// Returns the number of monomials of a degree in this many variables.
+long monomials(long variables, int degree) {
+  return degree == 1   ? variables
+         : degree == 2 ? variables * (variables + 1) / 2
+                       : variables * (variables + 1) * (variables + 2) / 6;
+}
+
+// Returns the terms of a bound for this many weight vertices. The control points of a skinning have its degree in the weights.
+long terms_of(const json& bound, long weight_vertices, int degree) {
+  long terms = monomials(weight_vertices, bound["by"] == "control" ? degree : 1);
+  if (bound.contains("halves"))
+    for (const json& half : bound["halves"]) terms += terms_of(half, weight_vertices, degree);
+  return terms;
+}
+
+long steps_of(const json& document) {
+  const int degree = document["skinning"] == "spherical" ? 3 : document["skinning"] == "dual_quaternion" ? 2 : 1;
+  long steps = 0;
+  for (const json& piece : document["pieces"]) {
+    const long vertices = static_cast<long>(piece["weight_vertices"].size());
+    steps += vertices * static_cast<long>(piece["weight_vertices"][0].size()) + terms_of(piece["bound"], vertices, degree);
+  }
+  for (const json& vertex : document["vertices"])
+    steps += 1 + static_cast<long>(vertex["weights"].size() * vertex["shares"].size());
+  return steps;
+}
+
+}  // namespace
+
+std::string refusal_of_length(std::size_t bytes) {
+  return bytes <= most_certificate_bytes ? "" : "the file has more than " + std::to_string(most_certificate_bytes) + " bytes";
+}
+
+std::string refusal_of_certificate(const std::string& text) {
+  const DefaultFloatEnvironment environment;
+  if (const std::string refusal = refusal_of_length(text.size()); !refusal.empty()) return refusal;
+  const json document = json::parse(text);
+  std::vector<std::string> fractions;
+  collect(document, fractions);
+  for (const std::string& fraction : fractions)
+    if (has_more_digits(fraction, most_certificate_digits))
+      return "is no Fraction of at most " + std::to_string(most_certificate_digits) + " digits each";
+  std::vector<Rational> numbers;
+  for (const std::string& fraction : fractions) numbers.emplace_back(fraction);
+  CGAL::Gmpz scale(1);
+  for (const Rational& n : numbers) {
+    mpz_lcm(scale.mpz(), scale.mpz(), n.denominator().mpz());
+    if (bits_of(scale) > most_certificate_bits)
+      return "the common denominator has more than " + std::to_string(most_certificate_bits) + " bits";
+  }
+  std::size_t longest = 0;
+  for (const Rational& n : numbers)
+    longest = std::max(longest, bits_of(n.numerator()) + bits_of(CGAL::integral_division(scale, n.denominator())));
+  const long factor = 1 + static_cast<long>((bits_of(scale) + longest) / 512);
+  const CGAL::Gmpz work = CGAL::Gmpz(steps_of(document)) * CGAL::Gmpz(factor * factor);
+  if (work <= CGAL::Gmpz(most_certificate_work)) return "";
+  return "the proofs take too much work, " + as_text(Rational(work)) + " of at most " + std::to_string(most_certificate_work);
+}
+
+std::string note_of_refusal(const std::string& file, const std::string& refusal) {
+  return refusal.empty() ? "" : "note: " + file + ": checkers of certificates refuse it: " + refusal + "\n";
+}
+
+}  // namespace refitlab
