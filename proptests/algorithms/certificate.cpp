@@ -708,7 +708,7 @@ void nodes_have_accepted_certificates(Suite& t) {
     t.example("five nodes have certificates by every sound variant, and all are accepted: " + std::string(file), exact, [=] {
       const std::string path = std::string("out/models/") + file;
       return std::filesystem::exists(path) ? check_model(bake(load_model(path)))
-                                           : Checked(true, 0, "skipped: " + path + " is not there");
+                                           : Checked::skip(path + " is not there");
     });
 }
 

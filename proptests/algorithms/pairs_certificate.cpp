@@ -83,7 +83,7 @@ Checked check_query(const Character& c, const Pose& pose, const Pose& other, Ski
 
 Checked check_file(const std::string& file) {
   const std::string path = "out/models/" + file;
-  if (!std::filesystem::exists(path)) return Checked(true, 0, "skipped: " + path + " is not there");
+  if (!std::filesystem::exists(path)) return Checked::skip(path + " is not there");
   const AnimatedCharacter c = bake(load_model(path));
   const Clip& clip = c.clips.at(0);
   return check_query(c, clip.sample(0.25 * clip.duration), clip.sample(0.75 * clip.duration), Skinning::linear, {0.3, 0, 0.1});

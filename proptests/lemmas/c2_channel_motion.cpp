@@ -112,7 +112,7 @@ void arcs_are_as_long_as_said(Suite& t) {
           {.form = "beyond",
            .number_type = "multiprecision interval",
            .cases = 400,
-           .degenerate_at_least = 0.05,
+           .degenerate_at_least = 0.02,
            .degenerate_at_most = 0.5},
           [] {
             const RationalQuaternion from = *gen::unit_quaternion(), to = *gen::unit_quaternion();
