@@ -94,7 +94,7 @@ std::string refusal_of_certificate(const std::string& text) {
 }
 
 std::string note_of_refusal(const std::string& file, const std::string& refusal) {
-  return refusal.empty() ? "" : "note: " + file + ": checkers of certificates refuse it: " + refusal + "\n";
+  return refusal.empty() ? "" : "note: " + file + ": is refused by checkers of certificates: " + refusal + "\n";
 }
 
 }  // namespace refitlab

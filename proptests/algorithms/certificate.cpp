@@ -707,8 +707,7 @@ void nodes_have_accepted_certificates(Suite& t) {
   for (const char* file : {"BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"})
     t.example("five nodes have certificates by every sound variant, and all are accepted: " + std::string(file), exact, [=] {
       const std::string path = std::string("out/models/") + file;
-      return std::filesystem::exists(path) ? check_model(bake(load_model(path)))
-                                           : Checked::skip(path + " is not there");
+      return std::filesystem::exists(path) ? check_model(bake(load_model(path))) : Checked::skip(path + " is not there");
     });
 }
 

@@ -429,7 +429,7 @@ void collide_tells_of_long_certificates(Suite& t) {
     chunks[0].data = description.dump();
     write_whole(other, glb_of(chunks, other));
     const Called longer = call({"collide", "--clip-a", name, "--certificate", why, other, in});
-    const std::string said = "note: " + why + ": checkers of certificates refuse it: the file has more than 16777216 bytes";
+    const std::string said = "note: " + why + ": is refused by checkers of certificates: the file has more than 16777216 bytes";
     const bool is_said = longer.code == 0 && longer.errors.find(said) != std::string::npos;
     const auto refused = oracle::run_checker(why, oracle::pairs_checker());
     const bool is_refused = refused.lines.size() == 1 && refused.lines[0].ends_with("the file has more than 16777216 bytes");
