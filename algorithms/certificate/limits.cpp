@@ -69,7 +69,7 @@ std::string refusal_of_length(std::size_t bytes) {
 
 std::string refusal_of_certificate(const std::string& text) {
   const DefaultFloatEnvironment environment;
-  if (const std::string refusal = refusal_of_length(text.size()); !refusal.empty()) return refusal;
+  if (std::string refusal = refusal_of_length(text.size()); !refusal.empty()) return refusal;
   const json document = json::parse(text);
   std::vector<std::string> fractions;
   collect(document, fractions);
