@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <vector>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -23,12 +22,6 @@ void collect(const json& value, std::vector<std::string>& fractions) {
   if (value.is_object())
     for (const auto& [key, item] : value.items())
       if (std::ranges::find(texts, key) == std::end(texts)) collect(item, fractions);
-}
-
-bool has_more_digits(std::string_view fraction, std::size_t most) {
-  if (fraction.starts_with('-')) fraction.remove_prefix(1);
-  const std::size_t slash = std::min(fraction.find('/'), fraction.size());
-  return slash > most || fraction.size() > slash + 1 + most;
 }
 
 // Returns how many bits a whole number has; 0 has none.
@@ -63,6 +56,12 @@ long steps_of(const json& document) {
 
 }  // namespace
 
+bool has_too_many_digits(std::string_view fraction) {
+  if (fraction.starts_with('-')) fraction.remove_prefix(1);
+  const std::size_t slash = std::min(fraction.find('/'), fraction.size());
+  return slash > most_certificate_digits || fraction.size() > slash + 1 + most_certificate_digits;
+}
+
 std::string refusal_of_length(std::size_t bytes) {
   return bytes <= most_certificate_bytes ? "" : "the file has more than " + std::to_string(most_certificate_bytes) + " bytes";
 }
@@ -74,7 +73,7 @@ std::string refusal_of_certificate(const std::string& text) {
   std::vector<std::string> fractions;
   collect(document, fractions);
   for (const std::string& fraction : fractions)
-    if (has_more_digits(fraction, most_certificate_digits))
+    if (has_too_many_digits(fraction))
       return "is no Fraction of at most " + std::to_string(most_certificate_digits) + " digits each";
   std::vector<Rational> numbers;
   for (const std::string& fraction : fractions) numbers.emplace_back(fraction);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace refitlab {
 
@@ -13,6 +14,8 @@ inline constexpr std::size_t most_certificate_digits = 400;     // of a numerato
 inline constexpr std::size_t most_certificate_bits = 1 << 13;   // of the common denominator of all numbers
 inline constexpr long most_certificate_work = 500'000;          // of the proofs of a ball
 
+// Returns whether checkers of balls and of pairs refuse a fraction, such as "-3/8" or "5", for its length.
+bool has_too_many_digits(std::string_view fraction);
 // Returns why checkers of balls and of pairs refuse a certificate of this many bytes, or nothing.
 std::string refusal_of_length(std::size_t bytes);
 // Returns why checkers of balls refuse a certificate of a ball (certificate.hpp) before any of its proofs, or nothing. The reason

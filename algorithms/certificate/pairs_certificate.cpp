@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/certificate/exact_json.hpp"
+#include "algorithms/certificate/limits.hpp"
 #include "algorithms/certificate/sha256.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -12,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_digits = 400;  // of a numerator and of a denominator, as the checkers have it
-
 json json_of(const PosedBody& body) {
   json out{{"name", body.name}, {"triangles", body.triangles}};
   for (const Point3& p : body.vertices) out["vertices"].push_back(exact_json(p));
@@ -21,10 +20,8 @@ json json_of(const PosedBody& body) {
 }
 
 json json_of(const Rational& number) {
-  const std::string text = as_text(number), above = text.substr(text.starts_with('-'));
-  const std::size_t line = std::min(above.find('/'), above.size());
-  if (line > most_digits || above.size() > line + 1 + most_digits)
-    throw NoProof("a reason has a number of more than 400 digits, which checkers refuse");
+  const std::string text = as_text(number);
+  if (has_too_many_digits(text)) throw NoProof("a reason has a number of more than 400 digits, which checkers refuse");
   return text;
 }
 

@@ -23,10 +23,9 @@ inline constexpr LoadOptions certified_models{.joints = Joints::affine, .morphs 
 
 // Writes the file, and beside it the documents of the model and of the pose (algorithms/certificate/documents.hpp), with the
 // endings .model and .pose, each whole or not at all. Says on stdout what is in it, and on stderr if checkers refuse it for its
-// size. Morph targets, and joints that scale in
-// skinning in two phases, move the vertices first. The document of the model then has the moved vertices, in double. Throws
-// std::invalid_argument for a node, clip, time or variant that does not exist, and NoProof (algorithms/certificate) for a ball
-// that is not proved to hold its vertices.
+// size. Morph targets, and joints that scale in skinning in two phases, move the vertices first. The document of the model then
+// has the moved vertices, in double. Throws std::invalid_argument for a node, clip, time or variant that does not exist, and
+// NoProof (algorithms/certificate) for a ball that is not proved to hold its vertices.
 void write_certificate(const CertificateRequest& request, Model model);
 
 }  // namespace refitlab

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "algorithms/certificate/sha256.hpp"
+#include "algorithms/results/write_whole.hpp"
 
 namespace proptests::oracle {
 
@@ -72,10 +73,7 @@ std::string CheckedFolder::file(std::size_t number) const {
 
 void CheckedFolder::add(const std::string& text) { std::ofstream(file(count_++), std::ios::binary) << text; }
 
-std::string CheckedFolder::text(std::size_t number) const {
-  std::ifstream in(file(number), std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+std::string CheckedFolder::text(std::size_t number) const { return refitlab::read_whole(file(number)); }
 
 std::vector<CheckedLine> CheckedFolder::check() const {
   if (count_ == 0) return {};
