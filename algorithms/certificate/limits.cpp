@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -26,6 +28,34 @@ void collect(const json& value, std::vector<std::string>& fractions) {
 
 // Returns how many bits a whole number has; 0 has none.
 std::size_t bits_of(const CGAL::Gmpz& n) { return n == 0 ? 0 : mpz_sizeinbase(n.mpz(), 2); }
+
+// Returns the bits of the common denominator and of the longest of the fractions over it, or nothing if the denominator has more than
+// checkers take.
+std::optional<long> bits_of(const std::vector<std::string>& fractions) {
+  std::vector<Rational> numbers;
+  for (const std::string& fraction : fractions) numbers.emplace_back(fraction);
+  CGAL::Gmpz scale(1);
+  for (const Rational& n : numbers) {
+    mpz_lcm(scale.mpz(), scale.mpz(), n.denominator().mpz());
+    if (bits_of(scale) > most_certificate_bits) return std::nullopt;
+  }
+  std::size_t longest = 0;
+  for (const Rational& n : numbers)
+    longest = std::max(longest, bits_of(n.numerator()) + bits_of(CGAL::integral_division(scale, n.denominator())));
+  return static_cast<long>(bits_of(scale) + longest);
+}
+
+std::string refusal_of_bits(const char* article) {
+  return std::string(article) + " common denominator has more than " + std::to_string(most_certificate_bits) + " bits";
+}
+
+// Returns a refusal of this many steps with numbers of this many bits, or nothing. what: whose work it is.
+std::string refusal_of_work(const char* what, long steps, long bits, long most) {
+  const long factor = 1 + bits / 512;
+  const CGAL::Gmpz work = CGAL::Gmpz(steps) * CGAL::Gmpz(factor * factor);
+  if (work <= CGAL::Gmpz(most)) return "";
+  return std::string(what) + " too much work, " + as_text(Rational(work)) + " of at most " + std::to_string(most);
+}
 
 // Returns the number of monomials of a degree in this many variables.
 long monomials(long variables, int degree) {
@@ -54,6 +84,22 @@ long steps_of(const json& document) {
   return steps;
 }
 
+// Returns the sum of the triangles of both sets, over the steps of a certificate of pairs.
+long triangles_of_steps(const json& document) {
+  std::vector<std::pair<long, long>> todo{
+      {static_cast<long>(document["first_order"].size()), static_cast<long>(document["second_order"].size())}};
+  long sum = 0;
+  for (const json& step : document["steps"]) {
+    if (todo.empty()) break;  // of more steps no proof comes
+    const auto [m, n] = todo.back();
+    todo.pop_back();
+    sum += m + n;
+    if (step == "first") todo.insert(todo.end(), {{m - m / 2, n}, {m / 2, n}});
+    if (step == "second") todo.insert(todo.end(), {{m, n - n / 2}, {m, n / 2}});
+  }
+  return sum;
+}
+
 }  // namespace
 
 bool has_too_many_digits(std::string_view fraction) {
@@ -75,21 +121,29 @@ std::string refusal_of_certificate(const std::string& text) {
   for (const std::string& fraction : fractions)
     if (has_too_many_digits(fraction))
       return "is no Fraction of at most " + std::to_string(most_certificate_digits) + " digits each";
-  std::vector<Rational> numbers;
-  for (const std::string& fraction : fractions) numbers.emplace_back(fraction);
-  CGAL::Gmpz scale(1);
-  for (const Rational& n : numbers) {
-    mpz_lcm(scale.mpz(), scale.mpz(), n.denominator().mpz());
-    if (bits_of(scale) > most_certificate_bits)
-      return "the common denominator has more than " + std::to_string(most_certificate_bits) + " bits";
+  const std::optional<long> bits = bits_of(fractions);
+  if (!bits) return refusal_of_bits("the");
+  return refusal_of_work("the proofs take", steps_of(document), *bits, most_certificate_work);
+}
+
+std::string refusal_of_pairs_certificate(const std::string& text) {
+  const DefaultFloatEnvironment environment;
+  if (std::string refusal = refusal_of_length(text.size()); !refusal.empty()) return refusal;
+  const json document = json::parse(text);
+  std::vector<json> groups{
+      json::array({document["first"]["vertices"], document["second"]["vertices"]})};  // with a denominator each
+  for (const json& step : document["steps"])
+    if (step.is_object()) groups.push_back(step);
+  for (const json& contact : document["contacts"]) groups.push_back(json::array({contact["first"], contact["second"]}));
+  long most = 0;
+  for (const json& group : groups) {
+    std::vector<std::string> fractions;
+    collect(group, fractions);
+    const std::optional<long> bits = bits_of(fractions);
+    if (!bits) return refusal_of_bits("a");
+    most = std::max(most, *bits);
   }
-  std::size_t longest = 0;
-  for (const Rational& n : numbers)
-    longest = std::max(longest, bits_of(n.numerator()) + bits_of(CGAL::integral_division(scale, n.denominator())));
-  const long factor = 1 + static_cast<long>((bits_of(scale) + longest) / 512);
-  const CGAL::Gmpz work = CGAL::Gmpz(steps_of(document)) * CGAL::Gmpz(factor * factor);
-  if (work <= CGAL::Gmpz(most_certificate_work)) return "";
-  return "the proofs take too much work, " + as_text(Rational(work)) + " of at most " + std::to_string(most_certificate_work);
+  return refusal_of_work("the proof takes", triangles_of_steps(document), most, most_pairs_work);
 }
 
 std::string note_of_refusal(const std::string& file, const std::string& refusal) {

@@ -97,7 +97,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     const std::string file = map["certificate"].as<std::string>();
     const std::string text = pairs_certificate(about, posed_body(body_a, name_a), posed_body(body_b, name_b), pairs);
     write_whole(file, text);
-    errors << note_of_refusal(file, refusal_of_length(text.size()));
+    errors << note_of_refusal(file, refusal_of_pairs_certificate(text));
   }
   if (map.count("json")) {
     nlohmann::ordered_json summary = {{"first", name_a}, {"second", name_b}, {"skinning", name_of(skinning)}};

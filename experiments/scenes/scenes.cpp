@@ -7,13 +7,9 @@
 
 #include "algorithms/model/guarded_load.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/real_models.hpp"
 
 namespace refitlab {
-namespace {
-
-const char* const real_models[] = {"BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"};
-
-}  // namespace
 
 Model load_named(const std::string& path, const LoadOptions& options) {
   Model model = load_model_guarded(path, options);

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "algorithms/bake/parallel.hpp"
-#include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/methods/refit/volume_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
@@ -17,7 +16,15 @@
 namespace refitlab {
 namespace {
 
-const char* const ball_variant = "control_mixed";
+// Dual quaternions are left out: where a blend may vanish, their volumes have no size.
+constexpr Skinning measured_skinnings[] = {Skinning::spherical, Skinning::linear};
+
+std::vector<const VolumeVariant*> variants_of(Skinning skinning) {
+  std::vector<const VolumeVariant*> out;
+  for (const VolumeVariant& variant : volume_variants())
+    if (variant.skinning == skinning) out.push_back(&variant);
+  return out;
+}
 
 double size_of(const Volume& volume) {
   const double area = std::visit([](const auto& v) { return v.surface_area(); }, volume);
@@ -52,37 +59,37 @@ std::vector<int> some_nodes(const SphereTree& tree, int per_level) {
 
 using Volumes = std::map<std::string, std::vector<LevelVolumes>>;
 
-Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const Pose& pose) {
-  const auto palette = make_skinning_palette(c.mesh, c.sets, pose, Skinning::spherical);
-  const auto deformed = skin(c.mesh, c.sets, palette, Skinning::spherical);
+void measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const Pose& pose, Skinning skinning, Volumes& out) {
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+  const auto deformed = skin(c.mesh, c.sets, palette, skinning);
   const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
-  const RefitVariant& balls = compared_variant(ball_variant);
-  Volumes out;
-  for (const VolumeVariant& variant : volume_variants()) out[variant.name].resize(c.tree.level_count());
+  const RefitVariant& balls = default_variant(skinning);
+  for (const VolumeVariant* variant : variants_of(skinning)) out[variant->name].resize(c.tree.level_count());
   std::vector<Ball3<double>> points;
   for (const int n : nodes) {
     points.clear();
     for (const int v : c.vertices[n]) points.push_back({deformed[v], 0.0});
     const Ball3<double> ball = balls.refit(c.refit_node(n, palette, balls.pieces));
-    for (const VolumeVariant& variant : volume_variants()) {
-      LevelVolumes& level = out[variant.name][c.tree.nodes[n].level - 1];
-      const Volume volume = variant.refit(c.refit_node(n, palette, variant.pieces));
+    for (const VolumeVariant* variant : variants_of(skinning)) {
+      LevelVolumes& level = out[variant->name][c.tree.nodes[n].level - 1];
+      const Volume volume = variant->refit(c.refit_node(n, palette, variant->pieces));
       ++level.nodes;
       level.misses += !holds_all(volume, points, tolerance);
       level.size_sum += size_of(volume);
-      level.optimal_sum += size_of(variant.around(points));
+      level.optimal_sum += size_of(variant->around(points));
       level.ball_sum += ball.radius;
       if (ball.radius <= tolerance) continue;  // the vertices are one point, up to rounding
       ++level.solid_nodes;
       level.volume_ratio_sum += std::visit([](const auto& v) { return v.volume(); }, volume) / volume_of(ball);
     }
   }
-  return out;
 }
 
 Volumes measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const PoseSet& set) {
   std::vector<Volumes> parts(set.poses.size());
-  parallel_for(parts.size(), [&](std::size_t i) { parts[i] = measure(c, nodes, set.poses[i]); });
+  parallel_for(parts.size(), [&](std::size_t i) {
+    for (const Skinning skinning : measured_skinnings) measure(c, nodes, set.poses[i], skinning, parts[i]);
+  });
   Volumes total = std::move(parts[0]);
   for (std::size_t i = 1; i < parts.size(); ++i)  // in order, so that sums do not depend on the threads
     for (auto& [variant, levels] : total)
@@ -94,13 +101,13 @@ void print_table(const VolumeResult& r) {
   std::printf("\n%s, %s (%d pose%s): size / the same volume of the deformed vertices; volume / the ball's\n", r.model.c_str(),
               r.pose.c_str(), r.poses, r.poses == 1 ? "" : "s");
   std::printf("%5s %7s", "level", "nodes");
-  for (const VolumeVariant& variant : volume_variants()) std::printf(" | %-13s", variant.name.c_str());
+  for (const auto& [variant, by_level] : r.volumes) std::printf(" | %-13s", variant.c_str());
   std::printf("\n");
   const std::size_t levels = r.volumes.begin()->second.size();
   for (std::size_t l = 0; l < levels; ++l) {
     std::printf("%5zu %7ld", l + 1, r.volumes.begin()->second[l].nodes / r.poses);
-    for (const VolumeVariant& variant : volume_variants()) {
-      const LevelVolumes& level = r.volumes.at(variant.name)[l];
+    for (const auto& [variant, by_level] : r.volumes) {
+      const LevelVolumes& level = by_level[l];
       std::printf(" | %6.3f %6.3f", level.ratio_to_optimal(), level.volume_to_ball());
     }
     std::printf("\n");
@@ -111,8 +118,9 @@ void print_table(const VolumeResult& r) {
   std::printf("  volumes that miss a vertex: %ld of %ld\n", misses, nodes);
 }
 
-std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPose& pose, const SpeedSettings& settings) {
-  const auto palette = make_skinning_palette(c.mesh, c.sets, pose.pose, Skinning::spherical);
+std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPose& pose, Skinning skinning,
+                                      const SpeedSettings& settings) {
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose.pose, skinning);
   const int count = static_cast<int>(c.tree.nodes.size());
   std::vector<Timed> timed;
   const auto add = [&](const auto& variant) {
@@ -121,15 +129,16 @@ std::vector<VolumeCost> measure_costs(const AnimatedCharacter& c, const NamedPos
                          benchmark::DoNotOptimize(variant.refit(c.refit_node(n, palette, variant.pieces)));
                      }});
   };
-  add(compared_variant(ball_variant));
-  for (const VolumeVariant& variant : volume_variants()) add(variant);
+  const RefitVariant& balls = default_variant(skinning);
+  add(balls);
+  for (const VolumeVariant* variant : variants_of(skinning)) add(*variant);
   const auto times = ns_per_item(timed, settings);
   std::vector<VolumeCost> out;
   for (const Timed& refit : timed) {
     const auto& own = times.at(refit.name);
-    out.push_back({c.mesh.name, pose.name, pose.kind, refit.name, median(own), median_ratio(own, times.at(ball_variant))});
+    out.push_back({c.mesh.name, pose.name, pose.kind, refit.name, median(own), median_ratio(own, times.at(balls.name))});
     std::printf("  %-26s %8.1f ns per node, %6.2f times %s\n", refit.name.c_str(), out.back().ns_per_node,
-                out.back().ratio_to_ball, ball_variant);
+                out.back().ratio_to_ball, balls.name.c_str());
   }
   return out;
 }
@@ -147,8 +156,10 @@ void run_volumes(const AnimatedCharacter& c, const NamedPose& pose, const Volume
     results.tightness.push_back({c.mesh.name, sets[i].name, sets[i].kind, poses, measure(c, nodes, sets[i])});
     print_table(results.tightness.back());
   }
-  const auto costs = measure_costs(c, pose, settings.speed);
-  results.costs.insert(results.costs.end(), costs.begin(), costs.end());
+  for (const Skinning skinning : measured_skinnings) {
+    const auto costs = measure_costs(c, pose, skinning, settings.speed);
+    results.costs.insert(results.costs.end(), costs.begin(), costs.end());
+  }
 }
 
 void write_volumes(const VolumeResults& results, const std::string& path) {

@@ -26,7 +26,7 @@ struct VolumeResult {
 struct VolumeCost {
   std::string model, pose, pose_kind, variant;
   double ns_per_node;    // median over the repetitions
-  double ratio_to_ball;  // the same of the ratio to control_mixed, which is in the list too
+  double ratio_to_ball;  // the same of the ratio to the default balls of the skinning, which are in the list too
 };
 
 struct VolumeSettings {

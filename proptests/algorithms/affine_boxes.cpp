@@ -161,8 +161,28 @@ bool has(const Box<float>& box, const Point3& p) {
   return true;
 }
 
+// The body's boxes have all vertices of its triangles, which are given in the world; the motion bound of a mesh that is not deformed in
+// the frame has those of no triangle, too.
+void assert_held(ClusterBody& body, const std::vector<Point3>& skinned, bool is_of_mesh) {
+  const ClusterTree& tree = body.tree();
+  if (is_of_mesh)
+    for (const Point3& v : skinned) RC_ASSERT(is_inside(body.motion_bound(), v));
+  for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); ++f) {
+    const Box<float>& box = body.wide_node_box(f);
+    for (int k = 0; k < tree.wide_nodes()[static_cast<std::size_t>(f)].child_count; ++k) {
+      const WideNodeChild& child = tree.child(f, k);
+      if (child.cluster < 0) continue;
+      const Cluster& cluster = tree.clusters()[static_cast<std::size_t>(child.cluster)];
+      for (int t = 0; t < cluster.triangle_count; ++t)
+        for (const int v : tree.character().mesh.triangles[static_cast<std::size_t>(tree.triangles(child.cluster)[t])])
+          RC_ASSERT(has(box, skinned[static_cast<std::size_t>(v)] - body.clusters().origin()) &&
+                    is_inside(body.motion_bound(), skinned[static_cast<std::size_t>(v)]));
+    }
+  }
+}
+
 // Two bodies of one mesh: their boxes have the vertices, and their pairs are those of all pairs. Linear skinning has affine joints;
-// other skinning has deformed characters.
+// other skinning has scales. These and morph targets are of the frame, or of characters made anew.
 void check_clusters() {
   const auto plan = *gen::mesh_plan();
   std::mt19937 random(plan.seed);
@@ -173,6 +193,8 @@ void check_clusters() {
   const JointKind kind = *rc::gen::element(JointKind::uniform, JointKind::axes, JointKind::shear, JointKind::mirrored);
   const Character c = bake(mesh, {.triangles_per_leaf = *rc::gen::element(1, 3)}, {Pieces::mixed});
   const ClusterOptions options{.most_triangles = *rc::gen::element(1, 4, 16), .most_children = 3};
+  const bool is_made_anew = *rc::gen::arbitrary<bool>();
+  RC_CLASSIFY(!is_made_anew, "deformed in the frame");
   std::vector<Character> characters;
   std::vector<ClusterTree> trees;
   std::vector<std::unique_ptr<ClusterBody>> bodies;
@@ -184,8 +206,8 @@ void check_clusters() {
     const RigidTransform<double> at = random_placement(random, 0.3);
     const std::vector<double> weights = gen::random_weights(mesh, random);
     const Deformation deformation{weights, skinning == Skinning::linear ? AffinePose() : scales};
-    characters.push_back(deformed_character(c, deformation));
-    trees.emplace_back(characters.back(), options);
+    if (is_made_anew) characters.push_back(deformed_character(c, deformation));
+    trees.emplace_back(is_made_anew ? characters.back() : c, options);
     bodies.push_back(std::make_unique<ClusterBody>(trees.back(), skinning));
     ClusterBody& body = *bodies.back();
     if (random() % 2) body.begin(reference_pose(mesh), {});  // a frame before, of rigid joints
@@ -193,30 +215,33 @@ void check_clusters() {
                                                       : make_skinning_palette(mesh, c.sets, rigid, skinning);
     skinned[i] = skin(mesh, c.sets, palette, skinning, deformation);
     for (Point3& v : skinned[i]) v = apply(at, v);
-    if (skinning == Skinning::linear) body.begin(pose, at);
-    else body.begin(rigid, at);
-    for (const Point3& v : skinned[i]) RC_ASSERT(is_inside(body.motion_bound(), v));
-    for (int f = 0; f < static_cast<int>(trees.back().wide_nodes().size()); ++f) {
-      const Box<float>& box = body.wide_node_box(f);
-      for (int k = 0; k < trees.back().wide_nodes()[static_cast<std::size_t>(f)].child_count; ++k) {
-        const WideNodeChild& child = trees.back().child(f, k);
-        if (child.cluster < 0) continue;
-        const Cluster& cluster = trees.back().clusters()[static_cast<std::size_t>(child.cluster)];
-        for (int t = 0; t < cluster.triangle_count; ++t)
-          for (const int v : mesh.triangles[static_cast<std::size_t>(trees.back().triangles(child.cluster)[t])])
-            RC_ASSERT(has(box, skinned[i][static_cast<std::size_t>(v)] - body.clusters().origin()));
-      }
-    }
+    if (is_made_anew && skinning != Skinning::linear) body.begin(rigid, at);
+    else if (skinning != Skinning::linear && random() % 2) body.begin(rigid, at, deformation);
+    else body.begin(pose, at, is_made_anew ? std::vector<double>() : weights);
+    if (random() % 2) assert_held(body, skinned[i], is_made_anew);
   }
   const auto expected = oracle::all_pairs(mesh.triangles, skinned[0], mesh.triangles, skinned[1]);
   RC_CLASSIFY(!expected.empty(), "touching");
   QueryCounts counts;
-  RC_ASSERT(oracle::sorted(collide(*bodies[0], *bodies[1], Query::full, counts)) == expected);
+  PairMemory memory;
+  for (int i = 0; i < 2; ++i) {
+    RC_ASSERT(oracle::sorted(collide(*bodies[0], *bodies[1], Query::full, counts, &memory)) == expected);
+    RC_ASSERT(collide(*bodies[0], *bodies[1], Query::yes_no, counts, &memory).empty() == expected.empty());
+  }
   CrowdCounts crowd_counts;
   ClusterBody* const crowd[] = {bodies[0].get(), bodies[1].get()};
   const auto contacts = collide_all(crowd, Query::full, crowd_counts);
   RC_ASSERT(contacts.empty() == expected.empty());
   if (!contacts.empty()) RC_ASSERT(oracle::sorted(contacts[0].pairs) == expected);
+  for (int i = 0; i < 2; ++i) {
+    const Character& own = trees[static_cast<std::size_t>(i)].character();
+    bodies[i]->begin(reference_pose(mesh), {});
+    skinned[i] = skin(own.mesh, own.sets, make_skinning_palette(own.mesh, own.sets, reference_pose(mesh), skinning), skinning);
+    for (Point3& v : skinned[i]) v = apply(RigidTransform<double>{}, v);
+    assert_held(*bodies[i], skinned[i], true);
+  }
+  RC_ASSERT(oracle::sorted(collide(*bodies[0], *bodies[1], Query::full, counts, &memory)) ==
+            oracle::all_pairs(mesh.triangles, skinned[0], mesh.triangles, skinned[1]));
 }
 
 }  // namespace
@@ -235,18 +260,28 @@ PROPTEST(affine_boxes) {
   t.holds("the box of an image is as large as the smaller of those of the ball and of the box",
           {.number_type = "double", .cases = 400, .tags_at_least = {{"by the ball", 0.2}, {"by the box", 0.2}}}, check_image);
   t.holds("clusters of affine joints, and of deformed characters, touch where all pairs of skinned triangles say so",
-          {.number_type = "double", .cases = 250, .tags_at_least = {{"touching", 0.3}}}, check_clusters);
-  t.example("a body of affine joints is refused where skinning is not linear", {}, [] {
-    const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}), {}, {});
-    const ClusterTree tree(c);
-    ClusterBody body(tree, Skinning::spherical);
+          {.number_type = "double", .cases = 400, .tags_at_least = {{"touching", 0.3}, {"deformed in the frame", 0.4}}},
+          check_clusters);
+  t.example("a deformation in the frame is refused without the default variant's pieces, and with a weight too many", {}, [] {
+    SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
     std::mt19937 random(1);
+    const auto pose = gen::random_affine_pose(mesh, JointKind::axes, random);
+    const Character bare = bake(mesh, {}, {}), whole = bake(mesh, {}, {Pieces::mixed});
+    const ClusterTree bare_tree(bare), whole_tree(whole);
+    ClusterBody without(bare_tree, Skinning::spherical), with(whole_tree, Skinning::spherical);
+    long refused = 0;
     try {
-      body.begin(gen::random_affine_pose(c.mesh, JointKind::axes, random), {});
-      return false;
+      without.begin(pose, {});
     } catch (const std::invalid_argument&) {
-      return true;
+      ++refused;
     }
+    try {
+      with.begin(pose, {}, {0.5});
+    } catch (const ModelError&) {
+      ++refused;
+    }
+    with.begin(pose, {});
+    return Checked(refused == 2, 2);
   });
 }
 

@@ -16,6 +16,7 @@
 #include "algorithms/verification/exact_skin.hpp"
 #include "algorithms/verification/synthetic_case.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/real_models.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/gen/bare_certified_node.hpp"
 #include "proptests/gen/deformations.hpp"
@@ -704,7 +705,7 @@ void nodes_have_accepted_certificates(Suite& t) {
             [] { return check_model(bake(make_man())); });
   t.example("five nodes of the procedural creature have certificates by every sound variant, and all are accepted", exact,
             [] { return check_model(bake(make_creature())); });
-  for (const char* file : {"BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"})
+  for (const char* file : real_models)
     t.example("five nodes have certificates by every sound variant, and all are accepted: " + std::string(file), exact, [=] {
       const std::string path = std::string("out/models/") + file;
       return std::filesystem::exists(path) ? check_model(bake(load_model(path))) : Checked::skip(path + " is not there");

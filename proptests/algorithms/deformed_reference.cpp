@@ -21,6 +21,7 @@
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/checked_folder.hpp"
+#include "proptests/oracles/volume.hpp"
 
 namespace proptests::suite_deformed_reference {
 namespace {
@@ -69,9 +70,8 @@ bool has(const Ball3<double>& ball, const Point3& v) {
   return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(v)) == Verdict::holds;
 }
 
-bool bounds(const RefitVariant& variant, Skinning skinning) {
-  return variant.sound && variant.skinning == (skinning == Skinning::hejl ? Skinning::spherical : skinning);
-}
+Skinning bounded_as(Skinning skinning) { return skinning == Skinning::hejl ? Skinning::spherical : skinning; }
+bool bounds(const RefitVariant& variant, Skinning skinning) { return variant.sound && variant.skinning == bounded_as(skinning); }
 
 void check_variants() {
   const Deformed d;
@@ -95,6 +95,29 @@ void check_variants() {
       }
     }
   }
+}
+
+// Volumes other than balls, of three nodes.
+void check_volumes() {
+  const Deformed d;
+  const Character c = d.baked();
+  const auto palette = d.palette(c.sets);
+  const auto skinned = skin(c.mesh, c.sets, palette, d.skinning, d.deformation);
+  ExactSkin exact(c.mesh, c.sets, palette, d.skinning, d.deformation);
+  DeformedReference reference(c, Pieces::mixed);
+  reference.begin(d.deformation);
+  const int nodes = static_cast<int>(c.tree.nodes.size());
+  long tried = 0;
+  for (const VolumeVariant& variant : volume_variants()) {
+    if (variant.skinning != bounded_as(d.skinning)) continue;
+    for (const int n : {0, nodes / 2, nodes - 1}) {
+      const Volume volume = variant.refit(reference.refit_node(n, palette));
+      for (const int v : c.vertices[n])
+        RC_ASSERT(oracle::has(volume, exact.exact(v)) && oracle::has(volume, convert<Rational>(skinned[v])));
+      tried += oracle::is_all_of_space(volume) ? 0 : 1;
+    }
+  }
+  RC_CLASSIFY(tried > 0, "bounded");
 }
 
 // Every deformed vertex, exactly and in double, is in the ball of a piece of its joint-set, and in that of the node.
@@ -339,6 +362,10 @@ PROPTEST(deformed_reference) {
            .degenerate_at_most = 0.5,
            .tags_at_least = tags},
           check_variants);
+  t.holds(
+      "no box, k-DOP or oriented box misses a vertex of them either",
+      {.number_type = "double against rational", .cases = 200, .degenerate_at_most = 0.5, .tags_at_least = {{"bounded", 0.7}}},
+      check_volumes);
   t.holds("every deformed vertex is in the ball of a piece, exactly and in double",
           {.number_type = "double against rational", .cases = 200, .degenerate_at_most = 0.5}, check_references);
   t.holds("bounds for weights in intervals hold for every one of them",

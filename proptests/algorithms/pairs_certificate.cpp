@@ -3,12 +3,14 @@
 // condition of the checker is needed for something false to be rejected.
 #include "algorithms/certificate/pairs_certificate.hpp"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/certificate/limits.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "proptests/gen/posed_bodies.hpp"
@@ -249,6 +251,67 @@ std::string against(const std::string& first, const std::string& second) {
   return run.lines.empty() ? "" : run.lines[0];
 }
 
+// --- Refusals for size alone, of documents that prove nothing ---
+
+struct Size {
+  int first, second;             // triangles; the first body's are halved, then the second's: they are in 3 and 4 steps
+  int weights, plane, vertices;  // the most bits of each denominator of a contact, of a plane and of a body
+  int common;                    // the bits of the bodies' common denominator, or 0 if they do not matter
+  const char* reason;            // in the checker's words, or nothing
+};
+
+// The largest power that has no more bits than this.
+CGAL::Gmpz power(int prime, int bits) {
+  CGAL::Gmpz out(1);
+  while (CGAL::Gmpz(out * prime).bit_size() <= static_cast<std::size_t>(bits)) out *= prime;
+  return out;
+}
+json fraction(int prime, int bits) { return as_text(Rational(CGAL::Gmpz(1), power(prime, bits))); }
+
+std::string sized(const Size& size) {
+  const auto three = [](std::array<int, 3> primes, int bits) {
+    return json{fraction(primes[0], bits), fraction(primes[1], bits), fraction(primes[2], bits)};
+  };
+  json document{{"about", ""}, {"contacts", json::array()}, {"digest", ""}, {"steps", {"first", "second"}}};
+  document["contacts"].push_back(
+      {{"pair", {0, 0}}, {"first", three({3, 5, 7}, size.weights)}, {"second", three({11, 13, 17}, size.weights)}});
+  for (int i = 0; i < 3; ++i)
+    document["steps"].push_back({{"normal", three({3, 5, 7}, size.plane)}, {"offset", fraction(11, size.plane)}});
+  CGAL::Gmpz odd(1);
+  for (const int prime : {3, 5, 7, 11, 13, 17}) odd *= power(prime, size.vertices);
+  const int twos = size.common ? size.common - static_cast<int>(odd.bit_size()) : 0;
+  const auto add_body = [&](const std::string& name, int count, const json& vertex) {
+    document[name] = {{"name", ""}, {"vertices", json::array({vertex, three({2, 2, 2}, twos + 1)})}};
+    document[name]["triangles"] = json(json::array_t(static_cast<std::size_t>(count), json{0, 0, 0}));
+    for (int i = 0; i < count; ++i) document[name + "_order"].push_back(i);
+  };
+  add_body("first", size.first, three({3, 5, 7}, size.vertices));
+  add_body("second", size.second, three({11, 13, 17}, size.vertices));
+  return sealed(document);
+}
+
+// Whoever writes such a certificate says that the checker refuses it, for the same reason and with the same figures, or that it
+// does not. An even and an odd number are halved; 25^2 (3 4000 + 4 5000) is the limit.
+Checked check_sizes() {
+  const char *work = "the proof takes too much work", *bits = "a common denominator has more than 8192 bits";
+  const std::vector<Size> sizes = {{4000, 5000, 1136, 9, 9, 0, nullptr}, {4001, 5000, 1136, 9, 9, 0, work},
+                                   {4001, 4999, 1136, 9, 9, 0, nullptr}, {4000, 5000, 9, 9, 1060, 0, nullptr},
+                                   {4000, 5001, 9, 9, 1060, 0, work},    {7000, 8600, 9, 1326, 9, 0, nullptr},
+                                   {7001, 8600, 9, 1326, 9, 0, work},    {2, 2, 9, 9, 1320, 8192, nullptr},
+                                   {2, 2, 9, 9, 1320, 8193, bits},       {2, 2, 9, 9, 9, 0, nullptr}};
+  CheckedFolder folder(oracle::pairs_checker());
+  for (const Size& s : sizes) folder.add(sized(s));
+  const auto lines = folder.check();
+  std::string wrong;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const std::string refusal = refusal_of_pairs_certificate(folder.text(i));
+    const bool is_right = sizes[i].reason ? refusal.starts_with(sizes[i].reason) && lines[i].text.ends_with(refusal)
+                                          : refusal.empty() && lines[i].is_rejected_for("step");
+    if (!is_right) wrong += lines[i].text + " (" + refusal + ") ";
+  }
+  return Checked(wrong.empty(), static_cast<long>(sizes.size()), wrong);
+}
+
 }  // namespace
 
 PROPTEST(pairs_certificate) {
@@ -280,6 +343,7 @@ PROPTEST(pairs_certificate) {
     return has_no_certificate(a, b, touching(a, b));
   });
   t.example("each way of forging a certificate is rejected, for its own reason", {}, forged_are_rejected);
+  t.example("what the checker refuses for its size alone, the writer tells of, with the same figures", {}, check_sizes);
   t.example("against documents, the bodies are theirs to the last character", {}, [] {
     const auto says = [](const std::string& line, const std::string& what) { return line.find(what) != std::string::npos; };
     const std::string a = body_document(flat), b = body_document(upright);

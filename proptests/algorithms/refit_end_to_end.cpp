@@ -15,6 +15,7 @@
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/real_models.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness.hpp"
 
@@ -162,7 +163,7 @@ PROPTEST(refit_end_to_end) {
   t.example(sentence + std::string("the procedural creature"), options, [] { return check_model(make_creature()); });
   // Relative to the root of the repository, from where the tests are run.
   const std::filesystem::path folder = "out/models";
-  for (const char* file : {"BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"})
+  for (const char* file : real_models)
     t.example(sentence + std::string(file), options, [=] {
       const auto path = folder / file;
       return std::filesystem::exists(path) ? check_model(load_model(path.string()))

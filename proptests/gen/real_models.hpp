@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "algorithms/model/load.hpp"
+#include "experiments/scenes/real_models.hpp"
 
 namespace proptests::gen {
 
@@ -13,7 +14,7 @@ namespace proptests::gen {
 template <class Use>
 void for_each_real_model(std::ostream& out, const Use& use) {
   std::string names;
-  for (const std::string name : {"BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"}) {
+  for (const std::string name : refitlab::real_models) {
     if (!std::filesystem::exists("out/models/" + name)) continue;
     use(refitlab::load_model("out/models/" + name));
     names += " " + name;

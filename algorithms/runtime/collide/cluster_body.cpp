@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 
 #include "algorithms/runtime/collide/affine_boxes.hpp"
 #include "algorithms/runtime/collide/placement.hpp"
@@ -43,12 +43,13 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
   flipped_.resize(most), boxes_.resize(most);
 }
 
-void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placement) {
+void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation) {
   const DefaultFloatEnvironment environment;
   check_placement(placement, "a body's placement");
   const SkinnedMesh& mesh = tree_.character().mesh;
+  const DeformedReference* const reference = deform(deformation);
   is_motion_bound_made_ = are_joints_placed_ = false;
-  if (is_whole_expected_ || pose.size() != mesh.joints.size()) {
+  if (is_deformed_ || is_whole_expected_ || pose.size() != mesh.joints.size()) {
     check_pose(mesh, pose);
   } else {
     bool is_rigid = true;
@@ -59,19 +60,35 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   pose_ = pose;
   placement_ = placement;
   is_affine_ = false;
-  clusters_.begin(pose_, placement_, placement_.translation);
+  clusters_.begin(pose_, placement_, placement_.translation, reference);
   start();
 }
 
-void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& placement) {
+void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& placement, const std::vector<double>& weights) {
+  if (skinning_ != Skinning::linear) {
+    const auto [rigid, scales] = split(tree_.character().mesh, pose);
+    return begin(rigid, placement, {weights, scales});
+  }
   const DefaultFloatEnvironment environment;
-  if (skinning_ != Skinning::linear) throw std::invalid_argument("a body of affine joints is for linear skinning");
   check_placement(placement, "a body's placement");
-  clusters_.begin(pose, placement, placement.translation);
+  const DeformedReference* const reference = deform({weights, {}});
+  clusters_.begin(pose, placement, placement.translation, reference);
   placement_ = placement;
-  motion_bound_box_ = motion_bound_.box(pose, placement);
-  is_affine_ = is_motion_bound_made_ = true;
+  is_affine_ = true;
+  is_motion_bound_made_ = !is_deformed_;
+  if (!is_deformed_) motion_bound_box_ = motion_bound_.box(pose, placement);
   start();
+}
+
+// Returns the reference of a frame, which is none if nothing deforms it.
+const DeformedReference* ClusterBody::deform(const Deformation& deformation) {
+  is_deformed_ = false;
+  if (deformation.is_none()) return nullptr;
+  if (!deformed_) deformed_.emplace(tree_.character(), default_variant(skinning_));
+  deformed_->reference.begin(deformation);
+  deformed_->are_balls_begun = false;
+  is_deformed_ = true;
+  return &deformed_->reference;
 }
 
 void ClusterBody::start() {
@@ -82,7 +99,31 @@ void ClusterBody::start() {
 
 void ClusterBody::make_motion_bound() {
   const DefaultFloatEnvironment environment;
-  set_motion_bound(motion_bound_.box(pose_, placement_));
+  if (!is_deformed_) return set_motion_bound(motion_bound_.box(pose_, placement_));
+  motion_bound_box_ = box_of_deformed(0);
+  const Point3& to = placement_.translation;
+  for (int i = 0; i < 3; ++i) {
+    const double lost = clusters_.lost() + lost_of_placements * (std::abs(to[i]) + std::abs(motion_bound_box_.low[i]) +
+                                                                 std::abs(motion_bound_box_.high[i]));
+    motion_bound_box_.low[i] += to[i] - lost, motion_bound_box_.high[i] += to[i] + lost;
+  }
+  is_motion_bound_made_ = true;
+}
+
+// Returns a box around the node's ball in the placement's rotation, with what is lost by it (lost_of_placements, and collide.cpp): a
+// rotation with ||q||^2 = 1 + e stretches by at most 2 |e|.
+Box<double> ClusterBody::box_of_deformed(int node) {
+  if (!deformed_->are_balls_begun) {
+    deformed_->balls.begin(clusters_.measured_palette(), &deformed_->reference);
+    deformed_->are_balls_begun = true;
+  }
+  const Ball3<double>& ball = deformed_->balls[node];
+  const double defect = std::abs(squared_norm(placement_.rotation) - 1);
+  const Point3 center = rotate<double>(placement_.rotation, ball.center);
+  const double reach =
+      ball.radius + (lost_of_placements + 8 * defect) * (upper_norm(ball.center) + ball.radius) + least_float_slack;
+  if (!(reach < std::numeric_limits<double>::infinity())) return Box<double>::everything();
+  return {center - Point3::Constant(reach), center + Point3::Constant(reach)};
 }
 
 void ClusterBody::set_motion_bound(const Box<double>& box) {
@@ -105,12 +146,10 @@ void ClusterBody::bound_wide_node(int f) {
   if (is_all_skinned_ || (is_rather_skinned_ && f > 0 && has_only_clusters(f))) return box_skinned(wide_node, blocks, whole);
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
-  motion_bound();  // places the joints
   // The boxes are as seen from the placement's translation, which is the clusters' origin.
-  if (is_affine_) bound_affine_boxes(wide_node.simplex_pieces, clusters_.whole_palette(), placement_.rotation, boxes);
-  else if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
-           !motion_bound_.boxes(wide_node.motion_bounds, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))
-    bound_by_control_points(wide_node, flipped, boxes);
+  if (!is_deformed_) bound_by_pieces(wide_node, flipped, boxes);
+  else
+    for (int i = 0; i < wide_node.child_count; ++i) boxes[i] = box_of_deformed(tree_.child(f, i).node);
   for (int i = 0; i < wide_node.child_count; ++i) {
     const Box<float> box = float_box(boxes[i], clusters_.lost());
     whole.merge(box);
@@ -119,6 +158,14 @@ void ClusterBody::bound_wide_node(int f) {
   nodes_bounded_ += wide_node.child_count;
   work_ += work_of_motion_bounds * static_cast<long>(wide_node.motion_bounds.size()) +
            long{work_of_bounded_node} * wide_node.child_count;
+}
+
+void ClusterBody::bound_by_pieces(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes) {
+  motion_bound();  // places the joints
+  if (is_affine_) bound_affine_boxes(wide_node.simplex_pieces, clusters_.whole_palette(), placement_.rotation, boxes);
+  else if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
+           !motion_bound_.boxes(wide_node.motion_bounds, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))
+    bound_by_control_points(wide_node, flipped, boxes);
 }
 
 void ClusterBody::bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped,

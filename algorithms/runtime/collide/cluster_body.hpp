@@ -3,8 +3,11 @@
 // nodes are bounded and clusters are skinned where a query reaches them.
 #pragma once
 
+#include <optional>
+
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
 #include "algorithms/runtime/collide/motion_bound.hpp"
+#include "algorithms/runtime/refit/frame_refits.hpp"
 
 namespace refitlab {
 
@@ -14,16 +17,19 @@ class ClusterBody {
   ClusterBody(const ClusterTree& tree, Skinning skinning);
   ClusterBody(const ClusterBody&) = delete;  // a copy would write into the arrays of this one
 
-  // Starts a frame, of which nothing is computed yet. placement takes model space to the world. Throws ModelError for a
-  // pose that make_skinning_palette refuses, and std::invalid_argument for a placement that is not rigid.
-  void begin(const Pose& pose, const RigidTransform<double>& placement);
-  // Does the same for linear skinning by affine joints. (Other skinning takes a tree of deformed_character, of
-  // runtime/refit/deformed_reference.hpp.) Also throws std::invalid_argument if the skinning is not linear.
-  void begin(const AffinePose& pose, const RigidTransform<double>& placement);
+  // Starts a frame, of which nothing is computed yet. placement takes model space to the world. A deformation is that of this frame;
+  // then nodes are bounded by balls, with the pieces of the default variant, and all skinning is in double. Throws ModelError for a
+  // pose that make_skinning_palette refuses and for a deformation that check_deformation refuses, and std::invalid_argument for a
+  // placement that is not rigid, and for a deformation of a character that was baked without those pieces.
+  void begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation = {});
+  // Starts a frame of affine joints, and of morph targets if there are weights. Linear skinning blends these transforms; other
+  // skinning has two phases of them (split, in runtime/skinning/deformation.hpp). Throws the same.
+  void begin(const AffinePose& pose, const RigidTransform<double>& placement, const std::vector<double>& weights = {});
 
   const ClusterTree& tree() const { return tree_; }
 
-  // Returns a box in the world around the whole body, made from the joints alone; see MotionBound.
+  // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is around the
+  // root's ball, which has all triangles.
   const Box<double>& motion_bound() {
     if (!is_motion_bound_made_) make_motion_bound();
     return motion_bound_box_;
@@ -52,7 +58,7 @@ class ClusterBody {
   }
 
   // Returns whether clusters are skinned in float, except joint-sets for which this is not known to be right.
-  bool is_skinned_in_float() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::hejl; }
+  bool is_skinned_in_float() const { return !is_deformed_ && (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl); }
 
   // From now on, clusters are skinned rather than bounded where all children of a wide node are clusters, but not below the
   // root. In float this takes about as long, and boxes are tighter; but more is skinned where little touches.
@@ -85,10 +91,24 @@ class ClusterBody {
   long vertices_skinned() const { return clusters_.vertices_skinned(); }
 
  private:
+  // Deformed has what frames of a deformed reference pose need.
+  struct Deformed {
+    Deformed(const Character& character, const RefitVariant& variant)
+        : reference(character, variant.pieces),
+          balls(character, variant) {}
+
+    DeformedReference reference;
+    FrameRefits balls;
+    bool are_balls_begun = false;
+  };
+
+  const DeformedReference* deform(const Deformation& deformation);
+  Box<double> box_of_deformed(int node);
   void start();
   void make_motion_bound();
   void set_motion_bound(const Box<double>& box);
   void bound_wide_node(int wide_node);
+  void bound_by_pieces(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
   bool has_only_clusters(int wide_node) const;
   void bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
   void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
@@ -102,7 +122,8 @@ class ClusterBody {
   Box<double> motion_bound_box_;
   JointFloats joints_;
   bool is_motion_bound_made_ = false, is_whole_expected_ = false, is_affine_ = false, are_joints_placed_ = false,
-       are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false;
+       are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false, is_deformed_ = false;
+  std::optional<Deformed> deformed_;  // made when a frame first needs it
   FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;
   std::vector<BoxBlock<float>> wide_node_blocks_;

@@ -37,18 +37,16 @@ ClusterTree::Part ClusterTree::part_of_node(int node) const {
 
 std::vector<ClusterTree::Part> ClusterTree::children_of(const Part& part) const {
   std::vector<Part> out;
-  if (part.node >= 0) {
-    const TreeNode& n = character_->tree.nodes[part.node];
-    for (int c = n.first_child; c < n.first_child + n.child_count; ++c) out.push_back(part_of_node(c));
-  }
+  const TreeNode& n = character_->tree.nodes[part.node];
+  for (int c = n.first_child; c < n.first_child + n.child_count; ++c) out.push_back(part_of_node(c));
   if (!out.empty()) return out;
   const int half = part.triangle_count / 2;
-  return {{-1, part.first_triangle, half}, {-1, part.first_triangle + half, part.triangle_count - half}};
+  return {{part.node, part.first_triangle, half}, {part.node, part.first_triangle + half, part.triangle_count - half}};
 }
 
 // Returns the distinct vertices of a part in increasing order.
 std::vector<int> ClusterTree::vertices_of(const Part& part) const {
-  if (part.node >= 0) {
+  if (is_whole(part)) {
     const auto vertices = character_->vertices[part.node];
     return {vertices.begin(), vertices.end()};
   }
@@ -81,8 +79,8 @@ int ClusterTree::add_wide_node(const Part& part) {
                          make_motion_bound_packs(*character_, pieces), pieces});
   children_.resize(children_.size() + open.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const WideNodeChild child =
-        is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1} : WideNodeChild{-1, add_wide_node(open[i])};
+    const WideNodeChild child = is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1, open[i].node}
+                                                    : WideNodeChild{-1, add_wide_node(open[i]), open[i].node};
     children_[wide_nodes_[wide_node].first_child + i] = child;
     if (child.cluster >= 0) clusters_[child.cluster].wide_node = wide_node, clusters_[child.cluster].child = static_cast<int>(i);
   }

@@ -32,6 +32,7 @@ struct Cluster {
 // A child of a wide node is a cluster, or it is opened into a wide node of its own.
 struct WideNodeChild {
   int cluster, wide_node;  // one of them is -1
+  int node;                // of the sphere tree, which has all of its vertices
 };
 
 struct WideNode {
@@ -70,9 +71,13 @@ class ClusterTree {
   // A Part is a range of triangles side by side in SphereTree::triangle_order. They are those of a node, or some of a leaf's. A
   // leaf is halved until its clusters are small enough.
   struct Part {
-    int node;  // -1 for some of a leaf's
+    int node;  // the leaf, for some of its triangles
     int first_triangle, triangle_count;
   };
+
+  bool is_whole(const Part& part) const {
+    return part.triangle_count == character_->tree.nodes[static_cast<std::size_t>(part.node)].triangle_count;
+  }
 
   Part part_of_node(int node) const;
   std::vector<Part> children_of(const Part& part) const;

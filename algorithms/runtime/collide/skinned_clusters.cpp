@@ -53,19 +53,24 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
       clusters_(tree.clusters().size()),
       work_of_all_(refitlab::work_of_all(tree, palette_packs_.part_count())) {}
 
-void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin) {
+void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin,
+                            const DeformedReference* reference) {
   pose_ = &pose;
-  start(placement, origin);
+  is_palette_measured_ = false;
+  start(placement, origin, reference);
 }
 
-void SkinnedClusters::begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin) {
+void SkinnedClusters::begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin,
+                            const DeformedReference* reference) {
   make_skinning_palette(tree_.character().mesh, tree_.character().sets, pose, affine_palette_);
   pose_ = nullptr;
-  start(placement, origin);
+  is_palette_measured_ = true;
+  start(placement, origin, reference);
 }
 
-void SkinnedClusters::start(const RigidTransform<double>& placement, const Point3& origin) {
+void SkinnedClusters::start(const RigidTransform<double>& placement, const Point3& origin, const DeformedReference* reference) {
   const DefaultFloatEnvironment environment;
+  reference_ = reference;
   placement_ = placement;
   origin_ = origin;
   for (int i = 0; i < 4; ++i) float_placement_.rotation[i] = placement.rotation[i];
@@ -108,7 +113,7 @@ void SkinnedClusters::skin_cluster(int n) {
 
 // Returns whether cluster n can be skinned in float. Makes its palettes, too.
 bool SkinnedClusters::can_skin_in_float(int n) {
-  if (skinning_ != Skinning::spherical && skinning_ != Skinning::hejl) return false;
+  if (reference_ || (skinning_ != Skinning::spherical && skinning_ != Skinning::hejl)) return false;
   bool can = true;
   for (const FloatRun& run : tree_.floats().runs(n)) {
     make_float_palette(palette_packs_.part_of(run.joint_set));
@@ -149,6 +154,12 @@ const SkinningPalette<double>& SkinnedClusters::whole_palette() {
   return palette();
 }
 
+const SkinningPalette<double>& SkinnedClusters::measured_palette() {
+  whole_palette();
+  if (!is_palette_measured_) palette_.measure(), is_palette_measured_ = true;
+  return palette();
+}
+
 void SkinnedClusters::make_palette(int joint_set) {
   const int part = palette_packs_.part_of(joint_set);
   if (!pose_ || palettes_made_.is_made(part)) return;
@@ -162,26 +173,37 @@ void SkinnedClusters::skin_block(int n, int block) {
   const Cluster& cluster = tree_.clusters()[n];
   if (padded_vertices_.empty())
     padded_vertices_.resize(tree_.clusters().back().first_vertex + tree_.clusters().back().padded_vertex_count);
-  make_palette(tree_.character().sets.of_vertex(tree_.vertices().vertices(n)[lanes * block]));
+  PaddedVertex* const out = &padded_vertices_[cluster.first_vertex + lanes * block];
+  const int* const vertices = &tree_.vertices().vertices(n)[lanes * block];
+  blocks_made_.mark(cluster.first_vertex / lanes + block);
+  if (reference_) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Point3 p = vertex_in_world(vertices[lane]);
+      out[lane] = {p[0], p[1], p[2], 0};
+    }
+    return;
+  }
+  make_palette(tree_.character().sets.of_vertex(vertices[0]));
   Lanes<double> skinned[3];
   tree_.vertices().skin_block(n, block, palette(), skinning_, skinned);
   const double placement[] = {placement_.rotation[0],   placement_.rotation[1],    placement_.rotation[2],
                               placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
                               placement_.translation[2]};
-  box_kernels(best_target()).place(skinned, 1, placement, &padded_vertices_[cluster.first_vertex + lanes * block]);
-  blocks_made_.mark(cluster.first_vertex / lanes + block);
+  box_kernels(best_target()).place(skinned, 1, placement, out);
+}
+
+Point3 SkinnedClusters::vertex_in_world(int v) {
+  const Character& c = tree_.character();
+  const int set = c.sets.of_vertex(v);
+  make_palette(set);
+  return apply(placement_, blend<double>(skinning_, palette()[set], c.sets.weights(v),
+                                         reference_ ? reference_->vertex(v) : c.mesh.vertices[v]));
 }
 
 TrianglePoints SkinnedClusters::triangle(int triangle) {
   const DefaultFloatEnvironment environment;
-  const Character& c = tree_.character();
-  TrianglePoints out;
-  for (int i = 0; i < 3; ++i) {
-    const int v = c.mesh.triangles[triangle][i], set = c.sets.of_vertex(v);
-    make_palette(set);
-    out[i] = apply(placement_, blend<double>(skinning_, palette()[set], c.sets.weights(v), c.mesh.vertices[v]));
-  }
-  return out;
+  const Triangle& t = tree_.character().mesh.triangles[triangle];
+  return {vertex_in_world(t[0]), vertex_in_world(t[1]), vertex_in_world(t[2])};
 }
 
 }  // namespace refitlab

@@ -6,7 +6,7 @@
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/collide/cluster_tree.hpp"
-#include "algorithms/runtime/refit/frame_stamps.hpp"
+#include "algorithms/runtime/refit/deformed_reference.hpp"
 
 namespace refitlab {
 
@@ -40,10 +40,13 @@ class SkinnedClusters {
   SkinnedClusters(const SkinnedClusters&) = delete;  // a copy would write into the arrays of this one
 
   // Starts a frame, of which nothing is computed yet. pose and placement must be as check_pose and check_placement require,
-  // and stay until the next frame. Floats are coordinates as seen from origin. They are more exact the nearer that is.
-  void begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin);
+  // and stay until the next frame. Floats are coordinates as seen from origin. They are more exact the nearer that is. If there is a
+  // reference, its deformation moves the vertices first; it must stay, too. Then all skinning is in double.
+  void begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin,
+             const DeformedReference* reference = nullptr);
   // Does the same for linear skinning by affine joints. pose need not stay.
-  void begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin);
+  void begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin,
+             const DeformedReference* reference = nullptr);
 
   const ClusterTree& tree() const { return tree_; }
   const Point3& origin() const { return origin_; }
@@ -70,6 +73,8 @@ class SkinnedClusters {
   double lost() const { return float_placement_.lost; }
   // Returns the palette of all joint-sets in double.
   const SkinningPalette<double>& whole_palette();
+  // Returns the same, measured, as refits need it.
+  const SkinningPalette<double>& measured_palette();
 
   // work() is the work done for floats since begin, and work_of_all() is that of making everything.
   long work() const { return work_; }
@@ -80,7 +85,7 @@ class SkinnedClusters {
   long vertices_skinned() const { return vertices_skinned_; }  // in float or in double
 
  private:
-  void start(const RigidTransform<double>& placement, const Point3& origin);
+  void start(const RigidTransform<double>& placement, const Point3& origin, const DeformedReference* reference);
   const SkinningPalette<double>& palette() const { return pose_ ? palette_ : affine_palette_; }
   void make_float_palette(int part);
   bool can_skin_in_float(int cluster);
@@ -89,11 +94,13 @@ class SkinnedClusters {
   void skin_in_double(int cluster, FloatCluster& out);
   void skin_block(int cluster, int block);
   void make_palette(int joint_set);
+  Point3 vertex_in_world(int vertex);
 
   const ClusterTree& tree_;
   const Skinning skinning_;
   const PalettePacks palette_packs_;
-  const Pose* pose_ = nullptr;  // none where joints are affine
+  const Pose* pose_ = nullptr;                    // none where joints are affine
+  const DeformedReference* reference_ = nullptr;  // none where vertices are those of the mesh
   RigidTransform<double> placement_;
   Point3 origin_ = Point3::Zero();
   FloatPlacement float_placement_;
@@ -102,6 +109,7 @@ class SkinnedClusters {
   SkinningPalette<double> palette_;                  // likewise
   SkinningPalette<double> affine_palette_;           // of all joint-sets, where joints are affine
   const SkinningPalette<double>::Arrays palette_arrays_;
+  bool is_palette_measured_ = false;
   FrameStamps clusters_made_, blocks_made_;
   std::vector<FloatCluster> clusters_;         // their storage is allocated when a query first reaches them
   std::vector<PaddedVertex> padded_vertices_;  // by position, cluster after cluster, when the first is asked for
