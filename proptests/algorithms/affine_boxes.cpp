@@ -211,6 +211,10 @@ void check_clusters() {
     bodies.push_back(std::make_unique<ClusterBody>(trees.back(), skinning));
     ClusterBody& body = *bodies.back();
     if (random() % 2) body.begin(reference_pose(mesh), {});  // a frame before, of rigid joints
+    if (!is_made_anew && random() % 2) {                     // and one of another deformation, whose balls are made
+      body.begin(gen::random_affine_pose(mesh, kind, random), {}, gen::random_weights(mesh, random));
+      body.wide_node_box(0);
+    }
     const auto palette = skinning == Skinning::linear ? make_skinning_palette(mesh, c.sets, pose)
                                                       : make_skinning_palette(mesh, c.sets, rigid, skinning);
     skinned[i] = skin(mesh, c.sets, palette, skinning, deformation);

@@ -318,8 +318,64 @@ void what_each_clip_moves(Suite& t) {
   });
 }
 
+// While one clip fades to the other, each morph weight moves at most as fast as the cell says.
+void check_speeds_of_weights() {
+  const Fade fade = Fade::draw(*rc::gen::inRange(0, 3) == 0);
+  RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
+  const JointSets sets(fade.model);
+  std::mt19937 random(fade.plan.seed + 9);
+  long opposite = 0;
+  try {
+    const CrossfadedJoints joints = fade.joints();
+    const MovingVertices moving(fade.model, sets, fade.skinning, gen::all_of(fade.model.vertices));
+    for (int i = 0; i < 4; ++i) {
+      const ParameterBox box = some_box(joints, moving, random);
+      const JointCell cell = joints.cell(box);
+      for (const double share : {0.25, 0.5, 0.75}) {
+        ParameterMoment ends[2];
+        for (int end = 0; end < 2; ++end) {
+          ends[end].signs = box.signs;
+          for (int k = 0; k < 2; ++k)
+            ends[end].coordinates.push_back(
+                {box.ranges[k].start + share * (box.ranges[k].end - box.ranges[k].start), Side::after});
+          ends[end].coordinates.push_back({static_cast<double>(end), Side::after});
+        }
+        const auto from = joints.at(ends[0]), to = joints.at(ends[1]);
+        for (std::size_t m = 0; m < from->weights.size(); ++m)
+          for (Eigen::Index k = 0; k < from->weights[m].size(); ++k) {
+            const double apart = std::abs(to->weights[m][k] - from->weights[m][k]);
+            opposite += to->weights[m][k] * from->weights[m][k] < 0 ? 1 : 0;
+            RC_ASSERT(apart <= cell.motions[2]->weights[m][static_cast<std::size_t>(k)].speed * (1 + 1e-12) + 1e-12);
+          }
+      }
+    }
+  } catch (const ModelError& e) {
+    RC_ASSERT(is_refusal(e.what()));
+    RC_TAG("refused");
+  }
+  RC_CLASSIFY(opposite > 0, "weights of opposite signs");
+}
+
 PROPTEST(crossfaded_joints) {
   crossfades_are_bounded_and_hardly_more(t);
+  t.holds(
+      "while one clip fades to the other, morph weights move no faster than is known",
+      {.number_type = "double", .cases = 200, .degenerate_at_most = 0.9, .tags_at_least = {{"weights of opposite signs", 0.05}}},
+      check_speeds_of_weights);
+  t.example("a range between neighbouring numbers has no halves, whichever parameter it is of", {}, [] {
+    const Hinge hinge(0, 60);
+    const CrossfadedJoints joints = hinge.joints(RotationBlend::slerp, false);
+    long wrong = 0;
+    for (const std::size_t parameter : {0, 1, 2})
+      for (const double start : {0.5, 0.5 + 0x1p-53}) {  // of an even and of an odd last digit
+        ParameterBox box = joints.boxes()[0];
+        box.ranges[parameter].start = start, box.ranges[parameter].end = start + 0x1p-53;
+        wrong += !joints.halves(box, parameter, true).empty();
+        box.ranges[parameter].end = start + 0x1p-52;
+        wrong += joints.halves(box, parameter, true).size() != 2;
+      }
+    return Checked(wrong == 0, 12);
+  });
   hands_half_way_between_clips(t);
   what_each_clip_moves(t);
   t.holds("a vertex is as near to what is between the eight corners as the slack says, or to its linear blend, which is",

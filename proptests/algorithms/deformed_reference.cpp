@@ -118,6 +118,7 @@ void check_volumes() {
     }
   }
   RC_CLASSIFY(tried > 0, "bounded");
+  if (d.skinning != Skinning::dual_quaternion) RC_ASSERT(tried == 15);
 }
 
 // Every deformed vertex, exactly and in double, is in the ball of a piece of its joint-set, and in that of the node.

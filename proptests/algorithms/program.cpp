@@ -198,33 +198,37 @@ void characters_nodes_and_crossfades(Suite& t) {
     }
     return Checked(moved > 10 && farthest < 1e-12, moved, std::to_string(farthest));
   });
-  t.example("nodes and slabs are baked and checked, and found where a bound is too small", {}, [] {
-    const Rich rich(true, true, {"--nodes", "--dop", "18"});
-    const std::string baked = rich.folder.file("out.glb"), bad = rich.folder.file("bad.glb");
-    const Called checked = call({"check", "--samples", "50", baked});
-    const BakedFile file = read_baked(baked);
-    bool good = rich.called.code == 0 && checked.code == 0 &&
-                checked.out.find("clip 'move', nodes of the tree: ") != std::string::npos &&
-                file.clusters.clips[0].nodes.size() == file.character->tree.nodes.size() && file.clusters.dop == 18;
-    std::string found;
-    const auto finds = [&](const std::string& where, const std::function<void(ClusterBounds&)>& change) {
-      tamper(baked, bad, [&](BakedFile& b) { change(b.clusters); });
-      const Called called = call({"check", "--samples", "50", bad});
-      found += called.out;
-      good = good && called.code == 1 && called.out.find(where) != std::string::npos;
-    };
-    const auto narrow = [](Slab<float>& slab) { slab.high = slab.low + (slab.high - slab.low) / 2; };
-    for (std::size_t k = 0; k < 6; ++k) {
-      finds("cluster 0, vertex ", [&](ClusterBounds& b) { narrow(b.clips[0].clusters[0].slabs[k]); });
-      finds("cluster 0, vertex ", [&](ClusterBounds& b) {
-        Slab<float>& slab = b.clips[0].clusters[0].slabs[k];
-        slab.low = slab.high - (slab.high - slab.low) / 2;
-      });
-    }
-    finds("node 1, vertex ", [&](ClusterBounds& b) { narrow(b.clips[0].nodes[1].slabs[2]); });
-    finds("node 0, vertex ", [](ClusterBounds& b) { b.clips[1].nodes[0].ball.radius /= 2; });
-    return Checked(good, 15, rich.called.errors + checked.out + found);
-  });
+  for (const std::size_t slabs : {4, 6, 10}) {
+    const std::string dop = std::to_string(2 * slabs + 6);
+    t.example("nodes and slabs are baked and checked, and found where a bound is too small: of a " + dop + "-DOP", {}, [=] {
+      const Rich rich(true, true, {"--nodes", "--dop", dop});
+      const std::string baked = rich.folder.file("out.glb"), bad = rich.folder.file("bad.glb");
+      const Called checked = call({"check", "--samples", "50", baked});
+      const BakedFile file = read_baked(baked);
+      bool good = rich.called.code == 0 && checked.code == 0 &&
+                  checked.out.find("clip 'move', nodes of the tree: ") != std::string::npos &&
+                  file.clusters.clips[0].nodes.size() == file.character->tree.nodes.size() &&
+                  std::to_string(file.clusters.dop) == dop;
+      std::string found;
+      const auto finds = [&](const std::string& where, const std::function<void(ClusterBounds&)>& change) {
+        tamper(baked, bad, [&](BakedFile& b) { change(b.clusters); });
+        const Called called = call({"check", "--samples", "50", bad});
+        found += called.out;
+        good = good && called.code == 1 && called.out.find(where) != std::string::npos;
+      };
+      const auto narrow = [](Slab<float>& slab) { slab.high = slab.low + (slab.high - slab.low) / 2; };
+      for (std::size_t k = 0; k < slabs; ++k) {
+        finds("cluster 0, vertex ", [&](ClusterBounds& b) { narrow(b.clips[0].clusters[0].slabs[k]); });
+        finds("cluster 0, vertex ", [&](ClusterBounds& b) {
+          Slab<float>& slab = b.clips[0].clusters[0].slabs[k];
+          slab.low = slab.high - (slab.high - slab.low) / 2;
+        });
+      }
+      finds("node 1, vertex ", [&](ClusterBounds& b) { narrow(b.clips[0].nodes[1].slabs[2]); });
+      finds("node 0, vertex ", [](ClusterBounds& b) { b.clips[1].nodes[0].ball.radius /= 2; });
+      return Checked(good, static_cast<long>(2 * slabs + 3), rich.called.errors + checked.out + found);
+    });
+  }
   t.example("crossfades of all clips are baked, checked, and found where a bound is too small", {}, [] {
     const gen::TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb");

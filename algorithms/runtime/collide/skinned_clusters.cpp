@@ -56,7 +56,6 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
 void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin,
                             const DeformedReference* reference) {
   pose_ = &pose;
-  is_palette_measured_ = false;
   start(placement, origin, reference);
 }
 
@@ -64,7 +63,6 @@ void SkinnedClusters::begin(const AffinePose& pose, const RigidTransform<double>
                             const DeformedReference* reference) {
   make_skinning_palette(tree_.character().mesh, tree_.character().sets, pose, affine_palette_);
   pose_ = nullptr;
-  is_palette_measured_ = true;
   start(placement, origin, reference);
 }
 
@@ -156,7 +154,7 @@ const SkinningPalette<double>& SkinnedClusters::whole_palette() {
 
 const SkinningPalette<double>& SkinnedClusters::measured_palette() {
   whole_palette();
-  if (!is_palette_measured_) palette_.measure(), is_palette_measured_ = true;
+  if (pose_) palette_.measure();
   return palette();
 }
 

@@ -73,7 +73,7 @@ class SkinnedClusters {
   double lost() const { return float_placement_.lost; }
   // Returns the palette of all joint-sets in double.
   const SkinningPalette<double>& whole_palette();
-  // Returns the same, measured, as refits need it.
+  // Returns the same, measured, as refits need it. A palette of rigid joints is measured each time.
   const SkinningPalette<double>& measured_palette();
 
   // work() is the work done for floats since begin, and work_of_all() is that of making everything.
@@ -109,7 +109,6 @@ class SkinnedClusters {
   SkinningPalette<double> palette_;                  // likewise
   SkinningPalette<double> affine_palette_;           // of all joint-sets, where joints are affine
   const SkinningPalette<double>::Arrays palette_arrays_;
-  bool is_palette_measured_ = false;
   FrameStamps clusters_made_, blocks_made_;
   std::vector<FloatCluster> clusters_;         // their storage is allocated when a query first reaches them
   std::vector<PaddedVertex> padded_vertices_;  // by position, cluster after cluster, when the first is asked for
