@@ -356,8 +356,7 @@ void check_speeds_of_weights() {
   RC_CLASSIFY(opposite > 0, "weights of opposite signs");
 }
 
-PROPTEST(crossfaded_joints) {
-  crossfades_are_bounded_and_hardly_more(t);
+void weights_that_fade_and_ranges_without_halves(Suite& t) {
   t.holds(
       "while one clip fades to the other, morph weights move no faster than is known",
       {.number_type = "double", .cases = 200, .degenerate_at_most = 0.9, .tags_at_least = {{"weights of opposite signs", 0.05}}},
@@ -376,6 +375,11 @@ PROPTEST(crossfaded_joints) {
       }
     return Checked(wrong == 0, 12);
   });
+}
+
+PROPTEST(crossfaded_joints) {
+  crossfades_are_bounded_and_hardly_more(t);
+  weights_that_fade_and_ranges_without_halves(t);
   hands_half_way_between_clips(t);
   what_each_clip_moves(t);
   t.holds("a vertex is as near to what is between the eight corners as the slack says, or to its linear blend, which is",
