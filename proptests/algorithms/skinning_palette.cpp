@@ -295,6 +295,30 @@ void refused_poses(Suite& t) {
     p.pose.pop_back();
     return names(message_of(p.pose, p), {"pair", "1 transforms", "2 joints"});
   });
+  t.example("affine joints that are not finite or out of range are refused with the joint's name, and those in range are not", {},
+            [] {
+              const SkinnedMesh model = two_joints().mesh;
+              const auto reason = [&](const auto& change) -> std::string {
+                AffinePose pose(model.joints.size(), identity_map<double>());
+                change(pose.back());
+                try {
+                  check_pose(model, pose);
+                  return "";
+                } catch (const ModelError& e) {
+                  return e.what();
+                }
+              };
+              const auto is_refused = [&](const std::string& said, const auto& change) {
+                const std::string whole = reason(change);
+                return whole.find(said) != std::string::npos && whole.find(model.joints.back().name) != std::string::npos;
+              };
+              using Map = AffineMap<double>;
+              return is_refused("its transform is not finite", [](Map& m) { m.columns[1][2] = NAN; }) &&
+                     is_refused("its transform is not finite", [](Map& m) { m.offset[0] = INFINITY; }) &&
+                     is_refused("its translation is out of range", [](Map& m) { m.offset[1] = 1.1e40; }) &&
+                     is_refused("its matrix is out of range", [](Map& m) { m.columns[0][1] = -1.1e4; }) &&
+                     reason([](Map& m) { m.columns[0][1] = -1e4, m.offset[1] = 1e40; }).empty();
+            });
   t.example("a number in a pose that is not finite is refused with the joint's name", {}, [] {
     int refused = 0;
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})

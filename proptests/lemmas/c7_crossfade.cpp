@@ -314,6 +314,16 @@ void pinned_cases(Suite& t) {
     return crossfade_hypotheses(right, left, cosine, Q(-1)) == Verdict::fails &&
            moves_within(fading_first<Q, 3>(moving, hand, Q(-1)), faded_by_time<Q>({1, 1, 1}, 1, 1)) == Verdict::fails;
   });
+  t.example("the ways end at their cosines, 0 and -1/2, and no sooner", {.form = "beyond", .number_type = "rational"}, [] {
+    using namespace c7;
+    const Q less_than_nothing(-1, 1000000);
+    return is_shorter_way(Q(0)) == Verdict::holds && is_shorter_way(less_than_nothing) == Verdict::fails &&
+           is_hardly_the_longer_way(Q(-half)) == Verdict::holds &&
+           is_hardly_the_longer_way(Q(less_than_nothing - half)) == Verdict::fails;
+  });
+  t.example("by the shorter way a slerp is no faster than the end that moves", {.form = "beyond", .number_type = "double"}, [] {
+    return slerp_by_time<double>({1, 3, 1}, 0, 1, 0).speed == 3 && slerp_by_time<double>({1, 3, 1}, 0.5, 0.25, 0.1875).speed < 1;
+  });
   t.example("a slerp of rotations more than a right angle apart may move faster than its ends",
             {.form = "beyond", .hypothesis = "c >= 0"}, [] {
               // Nearly opposite ends: moved across the arc, the middle goes far faster than the end.
