@@ -19,7 +19,8 @@ std::vector<Point3> origins_of(const SkinnedMesh& mesh) {
   return origins;
 }
 
-// Returns poses of all clips, evenly spread.
+}  // namespace
+
 std::vector<Pose> expected_poses(const Model& model) {
   std::vector<Pose> poses;
   for (const Clip& clip : model.clips) try {
@@ -28,8 +29,6 @@ std::vector<Pose> expected_poses(const Model& model) {
     }
   return poses;
 }
-
-}  // namespace
 
 Box<double> with_room(Box<double> box) {
   box.grow(ModelBoundsOptions{}.renderer_rounding * 2 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());

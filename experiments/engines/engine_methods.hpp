@@ -25,9 +25,12 @@ struct EngineMethod {
 // The joint boxes are the reference with which the others are compared.
 inline constexpr std::size_t reference_method = 0;
 
+// Returns poses of all clips, evenly spread from the first to the last of each.
+std::vector<Pose> expected_poses(const Model& model);
+
 // JointVolumes are the volumes that joints carry. They are fitted once for all ways of skinning.
 struct JointVolumes {
-  // The volumes are fitted for poses of the model's clips.
+  // The volumes are fitted for the expected poses.
   explicit JointVolumes(const Model& model);
 
   JointBoxes boxes;

@@ -354,6 +354,8 @@ void many_joints_and_great_lengths(Suite& t) {
                 refused += share > 1;
               }
           }
+        // The length itself, without a refit's rounding.
+        if (checked_single(largest_single_length) != largest_single_length) return Checked(false, taken, "the greatest length");
         return Checked(taken == 4 && refused == 4, taken + refused);
       });
 }

@@ -102,6 +102,50 @@ void boxes_hold_their_vertices(Suite& t) {
           });
 }
 
+// Three joints, of which the first has next to no weight, and the others turn nearly opposite ways of it: the blend is shorter than
+// what floats have of it, or not much longer.
+SkinnedMesh mesh_of_short_blends(std::mt19937& random) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  SkinnedMesh model;
+  model.name = "short blends";
+  for (int j = 0; j < 3; ++j)
+    model.joints.push_back({"joint " + std::to_string(j), j - 1, Point3(u(random), u(random), u(random)) / 8});
+  const Point3 at(u(random), u(random), u(random));
+  const double of_first = std::exp2(-10 - static_cast<int>(random() % 10));
+  for (int v = 0; v < 3; ++v) {
+    model.vertices.push_back(at + Point3::Unit(v) * 0x1p-30);
+    model.influences.emplace_back();
+    for (const auto& [joint, w] : quantize_weights({{0, of_first}, {1, 0.5}, {2, 0.5}}))
+      model.influences.back().push_back({joint, w});
+  }
+  model.triangles = {{0, 1, 2}};
+  return model;
+}
+
+void boxes_of_blends_that_nearly_vanish(Suite& t) {
+  t.holds(
+      "nor do they where a blend is so short that floats lose which way it turns",
+      {.number_type = "float", .cases = 1000, .tags_at_least = {{"shorter than 1/1000", 0.2}}}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        std::uniform_real_distribution<double> u(-1, 1), exponent(-6, 0);
+        const auto c = bake(mesh_of_short_blends(random));
+        Pose pose = reference_pose(c.mesh);
+        const double off = std::pow(10, exponent(random));
+        for (const int j : {1, 2}) {
+          pose[j].rotation = {off * std::abs(u(random)), j == 1 ? 1. : -1., off * u(random), off * u(random)};
+          pose[j].rotation.normalize();
+        }
+        const std::vector<int> root{0};
+        for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
+          const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
+          const auto skinned = skin(c.mesh, c.sets, palette, skinning);
+          for (const Target target : available_targets())
+            RC_ASSERT(excess(c, 0, skinned, bound(c, root, skinning, palette, identity_quaternion<double>(), target)[0]) <= 0);
+        }
+        RC_TAG(off < 1e-3 ? "shorter than 1/1000" : "longer");
+      });
+}
+
 void boxes_at_attained_bounds_and_far_away(Suite& t) {
   t.holds(
       "boxes hold vertices that are where the bound is attained, of 1 to 90 joints, at every scale, however long "
@@ -239,6 +283,7 @@ void joints_in_float(Suite& t) {
 
 PROPTEST(box_packs) {
   boxes_hold_their_vertices(t);
+  boxes_of_blends_that_nearly_vanish(t);
   boxes_at_attained_bounds_and_far_away(t);
   joints_in_float(t);
   t.example(

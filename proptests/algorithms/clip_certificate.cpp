@@ -427,6 +427,22 @@ void change_what_moves(const Expect& expect) {
            d["scenes"].at(1)["nodes"] = {d["nodes"].size()};  // in place of 0
            d["nodes"].push_back({{"children", {0}}});
          }));
+  expect("which scene is the first, where the file does not say which it shows", "", in_description([](json& d) {
+           std::swap(d["scenes"][0], d["scenes"][1]);
+           d.erase("scene");
+         }));
+  expect("the first scene, which is empty", "the file shows no mesh", in_description([](json& d) { d.erase("scene"); }));
+  expect("a node that a channel moves has a matrix", "a node that has a matrix is moved", in_description([](json& d) {
+           for (const json& channel : d["animations"][0]["channels"])
+             if (channel["target"]["path"] == "translation")
+               d["nodes"].at(channel["target"]["node"].get<std::size_t>())["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0,
+                                                                                        0, 0, 1, 0, 0, 1, 0, 1};
+         }));
+  for (const int beyond : {0, 1, -1})
+    expect("a joint that is not there", "a skin has a joint that is not there", in_description([=](json& d) {
+             const int count = static_cast<int>(d["nodes"].size());
+             d["skins"][0]["joints"][1] = beyond < 0 ? -1 : count + beyond;
+           }));
   // As many are reached from the roots as there are: one twice, and one, below itself, never.
   expect("a node below two", "a node is below two", in_description([](json& d) {
            json& nodes = d["nodes"];
@@ -664,6 +680,14 @@ void certificates_are_of_the_file(Suite& t) {
     verdicts.expect("an index that is one too great", "out of range or order", with_indices("Agw=", 2, 5121));
     verdicts.expect("the last index", "part ", with_indices("Ags=", 2, 5121));
     verdicts.expect("indices in another order", "out of range or order", with_indices("BQI=", 2, 5121));
+    // The third mesh has corners at 1 and -1, as normalised shorts.
+    verdicts.expect("the same positions in normalised bytes", "", certified.judged_with(in_description([](json& d) {
+      json& accessor = d["accessors"].at(d["meshes"][2]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>());
+      accessor["componentType"] = gen::gltf_byte, accessor["bufferView"] = d["bufferViews"].size();
+      accessor["byteOffset"] = 0;
+      d["bufferViews"].push_back({{"buffer", d["buffers"].size()}, {"byteLength", 12}, {"byteStride", 4}});
+      d["buffers"].push_back({{"byteLength", 12}, {"uri", "data:application/octet-stream;base64,fwAABQCBAAUAAIAF"}});
+    })));
     const std::string bytes = read_whole(certified.baked());
     for (const std::size_t more : {1, 4, 7, 8}) {
       std::string longer = bytes + std::string(more, '\0');

@@ -289,6 +289,9 @@ void boxes_that_are_grown_by_radii(Suite& t) {
     program.add_row({{x, -1}, {y, -1}}, 0);
     return first && second && third && !program.solve();
   });
+}
+
+void fits_are_tight(Suite& t) {
   t.example("what an octahedron's joint carries is fitted to a pose: a ball where it turns by half a right angle", {}, [] {
     SkinnedMesh octahedron;
     octahedron.joints.resize(1);
@@ -304,6 +307,71 @@ void boxes_that_are_grown_by_radii(Suite& t) {
                  fitted = volume_of_box(box_of<double>(RoundedBoxes(octahedron, {&turned, 1}).box(matrices)));
     return std::abs(of_box / 128 - 1) < 1e-3 && std::abs(fitted / 64 - 1) < 1e-2;
   });
+  t.example("a capsule's own vertices get a capsule that is hardly larger, however it lies", {}, [] {
+    std::mt19937 random(2006);
+    std::uniform_real_distribution<double> u(-1, 1);
+    long tried = 0;
+    for (const double half_length : {0., 1., 3.})
+      for (int i = 0; i < 20; ++i, ++tried) {
+        const Point3 axis = Point3(u(random), u(random), u(random)).normalized(), middle(u(random), u(random), u(random));
+        SkinnedMesh mesh;
+        mesh.joints.resize(1);
+        for (int v = 0; v < 400; ++v) {
+          const Point3 out = Point3(u(random), u(random), u(random)).normalized();
+          mesh.vertices.push_back(middle + std::copysign(half_length, dot<double, 3>(out, axis)) * axis + out);
+          mesh.influences.push_back({{0, 1.}});
+        }
+        const JointCapsule fitted = fit_capsules(mesh)[0];
+        const double length = norm<double, 3>(fitted.ends[1] - fitted.ends[0]);
+        if (fitted.radius > 1.2 || length / 2 + fitted.radius > 1.05 * (half_length + 1))
+          return Checked(false, tried, std::to_string(fitted.radius) + ", " + std::to_string(length));
+      }
+    return Checked(true, tried);
+  });
+  t.example("blocks of a joint each, in one pose, get rounded boxes that reach no farther than the blocks do", {}, [] {
+    std::mt19937 random(2006);
+    std::uniform_real_distribution<double> u(-1, 1);
+    long tried = 0;
+    double worst = 0;
+    for (int i = 0; i < 10; ++i, ++tried) {
+      SkinnedMesh mesh;
+      mesh.joints.resize(5);
+      Pose pose(5);
+      auto reached = Box<double>::empty();
+      for (int j = 0; j < 5; ++j) {
+        pose[j] = {gen::random_rotation(random, 1), {u(random), u(random), u(random)}};
+        const Point3 middle(u(random), u(random), u(random)), half(u(random), u(random), u(random));
+        for (int v = 0; v < 8; ++v) {
+          const Point3 signs(v & 1 ? 1 : -1, v & 2 ? 1 : -1, v & 4 ? 1 : -1);
+          mesh.vertices.push_back(middle + signs.cwiseProduct(half) / (1 + j));
+          mesh.influences.push_back({{j, 1.}});
+          reached.merge(apply(pose[j], mesh.vertices.back()));
+        }
+      }
+      JointMatrices matrices(5);
+      matrices.set(pose);
+      const Box<double> fitted = box_of<double>(RoundedBoxes(mesh, {&pose, 1}).box(matrices));
+      worst = std::max(worst, volume_of_box(fitted) / volume_of_box(reached));
+    }
+    return Checked(worst < 1.002, tried, std::to_string(worst) + " of the blocks' own box at most");
+  });
+  t.example("rounded boxes are fitted to poses from the first to the last of each clip", {}, [] {
+    const std::vector<Pose> poses = expected_poses(man());
+    const std::size_t clips = man().clips.size(), of_each = poses.size() / clips;
+    if (poses.size() != clips * of_each || of_each < 2) return Checked(false, 0);
+    for (std::size_t c = 0; c < clips; ++c)
+      for (std::size_t i = 0; i < of_each; ++i) {
+        const Pose pose = man().clips[c].sample(man().clips[c].duration * i / (of_each - 1));
+        for (std::size_t j = 0; j < pose.size(); ++j)
+          if (pose[j].translation != poses[c * of_each + i][j].translation ||
+              pose[j].rotation != poses[c * of_each + i][j].rotation)
+            return Checked(false, static_cast<long>(i));
+      }
+    return Checked(true, static_cast<long>(poses.size()));
+  });
+}
+
+void fits_solve_their_inequalities(Suite& t) {
   t.example("the fitted capsules and rounded boxes solve the man's inequalities", {}, [] {
     const auto capsules = fit_capsules(man());
     const auto& boxes = fitted_boxes();
@@ -436,6 +504,8 @@ PROPTEST(whole_character_boxes) {
   cases_of_joint_boxes(t);
   cases_of_padded_pivots(t);
   boxes_that_are_grown_by_radii(t);
+  fits_are_tight(t);
+  fits_solve_their_inequalities(t);
   boxes_by_every_target(t);
   boxes_of_clips_and_their_measures(t);
 }

@@ -190,8 +190,8 @@ def require_enclosed(clip, parts, bounds, directions, duration):
             for i in range(0, len(moments), step):
                 some = moments[i:i + step]
                 outside[some] = excess(bound, directions, part.placed(matrices[some], weights[some])) + errors[some]
-            worst = np.maximum(outside[firsts], outside[lates]) + above(np.maximum(slack, stated) + light) * (1 + 4 * UNIT)
-            require(np.all(above(worst) <= 0) and above(outside[len(after) - 1]) <= 0, f"part {number}: a vertex may leave its {kind}")
+            worst = Interval(np.maximum(outside[firsts], outside[lates])) + (Interval(np.maximum(slack, stated)) + light)
+            require(np.all(worst.high <= 0) and above(outside[len(after) - 1]) <= 0, f"part {number}: a vertex may leave its {kind}")
 
 
 def beyond_slabs(bound, directions, placed):

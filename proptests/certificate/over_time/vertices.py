@@ -8,7 +8,7 @@ displacements of the morph targets times their weights.
 import numpy as np
 
 from .glb import finite_numbers, index, items, member
-from .interval import Interval, stack
+from .interval import Interval, stack, where
 from .nodes import target_count
 from .rejected import require
 
@@ -157,8 +157,7 @@ class Vertices:
         total = weights[:, 0]
         for k in range(1, listed.shape[1]):
             total = total + weights[:, k]
-        share = weights / total[:, None]
-        share = Interval(np.where(has_weight, share.low, 0), np.where(has_weight, share.high, 0))
+        share = where(has_weight, weights / total[:, None], Interval(0.0))
         return np.where(has_weight, joints[np.where(has_weight, listed, 0)], 0).astype(float), share
 
     def placings_of(self, chosen):
