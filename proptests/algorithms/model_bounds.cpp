@@ -3,12 +3,17 @@
 #include "algorithms/bake/over_time/model_bounds.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/model/keyed.hpp"
+#include "algorithms/model/load.hpp"
+#include "algorithms/results/write_whole.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/rich_gltf.hpp"
+#include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_model_bounds {
@@ -204,6 +209,33 @@ PROPTEST(model_bounds) {
         }
         return Checked(good, looked_at);
       });
+  t.example("while one clip fades to another, the box of each skin, mesh and primitive is that of its own clusters together", {},
+            [] {
+              const gen::TemporaryFolder folder;
+              write_whole(folder.file("rich.glb"), gen::RichGltf(false, true, false).file.binary_file());
+              Model model = load_model(folder.file("rich.glb"), {.joints = Joints::affine, .morphs = Morphs::moving});
+              model.clips.push_back(model.clips[0]);
+              model.clips[1].name = "again";
+              const ModelBounds faded =
+                  bound_model(model, {.tolerance = 0.5, .cluster_triangles = 4, .crossfades = true, .crossfade_tolerance = 1});
+              long looked_at = 0, smaller = 0;
+              for (std::size_t p = 0; p < faded.parts.size(); ++p) {
+                if (faded.parts[p].kind == PartKind::cluster) continue;
+                const std::vector<BoundedPart>& bounds = faded.crossfades.at(0).parts;
+                const std::set<int> own(faded.parts[p].vertices.begin(), faded.parts[p].vertices.end());
+                Box<float> joined = Box<float>::empty();
+                for (std::size_t c = 0; c < faded.parts.size(); ++c) {
+                  const auto& vertices = faded.parts[c].vertices;
+                  if (faded.parts[c].kind == PartKind::cluster &&
+                      std::all_of(vertices.begin(), vertices.end(), [&](int v) { return own.contains(v); }))
+                    joined.merge(bounds[c].box);
+                }
+                if (bounds[p].box.low != joined.low || bounds[p].box.high != joined.high)
+                  return Checked(false, looked_at, name_of(faded.parts[p].kind));
+                ++looked_at, smaller += joined.low != bounds[0].box.low || joined.high != bounds[0].box.high;
+              }
+              return Checked(smaller > 2, looked_at, std::to_string(smaller) + " of them smaller than the whole");
+            });
   t.example("progress goes up to the whole", {}, [] {
     std::vector<double> told;
     bound_model(

@@ -336,11 +336,18 @@ void reports_and_progress(Suite& t) {
       }
       if (!clip.contains("chart")) continue;
       ++charts;
-      double last = -1;
+      // With the sign of the side that the chart is of, all is the higher, the farther it is out.
+      const double sign = clip["chart"]["low"].get<bool>() ? -1 : 1;
+      const std::vector<double> keys = clip["chart"]["keys"];
+      double last = -1, of_keys = -1e300, of_all = of_keys;
       for (const json& point : clip["chart"]["curve"]) {
         if (point[0].get<double>() <= last) wrong += "times of the chart are not in order; ";
-        last = point[0];
+        last = point[0], of_all = std::max(of_all, sign * point[1].get<double>());
+        if (std::find(keys.begin(), keys.end(), last) != keys.end()) of_keys = std::max(of_keys, sign * point[1].get<double>());
       }
+      if (of_keys != sign * clip["chart"]["of_keys"].get<double>()) wrong += "a chart says another box of its keys; ";
+      if (of_all < of_keys || of_all > sign * clip["chart"]["bound"].get<double>())
+        wrong += "a chart's bound is less than its curve; ";
       if (std::abs(last - duration) > 1e-9 || clip["chart"]["curve"][0][0] != 0) wrong += "a chart is not of the whole clip; ";
     }
     return Checked(wrong.empty() && charts > 0, tried, wrong + std::to_string(charts) + " charts");
