@@ -2,6 +2,8 @@
 // Float skinning against the doubles that count, in exact arithmetic, over all that the interface accepts.
 #include "algorithms/runtime/collide/skinned_clusters.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -141,6 +143,56 @@ void floats_are_within_their_slack(Suite& t) {
       });
 }
 
+// What one target skins in float of a cluster: the sides of its box, then all places.
+struct FloatImage {
+  float slack;
+  std::vector<float> numbers;
+};
+
+// Of all clusters whose slacks are finite.
+std::vector<FloatImage> skinned_by(Target target, const ClusterTree& tree, const Pose& pose, Skinning skinning) {
+  const Character& c = tree.character();
+  const PalettePacks packs(c.mesh, c.sets, skinning);
+  const FloatPlacement at = {{0.8, 0, -0.6, 0}, {1, 2, -3}, 0, 0};
+  std::vector<FloatPaletteEntry> palette(c.sets.count());
+  for (int part = 0; part < packs.part_count(); ++part) packs.make_float_part(part, pose, at, palette.data(), target);
+  std::vector<FloatImage> out;
+  for (int n = 0; n < static_cast<int>(tree.clusters().size()); ++n) {
+    const auto runs = tree.floats().runs(n);
+    if (std::any_of(runs.begin(), runs.end(), [&](const FloatRun& r) { return !std::isfinite(palette[r.joint_set].slack); }))
+      continue;
+    std::vector<Lanes<float>> places(3 * tree.floats().block_count(n));
+    Box<float> box;
+    FloatImage& image = out.emplace_back(FloatImage{tree.floats().skin(n, palette.data(), places.data(), box, target), {}});
+    for (const auto* side : {&box.low, &box.high}) image.numbers.insert(image.numbers.end(), side->begin(), side->end());
+    for (const Lanes<float>& lanes : places) image.numbers.insert(image.numbers.end(), lanes.lane.begin(), lanes.lane.end());
+  }
+  return out;
+}
+
+void floats_by_every_target(Suite& t) {
+  t.holds("every target skins in float to the same places, but for the slack",
+          {.cases = 200, .tags_at_least = {{"skinned", 0.5}}}, [] {
+            const auto plan = *gen::mesh_plan();
+            const Character c = bake(gen::make_mesh(plan));
+            std::mt19937 random(plan.seed);
+            const Pose pose = gen::random_pose(c.mesh, random, *rc::gen::element(0.0, 1e-3, 0.1, 0.5));
+            const ClusterTree tree(c, {.most_triangles = *rc::gen::element(1, 7, 256)});
+            const auto skinning = *rc::gen::element(Skinning::spherical, Skinning::hejl);
+            const std::vector<FloatImage> expected = skinned_by(best_target(), tree, pose, skinning);
+            for (const Target target : available_targets()) {
+              const std::vector<FloatImage> found = skinned_by(target, tree, pose, skinning);
+              RC_ASSERT(found.size() == expected.size());
+              for (std::size_t n = 0; n < found.size(); ++n) {
+                RC_ASSERT(std::abs(found[n].slack - expected[n].slack) <= 1e-3f * expected[n].slack);
+                for (std::size_t i = 0; i < found[n].numbers.size(); ++i)
+                  RC_ASSERT(std::abs(found[n].numbers[i] - expected[n].numbers[i]) <= found[n].slack);
+              }
+            }
+            RC_TAG(expected.empty() ? "not skinned in float" : "skinned");
+          });
+}
+
 void slacks_of_placements_and_of_a_walking_man(Suite& t) {
   t.example("a placement off unit length stretches what it turns, and the slack has that", {}, [] {
     const Character c = bake(about_one_joint());
@@ -178,6 +230,7 @@ void slacks_of_placements_and_of_a_walking_man(Suite& t) {
 
 PROPTEST(skinned_clusters) {
   floats_are_within_their_slack(t);
+  floats_by_every_target(t);
   slacks_of_placements_and_of_a_walking_man(t);
   t.example("single triangles have the very doubles, and clusters and vertices are counted once a frame", {}, [] {
     const auto man = bake(make_man());
