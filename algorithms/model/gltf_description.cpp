@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/model.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 
 namespace refitlab {
 namespace {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "algorithms/model/glb_file.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 
 namespace refitlab {
 namespace {

@@ -11,9 +11,7 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/bake/over_time/model_bounds.hpp"
-#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/load.hpp"
-#include "algorithms/program/baked_file.hpp"
 #include "algorithms/program/bound_json.hpp"
 #include "algorithms/program/clip_certificate.hpp"
 #include "algorithms/program/command.hpp"
@@ -21,6 +19,8 @@
 #include "algorithms/program/peak_memory.hpp"
 #include "algorithms/program/report.hpp"
 #include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/tree/baked_file.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 
 namespace refitlab {
 namespace {

@@ -10,9 +10,9 @@
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/model/load.hpp"
-#include "algorithms/program/baked_file.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/tree/baked_file.hpp"
 
 namespace refitlab {
 namespace {

@@ -122,7 +122,7 @@ void check_image() {
   auto box = Box<double>::empty();
   for (const Point3& v : mesh.vertices) box.merge(v);
   const Ball3<double> ball{box.center(), box.edges().norm() * *rc::gen::element(0.3, 0.4, 0.5)};
-  const Box<double> image = box_of_image(map, ball, box, 1);
+  const Box<double> image = box_of_image(map, ball, box, sizes_of(map, 1));
   bool ball_alone = false, box_alone = false;
   for (int i = 0; i < 3; ++i) {
     double row = 0, along = 0;
@@ -140,7 +140,7 @@ void check_image() {
   AffineMap<double> smaller = map;
   for (Point3& column : smaller.columns) column *= 0x1p-40;
   smaller.offset *= 0x1p-40;
-  const Box<double> small = box_of_image(smaller, ball, box, 1);
+  const Box<double> small = box_of_image(smaller, ball, box, sizes_of(smaller, 1));
   double reach = map.offset.norm();
   for (const Point3& column : map.columns) reach += column.norm() * (10 + ball.center.norm() + ball.radius);
   RC_ASSERT((small.low * 0x1p40 - image.low).norm() <= 1e-12 * reach + 1e-80);
@@ -248,9 +248,165 @@ void check_clusters() {
             oracle::all_pairs(mesh.triangles, skinned[0], mesh.triangles, skinned[1]));
 }
 
+// One triangle whose corners are all of the same joints, with equal weights.
+SkinnedMesh even_triangle(int joints, const Point3& a, const Point3& b, const Point3& c) {
+  SkinnedMesh mesh;
+  mesh.name = "even";
+  for (int j = 0; j < joints; ++j) mesh.joints.push_back({"joint " + std::to_string(j), j - 1, Point3::Zero()});
+  mesh.vertices = {a, b, c};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.influences.resize(3);
+  for (auto& own : mesh.influences)
+    for (int j = 0; j < joints; ++j) own.push_back({j, 1. / joints});
+  return mesh;
+}
+
+// Joints cancel each other, so that the blend is much smaller than what skinning sums up.
+void check_joints_that_cancel() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto point = [&] { return Point3(u(random), u(random), u(random)); };
+  const double far = std::pow(10, *rc::gen::inRange(0, 18)), stretch = std::pow(10, *rc::gen::inRange(0, 4));
+  const bool is_turned = *rc::gen::arbitrary<bool>();
+  const Character c = bake(even_triangle(2, point(), point(), point()), {}, {});
+  AffinePose pose(2, identity_map<double>());
+  pose[0].offset = far * point(), pose[1].offset = point() - pose[0].offset;
+  for (int i = 0; i < 3; ++i) {
+    const Point3 away = stretch * point();
+    pose[0].columns[static_cast<std::size_t>(i)] += away, pose[1].columns[static_cast<std::size_t>(i)] -= away;
+  }
+  RigidTransform<double> at;
+  if (is_turned) at = random_placement(random, 1);
+  const ClusterTree tree(c);
+  ClusterBody body(tree, Skinning::linear);
+  body.begin(pose, at);
+  auto skinned = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose), Skinning::linear);
+  for (Point3& v : skinned) v = apply(at, v);
+  assert_held(body, skinned, true);
+  RC_CLASSIFY(far > 1e6, "far");
+}
+
+// The motion bound's boxes are of single joints, and vertices of many are off by as many roundings.
+void check_many_joints() {
+  const int joints = 1 << *rc::gen::element(0, 6, 10, 11, 12);
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const SkinnedMesh mesh = even_triangle(joints, Point3::Zero(), Point3::Zero(), Point3::UnitX() * 0x1p-40);
+  const JointSets sets(mesh);
+  // Just below a power of two, so that each of the last sums rounds by nearly half a unit, all of them the same way.
+  AffineMap<double> map = identity_map<double>();
+  map.offset = Point3::Constant(2 - (joints / 2 + 1 + static_cast<double>(random() % 4)) * 0x1p-52);
+  const AffinePose pose(static_cast<std::size_t>(joints), map);
+  const Box<double> box = MotionBound(mesh, sets, Skinning::linear).box(pose, {});
+  for (const Point3& v : skin(mesh, sets, make_skinning_palette(mesh, sets, pose), Skinning::linear))
+    RC_ASSERT(is_inside(box, v));
+}
+
+// Coordinates near the end of float's range and beyond it.
+void check_far_boxes() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  std::uniform_real_distribution<double> exponent(34, 40), u(-1, 1);
+  const auto far = [&] { return std::copysign(std::pow(10, exponent(random)), u(random)); };
+  SkinnedMesh mesh = even_triangle(2, Point3::Zero(), Point3::UnitX(), Point3::UnitY());
+  if (random() % 2) mesh.vertices[0] = Point3(far(), far(), random() % 2 ? far() : 0);
+  if (random() % 2) mesh.influences[0] = {{0, 1}}, mesh.influences[1] = {{1, 1}};
+  const bool is_morphed = random() % 2;
+  if (is_morphed) gen::add_targets(mesh, random);
+  const Character c = bake(mesh, {}, {Pieces::mixed});
+  AffinePose pose(2, identity_map<double>());
+  if (random() % 2) pose[0].columns[random() % 3] = Point3::Zero();
+  RigidTransform<double> at;
+  if (random() % 2) {
+    const double away = far();
+    for (auto& map : pose) map.offset[0] = away;
+    at.translation[0] = -away * 0.99;
+  }
+  const std::vector<double> weights = is_morphed ? gen::random_weights(mesh, random) : std::vector<double>();
+  const ClusterTree tree(c);
+  ClusterBody body(tree, Skinning::linear);
+  try {
+    body.begin(pose, at, weights);
+  } catch (const std::exception&) {
+    RC_TAG("refused");
+    return;
+  }
+  auto skinned = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose), Skinning::linear, Deformation{weights, {}});
+  for (Point3& v : skinned) v = apply(at, v);
+  assert_held(body, skinned, !is_morphed);
+  RC_TAG("held");
+}
+
+// A frame that is refused leaves the one before as it was.
+void check_refused_frames() {
+  const auto plan = *gen::mesh_plan();
+  std::mt19937 random(plan.seed);
+  SkinnedMesh mesh = gen::make_mesh(plan);
+  gen::add_targets(mesh, random);
+  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::dual_quaternion);
+  const Character c = bake(mesh, {}, {Pieces::mixed});
+  const ClusterTree tree(c, {.most_triangles = 4, .most_children = 3});
+  ClusterBody body(tree, skinning);
+  const Pose pose = gen::random_pose(mesh, random, 0.5);
+  Pose stretched = pose, few = pose;
+  stretched[0].rotation *= 2, few.pop_back();
+  const bool is_deformed = random() % 2;
+  const Deformation deformation{is_deformed ? gen::random_weights(mesh, random) : std::vector<double>(), {}};
+  body.expect_whole(random() % 2);
+  body.begin(pose, {}, deformation);
+  const auto refused = [&](const auto& begin) {
+    try {
+      begin();
+    } catch (const ModelError&) {
+      return;
+    }
+    RC_FAIL("it was not refused");
+  };
+  const std::vector<double> one_too_many(static_cast<std::size_t>(mesh.targets.count) + 1, 0.5);
+  const AffinePose infinite(mesh.joints.size(), AffineMap<double>{{}, Point3::Constant(1e300)});
+  switch (random() % 6) {
+    case 0: refused([&] { body.begin(few, {}); }); break;
+    case 1: refused([&] { body.begin(stretched, {}); }); break;
+    case 2: refused([&] { body.begin(few, {}, {gen::random_weights(mesh, random), {}}); }); break;
+    case 3: refused([&] { body.begin(pose, {}, {one_too_many, {}}); }); break;
+    case 4: refused([&] { body.begin(infinite, {}); }); break;
+    default: refused([&] { body.begin(infinite, {}, gen::random_weights(mesh, random)); });
+  }
+  auto skinned = skin(mesh, c.sets, make_skinning_palette(mesh, c.sets, pose, skinning), skinning, deformation);
+  for (Point3& v : skinned) v = apply(RigidTransform<double>{}, v);
+  assert_held(body, skinned, !is_deformed);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const TrianglePoints points = body.triangle(static_cast<int>(t));
+    for (int i = 0; i < 3; ++i) RC_ASSERT(points[i] == skinned[static_cast<std::size_t>(mesh.triangles[t][i])]);
+  }
+  RC_CLASSIFY(is_deformed, "deformed");
+}
+
 }  // namespace
 
 PROPTEST(affine_boxes) {
+  t.holds("boxes hold what joints that nearly cancel each other make, with all that skinning rounds",
+          {.number_type = "double", .cases = 1000, .tags_at_least = {{"far", 0.2}}}, check_joints_that_cancel);
+  t.holds("the motion bound holds vertices of thousands of affine joints", {.number_type = "double", .cases = 60},
+          check_many_joints);
+  t.holds("boxes beyond the range of float hold everything rather than nothing",
+          {.number_type = "double", .cases = 1000, .tags_at_least = {{"held", 0.6}}}, check_far_boxes);
+  t.holds("a frame that is refused leaves the one before as it was",
+          {.number_type = "double", .cases = 300, .tags_at_least = {{"deformed", 0.3}}}, check_refused_frames);
+  t.example("clusters refuse affine joints in a skinning of rotations, and have no palettes of them in float", {}, [] {
+    const Character c = bake(even_triangle(1, Point3::Zero(), Point3::UnitX(), Point3::UnitY()), {}, {});
+    const ClusterTree tree(c);
+    const AffinePose pose(1, identity_map<double>());
+    SkinnedClusters linear(tree, Skinning::linear), spherical(tree, Skinning::spherical);
+    linear.begin(pose, {}, Point3::Zero());
+    linear.make_all_palettes();
+    bool is_refused = false;
+    try {
+      spherical.begin(pose, {}, Point3::Zero());
+    } catch (const std::invalid_argument&) {
+      is_refused = true;
+    }
+    return Checked(is_refused && linear.triangle(0)[1] == Point3::UnitX(), 2);
+  });
+
   t.holds("packs skin by affine joints to the last bit as skin() does",
           {.number_type = "double", .cases = 200, .degenerate_at_most = 0.5}, check_packs);
   t.holds("the balls of a batch enclose what affine joints make of their vertices",

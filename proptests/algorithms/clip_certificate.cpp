@@ -9,12 +9,12 @@
 #include <sstream>
 
 #include "algorithms/certificate/sha256.hpp"
-#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/write_gltf.hpp"
-#include "algorithms/program/baked_file.hpp"
 #include "algorithms/program/program.hpp"
 #include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/tree/baked_file.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"

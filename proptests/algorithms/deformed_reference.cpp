@@ -169,6 +169,17 @@ void check_ranges() {
     if (!bounds(variant, d.skinning)) continue;
     DeformedReference reference(c, variant.pieces);
     reference.begin(ranges, d.deformation.scales);
+    if (!ranges.empty()) {
+      auto reversed = ranges;
+      reversed[0] = {0.5, 0.25};
+      bool is_refused = false;
+      try {
+        reference.begin(reversed, d.deformation.scales);
+      } catch (const ModelError&) {
+        is_refused = true;
+      }
+      RC_ASSERT(is_refused);  // and what follows is still of the ranges before
+    }
     std::vector<Ball3<double>> balls;
     for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n)
       balls.push_back(variant.refit(reference.refit_node(n, palette)));

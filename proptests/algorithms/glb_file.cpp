@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Binary glTF files as chunks.
-#include "algorithms/model/glb_file.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "proptests/harness.hpp"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "algorithms/model/glb_file.hpp"
 #include "algorithms/model/gltf_scene.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/model/model_of_scene.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A bent arm, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not. Writes
-// the baked arm into a file that it is given.
+// the baked arm into two files that it is given: by itself, and in a glTF file as `refitlab bake` does.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,7 +10,9 @@
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "algorithms/runtime/tree/baked_file.hpp"
 #include "algorithms/runtime/tree/character_file.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 
@@ -47,6 +49,11 @@ int main(int, char** argv) {
   using namespace refitlab;
   const Character arm = bake(make_arm());
   std::ofstream(argv[1], std::ios::binary) << bytes_of(arm);
+  ClusterBounds clusters;
+  clusters.clips = {{"", 0, {}}};  // the rest pose
+  const std::string chunk = chunk_of({Skinning::spherical, RotationBlend::slerp, arm, clusters});
+  std::ofstream(argv[2], std::ios::binary) << glb_of({{json_chunk, R"({"asset":{"version":"2.0"}})"}, {refitlab_chunk, chunk}},
+                                                     argv[2]);
   const RefitVariant& variant = default_variant(Skinning::spherical);
   // The forearm is turned by a quarter about the elbow, which stays where it is.
   const double half = std::sqrt(0.5), elbow = arm.mesh.joints[1].origin[0];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that refitlab bake wrote: whatever the bytes, with checksums that fit them, the chunk of refitlab is refused or read, and what
 // is read is written as it was.
-#include "algorithms/program/baked_file.hpp"
+#include "algorithms/runtime/tree/baked_file.hpp"
 
-#include "algorithms/model/glb_file.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 #include "proptests/fuzz/resealed.hpp"
 #include "proptests/fuzz/target.hpp"
 

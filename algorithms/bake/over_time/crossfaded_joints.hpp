@@ -13,10 +13,9 @@
 #include "algorithms/bake/over_time/bounded_cache.hpp"
 #include "algorithms/bake/over_time/moving_joints.hpp"
 #include "algorithms/bake/over_time/node_motions.hpp"
+#include "algorithms/runtime/skinning/rotation_blend.hpp"
 
 namespace refitlab {
-
-enum class RotationBlend { slerp, nlerp };
 
 // A FadingClip is one of both animations. It has a track for each node that either animation moves and that is above some joint.
 class FadingClip {

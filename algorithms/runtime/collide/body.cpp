@@ -8,6 +8,7 @@ namespace refitlab {
 
 void Body::begin(const Pose& pose, const Deformation& deformation) {
   const DefaultFloatEnvironment environment;
+  check_pose(character_.mesh, pose);  // so that the frame before goes on if one of both is refused
   deform(deformation);
   palette_packs_.make(pose, palette_);
   palette_.measure();
@@ -20,16 +21,18 @@ void Body::begin(const AffinePose& pose, const std::vector<double>& weights) {
     return begin(rigid, {weights, scales});
   }
   const DefaultFloatEnvironment environment;
+  check_pose(character_.mesh, pose);
   deform({weights, {}});
   make_skinning_palette(character_.mesh, character_.sets, pose, palette_);
   start();
 }
 
 void Body::deform(const Deformation& deformation) {
+  if (!deformation.is_none()) {
+    if (!reference_) reference_.emplace(character_, pieces_);
+    reference_->begin(deformation);
+  }
   is_deformed_ = !deformation.is_none();
-  if (!is_deformed_) return;
-  if (!reference_) reference_.emplace(character_, pieces_);
-  reference_->begin(deformation);
 }
 
 void Body::start() {

@@ -18,11 +18,15 @@ int blocks_of(int boxes) { return (boxes + 7) / 8; }
 Box<float> float_box(const Box<double>& box, double lost) {
   Box<float> out;
   double largest = 0;
-  for (int i = 0; i < 3; ++i) largest = max_of(largest, max_of(std::abs(box.low[i]), std::abs(box.high[i])));
+  for (int i = 0; i < 3; ++i)
+    for (const double side : {box.low[i], box.high[i]}) {
+      // What is undefined, or nearly beyond the range of float, may be anywhere.
+      if (!(std::abs(side) < largest_box)) return Box<float>::everything();
+      largest = max_of(largest, std::abs(side));
+    }
   const auto off = static_cast<float>(lost + roundings_of_float_box * largest + least_float_slack);
   for (int i = 0; i < 3; ++i)
     out.low[i] = static_cast<float>(box.low[i]) - off, out.high[i] = static_cast<float>(box.high[i]) + off;
-  // If coordinates beyond the range of float leave the box undefined, it holds everything.
   return off < std::numeric_limits<float>::infinity() ? out : Box<float>::everything();
 }
 
@@ -47,16 +51,19 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   const DefaultFloatEnvironment environment;
   check_placement(placement, "a body's placement");
   const SkinnedMesh& mesh = tree_.character().mesh;
-  const DeformedReference* const reference = deform(deformation);
-  is_motion_bound_made_ = are_joints_placed_ = false;
-  if (is_deformed_ || is_whole_expected_ || pose.size() != mesh.joints.size()) {
+  std::optional<Box<double>> bound;
+  are_joints_placed_ = false;  // a frame before does without them if this one is refused
+  if (!deformation.is_none() || is_whole_expected_ || pose.size() != mesh.joints.size()) {
     check_pose(mesh, pose);
   } else {
     bool is_rigid = true;
-    const Box<double> bound = motion_bound_.box(pose, placement, is_rigid);
+    bound = motion_bound_.box(pose, placement, is_rigid);
     if (!is_rigid) check_pose(mesh, pose);
-    set_motion_bound(bound);
   }
+  const DeformedReference* const reference = deform(deformation);
+  // Nothing is refused from here on.
+  is_motion_bound_made_ = false;
+  if (bound) set_motion_bound(*bound);
   pose_ = pose;
   placement_ = placement;
   is_affine_ = false;
@@ -71,6 +78,7 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
   }
   const DefaultFloatEnvironment environment;
   check_placement(placement, "a body's placement");
+  check_pose(tree_.character().mesh, pose);
   const DeformedReference* const reference = deform({weights, {}});
   clusters_.begin(pose, placement, placement.translation, reference);
   placement_ = placement;
@@ -82,8 +90,10 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
 
 // Returns the reference of a frame, which is none if nothing deforms it.
 const DeformedReference* ClusterBody::deform(const Deformation& deformation) {
-  is_deformed_ = false;
-  if (deformation.is_none()) return nullptr;
+  if (deformation.is_none()) {
+    is_deformed_ = false;
+    return nullptr;
+  }
   if (!deformed_) deformed_.emplace(tree_.character(), default_variant(skinning_));
   deformed_->reference.begin(deformation);
   deformed_->are_balls_begun = false;

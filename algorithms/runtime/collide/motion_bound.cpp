@@ -156,7 +156,11 @@ Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double
   for (const AffineMap<double>& map : pose) placed.push_back(turned(placement.rotation, map));
   auto box = Box<double>::empty();
   for (const Group& g : groups_)
-    for (const int j : g.joints) box.merge(box_of_image(placed[static_cast<std::size_t>(j)], g.reference, g.box, 1));
+    for (const int j : g.joints) {
+      // A vertex of all of these joints is off by as many roundings.
+      const AffineMap<double>& map = placed[static_cast<std::size_t>(j)];
+      box.merge(box_of_image(map, g.reference, g.box, sizes_of(map, static_cast<int>(g.joints.size()))));
+    }
   for (int i = 0; i < 3; ++i) {
     const double at = placement.translation[i];
     const double off = 1e-14 * (max_of(std::abs(box.low[i]), std::abs(box.high[i])) + std::abs(at));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "algorithms/runtime/packs/float_above.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -61,6 +62,7 @@ void SkinnedClusters::begin(const Pose& pose, const RigidTransform<double>& plac
 
 void SkinnedClusters::begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin,
                             const DeformedReference* reference) {
+  if (skinning_ != Skinning::linear) throw std::invalid_argument("clusters: affine joints are skinned linearly");
   make_skinning_palette(tree_.character().mesh, tree_.character().sets, pose, affine_palette_);
   pose_ = nullptr;
   start(placement, origin, reference);
@@ -82,6 +84,7 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
 
 void SkinnedClusters::make_all_palettes() {
   const DefaultFloatEnvironment environment;
+  if (!pose_) return;  // affine joints have no palette in float
   for (int part = 0; part < palette_packs_.part_count(); ++part) make_float_palette(part);
 }
 

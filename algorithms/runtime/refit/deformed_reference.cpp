@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball.hpp"
@@ -65,13 +66,17 @@ void DeformedReference::begin(const Deformation& deformation) {
 void DeformedReference::begin(std::span<const Slab<double>> weights, const AffinePose& scales) {
   const DefaultFloatEnvironment environment;
   if (is_begun_ && same(weights, ranges_) && same(scales, deformation_.scales)) return;
-  is_begun_ = false;
-  for (double Slab<double>::*const end : {&Slab<double>::high, &Slab<double>::low}) {
-    deformation_.weights.clear();
-    for (const Slab<double>& range : weights) deformation_.weights.push_back(range.*end);
-    deformation_.scales = scales;
-    check_deformation(character_.mesh, deformation_);
+  // The greatest weights are looked at, and the lowest stay.
+  Deformation deformation{{}, scales};
+  for (const Slab<double>& range : weights) {
+    if (range.high < range.low) throw ModelError(character_.mesh.name, "pose", "a range of its weights ends before it begins");
+    deformation.weights.push_back(max_of(std::abs(range.low), std::abs(range.high)) + 0 * range.high);  // NaN if one of both is
   }
+  check_deformation(character_.mesh, deformation);
+  deformation.weights.clear();
+  for (const Slab<double>& range : weights) deformation.weights.push_back(range.low);
+  is_begun_ = false;
+  deformation_ = std::move(deformation);
   ranges_.assign(weights.begin(), weights.end());
   scales_ = make_scale_palette(character_.mesh, character_.sets, scales);
   nodes_made_.begin(), references_made_.begin();

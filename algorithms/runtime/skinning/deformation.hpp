@@ -54,7 +54,8 @@ struct SplitPose {
   AffinePose scales;
 };
 
-// Splits every joint about its own origin. Throws ModelError as check_pose does.
+// Splits every joint about its own origin. Throws ModelError as check_pose does. (What takes the scales refuses those that stretch by
+// more than 1e4 in some direction.)
 SplitPose split(const SkinnedMesh& mesh, const AffinePose& pose);
 
 }  // namespace refitlab

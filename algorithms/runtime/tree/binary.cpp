@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/binary.hpp"
 
+#include <fstream>
+#include <iterator>
+
 #include "algorithms/runtime/tree/fingerprint.hpp"
 
 namespace refitlab {
@@ -35,6 +38,14 @@ BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_
   if (size < in.rest().size()) throw ModelError(file, "file", "goes on after its end");
   if (checksum_of(in.rest()) != checksum) throw ModelError(file, "file", "its checksum is not that of its bytes");
   return in;
+}
+
+std::string read_bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw ModelError(path, "file", "cannot be read");
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw ModelError(path, "file", "cannot be read");
+  return bytes;
 }
 
 }  // namespace refitlab

@@ -69,4 +69,7 @@ std::string sealed(std::string_view magic, std::uint32_t version, std::string_vi
 BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_t version, const std::string& what,
                     const std::string& file);
 
+// Returns the bytes of a file. Throws ModelError for one that cannot be read.
+std::string read_bytes(const std::string& path);
+
 }  // namespace refitlab

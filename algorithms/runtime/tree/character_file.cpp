@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/character_file.hpp"
 
-#include <fstream>
-#include <iterator>
-
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/tree/binary.hpp"
 #include "algorithms/runtime/tree/check_character.hpp"
@@ -91,12 +88,6 @@ Character character_of(std::string_view bytes, const std::string& file) {
   return {std::move(mesh), std::move(sets), std::move(tree), std::move(vertices), std::move(pieces)};
 }
 
-Character read_character(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw ModelError(path, "file", "cannot be read");
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw ModelError(path, "file", "cannot be read");
-  return character_of(bytes, path);
-}
+Character read_character(const std::string& path) { return character_of(read_bytes(path), path); }
 
 }  // namespace refitlab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a baked character, bends it, and asks which triangles of two of it touch: what a game does, with nothing but the
+// Reads a baked character, by itself and from a glTF file, bends it, and asks which triangles of two of it touch: what a game does, with nothing but the
 // runtime. Exits with 1 if the answer is not that of bodies that stand in each other, and beside each other.
 #include <cmath>
 #include <cstdio>
@@ -8,11 +8,14 @@
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
+#include "algorithms/runtime/tree/baked_file.hpp"
 #include "algorithms/runtime/tree/character_file.hpp"
 
 int main(int, char** argv) try {
   using namespace refitlab;
   const Character arm = read_character(argv[1]);
+  const BakedFile baked = read_baked(argv[2]);
+  if (!baked.character || bytes_of(*baked.character) != bytes_of(arm)) return std::puts("the files have two characters"), 1;
   const ClusterTree clusters(arm);
   Pose pose = reference_pose(arm.mesh);
   for (auto& joint : pose) joint = {{std::cos(0.1), 0, std::sin(0.1), 0}, Point3::Zero()};  // turned as a whole

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 // A binary glTF 2.0 file consists of chunks [Khronos 2021, "glTF 2.0 specification", section 4.4].
 #pragma once
 

@@ -1,12 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/program/baked_file.hpp"
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/tree/baked_file.hpp"
 
 #include <algorithm>
 
-#include "algorithms/model/glb_file.hpp"
-#include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/tree/binary.hpp"
 #include "algorithms/runtime/tree/character_file.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 
 namespace refitlab {
 namespace {
@@ -59,7 +58,7 @@ BakedFile baked_of(std::string_view bytes, const std::string& path) {
 }
 
 BakedFile read_baked(const std::string& path) {
-  const std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
+  const std::vector<GlbChunk> chunks = read_glb(read_bytes(path), path);
   const auto found =
       std::find_if(chunks.begin(), chunks.end(), [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
   if (found == chunks.end()) throw ModelError(path, "file", "it was not baked: refitlab bake writes a chunk that is not there");

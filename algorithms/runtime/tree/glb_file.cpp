@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/model/glb_file.hpp"
+// SPDX-License-Identifier: MIT
+#include "algorithms/runtime/tree/glb_file.hpp"
 
 #include <limits>
 
@@ -8,7 +8,7 @@
 namespace refitlab {
 namespace {
 
-constexpr std::uint32_t magic = 0x46546C67, version = 2;
+constexpr std::uint32_t glb_magic = 0x46546C67, glb_version = 2;
 constexpr std::size_t header_size = 12, chunk_header_size = 8;
 
 std::uint32_t word_at(const std::string& bytes, std::size_t at) {
@@ -24,8 +24,8 @@ void put_word(std::string& bytes, std::uint32_t word) {
 }  // namespace
 
 std::vector<GlbChunk> read_glb(const std::string& bytes, const std::string& file) {
-  if (bytes.size() < header_size || word_at(bytes, 0) != magic) throw ModelError(file, "file", "it is no binary glTF");
-  if (word_at(bytes, 4) != version)
+  if (bytes.size() < header_size || word_at(bytes, 0) != glb_magic) throw ModelError(file, "file", "it is no binary glTF");
+  if (word_at(bytes, 4) != glb_version)
     throw ModelError(file, "file", "it is glTF " + std::to_string(word_at(bytes, 4)) + ", and only glTF 2 is read");
   if (word_at(bytes, 8) != bytes.size())
     throw ModelError(
@@ -58,7 +58,8 @@ std::string glb_of(const std::vector<GlbChunk>& chunks, const std::string& file)
     body += data;
   }
   std::string bytes;
-  put_word(bytes, magic), put_word(bytes, version), put_word(bytes, static_cast<std::uint32_t>(header_size + body.size()));
+  put_word(bytes, glb_magic), put_word(bytes, glb_version),
+      put_word(bytes, static_cast<std::uint32_t>(header_size + body.size()));
   return bytes + body;
 }
 

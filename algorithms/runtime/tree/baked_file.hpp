@@ -1,12 +1,21 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// A BakedFile is what `refitlab bake` wrote into a glTF file, read back.
+// SPDX-License-Identifier: MIT
+// A BakedFile is what `refitlab bake` wrote into a binary glTF file, read back.
+//
+// It is in a chunk of its own, of the type "RFLB" (0x424C4652). Format, version 2, as in character_file.hpp:
+//   "rflbaked"                 8 bytes
+//   version, size, checksum    4 + 8 + 8 bytes
+//   skinning                   4 bytes: 0 linear, 1 dual quaternion, 2 spherical
+//   rotations                  4 bytes: 0 slerp, 1 nlerp, as crossfades blend them
+//   the character              its size (8 bytes) and its bytes, as in character_file.hpp; none where it was left out
+//   the clusters               their size (8 bytes) and their bytes, as in cluster_bounds.hpp
+// Up to three zeros follow, so that the chunk ends at a multiple of four bytes.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "algorithms/bake/over_time/crossfaded_joints.hpp"
+#include "algorithms/runtime/skinning/rotation_blend.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "algorithms/runtime/tree/character.hpp"
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
