@@ -29,8 +29,9 @@ bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const std::vector
   return apart <= tolerance * (a * (box[7] - box[0])).norm();
 }
 
-constexpr double same_joint_tolerance = 1e-6;  // float rounding of offset matrices
-constexpr double same_frame_tolerance = 1e-3;  // of a mesh alone, any placement is right: keep the file's coordinates
+constexpr double same_joint_tolerance = 1e-12;  // rounding of double: a joint stands for another one only if it does the same
+// Any placement is right. The file's coordinates are kept where the mesh is alone, or the frames differ by the rounding of float.
+constexpr double same_frame_tolerance = 1e-6, same_frame_tolerance_alone = 1e-3;
 
 constexpr double affine_tolerance = 1e-6;  // of the last row of an offset matrix
 
@@ -66,10 +67,10 @@ class Binder {
   }
 
   void bind_to_node(int node, const std::vector<Eigen::Vector4d>& box, BoundPrimitive& bound) {
-    bound.placement = rest_frame(node);
-    if (!bound.placement.allFinite() || bound.placement.determinant() == 0)
-      throw ModelError(scene_.file, "node '" + scene_.nodes[node].name + "'", "its transform is singular");
     const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+    bound.placement = rest_frame(node);
+    // A node that is hidden by a scale of 0 carries its mesh in its own frame.
+    if (!bound.placement.allFinite() || bound.placement.determinant() == 0) bound.placement = identity;
     bound.joints = {joint(node, identity, bound.placement.inverse(), bound.placement, box)};
   }
 
@@ -92,7 +93,7 @@ class Binder {
                             const std::vector<Eigen::Vector4d>& box) const {
     std::size_t b = 0;
     while (b < nodes.size() && joint_of_node(nodes[b]) < 0) ++b;
-    const double tolerance = b < nodes.size() ? same_joint_tolerance : same_frame_tolerance;
+    const double tolerance = b < nodes.size() ? same_frame_tolerance : same_frame_tolerance_alone;
     if (b == nodes.size()) b = 0;
     const Eigen::Matrix4d found = rest_frame(nodes[b]) * offsets[b];
     const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();

@@ -123,7 +123,7 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
     out["crossfades"].push_back({{"first", bounds.clips[fade.first].name},
                                  {"second", bounds.clips[fade.second].name},
                                  {"parts", json_of_parts(bounds, fade.parts)}});
-  return out.dump(1) + "\n";
+  return out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 Character baked_character(const Model& model) {

@@ -211,6 +211,8 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
     throw ModelError(file, "clips", "there are not as many as were baked");
   const JointSets sets(model);
   const CheckedParts clusters = clusters_of(model, baked.clusters, file), nodes = nodes_of(model, baked, file);
+  if (clusters.vertices.empty() && nodes.vertices.empty())
+    throw ModelError(file, "clusters", "it has no bounds of them or of nodes, which are what is checked");
   const int samples = map["samples"].as<int>();
   const unsigned seed = map["seed"].as<unsigned>();
   const bool needs_pose = baked.skinning != Skinning::linear;

@@ -103,7 +103,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     nlohmann::ordered_json summary = {{"first", name_a}, {"second", name_b}, {"skinning", name_of(skinning)}};
     summary["pairs"] = nlohmann::json::array();
     for (const TrianglePair& pair : pairs) summary["pairs"].push_back({pair.first, pair.second});
-    write_whole(map["json"].as<std::string>(), summary.dump() + "\n");
+    write_whole(map["json"].as<std::string>(), summary.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   }
   out << pairs.size() << " pairs of triangles touch\n";
   if (map.count("pairs"))

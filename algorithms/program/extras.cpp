@@ -75,11 +75,10 @@ std::string with_extras(const std::string& json, const Model& model, const Model
   const std::vector<BoundedPart> all = bounds_of_all(bounds);
   const auto json_of_part = [&](std::size_t p) {
     Json json = json_of_bound<Json>(all[p]);
-    if (!bounds.any_pose.empty()) {
-      const AnyPoseBound& any = bounds.any_pose[p];
-      json["any_pose"] = {{"node", model.skeleton.nodes[any.node].source},
-                          {"radius", static_cast<double>(float_above(any.radius))}};
-    }
+    if (!bounds.any_pose.empty())
+      if (const auto& any = bounds.any_pose[p])
+        json["any_pose"] = {{"node", model.skeleton.nodes[any->node].source},
+                            {"radius", static_cast<double>(float_above(any->radius))}};
     return json;
   };
   // A primitive that several nodes show has one place in the file, which gets a bound for all of them.

@@ -3,4 +3,9 @@
 
 #include "algorithms/program/program.hpp"
 
-int main(int argc, char** argv) { return refitlab::run_program({argv + 1, argv + argc}, std::cout, std::cerr); }
+int main(int argc, char** argv) {
+  const int code = refitlab::run_program({argv + 1, argv + argc}, std::cout, std::cerr);
+  if (std::cout.flush()) return code;
+  std::cerr << "refitlab: standard output: cannot be written\n";
+  return code == 0 ? 3 : code;
+}

@@ -16,7 +16,8 @@ PosedCharacter posed_character(Model model, const Animation& animation, double t
   Pose rigid;
   AffinePose affine;
   Deformation deformation{morph_weights(model, animation, time), {}};
-  if (rigidity_defect(skin_matrices(model.skeleton, animation, time)) <= rigidity_tolerance) {
+  // Linear skinning blends the matrices as they are, be they nearly rigid or not.
+  if (skinning != Skinning::linear && rigidity_defect(skin_matrices(model.skeleton, animation, time)) <= rigidity_tolerance) {
     rigid = pose(model.skeleton, animation, time).pose;
   } else {
     affine = affine_pose(model.skeleton, animation, time);

@@ -141,7 +141,7 @@ SampledMisses misses_of_sampling(const Model& model, const ModelBounds& bounds, 
     }
     const double share = most / known.edges().maxCoeff();
     const std::lock_guard lock(guard);
-    if (share <= least_miss) return;
+    if (!(share > least_miss)) return;  // NaN of a cluster that is a point
     ++out.clusters;
     if (share > out.by) out.by = share, out.worst = static_cast<int>(c), out.time = when;
   });
@@ -188,7 +188,7 @@ std::string report_page(const Model& model, const ModelBounds& bounds, const std
   std::string page = report_template;
   const std::string mark = "/*DATA*/";
   // A "<" could end the script.
-  std::string json = data.dump();
+  std::string json = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
   return page.replace(page.find(mark), mark.size(), json);
 }

@@ -427,6 +427,11 @@ void change_what_moves(const Expect& expect) {
            d["scenes"].at(1)["nodes"] = {d["nodes"].size()};  // in place of 0
            d["nodes"].push_back({{"children", {0}}});
          }));
+  expect("a channel of no node, which readers ignore", "", in_description([](json& d) {
+           json channel = d["animations"][0]["channels"][0];
+           channel["target"].erase("node");
+           d["animations"][0]["channels"].push_back(channel);
+         }));
   expect("which scene is the first, where the file does not say which it shows", "", in_description([](json& d) {
            std::swap(d["scenes"][0], d["scenes"][1]);
            d.erase("scene");

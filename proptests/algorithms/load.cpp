@@ -156,7 +156,10 @@ void rigs_and_real_models_as_their_files_say(Suite& t) {
     write_glb(random_rig(traits), path);
     const Model model = load_model(path);
     const bool split = traits.second_skin && traits.split_joint && traits.joints > 1;
-    RC_ASSERT(static_cast<int>(model.joints.size()) == traits.joints + split + traits.other_joints + traits.loose_mesh);
+    // Of a second skin, whose matrices are rounded to float, joints are those of the first one where they do just the same.
+    const int least = traits.joints + split + traits.other_joints + traits.loose_mesh,
+              joints = static_cast<int>(model.joints.size());
+    RC_ASSERT(joints >= least && joints <= least + (traits.second_skin ? traits.joints : 0));
     RC_ASSERT(model.rigidity_defect < 1e-5);
     RC_ASSERT(worst_deviation(model, path, 5) < 1e-5);
     for (const double share : {0.0, 0.3, 1.0})

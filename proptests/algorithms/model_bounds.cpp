@@ -3,6 +3,8 @@
 #include "algorithms/bake/over_time/model_bounds.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -35,6 +37,35 @@ bool encloses(const BoundedPart& outer, const BoundedPart& inner) {
   const double apart = (outer.ball.center.cast<double>() - inner.ball.center.cast<double>()).norm();
   return (outer.box.low.array() <= inner.box.low.array()).all() && (outer.box.high.array() >= inner.box.high.array()).all() &&
          apart + inner.ball.radius <= outer.ball.radius * (1 + 1e-6);
+}
+
+// A triangle about the second of two nodes, which jumps eighty times in one clip and turns by a right angle and more each second, for
+// twenty seconds, in the other one.
+Model one_joint_with_two_clips(bool jumps) {
+  Model model;
+  model.name = model.skeleton.file = "two clips";
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  model.skeleton.nodes = {{"a", -1, identity}, {"b", 0, identity}};
+  model.skeleton.joints = {{"b", 1, -1, identity}};
+  model.joints = {{"b", -1, Point3::Zero()}};
+  model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}};
+  model.triangles = {{0, 1, 2}}, model.influences.assign(3, {{0, 1}});
+  for (const int clip : {0, 1}) {
+    NodeTrack track{1, {}, {}, {}};
+    track.positions.keys = {{0, {0, 0, 0}}}, track.scales.keys = {{0, {1, 1, 1}}};
+    track.rotations.keys = {{0, Eigen::Quaterniond::Identity()}};
+    for (int k = 1; k < 80; ++k) {
+      const double time = k / 4.0;
+      if (jumps) track.positions.keys.push_back({time, {std::cos(3.0 * k + clip), std::sin(5.0 * k), 0.25 * clip}});
+      else
+        track.rotations.keys.push_back(
+            {time, Eigen::Quaterniond(Eigen::AngleAxisd((clip == 0 ? 2.1 : 1.6) * time, Eigen::Vector3d::UnitZ()))});
+    }
+    if (jumps) track.positions.interpolation = Interpolation::step;
+    const std::string name = clip == 0 ? "a" : "b";
+    model.clips.push_back({name, 80 / 4.0, {}, {name, 80 / 4.0, {track}}});
+  }
+  return model;
 }
 
 void clusters_and_moments(Suite& t) {
@@ -209,6 +240,55 @@ PROPTEST(model_bounds) {
         }
         return Checked(good, looked_at);
       });
+  t.example("clips that jump or turn many times have finite bounds of their crossfades, which hold what is seen", {}, [] {
+    long looked_at = 0;
+    for (const bool jumps : {true, false}) {
+      const Model model = one_joint_with_two_clips(jumps);
+      const ModelBounds faded = bound_model(model, {.tolerance = 0.1, .cluster_triangles = 0, .crossfades = true});
+      const BoundedPart& part = faded.crossfades.at(0).parts[0];
+      const JointSets sets(model);
+      const MovingVertices vertices(model, sets, Skinning::linear, faded.parts[0].vertices);
+      const CrossfadedJoints joints(model, model.clips[0].animation, model.clips[1].animation, vertices.joints(),
+                                    RotationBlend::slerp, false);
+      std::vector<Point3> points;
+      double farthest = 0;
+      for (int i = 0; i < 3000; ++i) {
+        vertices.place(*joints.at({{{i % 97 / 96.0 * model.clips[0].duration, Side::after},
+                                    {i % 89 / 88.0 * model.clips[1].duration, Side::after},
+                                    {i % 7 / 6.0, Side::after}}}),
+                       Followed::skinned, points);
+        for (const Point3& x : points) {
+          ++looked_at, farthest = std::max(farthest, x.norm());
+          if ((x.array() < part.box.low.cast<double>().array()).any() || (x.array() > part.box.high.cast<double>().array()).any())
+            return Checked(false, looked_at, "a vertex is outside");
+        }
+      }
+      if (!(part.box.edges().norm() < 20 * farthest && part.ball.radius < 20 * farthest))
+        return Checked(false, looked_at, "too wide");
+    }
+    return Checked(true, looked_at);
+  });
+  t.example("what is not finite, or beyond the range of float, is refused with the clip", {}, [] {
+    std::string wrong;
+    const auto refused = [&](const Model& model, const std::string& reason) {
+      try {
+        bound_model(model, {.cluster_triangles = 0});
+        wrong += "accepted: " + reason + "; ";
+      } catch (const ModelError& e) {
+        if (std::string(e.what()).find(reason) == std::string::npos) wrong += e.what();
+      }
+    };
+    Model far = one_joint_with_two_clips(true);
+    far.clips[1].animation.tracks[0].positions.keys[3].value = {0, 1e39, 0};
+    refused(far, "clip 'b': its vertices go beyond the range of float");
+    far.clips[1].animation.tracks.push_back(
+        {0, {{{0, {0, 0, 0}}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, Eigen::Vector3d::Constant(1e300)}}}});
+    refused(far, "joint 'b', time");
+    far = one_joint_with_two_clips(true);
+    far.morphs = {{0, {std::numeric_limits<double>::infinity()}, {}}};
+    refused(far, "a weight of a morph target is not finite");
+    return Checked(wrong.empty(), 3, wrong);
+  });
   t.example("while one clip fades to another, the box of each skin, mesh and primitive is that of its own clusters together", {},
             [] {
               const gen::TemporaryFolder folder;

@@ -109,7 +109,6 @@ std::vector<Broken> broken_scenes() {
       {[](aiScene& s) { s.mRootNode->mChildren[0]->mName = "root"; }, "node 'root': two nodes have this name"},
       {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mOffsetMatrix.d1 = 1; }, "bone 'root': its offset matrix is not affine"},
       {[](aiScene& s) { s.mMeshes[0]->mBones[0]->mName = "nobody"; }, "bone 'nobody': no node has this name"},
-      {[](aiScene& s) { s.mRootNode->mChildren[0]->mTransformation.a1 = 0; }, "node 'plain': its transform is singular"},
       {[](aiScene& s) { s.mRootNode->mTransformation.a1 = NAN; }, "node 'root': its transform is not finite"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = -1; }, "clip 'clip': its duration is not a time"},
       {[](aiScene& s) { s.mAnimations[0]->mDuration = INFINITY; }, "clip 'clip': its duration is not a time"},
@@ -161,10 +160,11 @@ PROPTEST(model_of_scene) {
                        notes[0] == "mesh 'skin': has 2 morph targets, which are read from glTF alone, and are left out",
                    2);
   });
-  t.example("two bones of one node are one joint where their offsets agree up to float rounding, and else are two", {}, [] {
+  t.example("two bones of one node are one joint where their offsets do the same, and else are two", {}, [] {
     const std::size_t one = joints_of_two_bones(0);
-    return Checked(
-        joints_of_two_bones(1e-7) == one && joints_of_two_bones(1e-5) == one + 1 && joints_of_two_bones(1e-3) == one + 1, 4);
+    return Checked(joints_of_two_bones(1e-15) == one && joints_of_two_bones(1e-7) == one + 1 &&
+                       joints_of_two_bones(1e-5) == one + 1 && joints_of_two_bones(1e-3) == one + 1,
+                   5);
   });
   t.example("a skinned mesh that two nodes show is there once, and comes from both of them", {}, [] {
     const auto s = scene();
@@ -193,6 +193,17 @@ PROPTEST(model_of_scene) {
               }
               return Checked(wrong.empty(), 4, wrong);
             });
+  t.example("a mesh below a node that a scale of 0 hides is there, in the node's own frame", {}, [] {
+    const auto s = scene();
+    s->mRootNode->mChildren[0]->mTransformation.a1 = 0;
+    const Model model = model_of_scene(convert_scene(*s, "memory"), {.joints = Joints::affine});
+    const aiMesh& plain = *s->mMeshes[s->mRootNode->mChildren[0]->mMeshes[0]];
+    long found = 0;
+    for (unsigned v = 0; v < plain.mNumVertices; ++v)
+      found += std::find(model.vertices.begin(), model.vertices.end(),
+                         Point3(plain.mVertices[v].x, plain.mVertices[v].y, plain.mVertices[v].z)) != model.vertices.end();
+    return Checked(found == static_cast<long>(plain.mNumVertices) && found > 0, found);
+  });
   t.example("a skinned mesh without a triangle is not there, nor is its skin", {}, [] {
     Scene s = convert_scene(*scene(), "file");
     s.meshes[0].primitives[0].triangles.clear();

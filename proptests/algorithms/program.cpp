@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@
 #include "algorithms/model/write_gltf.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/peak_memory.hpp"
+#include "algorithms/program/report.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/runtime/tree/baked_file.hpp"
@@ -297,6 +299,22 @@ void what_is_said_of_a_file(Suite& t) {
   });
 }
 
+// Two triangles below a node that a clip scales by 0, from its start to its end.
+Model make_hidden() {
+  Model model;
+  model.name = model.skeleton.file = "hidden";
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  model.skeleton.nodes = {{"a", -1, identity}};
+  model.skeleton.joints = {{"a", 0, -1, identity}};
+  model.joints = {{"a", -1, Point3::Zero()}};
+  model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}, {0, 0, 1}};
+  model.triangles = {{0, 1, 2}, {1, 2, 3}}, model.influences.assign(4, {{0, 1}});
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const NodeTrack track{0, {{{0, zero}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, zero}, {1, zero}}}};
+  model.clips.push_back({"clip", 1, {}, {"clip", 1, {track}}});
+  return model;
+}
+
 void reports_and_progress(Suite& t) {
   t.example("the report has the clusters, each clip's frames from its start to its end, and times of the clip alone", {}, [] {
     const gen::TemporaryFolder folder;
@@ -352,6 +370,24 @@ void reports_and_progress(Suite& t) {
     }
     return Checked(wrong.empty() && charts > 0, tried, wrong + std::to_string(charts) + " charts");
   });
+  t.example("files are named as they are in what is written, in UTF-8 or not", {}, [] {
+    const Rich rich(false, false);
+    const gen::TemporaryFolder& folder = rich.folder;
+    const std::string strange = folder.file("a\xff.glb"), out = folder.file("out.glb"), summary = folder.file("s.json"),
+                      page = folder.file("r.html");
+    write_whole(strange, read_whole(folder.file("in.glb")));
+    const Called baked = call({"bake", "--json", summary, "--report", page, strange, out}),
+                 collided = call({"collide", "--json", folder.file("c.json"), strange, strange});
+    const bool are_there = json::parse(read_whole(summary)).contains("clips") && !read_whole(page).empty() &&
+                           json::parse(read_whole(folder.file("c.json"))).contains("pairs");
+    return Checked(baked.code == 0 && collided.code == 0 && are_there, 3, baked.errors + collided.errors);
+  });
+  t.example("a cluster that a scale of 0 hides is missed by no sampling", {}, [] {
+    const Model model = make_hidden();
+    const ModelBounds bounds = bound_model(model, {.cluster_triangles = 4});
+    const SampledMisses misses = misses_of_sampling(model, bounds, 0, Sampling::keys);
+    return Checked(misses.clusters == 0 && misses.by == 0, 1, std::to_string(misses.clusters) + " clusters");
+  });
   t.example("a bar of progress is shown to who wants it alone", {}, [] {
     std::ostringstream silent, shown;
     for (std::ostringstream* to : {&silent, &shown}) {
@@ -399,6 +435,31 @@ void collide_writes_pairs_and_certificates(Suite& t) {
         }
         return Checked(found.empty() && total > 5, total, found);
       });
+  t.example("collide takes joints as they are, be they rigid but for a thousandth", {}, [] {
+    const gen::TemporaryFolder folder;
+    long touching = 0;
+    // A triangle at x = 100, by a joint of this scale, and one from 100.05 to 100.2 that crosses where it then is.
+    for (const double scale : {1.0, 1.001}) {
+      const auto of = [&](double joint_scale, const std::vector<Point3>& corners) {
+        Model model;
+        model.name = model.skeleton.file = "one";
+        Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
+        local.topLeftCorner<3, 3>() *= joint_scale;
+        model.skeleton.nodes = {{"a", -1, local}};
+        model.skeleton.joints = {{"a", 0, -1, Eigen::Matrix4d::Identity()}};
+        model.joints = {{"a", -1, Point3::Zero()}};
+        model.vertices = corners, model.triangles = {{0, 1, 2}}, model.influences.assign(3, {{0, 1}});
+        const std::string file = folder.file(std::to_string(joint_scale) + std::to_string(corners[0][0]) + ".glb");
+        write_gltf(model, file);
+        return file;
+      };
+      const Called called = call({"collide", of(scale, {{100, -1, -1}, {100, 1, -1}, {100, 0, 1}}),
+                                  of(1, {{100.0625, -0.25, 0}, {100.25, 0, 0}, {100.0625, 0.25, 0}})});
+      if (called.code != 0) return Checked(false, 0, called.errors);
+      touching += called.out.starts_with("1 pair") ? (scale > 1 ? 1 : 100) : 0;
+    }
+    return Checked(touching == 1, 2, std::to_string(touching));
+  });
   t.example("collide writes the pairs that it prints, and a certificate of them that is accepted against its documents", {}, [] {
     const Rich rich(false, false);
     const gen::TemporaryFolder& folder = rich.folder;
@@ -487,6 +548,9 @@ void wrong_calls_and_files(Suite& t) {
                 write_whole(broken, bytes.substr(0, size));
                 good = good && fails(3, {"bake", broken, out}, "broken.glb");
               }
+              const std::string bare = folder.file("bare.glb");
+              good = good && call({"bake", "--clusters", "0", in, bare}).code == 0 &&
+                     fails(3, {"check", bare}, "no bounds of them or of nodes");
               if (call({"bake", "--clusters", "4", in, folder.file("baked.glb")}).code != 0) return Checked(false);
               const auto tampered = [&](const std::function<void(BakedFile&)>& change, const std::string& reason) {
                 tamper(folder.file("baked.glb"), broken, change);
@@ -534,6 +598,18 @@ PROPTEST(program) {
     const int code = refitlab_main(2, arguments);
     std::cout.rdbuf(screen);
     return Checked(code == 0 && out.str() == call({"--help"}).out, 1, out.str());
+  });
+  t.example("what cannot be written to the standard output is said, and is no success", {}, [] {
+    std::string name = "refitlab", option = "--help";
+    char* arguments[] = {name.data(), option.data(), nullptr};
+    std::ostringstream errors;
+    std::ofstream full("/dev/full");
+    std::streambuf *const screen = std::cout.rdbuf(full.rdbuf()), *const other = std::cerr.rdbuf(errors.rdbuf());
+    const int code = refitlab_main(2, arguments);
+    std::cout.rdbuf(screen), std::cerr.rdbuf(other);
+    std::cout.clear();
+    return Checked(code == exit_refused && errors.str().find("standard output: cannot be written") != std::string::npos, 1,
+                   errors.str());
   });
   bounds_hold_and_are_checked(t);
   characters_nodes_and_crossfades(t);

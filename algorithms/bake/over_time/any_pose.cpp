@@ -70,7 +70,8 @@ class Ranges {
 
 }  // namespace
 
-AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices, Skinning skinning) {
+std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices,
+                                           Skinning skinning) {
   const DefaultFloatEnvironment environment;
   const Ranges ranges(model);
   const BoundSkeleton& skeleton = model.skeleton;
@@ -92,8 +93,7 @@ AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span
       above.resize(
           static_cast<std::size_t>(std::mismatch(above.begin(), above.end(), path.begin(), path.end()).first - above.begin()));
     }
-  if (above.empty())
-    throw ModelError(model.name, "joints", "no node is above all of them, about which there could be a ball of any pose");
+  if (above.empty()) return std::nullopt;
 
   // The vertices below the node are carried by its scale and those above it, and not by its translation.
   const std::vector<LinkRange<double>> scales = ranges.links(above);
@@ -123,7 +123,7 @@ AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span
         }
     greatest = std::max(greatest, reach + std::sqrt(squared_stray_in_any_pose(squared_spread)));
   }
-  return {above.back(), apart_at_most<double>(scales, greatest, 0) * room_for_rounding};
+  return AnyPoseBound{above.back(), apart_at_most<double>(scales, greatest, 0) * room_for_rounding};
 }
 
 }  // namespace refitlab

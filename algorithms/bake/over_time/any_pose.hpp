@@ -2,6 +2,7 @@
 // Vertices in any pose whatever are in a ball about a joint, which follows from bone lengths and scales alone (c8_any_pose).
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "algorithms/model/model.hpp"
@@ -19,8 +20,9 @@ struct AnyPoseBound {
 // Returns the bound of some vertices, at least one, whatever the rotations of all nodes. Nodes are translated and scaled as in
 // the rest pose or in one of the model's clips, and morph targets have weights as there; but these may come from different clips.
 // skinning is linear, dual_quaternion or spherical. For the latter two, the quaternions of any two joints of a vertex must have a
-// dot product that is not negative. It is never negative for a vertex of two joints. Throws ModelError for a model without a
-// skeleton of keys.
-AnyPoseBound bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices, Skinning skinning);
+// dot product that is not negative. It is never negative for a vertex of two joints. There is no bound if no node is above all joints.
+// Throws ModelError for a model without a skeleton of keys.
+std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices,
+                                           Skinning skinning);
 
 }  // namespace refitlab

@@ -91,7 +91,8 @@ std::vector<Point3> directions_of_dop(int dop) {
   return out;
 }
 
-BoundedPart outward(const BoundOverTime& bound, double renderer_rounding) {
+// Throws ModelError, with this thing of the file, if floats do not hold the bound.
+BoundedPart outward(const BoundOverTime& bound, double renderer_rounding, const std::string& file, const std::string& thing) {
   Box<double> box = box_of(bound.slabs);
   double farthest = 0;
   for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
@@ -104,6 +105,10 @@ BoundedPart outward(const BoundOverTime& bound, double renderer_rounding) {
     const double wider = (more + 0x1p-50 * farthest) * length_bound(directions[d]);
     out.slabs.push_back({float_below(bound.slabs[d].low - wider), float_above(bound.slabs[d].high + wider)});
   }
+  bool is_finite =
+      out.box.low.allFinite() && out.box.high.allFinite() && out.ball.center.allFinite() && std::isfinite(out.ball.radius);
+  for (const Slab<float>& slab : out.slabs) is_finite = is_finite && std::isfinite(slab.low) && std::isfinite(slab.high);
+  if (!is_finite) throw ModelError(file, thing, "its vertices go beyond the range of float");
   return out;
 }
 
@@ -233,11 +238,11 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   if (options.with_intervals) intervals.assign(clips.size(), std::vector<PartIntervals>(things));
   std::atomic<long> moments = 0;
   const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
-                            const OverTimeOptions& how, PartIntervals* kept) {
+                            const OverTimeOptions& how, PartIntervals* kept, const std::string& clip) {
     BoundOverTime bound = bound_over_time(joints, vertices, how);
     moments += bound.moments;
     if (kept) *kept = {std::move(bound.slab_intervals), std::move(bound.ball_intervals)};
-    return outward(bound, options.renderer_rounding);
+    return outward(bound, options.renderer_rounding, model.name, clip);
   };
   const auto share_among_same = [&](auto& parts) {
     for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
@@ -247,8 +252,10 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     const Task& task = tasks[t];
     const MovingJoints* const joints[] = {&clips[task.clip]};
     PartIntervals* const kept = options.with_intervals ? &intervals[task.clip][task.thing] : nullptr;
-    bounded[task.clip][task.thing] = bound_of(joints, {model, sets, options.skinning, *vertices_of_thing[task.thing]},
-                                              {.tolerance = options.tolerance, .directions = directions}, kept);
+    bounded[task.clip][task.thing] =
+        bound_of(joints, {model, sets, options.skinning, *vertices_of_thing[task.thing]},
+                 {.tolerance = options.tolerance, .directions = directions}, kept,
+                 task.clip < model.clips.size() ? "clip '" + model.clips[task.clip].name + "'" : "rest pose");
     progress.add(task.cost);
   });
   for (auto& parts : bounded) share_among_same(parts);
@@ -266,7 +273,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
         bounds.parts[p] = bound_of(
             joints, vertices,
             {.tolerance = options.crossfade_tolerance, .directions = directions, .most_halvings = most_halvings_of_crossfade},
-            nullptr);
+            nullptr, "crossfade of '" + model.clips[a].name + "' and '" + model.clips[b].name + "'");
         progress.add(cost_of_fade);
       });
       share_among_same(bounds.parts);
@@ -298,7 +305,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     for (const ModelPart& part : out.parts)
       if (part.kind != PartKind::cluster) {
         out.any_pose.push_back(bound_any_pose(model, sets, part.vertices, options.skinning));
-        out.any_pose.back().radius *= 1 + options.renderer_rounding;
+        if (auto& bound = out.any_pose.back()) bound->radius *= 1 + options.renderer_rounding;
       }
   return out;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "algorithms/bake/over_time/any_pose.hpp"
@@ -51,11 +52,12 @@ struct ModelBounds {
   std::vector<BoundedClip> clips;                  // those of the model, in order
   RotationBlend rotations = RotationBlend::slerp;  // as crossfades blend them
   std::vector<BoundedCrossfade> crossfades;        // of each two clips; empty unless asked for
-  std::vector<AnyPoseBound> any_pose;              // by part, clusters left out; empty unless asked for
-  std::vector<BoundedPart> rest;                   // by part: the joints where the file's nodes leave them without a clip
-  std::vector<BoundedPart> rest_nodes;             // the same by node
-  int dop = 6;                                     // as in the options
-  long moments = 0;                                // at which some part's vertices were skinned
+  // By part, clusters left out, and none where no node is above all joints; empty unless asked for.
+  std::vector<std::optional<AnyPoseBound>> any_pose;
+  std::vector<BoundedPart> rest;        // by part: the joints where the file's nodes leave them without a clip
+  std::vector<BoundedPart> rest_nodes;  // the same by node
+  int dop = 6;                          // as in the options
+  long moments = 0;                     // at which some part's vertices were skinned
 };
 
 struct ModelBoundsOptions {

@@ -3,6 +3,15 @@
 
 namespace refitlab {
 
+void check_finite(const Model& model, const PosedJoints& posed, const std::string& clip, const std::string& moment) {
+  for (std::size_t j = 0; j < posed.matrices.size(); ++j)
+    if (!posed.matrices[j].allFinite())
+      throw ModelError(model.name, clip + ", joint '" + model.joints[j].name + "', time " + moment,
+                       "the skin matrix is not finite");
+  for (const Eigen::VectorXd& weights : posed.weights)
+    if (!weights.allFinite()) throw ModelError(model.name, clip + ", time " + moment, "a weight of a morph target is not finite");
+}
+
 std::vector<ParameterMoment> corners_of(const ParameterBox& box) {
   std::vector<ParameterMoment> corners(std::size_t(1) << box.ranges.size(), {{}, box.signs});
   for (std::size_t c = 0; c < corners.size(); ++c)

@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "algorithms/model/model.hpp"
@@ -18,6 +19,9 @@ struct PosedJoints {
   Pose pose;                              // the rigid transforms nearest to them; empty where they are not asked for
   std::vector<Eigen::VectorXd> weights;   // by target, for each of the morphed meshes of the model
 };
+
+// Throws ModelError, with the clip and the moment, if a matrix or a weight is not finite.
+void check_finite(const Model& model, const PosedJoints& posed, const std::string& clip, const std::string& moment);
 
 // Returns the side of an interval's end that belongs to the interval. If the interval is a moment, it is the later side, which
 // the animation shows then.

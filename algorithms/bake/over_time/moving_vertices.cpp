@@ -193,20 +193,30 @@ CellSlack MovingVertices::slack(const JointCell& cell, bool must) const {
   const DefaultFloatEnvironment environment;
   const auto blends = [&](const Set& set) { return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1; };
   CellSlack out{Followed::skinned, 0, std::vector<double>(cell.sides.size(), 0)};
-  const auto raise = [&](const std::vector<double>& chords, bool is_known) {
-    const double sum = is_known ? sum_of(chords) : unknown;
+  const auto raise = [&](const std::vector<double>& chords, double sum) {
     if (sum >= out.chord) out.chord = sum, out.chords = chords;
   };
   if (skinning_ != Skinning::spherical) {
-    for (const Set& set : sets_) raise(blends(set) ? dual_chords(set, cell) : linear_chords(set, cell), true);
+    for (const Set& set : sets_) {
+      const std::vector<double> chords = blends(set) ? dual_chords(set, cell) : linear_chords(set, cell);
+      raise(chords, sum_of(chords));
+    }
     if (out.chord < unknown || !must) return out;
   }
   out = {Followed::linear_blend, 0, std::vector<double>(cell.sides.size(), 0), std::vector<double>(vertices_.size(), 0)};
   for (const Set& set : sets_) {
     const std::vector<double> chords = linear_chords(set, cell);
-    raise(chords, !blends(set) || deviate(set, cell, must, sum_of(chords), out.beyond));
+    double sum = sum_of(chords);
+    if (must && !(sum < unknown)) sum = widest_chord(set, cell);
+    raise(chords, !blends(set) || deviate(set, cell, must, sum, out.beyond) ? sum : unknown);
   }
   return out;
+}
+
+double MovingVertices::widest_chord(const Set& set, const JointCell& cell) const {
+  double size = 0;
+  for (const auto& motions : cell.motions) size = std::max(size, linear_motion(set, *motions).size);
+  return 2 * size;
 }
 
 Motion<double> MovingVertices::linear_motion(const Set& set, const JointMotions& motions) const {

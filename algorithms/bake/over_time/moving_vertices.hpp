@@ -77,6 +77,9 @@ class MovingVertices {
   // vanish.
   std::vector<double> linear_chords(const Set& set, const JointCell& cell) const;
   std::vector<double> dual_chords(const Set& set, const JointCell& cell) const;
+  // Returns how far linear blends are from the interpolation of the corners at most, however fast they move: both are no farther from
+  // the scene's origin than the vertices ever are. That is loose.
+  double widest_chord(const Set& set, const JointCell& cell) const;
   // Writes to beyond how far the set's skinned vertices are from their linear blends, whose chord is known. If the blends may
   // vanish, it returns false, or throws ModelError if it must succeed.
   bool deviate(const Set& set, const JointCell& cell, bool must, double chord, std::vector<double>& beyond) const;
