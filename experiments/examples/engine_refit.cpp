@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This shows the refit in an engine: which bounding spheres of a posed character does a ray hit? No vertex is skinned for it.
+// This shows the refit in an engine: which bounding spheres of a posed character does a ray hit? The mesh is not skinned for it;
+// nodes of few vertices skin those.
 #include <cstdio>
 
 #include "algorithms/bake/bake.hpp"

@@ -30,7 +30,7 @@ FURTHER = [
 PROGRAMMER = """
 <section id="example"><h2>The refit in an engine</h2>
 <p>The program loads a character once. Each frame has joint transforms. A query asks for the sphere of a node when it reaches the node.
-No vertex is touched. <code>experiments/run</code> compiles and runs this very file.</p>
+The mesh is not skinned; only nodes of few vertices skin those. <code>experiments/run</code> compiles and runs this very file.</p>
 [[include experiments/examples/engine_refit.cpp]]
 <p>Build it in the repository, and run it:</p>
 <pre><code>cmake --preset release
@@ -40,8 +40,8 @@ build/release/experiments/engine_refit</code></pre></section>
 <li>The model: <code>algorithms/model/load.hpp</code> reads glTF, FBX, X and Collada; <code>algorithms/model/model.hpp</code> says what your own model must contain.</li>
 <li>The skinning: <code>default_variant</code> names the refit to take for linear, spherical and dual quaternion blending (<code>algorithms/runtime/refit/variants.hpp</code>).</li>
 <li>Many nodes of one frame: <code>algorithms/runtime/refit/frame_refits.hpp</code>; all nodes at once in SIMD: <code>algorithms/runtime/batch/batch_refit.hpp</code>.</li>
-<li>Boxes, k-DOPs and oriented boxes in place of spheres: <code>algorithms/methods/refit/volume_variants.hpp</code>.</li>
-<li>Which triangles of two characters touch: <code>algorithms/runtime/collide/collide.hpp</code>.</li></ul></section>
+<li>Boxes, k-DOPs and oriented boxes in place of spheres: <code>algorithms/methods/refit/volume_variants.hpp</code> (they are compared, and not part of the runtime).</li>
+<li>Which triangles of two characters touch: <code>algorithms/runtime/collide/cluster_collide.hpp</code>; of many: <code>algorithms/runtime/collide/crowd.hpp</code>.</li></ul></section>
 """
 
 RESEARCHER = """
@@ -50,7 +50,8 @@ RESEARCHER = """
 refit with another policy for its balls (<code>algorithms/runtime/refit/ball_policy.hpp</code>).</li>
 <li>Add a row to the table in <code>algorithms/runtime/refit/variants.cpp</code>. For a proved bound, the row has the skinning, the function, a name, a description, and the pieces that it needs. The slack for rounding is added automatically. For example
 <pre><code>sound&lt;spherical, control&lt;NearSmallestBalls&gt;&gt;("control_near", "control hull, near-smallest ball", P::node),</code></pre>
-A bound of spherical blending that is not proved is <code>unsound&lt;…&gt;("name", "description")</code>.</li>
+A bound that is not proved goes into <code>algorithms/methods/refit/compared_variants.cpp</code>, which is not shipped.</li>
+<li>Add its name to <code>expected_variants</code> in <code>proptests/algorithms/variants.cpp</code>, too.</li>
 <li><code>proptests/run --only refit_end_to_end synthetic_case</code>: every variant that the table calls sound must enclose every vertex of random rigs and of the models
 (<code>proptests/algorithms/refit_end_to_end.cpp</code>). You need not write a test for that. <code>--only extremes certificate collide</code> tests the variants of the table too.</li>
 <li><code>experiments/run --only tightness speed rounding</code>: the variant appears in the tables, the plots and the explorer automatically.</li>

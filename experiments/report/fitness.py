@@ -10,8 +10,8 @@ import subprocess
 
 from .tables import PROVENANCE, ResultError, Results
 
-RUN = ["CMakeLists.txt", "lemmas", "algorithms", "experiments/CMakeLists.txt", "experiments/main.cpp",
-       "experiments/threads", "experiments/scenes"]
+RUN = ["CMakeLists.txt", "lemmas", "algorithms", "experiments/CMakeLists.txt", "experiments/main.cpp", "experiments/options.cpp",
+       "experiments/options.hpp", "experiments/procedural", "experiments/scenes"]
 QUERIES = ["experiments/collisions", "experiments/baselines", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"]
 SOURCES = {
     "tightness": [*RUN, "experiments/tightness"],

@@ -113,10 +113,11 @@ def cells(statement, code, plain):
     proofs = [names(statement.proved)] if statement.proved else []
     proofs += ["Proved false: " + names(statement.refuted) + "."] if statement.refuted else []
     proofs += ["Not proved: " + plain(note) for note in statement.unproved]
-    run_by = names(name.removeprefix("algorithms/") for name in statement.programs)
-    if not run_by:
-        run_by = "by way of " + names(statement.through) if statement.through else "no program"
-    return tests, proofs, run_by
+    runs = [name.removeprefix("algorithms/") for name in statement.programs]
+    run_by = [names(runs)] if runs else []
+    if statement.through and all(name.startswith("methods/") for name in runs):  # which are compared and not shipped
+        run_by.append("by way of " + names(statement.through))
+    return tests, proofs, "; ".join(run_by) or "no program"
 
 
 HEAD = ["statement", "tested in exact arithmetic", "proved in Coq", "run by"]

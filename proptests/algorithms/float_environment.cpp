@@ -305,7 +305,6 @@ Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
 const std::vector<std::string> without_environment{
     "_kernel.cpp",
     "_kernel_table.cpp",  // called by entries that have it
-    "model/glb_file.cpp",
     "model/gltf_animations.cpp",
     "model/gltf_description.cpp",
     "model/gltf_file.cpp",
@@ -323,10 +322,11 @@ const std::vector<std::string> without_environment{
     "program/info_command.cpp",
     "program/main.cpp",
     "program/peak_memory.cpp",  // by run_program
-    "program/baked_file.cpp",
     "program/json_splice.cpp",
     "over_time/moving_joints.cpp",
+    "tree/baked_file.cpp",
     "tree/binary.cpp",
+    "tree/glb_file.cpp",
     "tree/cluster_bounds.cpp",  // no floating-point arithmetic
     "certificate/sha256.cpp",
     "packs/targets.cpp",

@@ -196,11 +196,7 @@ void volumes_around_what_is_sampled(Suite& t) {
   });
 }
 
-}  // namespace
-
-PROPTEST(model_bounds) {
-  clusters_and_moments(t);
-  volumes_around_what_is_sampled(t);
+void crossfades(Suite& t) {
   t.example(
       "what is seen while one clip fades to another is inside of the crossfade's bounds, and these of what is of all", {}, [] {
         bool good = true;
@@ -268,27 +264,9 @@ PROPTEST(model_bounds) {
     }
     return Checked(true, looked_at);
   });
-  t.example("what is not finite, or beyond the range of float, is refused with the clip", {}, [] {
-    std::string wrong;
-    const auto refused = [&](const Model& model, const std::string& reason) {
-      try {
-        bound_model(model, {.cluster_triangles = 0});
-        wrong += "accepted: " + reason + "; ";
-      } catch (const ModelError& e) {
-        if (std::string(e.what()).find(reason) == std::string::npos) wrong += e.what();
-      }
-    };
-    Model far = one_joint_with_two_clips(true);
-    far.clips[1].animation.tracks[0].positions.keys[3].value = {0, 1e39, 0};
-    refused(far, "clip 'b': its vertices go beyond the range of float");
-    far.clips[1].animation.tracks.push_back(
-        {0, {{{0, {0, 0, 0}}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, Eigen::Vector3d::Constant(1e300)}}}});
-    refused(far, "joint 'b', time");
-    far = one_joint_with_two_clips(true);
-    far.morphs = {{0, {std::numeric_limits<double>::infinity()}, {}}};
-    refused(far, "a weight of a morph target is not finite");
-    return Checked(wrong.empty(), 3, wrong);
-  });
+}
+
+void parts_of_crossfades_and_what_is_refused(Suite& t) {
   t.example("while one clip fades to another, the box of each skin, mesh and primitive is that of its own clusters together", {},
             [] {
               const gen::TemporaryFolder folder;
@@ -316,6 +294,36 @@ PROPTEST(model_bounds) {
               }
               return Checked(smaller > 2, looked_at, std::to_string(smaller) + " of them smaller than the whole");
             });
+  t.example("what is not finite, or beyond the range of float, is refused with the clip", {}, [] {
+    std::string wrong;
+    const auto refused = [&](const Model& model, const std::string& reason) {
+      try {
+        bound_model(model, {.cluster_triangles = 0});
+        wrong += "accepted: " + reason + "; ";
+      } catch (const ModelError& e) {
+        if (std::string(e.what()).find(reason) == std::string::npos) wrong += e.what();
+      }
+    };
+    Model far = one_joint_with_two_clips(true);
+    far.clips[1].animation.tracks[0].positions.keys[3].value = {0, 1e39, 0};
+    refused(far, "clip 'b': its vertices go beyond the range of float");
+    far.clips[1].animation.tracks.push_back(
+        {0, {{{0, {0, 0, 0}}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, Eigen::Vector3d::Constant(1e300)}}}});
+    refused(far, "joint 'b', time");
+    far = one_joint_with_two_clips(true);
+    far.morphs = {{0, {std::numeric_limits<double>::infinity()}, {}}};
+    refused(far, "a weight of a morph target is not finite");
+    return Checked(wrong.empty(), 3, wrong);
+  });
+}
+
+}  // namespace
+
+PROPTEST(model_bounds) {
+  clusters_and_moments(t);
+  volumes_around_what_is_sampled(t);
+  crossfades(t);
+  parts_of_crossfades_and_what_is_refused(t);
   t.example("progress goes up to the whole", {}, [] {
     std::vector<double> told;
     bound_model(

@@ -370,24 +370,6 @@ void reports_and_progress(Suite& t) {
     }
     return Checked(wrong.empty() && charts > 0, tried, wrong + std::to_string(charts) + " charts");
   });
-  t.example("files are named as they are in what is written, in UTF-8 or not", {}, [] {
-    const Rich rich(false, false);
-    const gen::TemporaryFolder& folder = rich.folder;
-    const std::string strange = folder.file("a\xff.glb"), out = folder.file("out.glb"), summary = folder.file("s.json"),
-                      page = folder.file("r.html");
-    write_whole(strange, read_whole(folder.file("in.glb")));
-    const Called baked = call({"bake", "--json", summary, "--report", page, strange, out}),
-                 collided = call({"collide", "--json", folder.file("c.json"), strange, strange});
-    const bool are_there = json::parse(read_whole(summary)).contains("clips") && !read_whole(page).empty() &&
-                           json::parse(read_whole(folder.file("c.json"))).contains("pairs");
-    return Checked(baked.code == 0 && collided.code == 0 && are_there, 3, baked.errors + collided.errors);
-  });
-  t.example("a cluster that a scale of 0 hides is missed by no sampling", {}, [] {
-    const Model model = make_hidden();
-    const ModelBounds bounds = bound_model(model, {.cluster_triangles = 4});
-    const SampledMisses misses = misses_of_sampling(model, bounds, 0, Sampling::keys);
-    return Checked(misses.clusters == 0 && misses.by == 0, 1, std::to_string(misses.clusters) + " clusters");
-  });
   t.example("a bar of progress is shown to who wants it alone", {}, [] {
     std::ostringstream silent, shown;
     for (std::ostringstream* to : {&silent, &shown}) {
@@ -435,31 +417,6 @@ void collide_writes_pairs_and_certificates(Suite& t) {
         }
         return Checked(found.empty() && total > 5, total, found);
       });
-  t.example("collide takes joints as they are, be they rigid but for a thousandth", {}, [] {
-    const gen::TemporaryFolder folder;
-    long touching = 0;
-    // A triangle at x = 100, by a joint of this scale, and one from 100.05 to 100.2 that crosses where it then is.
-    for (const double scale : {1.0, 1.001}) {
-      const auto of = [&](double joint_scale, const std::vector<Point3>& corners) {
-        Model model;
-        model.name = model.skeleton.file = "one";
-        Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-        local.topLeftCorner<3, 3>() *= joint_scale;
-        model.skeleton.nodes = {{"a", -1, local}};
-        model.skeleton.joints = {{"a", 0, -1, Eigen::Matrix4d::Identity()}};
-        model.joints = {{"a", -1, Point3::Zero()}};
-        model.vertices = corners, model.triangles = {{0, 1, 2}}, model.influences.assign(3, {{0, 1}});
-        const std::string file = folder.file(std::to_string(joint_scale) + std::to_string(corners[0][0]) + ".glb");
-        write_gltf(model, file);
-        return file;
-      };
-      const Called called = call({"collide", of(scale, {{100, -1, -1}, {100, 1, -1}, {100, 0, 1}}),
-                                  of(1, {{100.0625, -0.25, 0}, {100.25, 0, 0}, {100.0625, 0.25, 0}})});
-      if (called.code != 0) return Checked(false, 0, called.errors);
-      touching += called.out.starts_with("1 pair") ? (scale > 1 ? 1 : 100) : 0;
-    }
-    return Checked(touching == 1, 2, std::to_string(touching));
-  });
   t.example("collide writes the pairs that it prints, and a certificate of them that is accepted against its documents", {}, [] {
     const Rich rich(false, false);
     const gen::TemporaryFolder& folder = rich.folder;
@@ -486,6 +443,52 @@ void collide_writes_pairs_and_certificates(Suite& t) {
     const Called unwritten = call({"collide", "--certificate", in + "/why.json", in, in});
     if (unwritten.code != 3 || unwritten.errors.find("in.glb") == std::string::npos) wrong += unwritten.errors;
     return Checked(wrong.empty() && printed > 0, printed, wrong);
+  });
+}
+
+void strange_names_and_joints(Suite& t) {
+  t.example("files are named as they are in what is written, in UTF-8 or not", {}, [] {
+    const Rich rich(false, false);
+    const gen::TemporaryFolder& folder = rich.folder;
+    const std::string strange = folder.file("a\xff.glb"), out = folder.file("out.glb"), summary = folder.file("s.json"),
+                      page = folder.file("r.html");
+    write_whole(strange, read_whole(folder.file("in.glb")));
+    const Called baked = call({"bake", "--json", summary, "--report", page, strange, out}),
+                 collided = call({"collide", "--json", folder.file("c.json"), strange, strange});
+    const bool are_there = json::parse(read_whole(summary)).contains("clips") && !read_whole(page).empty() &&
+                           json::parse(read_whole(folder.file("c.json"))).contains("pairs");
+    return Checked(baked.code == 0 && collided.code == 0 && are_there, 3, baked.errors + collided.errors);
+  });
+  t.example("a cluster that a scale of 0 hides is missed by no sampling", {}, [] {
+    const Model model = make_hidden();
+    const ModelBounds bounds = bound_model(model, {.cluster_triangles = 4});
+    const SampledMisses misses = misses_of_sampling(model, bounds, 0, Sampling::keys);
+    return Checked(misses.clusters == 0 && misses.by == 0, 1, std::to_string(misses.clusters) + " clusters");
+  });
+  t.example("collide takes joints as they are, be they rigid but for a thousandth", {}, [] {
+    const gen::TemporaryFolder folder;
+    long touching = 0;
+    // A triangle at x = 100, by a joint of this scale, and one from 100.05 to 100.2 that crosses where it then is.
+    for (const double scale : {1.0, 1.001}) {
+      const auto of = [&](double joint_scale, const std::vector<Point3>& corners) {
+        Model model;
+        model.name = model.skeleton.file = "one";
+        Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
+        local.topLeftCorner<3, 3>() *= joint_scale;
+        model.skeleton.nodes = {{"a", -1, local}};
+        model.skeleton.joints = {{"a", 0, -1, Eigen::Matrix4d::Identity()}};
+        model.joints = {{"a", -1, Point3::Zero()}};
+        model.vertices = corners, model.triangles = {{0, 1, 2}}, model.influences.assign(3, {{0, 1}});
+        const std::string file = folder.file(std::to_string(joint_scale) + std::to_string(corners[0][0]) + ".glb");
+        write_gltf(model, file);
+        return file;
+      };
+      const Called called = call({"collide", of(scale, {{100, -1, -1}, {100, 1, -1}, {100, 0, 1}}),
+                                  of(1, {{100.0625, -0.25, 0}, {100.25, 0, 0}, {100.0625, 0.25, 0}})});
+      if (called.code != 0) return Checked(false, 0, called.errors);
+      touching += called.out.starts_with("1 pair") ? (scale > 1 ? 1 : 100) : 0;
+    }
+    return Checked(touching == 1, 2, std::to_string(touching));
   });
 }
 
@@ -615,6 +618,7 @@ PROPTEST(program) {
   characters_nodes_and_crossfades(t);
   what_is_said_of_a_file(t);
   reports_and_progress(t);
+  strange_names_and_joints(t);
   collide_writes_pairs_and_certificates(t);
   collide_tells_of_long_certificates(t);
   wrong_calls_and_files(t);

@@ -105,12 +105,11 @@ void vertices_are_in_the_hull_of_grown_volumes(Suite& t) {
             RC_ASSERT(reach_along<Rational>(c.volumes, c.direction) == 0);
             RC_ASSERT(stays_below_reach<Rational>(c.volumes, c.w, c.vertex, c.direction) == verdict_of(is_enough));
           });
-  t.refuted("it is enough that the volume of one of its joints has the vertex", {.form = "printed", .number_type = "rational"},
-            [] {
-              VolumesCase c;
-              c.volumes[0].point = c.vertex, c.volumes[0].distance = Rational(0);
-              RC_ASSERT(stays_with_its_own_joint<Rational>(c.volumes, c.w, c.vertex, unit_direction()) == Verdict::holds);
-            });
+  t.refuted("it is enough that the volume of one of its joints has the vertex", {.number_type = "rational"}, [] {
+    VolumesCase c;
+    c.volumes[0].point = c.vertex, c.volumes[0].distance = Rational(0);
+    RC_ASSERT(stays_with_its_own_joint<Rational>(c.volumes, c.w, c.vertex, unit_direction()) == Verdict::holds);
+  });
 }
 
 void verdicts_and_witnesses_are_checked(Suite& t) {
@@ -181,7 +180,7 @@ void hypotheses_need_each_part(Suite& t) {
 }
 
 void pinned_cases(Suite& t) {
-  t.example("a vertex in the volume of its own joint is pulled out of it by another", {.form = "printed"}, [] {
+  t.example("a vertex in the volume of its own joint is pulled out of it by another", {}, [] {
     using namespace a4;
     return stays_with_its_own_joint<Q>(pulled(0), weights, vertex, ahead) == Verdict::fails &&
            skinned_among<Q>(pulled(0), weights, vertex)[0] == 1;

@@ -53,9 +53,7 @@ SquaredBall<Rational, 3> ball_from_lemmas(const Hull& h, const RationalVec<3>& x
 template <class S>
 Ball3<S> ball_from_bound(const Hull& h, const RationalVec<3>& x) {
   const auto unit = lift<S>(h.unit);
-  const RotationBound<S> bound = bound_rotations<S>(unit, lift<S>(h.direction));
-  const Vec<S, 3> v = lift<S>(x);
-  return {rotate(bound.apex, v) * bound.center_ratio, bound.radius_ratio * norm(v)};
+  return rotated_ball<S>(bound_rotations<S>(unit, lift<S>(h.direction)), lift<S>(x));
 }
 
 // No member of the one ball differs for sure from the other ball. Certain equality for an exact S.

@@ -155,12 +155,6 @@ template <int level, int D>
 refitlab::Vec<NormBudget<level>, D> of_length(double most, double error = 0) {
   return refitlab::Vec<NormBudget<level>, D>::Constant(NormBudget<level>(most, error, 0));
 }
-template <int to, int level, int D>
-refitlab::Vec<NormBudget<to>, D> at_level(const refitlab::Vec<NormBudget<level>, D>& v) {
-  refitlab::Vec<NormBudget<to>, D> out;
-  for (int i = 0; i < D; ++i) out[i] = NormBudget<to>(v[i]);
-  return out;
-}
 // All coordinates of a vector have the same bounds; this is the greatest, if they were computed in different ways.
 template <class Vector>
 auto whole(const Vector& v) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // These refits are proved to enclose, and have names. They share one interface: each node is refitted by itself, in any order,
-// and no vertex is touched.
+// and the cost does not grow with the mesh (`mixed` variants skin a node's few vertices).
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ struct RefitVariant {
 
 const std::vector<RefitVariant>& refit_variants();
 
-// Returns the variant to use unless there is a reason for another. It costs no more than Algorithm 1: most nodes hold so
+// Returns the variant to use unless there is a reason for another. It costs about as much as Algorithm 1: most nodes hold so
 // few vertices that skinning these costs less than bounding them, and their ball is known from the vertices that touched it
 // in the reference pose. On the experiments' characters it is within a tenth of the smallest ball on average, and it is
 // exact at the leaves.
