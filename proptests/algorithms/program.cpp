@@ -475,10 +475,13 @@ void strange_names_and_joints(Suite& t) {
         model.name = model.skeleton.file = "one";
         Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
         local.topLeftCorner<3, 3>() *= joint_scale;
-        model.skeleton.nodes = {{"a", -1, local}};
-        model.skeleton.joints = {{"a", 0, -1, Eigen::Matrix4d::Identity()}};
-        model.joints = {{"a", -1, Point3::Zero()}};
-        model.vertices = corners, model.triangles = {{0, 1, 2}}, model.influences.assign(3, {{0, 1}});
+        const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+        model.skeleton.nodes = {{"a", -1, identity}, {"b", -1, local}, {"c", -1, identity}};
+        model.skeleton.joints = {{"a", 0, -1, identity}, {"b", 1, -1, identity}, {"c", 2, -1, identity}};
+        model.joints = {{"a", -1, Point3::Zero()}, {"b", -1, Point3::Zero()}, {"c", -1, Point3::Zero()}};
+        model.vertices = corners, model.triangles = {{0, 1, 2}, {3, 4, 5}}, model.influences.assign(3, {{1, 1}});
+        for (const Point3& p : corners) model.vertices.push_back(p - Point3(corners[0][0] == 100 ? 150 : 250, 0, 0));
+        model.influences.resize(6, {{0, 1}}), model.influences[4] = {{2, 1}};
         const std::string file = folder.file(std::to_string(joint_scale) + std::to_string(corners[0][0]) + ".glb");
         write_gltf(model, file);
         return file;
