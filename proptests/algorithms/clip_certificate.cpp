@@ -693,6 +693,8 @@ void certificates_are_of_the_file(Suite& t) {
       d["bufferViews"].push_back({{"buffer", d["buffers"].size()}, {"byteLength", 12}, {"byteStride", 4}});
       d["buffers"].push_back({{"byteLength", 12}, {"uri", "data:application/octet-stream;base64,fwAABQCBAAUAAIAF"}});
     })));
+    verdicts.expect("a file of its description alone", "has a buffer without bytes",
+                    certified.judged_with([](std::vector<GlbChunk>& chunks) { chunks.resize(1); }));
     const std::string bytes = read_whole(certified.baked());
     for (const std::size_t more : {1, 4, 7, 8}) {
       std::string longer = bytes + std::string(more, '\0');

@@ -311,6 +311,26 @@ const SourcePrimitive* source_of(const Model& model, const gen::RichPrimitive& p
   return nullptr;
 }
 
+// Exchanges two accessors of a description, wherever they are named.
+void exchange_accessors(json& description, std::size_t a, std::size_t b) {
+  std::swap(description["accessors"][a], description["accessors"][b]);
+  const auto renamed = [&](json& name) {
+    if (name == a) name = b;
+    else if (name == b) name = a;
+  };
+  for (json& mesh : description["meshes"])
+    for (json& primitive : mesh["primitives"]) {
+      if (primitive.contains("indices")) renamed(primitive["indices"]);
+      for (json& attribute : primitive["attributes"]) renamed(attribute);
+      if (primitive.contains("targets"))
+        for (json& target : primitive["targets"])
+          for (json& attribute : target) renamed(attribute);
+    }
+  for (json& skin : description["skins"]) renamed(skin["inverseBindMatrices"]);
+  for (json& animation : description["animations"])
+    for (json& sampler : animation["samplers"]) renamed(sampler["input"]), renamed(sampler["output"]);
+}
+
 // What is wrong about the model of a rich file; empty if it has each primitive where it has to be at all times.
 std::string complaint(const gen::RichGltf& rich, const Model& model) {
   if (model.sources.size() != rich.primitives().size()) return "there are " + std::to_string(model.sources.size()) + " sources; ";
@@ -387,6 +407,20 @@ void files_of_all_features(Suite& t) {
           }
         return Checked(wrong.empty(), 8, wrong);
       });
+  t.example("the joints of a mesh may be the file's first accessor, and a single row may be at an offset", {}, [] {
+    gen::RichGltf rich(false, false);
+    json& description = rich.file.json;
+    const json joints = description["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"];
+    exchange_accessors(description, 0, joints.get<std::size_t>());
+    // The one row of the fan's sparse positions, behind 12 other bytes.
+    const std::size_t positions = description["meshes"][1]["primitives"][0]["attributes"]["POSITION"];
+    const float row[] = {7, 7, 7, 0.03125f, 0.0625f, 0.125f};
+    json& values = description["accessors"][positions]["sparse"]["values"];
+    values = {{"bufferView", rich.file.add_view(row, sizeof row)}, {"byteOffset", 12}};
+    const bool is_first = description["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] == 0;
+    const std::string wrong = complaint(rich, model_of_scene(gltf_scene(rich.file.text_file(), "rich"), {Joints::rigid}));
+    return Checked(is_first && wrong.empty(), 2, wrong);
+  });
   t.example("a skin that scales unevenly is refused, or has its clip's sample refused where it is not rigid", {}, [] {
     const gen::RichGltf rich(true, false);
     const Scene scene = gltf_scene(rich.file.text_file(), "rich");

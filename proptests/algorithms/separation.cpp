@@ -120,6 +120,18 @@ PROPTEST(separation) {
               return steps(body(0, 1), body(3, 1)) == 1 && steps(body(0, 0x1p-1074), body(3, 0x1p-1074)) == 1 &&
                      separate(body(0, 0x1p-1074), body(0x1p-1073, 0x1p-1074)).contacts.empty();
             });
+  t.example("two long bodies beside each other, shifted by half their length, take one step", {}, [] {
+    const auto bar = [](double x, double y) {
+      PosedBody body{"", {}, {}};
+      for (int k = 0; k <= 20; ++k)
+        for (const double side : {0., 1.}) body.vertices.push_back({x + k / 2., y + side, k % 3 * 0.25});
+      for (int v = 0; v + 2 < static_cast<int>(body.vertices.size()); ++v) body.triangles.push_back({v, v + 1, v + 2});
+      return body;
+    };
+    const Separation beside = separate(bar(0, 0), bar(5, 1.5));
+    return Checked(beside.steps.size() == 1 && std::holds_alternative<PartingPlane>(beside.steps[0]), 1,
+                   std::to_string(beside.steps.size()) + " steps");
+  });
   t.example("bodies that are none are refused", {}, [] {
     const PosedBody good{"", {{0, 0, 0}}, {{0, 0, 0}}};
     const double infinity = std::numeric_limits<double>::infinity();
