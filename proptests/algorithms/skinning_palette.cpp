@@ -274,6 +274,25 @@ void where_rotation_centers_are(Suite& t) {
       });
 }
 
+void affine_roundings(Suite& t) {
+  t.example("affine joints have the roundings of affine joints, and none of a skinning of rotations", {}, [] {
+    const SkinnedMesh model = two_joints().mesh;
+    const JointSets sets(model);
+    AffinePose pose(model.joints.size(), identity_map<double>());
+    for (AffineMap<double>& map : pose) map.columns[0] *= 1000;
+    const auto palette = make_skinning_palette(model, sets, pose);
+    bool good = true;
+    for (std::size_t s = 0; s < static_cast<std::size_t>(sets.count()); ++s) {
+      const PaletteRounding<double> expected = rounding_affine(palette.scales(s)), found = palette.rounding(s, Skinning::linear);
+      good = good && found.vertex.per_length == expected.vertex.per_length && found.vertex.per_length > 4000 * 0x1p-53 &&
+             found.weight_vertices.per_radius == expected.weight_vertices.per_radius &&
+             std::isinf(palette.rounding(s, Skinning::spherical).vertex.per_length) &&
+             std::isinf(palette.rounding(s, Skinning::dual_quaternion).vertex.per_length);
+    }
+    return Checked(good, sets.count());
+  });
+}
+
 void refused_poses(Suite& t) {
   t.example("a pose that is refused leaves the palette as it was", {}, [] {
     const PosedModel p = two_joints();
@@ -319,22 +338,6 @@ void refused_poses(Suite& t) {
                      is_refused("its matrix is out of range", [](Map& m) { m.columns[0][1] = -1.1e4; }) &&
                      reason([](Map& m) { m.columns[0][1] = -1e4, m.offset[1] = 1e40; }).empty();
             });
-  t.example("affine joints have the roundings of affine joints, and none of a skinning of rotations", {}, [] {
-    const SkinnedMesh model = two_joints().mesh;
-    const JointSets sets(model);
-    AffinePose pose(model.joints.size(), identity_map<double>());
-    for (AffineMap<double>& map : pose) map.columns[0] *= 1000;
-    const auto palette = make_skinning_palette(model, sets, pose);
-    bool good = true;
-    for (std::size_t s = 0; s < static_cast<std::size_t>(sets.count()); ++s) {
-      const PaletteRounding<double> expected = rounding_affine(palette.scales(s)), found = palette.rounding(s, Skinning::linear);
-      good = good && found.vertex.per_length == expected.vertex.per_length && found.vertex.per_length > 4000 * 0x1p-53 &&
-             found.weight_vertices.per_radius == expected.weight_vertices.per_radius &&
-             std::isinf(palette.rounding(s, Skinning::spherical).vertex.per_length) &&
-             std::isinf(palette.rounding(s, Skinning::dual_quaternion).vertex.per_length);
-    }
-    return Checked(good, sets.count());
-  });
   t.example("a number in a pose that is not finite is refused with the joint's name", {}, [] {
     int refused = 0;
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
@@ -365,6 +368,7 @@ PROPTEST(skinning_palette) {
   vertices_and_data_of_joint_sets(t);
   where_rotation_centers_are(t);
   refused_poses(t);
+  affine_roundings(t);
 }
 
 }  // namespace proptests::suite_skinning_palette

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a baked file itself says of its bounds, in extras.refitlab (algorithms/program/extras.schema.json) and in the chunk of its
-own (algorithms/program/baked_file.cpp), and whether a certificate's bounds imply it."""
+own (algorithms/runtime/tree/baked_file.hpp), and whether a certificate's bounds imply it."""
 import struct
 from fractions import Fraction
 
