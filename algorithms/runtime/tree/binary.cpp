@@ -40,12 +40,12 @@ BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_
   return in;
 }
 
-std::string read_bytes(const std::string& path) {
+std::string read_bytes(const std::string& path) try {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw ModelError(path, "file", "cannot be read");
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw ModelError(path, "file", "cannot be read");
-  return bytes;
+  return {std::istreambuf_iterator<char>(in), {}};
+} catch (const std::ios_base::failure&) {  // of a folder, or a broken disk
+  throw ModelError(path, "file", "cannot be read");
 }
 
 }  // namespace refitlab
