@@ -16,6 +16,7 @@
 #include "algorithms/program/clip_certificate.hpp"
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/extras.hpp"
+#include "algorithms/program/json_text.hpp"
 #include "algorithms/program/peak_memory.hpp"
 #include "algorithms/program/report.hpp"
 #include "algorithms/results/write_whole.hpp"
@@ -123,7 +124,7 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
     out["crossfades"].push_back({{"first", bounds.clips[fade.first].name},
                                  {"second", bounds.clips[fade.second].name},
                                  {"parts", json_of_parts(bounds, fade.parts)}});
-  return out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return text_of(out, 1) + "\n";
 }
 
 Character baked_character(const Model& model) {

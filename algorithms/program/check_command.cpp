@@ -228,11 +228,10 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   for (std::size_t c = 0; c < baked.clusters.clips.size(); ++c) {
     const ClusterBounds::Clip& clip = baked.clusters.clips[c];
     const AnimatedJoints joints(model, c < model.clips.size() ? model.clips[c].animation : rest, needs_pose);
-    const std::string name = c < model.clips.size() ? "clip '" + clip.name + "'" : "rest pose";
     const std::vector<ParameterMoment> keys = moments_of_keys(joints);
-    report(name, check_parts(model, sets, baked.skinning, joints, clusters, clip.clusters, keys, samples, seed));
+    report(joints.name(), check_parts(model, sets, baked.skinning, joints, clusters, clip.clusters, keys, samples, seed));
     if (!nodes.vertices.empty())
-      report(name + ", nodes of the tree",
+      report(joints.name() + ", nodes of the tree",
              check_parts(model, sets, baked.skinning, joints, nodes, clip.nodes, keys, samples, seed));
   }
   std::vector<int> all(model.joints.size());
@@ -240,8 +239,7 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   for (const ClusterBounds::Crossfade& fade : baked.clusters.crossfades) {
     const Clip &first = model.clips[fade.first], &second = model.clips[fade.second];
     const CrossfadedJoints joints(model, first.animation, second.animation, all, baked.rotations, needs_pose);
-    report("crossfade of '" + first.name + "' and '" + second.name + "'",
-           check_parts(model, sets, baked.skinning, joints, clusters, fade.clusters, {}, samples, seed));
+    report(joints.name(), check_parts(model, sets, baked.skinning, joints, clusters, fade.clusters, {}, samples, seed));
   }
   return missed > 0 ? exit_found : exit_done;
 }

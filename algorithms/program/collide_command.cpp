@@ -8,6 +8,7 @@
 #include "algorithms/certificate/pairs_certificate.hpp"
 #include "algorithms/model/guarded_load.hpp"
 #include "algorithms/program/command.hpp"
+#include "algorithms/program/json_text.hpp"
 #include "algorithms/program/posed_character.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
@@ -103,7 +104,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     nlohmann::ordered_json summary = {{"first", name_a}, {"second", name_b}, {"skinning", name_of(skinning)}};
     summary["pairs"] = nlohmann::json::array();
     for (const TrianglePair& pair : pairs) summary["pairs"].push_back({pair.first, pair.second});
-    write_whole(map["json"].as<std::string>(), summary.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    write_whole(map["json"].as<std::string>(), text_of(summary) + "\n");
   }
   out << pairs.size() << " pairs of triangles touch\n";
   if (map.count("pairs"))

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
 
+#include "algorithms/program/command.hpp"
 #include "algorithms/program/program.hpp"
 
 int main(int argc, char** argv) {
   const int code = refitlab::run_program({argv + 1, argv + argc}, std::cout, std::cerr);
   if (std::cout.flush()) return code;
   std::cerr << "refitlab: standard output: cannot be written\n";
-  return code == 0 ? 3 : code;
+  return code == refitlab::exit_done ? refitlab::exit_refused : code;
 }

@@ -10,6 +10,7 @@
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/program/command.hpp"
+#include "algorithms/program/json_text.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "refitlab_report_template.hpp"
 
@@ -188,7 +189,7 @@ std::string report_page(const Model& model, const ModelBounds& bounds, const std
   std::string page = report_template;
   const std::string mark = "/*DATA*/";
   // A "<" could end the script.
-  std::string json = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::string json = text_of(data);
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
   return page.replace(page.find(mark), mark.size(), json);
 }

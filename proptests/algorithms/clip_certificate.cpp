@@ -16,6 +16,7 @@
 #include "algorithms/runtime/tree/baked_file.hpp"
 #include "algorithms/runtime/tree/glb_file.hpp"
 #include "proptests/gen/animated_model.hpp"
+#include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
@@ -303,12 +304,8 @@ struct Seen {
 
 // Two nodes, one below the other, that turn, move and grow all at once, from one key to the next; a vertex near each, and one by both.
 Model growing_arm() {
-  Model model;
-  model.name = model.skeleton.file = "arm";
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-  model.skeleton.nodes = {{"upper", -1, identity}, {"lower", 0, identity}};
-  model.skeleton.joints = {{"upper", 0, -1, identity}, {"lower", 1, 0, identity}};
-  model.joints = {{"upper", -1, Point3::Zero()}, {"lower", 0, Point3::Zero()}};
+  Model model = gen::model_of_nodes("arm", {{"upper", -1, identity}, {"lower", 0, identity}});
   model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}};
   model.triangles = {{0, 1, 2}}, model.influences = {{{0, 1}}, {{1, 1}}, {{0, 0.5}, {1, 0.5}}};
   Animation animation{"clip", 1, {}};

@@ -14,6 +14,7 @@
 #include "algorithms/model/load.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
@@ -41,15 +42,11 @@ bool encloses(const BoundedPart& outer, const BoundedPart& inner) {
 
 // A triangle about the second of two nodes, which jumps eighty times in one clip and turns by a right angle and more each second, for
 // twenty seconds, in the other one.
-Model one_joint_with_two_clips(bool jumps) {
-  Model model;
-  model.name = model.skeleton.file = "two clips";
+Model two_nodes_with_two_clips(bool jumps) {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-  model.skeleton.nodes = {{"a", -1, identity}, {"b", 0, identity}};
-  model.skeleton.joints = {{"b", 1, -1, identity}};
-  model.joints = {{"b", -1, Point3::Zero()}};
+  Model model = gen::model_of_nodes("two clips", {{"a", -1, identity}, {"b", 0, identity}});
   model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}};
-  model.triangles = {{0, 1, 2}}, model.influences.assign(3, {{0, 1}});
+  model.triangles = {{0, 1, 2}}, model.influences.assign(3, {{1, 1}});
   for (const int clip : {0, 1}) {
     NodeTrack track{1, {}, {}, {}};
     track.positions.keys = {{0, {0, 0, 0}}}, track.scales.keys = {{0, {1, 1, 1}}};
@@ -199,7 +196,7 @@ void volumes_around_what_is_sampled(Suite& t) {
 Checked check_clips_of_many_keys() {
   long looked_at = 0;
   for (const bool jumps : {true, false}) {
-    const Model model = one_joint_with_two_clips(jumps);
+    const Model model = two_nodes_with_two_clips(jumps);
     const ModelBounds faded = bound_model(model, {.tolerance = 0.1, .cluster_triangles = 0, .crossfades = true});
     const BoundedPart& part = faded.crossfades.at(0).parts[0];
     const JointSets sets(model);
@@ -321,13 +318,13 @@ void parts_of_crossfades_and_what_is_refused(Suite& t) {
         if (std::string(e.what()).find(reason) == std::string::npos) wrong += e.what();
       }
     };
-    Model far = one_joint_with_two_clips(true);
+    Model far = two_nodes_with_two_clips(true);
     far.clips[1].animation.tracks[0].positions.keys[3].value = {0, 1e39, 0};
     refused(far, "clip 'b': its vertices go beyond the range of float");
     far.clips[1].animation.tracks.push_back(
         {0, {{{0, {0, 0, 0}}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, Eigen::Vector3d::Constant(1e300)}}}});
     refused(far, "joint 'b', time");
-    far = one_joint_with_two_clips(true);
+    far = two_nodes_with_two_clips(true);
     far.morphs = {{0, {std::numeric_limits<double>::infinity()}, {}}};
     refused(far, "a weight of a morph target is not finite");
     return Checked(wrong.empty(), 3, wrong);

@@ -25,6 +25,7 @@
 #include "algorithms/runtime/tree/baked_file.hpp"
 #include "algorithms/runtime/tree/glb_file.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
@@ -301,12 +302,7 @@ void what_is_said_of_a_file(Suite& t) {
 
 // Two triangles below a node that a clip scales by 0, from its start to its end.
 Model make_hidden() {
-  Model model;
-  model.name = model.skeleton.file = "hidden";
-  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-  model.skeleton.nodes = {{"a", -1, identity}};
-  model.skeleton.joints = {{"a", 0, -1, identity}};
-  model.joints = {{"a", -1, Point3::Zero()}};
+  Model model = gen::model_of_nodes("hidden", {{"a", -1, Eigen::Matrix4d::Identity()}});
   model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}, {0, 0, 1}};
   model.triangles = {{0, 1, 2}, {1, 2, 3}}, model.influences.assign(4, {{0, 1}});
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
@@ -471,14 +467,10 @@ void strange_names_and_joints(Suite& t) {
     // A triangle at x = 100, by a joint of this scale, and one from 100.05 to 100.2 that crosses where it then is.
     for (const double scale : {1.0, 1.001}) {
       const auto of = [&](double joint_scale, const std::vector<Point3>& corners) {
-        Model model;
-        model.name = model.skeleton.file = "one";
-        Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-        local.topLeftCorner<3, 3>() *= joint_scale;
         const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-        model.skeleton.nodes = {{"a", -1, identity}, {"b", -1, local}, {"c", -1, identity}};
-        model.skeleton.joints = {{"a", 0, -1, identity}, {"b", 1, -1, identity}, {"c", 2, -1, identity}};
-        model.joints = {{"a", -1, Point3::Zero()}, {"b", -1, Point3::Zero()}, {"c", -1, Point3::Zero()}};
+        Eigen::Matrix4d local = identity;
+        local.topLeftCorner<3, 3>() *= joint_scale;
+        Model model = gen::model_of_nodes("three", {{"a", -1, identity}, {"b", -1, local}, {"c", -1, identity}});
         model.vertices = corners, model.triangles = {{0, 1, 2}, {3, 4, 5}}, model.influences.assign(3, {{1, 1}});
         for (const Point3& p : corners) model.vertices.push_back(p - Point3(corners[0][0] == 100 ? 150 : 250, 0, 0));
         model.influences.resize(6, {{0, 1}}), model.influences[4] = {{2, 1}};
@@ -547,6 +539,7 @@ void wrong_calls_and_files(Suite& t) {
                   fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
                   fails(2, {"collide", rigid, rigid, "--at", "1", "2"}, "three numbers") &&
                   fails(3, {"bake", folder.file("none.glb"), out}, "none.glb") && fails(3, {"check", in}, "it was not baked") &&
+                  fails(3, {"check", folder.file("")}, folder.file("") + ": file: cannot be read") &&
                   fails(3, {"collide", "--clip-a", "none", rigid, rigid}, "clip 'none'") &&
                   fails(3, {"bake", "--skinning", "dual-quaternion", in, out}, "skin matrix") &&  // its joints scale unevenly
                   fails(3, {"bake", in, in + "/x.glb"}, "in.glb");

@@ -90,7 +90,7 @@ std::shared_ptr<const PosedJoints> AnimatedJoints::at(double time, Side side) co
                                               : Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
                                                     still.data(), static_cast<Eigen::Index>(still.size()))));
   }
-  check_finite(model_, posed, "clip '" + animation_.name + "'", std::to_string(time) + " s");
+  check_finite(*this, posed, std::to_string(time) + " s");
   if (needs_pose_) posed.pose = pose(model_.skeleton, animation_, time, side).pose;
   const std::lock_guard lock(guard_);
   return posed_.try_emplace({time, side}, std::make_shared<const PosedJoints>(std::move(posed))).first->second;

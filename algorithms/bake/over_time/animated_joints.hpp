@@ -18,6 +18,8 @@ class AnimatedJoints : public MovingJoints {
   AnimatedJoints(const Model& model, const Animation& animation, bool needs_pose);
 
   const Model& model() const override { return model_; }
+  // Clips have names; an animation that has none is the rest pose.
+  std::string name() const override { return animation_.name.empty() ? "rest pose" : "clip '" + animation_.name + "'"; }
   // Returns the times, in seconds, between which every part is smooth. If the animation has no duration, or jumps at its end, the
   // last part is a moment. It then has what comes after the jump.
   const std::vector<double>& times() const { return times_; }

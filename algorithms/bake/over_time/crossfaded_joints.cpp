@@ -341,8 +341,7 @@ PosedJoints CrossfadedJoints::posed(const ParameterMoment& moment) const {
   PosedJoints out{skin_matrices(model_.skeleton, locals), {}, {}};
   for (std::size_t m = 0; m < model_.morphs.size(); ++m)
     out.weights.push_back((1 - weight) * first_.weights(m, a.value, a.side) + weight * second_.weights(m, b.value, b.side));
-  check_finite(model_, out, "crossfade of '" + first_.name() + "' and '" + second_.name() + "'",
-               std::to_string(a.value) + " s and " + std::to_string(b.value) + " s");
+  check_finite(*this, out, std::to_string(a.value) + " s and " + std::to_string(b.value) + " s");
   if (needs_pose_) {
     std::ostringstream when;
     when << "times " << a.value << " s and " << b.value << " s, weight " << weight;

@@ -66,6 +66,7 @@ class CrossfadedJoints : public MovingJoints {
                    RotationBlend rotations, bool needs_pose);
 
   const Model& model() const override { return model_; }
+  std::string name() const override { return "crossfade of '" + first_.name() + "' and '" + second_.name() + "'"; }
   // The parameters are the time of the first animation, that of the second, and the weight of the second.
   std::vector<ParameterBox> boxes() const override;
   JointCell cell(const ParameterBox& box) const override;

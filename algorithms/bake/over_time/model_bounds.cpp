@@ -105,10 +105,7 @@ BoundedPart outward(const BoundOverTime& bound, double renderer_rounding, const 
     const double wider = (more + 0x1p-50 * farthest) * length_bound(directions[d]);
     out.slabs.push_back({float_below(bound.slabs[d].low - wider), float_above(bound.slabs[d].high + wider)});
   }
-  bool is_finite =
-      out.box.low.allFinite() && out.box.high.allFinite() && out.ball.center.allFinite() && std::isfinite(out.ball.radius);
-  for (const Slab<float>& slab : out.slabs) is_finite = is_finite && std::isfinite(slab.low) && std::isfinite(slab.high);
-  if (!is_finite) throw ModelError(file, thing, "its vertices go beyond the range of float");
+  if (!is_sound(out)) throw ModelError(file, thing, "its vertices go beyond the range of float");
   return out;
 }
 
@@ -238,11 +235,11 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   if (options.with_intervals) intervals.assign(clips.size(), std::vector<PartIntervals>(things));
   std::atomic<long> moments = 0;
   const auto bound_of = [&](std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
-                            const OverTimeOptions& how, PartIntervals* kept, const std::string& clip) {
+                            const OverTimeOptions& how, PartIntervals* kept) {
     BoundOverTime bound = bound_over_time(joints, vertices, how);
     moments += bound.moments;
     if (kept) *kept = {std::move(bound.slab_intervals), std::move(bound.ball_intervals)};
-    return outward(bound, options.renderer_rounding, model.name, clip);
+    return outward(bound, options.renderer_rounding, model.name, joints.back()->name());
   };
   const auto share_among_same = [&](auto& parts) {
     for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];
@@ -252,10 +249,8 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     const Task& task = tasks[t];
     const MovingJoints* const joints[] = {&clips[task.clip]};
     PartIntervals* const kept = options.with_intervals ? &intervals[task.clip][task.thing] : nullptr;
-    bounded[task.clip][task.thing] =
-        bound_of(joints, {model, sets, options.skinning, *vertices_of_thing[task.thing]},
-                 {.tolerance = options.tolerance, .directions = directions}, kept,
-                 task.clip < model.clips.size() ? "clip '" + model.clips[task.clip].name + "'" : "rest pose");
+    bounded[task.clip][task.thing] = bound_of(joints, {model, sets, options.skinning, *vertices_of_thing[task.thing]},
+                                              {.tolerance = options.tolerance, .directions = directions}, kept);
     progress.add(task.cost);
   });
   for (auto& parts : bounded) share_among_same(parts);
@@ -273,7 +268,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
         bounds.parts[p] = bound_of(
             joints, vertices,
             {.tolerance = options.crossfade_tolerance, .directions = directions, .most_halvings = most_halvings_of_crossfade},
-            nullptr, "crossfade of '" + model.clips[a].name + "' and '" + model.clips[b].name + "'");
+            nullptr);
         progress.add(cost_of_fade);
       });
       share_among_same(bounds.parts);

@@ -3,13 +3,15 @@
 
 namespace refitlab {
 
-void check_finite(const Model& model, const PosedJoints& posed, const std::string& clip, const std::string& moment) {
+void check_finite(const MovingJoints& joints, const PosedJoints& posed, const std::string& moment) {
+  const Model& model = joints.model();
   for (std::size_t j = 0; j < posed.matrices.size(); ++j)
     if (!posed.matrices[j].allFinite())
-      throw ModelError(model.name, clip + ", joint '" + model.joints[j].name + "', time " + moment,
+      throw ModelError(model.name, joints.name() + ", joint '" + model.joints[j].name + "', time " + moment,
                        "the skin matrix is not finite");
   for (const Eigen::VectorXd& weights : posed.weights)
-    if (!weights.allFinite()) throw ModelError(model.name, clip + ", time " + moment, "a weight of a morph target is not finite");
+    if (!weights.allFinite())
+      throw ModelError(model.name, joints.name() + ", time " + moment, "a weight of a morph target is not finite");
 }
 
 std::vector<ParameterMoment> corners_of(const ParameterBox& box) {

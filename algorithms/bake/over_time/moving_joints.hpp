@@ -20,9 +20,6 @@ struct PosedJoints {
   std::vector<Eigen::VectorXd> weights;   // by target, for each of the morphed meshes of the model
 };
 
-// Throws ModelError, with the clip and the moment, if a matrix or a weight is not finite.
-void check_finite(const Model& model, const PosedJoints& posed, const std::string& clip, const std::string& moment);
-
 // Returns the side of an interval's end that belongs to the interval. If the interval is a moment, it is the later side, which
 // the animation shows then.
 inline Side side_of_end(double start, double end) { return start < end ? Side::before : Side::after; }
@@ -89,15 +86,21 @@ class MovingJoints {
  public:
   virtual ~MovingJoints() = default;
   virtual const Model& model() const = 0;
+  // Returns what moves them, for messages: such as "clip 'walk'".
+  virtual std::string name() const = 0;
   // Returns boxes that cover all values of the parameters.
   virtual std::vector<ParameterBox> boxes() const = 0;
   virtual JointCell cell(const ParameterBox& box) const = 0;
   // Splits the box in two at a value of this parameter, or by a sign if part of its motion is not known. Returns nothing if there
   // is no value in between.
   virtual std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter, bool is_known) const = 0;
-  // Returns the joints at a moment. Throws ModelError for a pose that is asked for and is not rigid.
+  // Returns the joints at a moment. Throws ModelError for a pose that is asked for and is not rigid, and for a matrix or weight that is
+  // not finite.
   virtual std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const = 0;
 };
+
+// Throws ModelError, with what moves the joints and the moment, if a matrix or a weight is not finite.
+void check_finite(const MovingJoints& joints, const PosedJoints& posed, const std::string& moment);
 
 // Returns the corners of a box, which are made of its ranges' ends.
 std::vector<ParameterMoment> corners_of(const ParameterBox& box);

@@ -49,17 +49,18 @@ void bound_affine_boxes(std::span<const SimplexPiece> pieces, const SkinningPale
   // Of the placement's rotation, which is of unit length but for its rounding and what check_placement accepts.
   constexpr double turn = 1.00001;
   std::vector<double> w;
+  std::vector<AffineSizes> of_joints;
   for (const SimplexPiece& piece : pieces) {
     const auto maps = palette[static_cast<std::size_t>(piece.joint_set)].maps;
     const int joints = static_cast<int>(maps.size());
+    of_joints.clear();
+    for (const AffineMap<double>& map : maps) of_joints.push_back(sizes_of(map, joints));
     for (std::size_t k = 0; k < maps.size(); ++k) {
       w = piece.low;
       w[k] += piece.rest;
       AffineSizes sizes{joints, 0, 0};
-      for (std::size_t j = 0; j < maps.size(); ++j) {
-        const AffineSizes own = sizes_of(maps[j], joints);
-        sizes.matrix += turn * w[j] * own.matrix, sizes.offset += turn * w[j] * own.offset;
-      }
+      for (std::size_t j = 0; j < maps.size(); ++j)
+        sizes.matrix += turn * w[j] * of_joints[j].matrix, sizes.offset += turn * w[j] * of_joints[j].offset;
       const AffineMap<double> blend = turned(rotation, blended_map<double>(maps, w));
       boxes[static_cast<std::size_t>(piece.target)].merge(box_of_image(blend, piece.reference, piece.box, sizes));
     }

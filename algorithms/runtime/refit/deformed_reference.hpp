@@ -23,7 +23,7 @@ class DeformedReference {
   // Takes a deformation. Taking the last one again costs nothing. Throws ModelError as check_deformation does.
   void begin(const Deformation& deformation);
   // Takes all weights in these intervals, by target, at once. Refits then hold for each of them, and vertex() must not be called.
-  // Throws ModelError as check_deformation does, for either end.
+  // Throws ModelError as check_deformation does, for the weights farthest from 0, and for an interval that ends before it begins.
   void begin(std::span<const Slab<double>> weights, const AffinePose& scales);
 
   // Returns what a variant uses to refit a node: its balls enclose the vertices of deformed(), in double or exactly. The result

@@ -46,6 +46,15 @@ void transfer_clusters(auto& io, auto& bounds) {
   });
 }
 
+void check(const std::vector<BoundedPart>& parts, const char* kind, std::size_t count, const std::string& file,
+           const std::string& thing) {
+  if (parts.size() != count) throw ModelError(file, thing, std::string("it does not have a bound for each ") + kind);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (!is_sound(parts[p])) throw ModelError(file, thing + ", " + kind + " " + std::to_string(p), "its bound is none");
+}
+
+}  // namespace
+
 bool is_sound(const BoundedPart& part) {
   for (int i = 0; i < 3; ++i)
     if (!(std::isfinite(part.box.low[i]) && std::isfinite(part.box.high[i]) && std::isfinite(part.ball.center[i]) &&
@@ -55,15 +64,6 @@ bool is_sound(const BoundedPart& part) {
     if (!(std::isfinite(slab.low) && std::isfinite(slab.high) && slab.low <= slab.high)) return false;
   return part.ball.radius >= 0 && std::isfinite(part.ball.radius);
 }
-
-void check(const std::vector<BoundedPart>& parts, const char* kind, std::size_t count, const std::string& file,
-           const std::string& thing) {
-  if (parts.size() != count) throw ModelError(file, thing, std::string("it does not have a bound for each ") + kind);
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    if (!is_sound(parts[p])) throw ModelError(file, thing + ", " + kind + " " + std::to_string(p), "its bound is none");
-}
-
-}  // namespace
 
 std::string bytes_of(const ClusterBounds& bounds) {
   BinaryWriter body;

@@ -35,6 +35,9 @@ struct BoundedPart {
   std::vector<Slab<float>> slabs = {};  // by direction of slab_directions(k), without the axes
 };
 
+// Returns whether all numbers are finite, no side is reversed, and no radius negative.
+bool is_sound(const BoundedPart& part);
+
 struct ClusterBounds {
   struct Primitive {
     int node, mesh, primitive, skin;  // indices of glTF; -1 for none
